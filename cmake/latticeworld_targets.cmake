@@ -1,0 +1,21 @@
+# latticeworld_library(<room> SOURCES ... [PUBLIC targets] [PRIVATE targets])
+# One static library a room, latticeworld_<room>, whose headers are included from src/.
+function(latticeworld_library room)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  set(target latticeworld_${room})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+  target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+endfunction()
+
+# latticeworld_test(<room> SOURCES ... [LIBRARIES ...]) makes <room>_test, one CTest test a TEST().
+function(latticeworld_test room)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  set(target ${room}_test)
+  add_executable(${target} ${ARG_SOURCES})
+  target_link_libraries(${target} PRIVATE latticeworld_${room} ${ARG_LIBRARIES} GTest::gtest_main)
+  target_compile_options(${target} PRIVATE -Wall -Wextra)
+  add_test(NAME ${room} COMMAND ${target})
+endfunction()

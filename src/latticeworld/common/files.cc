@@ -1,0 +1,179 @@
+#include "latticeworld/common/files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include "latticeworld/common/text.h"
+
+namespace latticeworld {
+namespace {
+
+namespace fs = std::filesystem;
+
+Status ErrnoStatus(const std::string& what, int error) {
+  const std::string message = what + ": " + std::strerror(error);
+  switch (error) {
+    case ENOENT:
+    case ENOTDIR:
+      return NotFound(message);
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return PermissionDenied(message);
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+      return ResourceExhausted(message);
+    case EEXIST:
+    case ENOTEMPTY:
+      return Status(StatusCode::kAlreadyExists, message);
+    default:
+      return Internal(message);
+  }
+}
+
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int fd) : fd_(fd) {}
+  ~FileDescriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+Status SyncDirectory(const fs::path& directory) {
+  const FileDescriptor fd(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (fd.get() < 0 || ::fsync(fd.get()) != 0) {
+    return ErrnoStatus("cannot sync directory " + directory.string(), errno);
+  }
+  return Status();
+}
+
+bool IsBelow(const fs::path& path, const fs::path& directory) {
+  auto part = path.begin();
+  for (const fs::path& expected : directory) {
+    if (expected.empty()) continue;  // a trailing slash
+    if (part == path.end() || *part != expected) return false;
+    ++part;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<std::string> ReadFile(const fs::path& path, std::size_t max_bytes) {
+  // O_NONBLOCK: opening a pipe that nobody writes to must not hang.
+  const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (fd.get() < 0) return ErrnoStatus("cannot open " + path.string(), errno);
+  struct stat info;
+  if (::fstat(fd.get(), &info) != 0) return ErrnoStatus("cannot stat " + path.string(), errno);
+  if (!S_ISREG(info.st_mode)) return InvalidArgument(path.string() + " is not a regular file");
+  if (static_cast<std::uint64_t>(info.st_size) > max_bytes) {
+    return ResourceExhausted(path.string() + " is " + std::to_string(info.st_size) +
+                             " bytes long; at most " + std::to_string(max_bytes) + " are read");
+  }
+  std::string content(static_cast<std::size_t>(info.st_size), '\0');
+  std::size_t size = 0;
+  while (size < content.size()) {
+    const ssize_t count = ::read(fd.get(), content.data() + size, content.size() - size);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return ErrnoStatus("cannot read " + path.string(), errno);
+    if (count == 0) break;
+    size += static_cast<std::size_t>(count);
+  }
+  content.resize(size);
+  return content;
+}
+
+Status WriteFile(const fs::path& path, std::string_view content) {
+  const FileDescriptor fd(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+  if (fd.get() < 0) return ErrnoStatus("cannot create " + path.string(), errno);
+  std::size_t size = 0;
+  while (size < content.size()) {
+    const ssize_t count = ::write(fd.get(), content.data() + size, content.size() - size);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return ErrnoStatus("cannot write " + path.string(), errno);
+    size += static_cast<std::size_t>(count);
+  }
+  if (::fsync(fd.get()) != 0) return ErrnoStatus("cannot sync " + path.string(), errno);
+  return Status();
+}
+
+Result<DirectoryWriter> DirectoryWriter::Create(const fs::path& target) {
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(target, error))) {
+    return Status(StatusCode::kAlreadyExists, target.string() + " already exists");
+  }
+  const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  std::string temporary = (parent / ("." + target.filename().string() + ".XXXXXX")).string();
+  if (::mkdtemp(temporary.data()) == nullptr) {
+    return ErrnoStatus("cannot create a directory in " + parent.string(), errno);
+  }
+  ::chmod(temporary.c_str(), 0755);
+  return DirectoryWriter(target, temporary);
+}
+
+DirectoryWriter::DirectoryWriter(fs::path target, fs::path temporary)
+    : target_(std::move(target)), temporary_(std::move(temporary)) {}
+
+DirectoryWriter::DirectoryWriter(DirectoryWriter&& other) noexcept
+    : target_(std::move(other.target_)), temporary_(std::move(other.temporary_)) {
+  other.temporary_.clear();
+}
+
+DirectoryWriter::~DirectoryWriter() {
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+}
+
+Status DirectoryWriter::Write(const fs::path& relative, std::string_view content) {
+  const fs::path path = temporary_ / relative;
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error) return ErrnoStatus("cannot create " + path.parent_path().string(), error.value());
+  return WriteFile(path, content);
+}
+
+Status DirectoryWriter::Commit() {
+  std::error_code error;
+  for (const auto& entry : fs::recursive_directory_iterator(temporary_, error)) {
+    if (entry.is_directory()) LW_RETURN_IF_ERROR(SyncDirectory(entry.path()));
+  }
+  LW_RETURN_IF_ERROR(SyncDirectory(temporary_));
+  // RENAME_NOREPLACE: a target that appeared meanwhile is never replaced, not even an empty one.
+  if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) != 0) {
+    return ErrnoStatus("cannot rename into " + target_.string(), errno);
+  }
+  temporary_.clear();
+  return SyncDirectory(target_.has_parent_path() ? target_.parent_path() : fs::path("."));
+}
+
+Result<fs::path> ResolveBelow(const fs::path& path, const std::vector<fs::path>& allowed) {
+  std::vector<std::string> names;
+  std::error_code error;
+  const fs::path resolved = fs::weakly_canonical(path, error);
+  for (const fs::path& directory : allowed) {
+    names.push_back(directory.string());
+    if (error) continue;
+    std::error_code directory_error;
+    const fs::path base = fs::canonical(directory, directory_error);
+    if (directory_error || !IsBelow(resolved, base)) continue;
+    if (!fs::exists(resolved, directory_error)) return NotFound(path.string() + " does not exist");
+    return resolved;
+  }
+  return PermissionDenied(Quote(path.string()) + " is outside the allowed directories (" +
+                          (names.empty() ? "none is configured" : Join(names, ", ")) + ")");
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,51 @@
+#ifndef LATTICEWORLD_COMMON_FILES_H_
+#define LATTICEWORLD_COMMON_FILES_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latticeworld/common/result.h"
+
+namespace latticeworld {
+
+// Whole content of a regular file of at most max_bytes. Errors: NOT_FOUND, PERMISSION_DENIED,
+// RESOURCE_EXHAUSTED (larger than max_bytes), INVALID_ARGUMENT (not a regular file).
+Result<std::string> ReadFile(const std::filesystem::path& path, std::size_t max_bytes);
+
+// Writes and fsyncs one file; an existing file is replaced. Errors: PERMISSION_DENIED,
+// RESOURCE_EXHAUSTED (disk full), INTERNAL.
+Status WriteFile(const std::filesystem::path& path, std::string_view content);
+
+// A directory that is written whole or not at all: files go to a temporary sibling of `target`;
+// Commit fsyncs and renames it into place. Without Commit the temporary one is removed.
+class DirectoryWriter {
+ public:
+  // Errors: ALREADY_EXISTS when target exists, PERMISSION_DENIED, RESOURCE_EXHAUSTED, NOT_FOUND
+  // (no parent directory).
+  static Result<DirectoryWriter> Create(const std::filesystem::path& target);
+  DirectoryWriter(DirectoryWriter&& other) noexcept;
+  DirectoryWriter& operator=(DirectoryWriter&&) = delete;
+  ~DirectoryWriter();
+
+  // relative: below the directory, its parent folders are made.
+  Status Write(const std::filesystem::path& relative, std::string_view content);
+  Status Commit();
+
+ private:
+  DirectoryWriter(std::filesystem::path target, std::filesystem::path temporary);
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;  // empty once committed or moved from
+};
+
+// The file that `path` names when it lies below one of the allowed directories once links and ".."
+// are resolved; PERMISSION_DENIED naming the allowed ones when it does not, NOT_FOUND when absent.
+Result<std::filesystem::path> ResolveBelow(const std::filesystem::path& path,
+                                           const std::vector<std::filesystem::path>& allowed);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_COMMON_FILES_H_

@@ -1,0 +1,26 @@
+#ifndef LATTICEWORLD_EXPORTING_PICTURE_H_
+#define LATTICEWORLD_EXPORTING_PICTURE_H_
+
+#include <string>
+
+#include "latticeworld/common/result.h"
+
+namespace latticeworld {
+
+struct Scene;
+
+struct PictureOptions {
+  int width_px = 1200;  // [64, 4096] of one view; views are square-ish, see each function
+  bool agents = true;   // mark where agents begin
+};
+
+// PNG of the world from above, north up: ground colours, shaded relief, water, assets, agents.
+Result<std::string> DrawTopView(const Scene& scene, const PictureOptions& options);
+// PNG of the world from the south at an angle, with height and standing assets.
+Result<std::string> DrawObliqueView(const Scene& scene, const PictureOptions& options);
+// Both side by side.
+Result<std::string> DrawWorld(const Scene& scene, const PictureOptions& options);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_EXPORTING_PICTURE_H_

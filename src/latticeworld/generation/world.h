@@ -1,0 +1,53 @@
+#ifndef LATTICEWORLD_GENERATION_WORLD_H_
+#define LATTICEWORLD_GENERATION_WORLD_H_
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "latticeworld/environment/environment_config.h"
+#include "latticeworld/geometry/grid_geometry.h"
+#include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/symbolic_layout.h"
+#include "latticeworld/relief/relief.h"
+#include "latticeworld/scene/scene.h"
+
+namespace latticeworld {
+
+enum class VisualKind : std::uint8_t { kNone, kHeightMap };
+
+// What a person asks for. Empty and zero fields have a meaning, so that text alone is enough.
+struct GenerationRequest {
+  std::string layout_instruction;       // x_L; may be empty only with a visual instruction
+  std::string environment_instruction;  // x_C; may be empty
+  VisualKind visual_kind = VisualKind::kNone;
+  std::string visual;  // bytes of the picture
+  HeightMapOptions height_map;
+  std::string vocabulary;  // "": chosen from the text; "suburb", "wild"
+  std::string generator;   // "": "grounded"
+  std::uint64_t seed = 0;  // never 0 here: callers draw one for a user who gave none
+  double size_m = 512.0;
+  double resolution_m = 0.5;
+};
+
+struct StageTime {
+  std::string name;
+  double seconds = 0.0;
+};
+
+// A generated world. Immutable and shared.
+struct World {
+  std::string id;  // "world-<first 12 digits of the content's SHA-256>": same content, same id
+  GenerationRequest request;  // as resolved: vocabulary and generator filled in
+  SymbolicLayout layout;
+  EnvironmentConfig environment;
+  std::shared_ptr<const Scene> scene;
+  std::vector<Claim> claims;
+  std::vector<std::string> warnings;
+  std::vector<StageTime> stages;  // in order: relief, layout, environment, terrain, scene
+};
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_GENERATION_WORLD_H_

@@ -1,0 +1,46 @@
+#ifndef LATTICEWORLD_GENERATION_WORLD_GENERATOR_H_
+#define LATTICEWORLD_GENERATION_WORLD_GENERATOR_H_
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "latticeworld/common/progress.h"
+#include "latticeworld/common/result.h"
+#include "latticeworld/generation/world.h"
+#include "latticeworld/language/generator.h"
+
+namespace latticeworld {
+
+struct LanguageBackend {
+  std::unique_ptr<LayoutGenerator> layout;
+  std::unique_ptr<EnvironmentGenerator> environment;
+};
+
+// Request to World. One request at a time; call from one thread (Cancel comes through Progress).
+class WorldGenerator {
+ public:
+  // backends: by name; default_backend must be among them.
+  WorldGenerator(std::map<std::string, LanguageBackend> backends, std::string default_backend);
+
+  // Everything that can be said about a request before any work is done, every violation at once.
+  Status Validate(const GenerationRequest& request) const;
+
+  // Errors: INVALID_ARGUMENT (every violation), CANCELLED, RESOURCE_EXHAUSTED, what back ends say.
+  Result<std::shared_ptr<const World>> Generate(const GenerationRequest& request,
+                                                const Progress& progress);
+
+  std::vector<std::string> backend_names() const;
+
+ private:
+  std::map<std::string, LanguageBackend> backends_;
+  std::string default_backend_;
+};
+
+// The generator with every back end that is built in ("grounded").
+WorldGenerator MakeDefaultWorldGenerator();
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_GENERATION_WORLD_GENERATOR_H_

@@ -1,0 +1,73 @@
+#ifndef LATTICEWORLD_LANGUAGE_GENERATOR_H_
+#define LATTICEWORLD_LANGUAGE_GENERATOR_H_
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latticeworld/common/progress.h"
+#include "latticeworld/common/result.h"
+#include "latticeworld/environment/environment_config.h"
+#include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/symbolic_layout.h"
+#include "latticeworld/relief/relief.h"
+
+namespace latticeworld {
+
+inline constexpr std::size_t kMaxInstructionBytes = 16384;
+
+struct LayoutRequest {
+  std::string instruction;  // x_L: UTF-8, at most kMaxInstructionBytes; empty only with a relief
+  Vocabulary vocabulary = Vocabulary::kSuburb;
+  const Relief* relief = nullptr;  // v_L, or none
+  std::uint64_t seed = 0;
+};
+
+struct LayoutAnswer {
+  SymbolicLayout layout;
+  std::vector<Claim> claims;          // what was understood
+  std::vector<std::string> warnings;  // each quotes the words it is about
+};
+
+// LLM_L: text (and relief) to the symbolic layout.
+class LayoutGenerator {
+ public:
+  virtual ~LayoutGenerator() = default;
+  virtual std::string_view name() const = 0;
+  // Errors: INVALID_ARGUMENT, CANCELLED, and what the back end adds (UNAVAILABLE, ...).
+  virtual Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress) = 0;
+};
+
+struct EnvironmentRequest {
+  std::string instruction;  // x_C: may be empty, then the environment follows from the layout
+  const Relief* relief = nullptr;
+  const SymbolicLayout* layout = nullptr;  // never null
+  std::uint64_t seed = 0;
+};
+
+struct EnvironmentAnswer {
+  EnvironmentConfig environment;  // valid
+  std::vector<std::string> warnings;
+};
+
+// LLM_C: text (and relief) and layout to the environment configuration.
+class EnvironmentGenerator {
+ public:
+  virtual ~EnvironmentGenerator() = default;
+  virtual std::string_view name() const = 0;
+  virtual Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request,
+                                             const Progress& progress) = 0;
+};
+
+// The checks that every back end's request passes: UTF-8, length, emptiness.
+Status Validate(const LayoutRequest& request);
+Status Validate(const EnvironmentRequest& request);
+
+// The vocabulary that the words speak of: suburb for buildings, roads and fields, wild for rock and
+// snow; suburb when nothing tells.
+Vocabulary ChooseVocabulary(std::string_view layout_instruction);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_GENERATOR_H_

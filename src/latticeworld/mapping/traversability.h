@@ -1,0 +1,33 @@
+#ifndef LATTICEWORLD_MAPPING_TRAVERSABILITY_H_
+#define LATTICEWORLD_MAPPING_TRAVERSABILITY_H_
+
+#include <cstdint>
+
+#include "latticeworld/geometry/grid.h"
+
+namespace latticeworld {
+
+struct Scene;
+
+// The robot that a map is made for.
+struct RobotLimits {
+  double radius_m = 0.3;          // 0: obstacles are not inflated
+  double max_slope_rad = 0.5236;  // 30 degrees
+  double max_step_m = 0.25;       // height difference between neighbouring cells
+  double max_fording_depth_m = 0.2;
+};
+
+// (rows x cols) of the scene's geometry, in [0, 1]: 0 impassable, 1 level open ground; slopes
+// between by their share of max_slope.
+Grid<float> BuildTraversability(const Scene& scene, const RobotLimits& limits);
+
+// (rows x cols), row 0 north: 0 free .. 100 occupied; graded costs on slopes: a slope that the
+// robot can climb stays below 50. Solid assets, deep water and too steep ground are 100.
+Grid<std::int8_t> BuildOccupancy(const Scene& scene, const RobotLimits& limits);
+
+// Slope [rad] of the ground at cell centres, central differences over the triangulation's vertices.
+Grid<float> BuildSlope(const Scene& scene);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_MAPPING_TRAVERSABILITY_H_

@@ -1,0 +1,46 @@
+#ifndef LATTICEWORLD_RELIEF_RELIEF_H_
+#define LATTICEWORLD_RELIEF_RELIEF_H_
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latticeworld/common/result.h"
+#include "latticeworld/geometry/grid.h"
+#include "latticeworld/geometry/grid_geometry.h"
+
+namespace latticeworld {
+
+inline constexpr int kReliefSummarySize = 32;  // cells a side, as the symbolic layout
+inline constexpr int kMinReliefSize = 33;      // samples a side of a height map
+inline constexpr int kMaxReliefSize = 8193;
+
+// v_L, read: the shape of the land that the user gave. It spans the whole world whatever its size.
+struct Relief {
+  Grid<float> height_m;  // (rows x cols) of the picture, not necessarily square; row 0 north
+  Grid<float> summary;   // (32 x 32) mean height, scaled so that the lowest is 0 and the highest 1
+  std::string caption;   // "high ground in the upper right falling to a low in the lower left"
+};
+
+// Height [m] = offset + scale * value / largest value of the picture's depth (255 or 65535).
+struct HeightMapOptions {
+  double height_scale_m = 100.0;  // [0, 9000]: from the lowest to the highest possible value
+  double height_offset_m = 0.0;   // [-9000, 9000]
+};
+std::vector<Violation> Validate(const HeightMapOptions& options);
+
+// Reads an 8- or 16-bit greyscale height map (colour is refused) from the bytes of a PNG, PGM or
+// TIFF. Errors: INVALID_ARGUMENT (not such a picture, truncated, size outside 33..8193, options).
+// The header is checked before pixels are decoded, so that a hostile size costs no memory.
+Result<Relief> ReadHeightMap(std::string_view bytes, const HeightMapOptions& options);
+
+// Relief from height samples: summary and caption are made. height_m: finite, at least 33 a side.
+Relief MakeRelief(Grid<float> height_m);
+
+// Gentle rolling land of about amplitude_m from low to high for fixed-height scenes.
+Grid<float> ProceduralRelief(const GridGeometry& geometry, double amplitude_m, std::uint64_t seed);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_RELIEF_RELIEF_H_

@@ -1,0 +1,59 @@
+#ifndef LATTICEWORLD_SCENE_SCENE_H_
+#define LATTICEWORLD_SCENE_SCENE_H_
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "latticeworld/common/progress.h"
+#include "latticeworld/common/result.h"
+#include "latticeworld/environment/environment_config.h"
+#include "latticeworld/scene/asset.h"
+#include "latticeworld/scene/asset_index.h"
+#include "latticeworld/scene/atmosphere.h"
+#include "latticeworld/terrain/terrain.h"
+
+namespace latticeworld {
+
+// Where an agent begins.
+struct AgentStart {
+  std::string name;  // unique, legal as a ROS name: "sheep_1"
+  AgentCategory category = AgentCategory::kSheep;
+  AgentState state = AgentState::kIdle;
+  int team = 0;               // 0 neutral (animals), 1 robots, 2 adversaries
+  bool controllable = false;  // obeys commands instead of behaving by itself
+  WorldPoint position;
+  double height_above_ground_m = 0.0;  // of the body's lowest point; flyers > 0
+  double heading_rad = 0.0;            // 0 east, counter-clockwise
+};
+
+// Everything of a world that does not change while it is simulated.
+struct Scene {
+  std::shared_ptr<const Terrain> terrain;  // never null
+  EnvironmentConfig environment;
+  std::vector<Asset> assets;
+  AssetIndex index;  // over assets
+  Atmosphere atmosphere;
+  std::vector<AgentStart> agents;
+
+  const GridGeometry& geometry() const { return terrain->geometry(); }
+};
+
+struct SceneRequest {
+  std::shared_ptr<const Terrain> terrain;
+  EnvironmentConfig environment;
+  std::uint64_t seed = 0;
+};
+
+struct SceneAnswer {
+  std::shared_ptr<const Scene> scene;
+  std::vector<std::string> warnings;  // what could not be placed and why
+};
+
+// Psi_C: places assets and agents by class weights, density and rules. Errors: CANCELLED.
+Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& progress);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_SCENE_SCENE_H_
