@@ -1,0 +1,81 @@
+// JSON Schema of the environment, made from the tables that the parser reads.
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "latticeworld/environment/environment_config.h"
+
+namespace latticeworld {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename Enum>
+Json NamesSchema() {
+  Json names = Json::array();
+  for (const auto& entry : EnumNames(Enum{})) names.push_back(entry.name);
+  return {{"enum", names}};
+}
+
+Json NumberSchema(double low, double high) {
+  return {{"type", "number"}, {"minimum", low}, {"maximum", high}};
+}
+
+// An object that has exactly these properties.
+Json ObjectSchema(const Json& properties) {
+  Json required = Json::array();
+  for (const auto& [key, value] : properties.items()) required.push_back(key);
+  return {{"type", "object"},
+          {"properties", properties},
+          {"required", required},
+          {"additionalProperties", false}};
+}
+
+Json FineSchema(AssetType type) {
+  const AssetTypeValues& values = ValuesOf(type);
+  Json properties;
+  properties["season_variant"] = {{"enum", values.season_variants}};
+  properties["material"] = {{"enum", values.materials}};
+  properties["density"] = NumberSchema(0.0, 1.0);
+  if (values.has_rotation) {
+    properties["rotation"] = {
+        {"type", "array"},
+        {"description", "Euler angles roll, pitch, yaw [degrees]"},
+        {"items", {{"type", "number"}, {"minimum", 0}, {"exclusiveMaximum", 360}}},
+        {"minItems", 3},
+        {"maxItems", 3}};
+  }
+  if (values.has_scale) properties["scale"] = NumberSchema(0.25, 4.0);
+  if (values.has_height) properties["height"] = NumberSchema(-5.0, 5.0);
+  if (values.has_wind) properties["wind"] = NumberSchema(0.0, 40.0);
+  if (values.has_slope) properties["slope"] = NumberSchema(0.0, 90.0);
+  return ObjectSchema(properties);
+}
+
+}  // namespace
+
+std::string EnvironmentSchema() {
+  Json fine;
+  for (const auto& entry : EnumNames(AssetType{})) {
+    fine[std::string(entry.name)] = FineSchema(entry.value);
+  }
+  const Json agent = ObjectSchema(
+      {{"category", NamesSchema<AgentCategory>()},
+       {"quantity", {{"type", "integer"}, {"minimum", 1}, {"maximum", kMaxGroupQuantity}}},
+       {"state", NamesSchema<AgentState>()},
+       {"position", NamesSchema<Region>()}});
+  Json schema;
+  schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+  schema["title"] = "LatticeWorld environment configuration";
+  schema.update(
+      ObjectSchema({{"coarse", ObjectSchema({{"terrain_type", NamesSchema<TerrainType>()},
+                                             {"season", NamesSchema<Season>()},
+                                             {"artistic_style", NamesSchema<ArtisticStyle>()},
+                                             {"weather", NamesSchema<Weather>()},
+                                             {"time_of_day", NamesSchema<TimeOfDay>()}})},
+                    {"fine", ObjectSchema(fine)},
+                    {"agents", {{"type", "array"}, {"items", agent}}}}));
+  return schema.dump(2) + "\n";
+}
+
+}  // namespace latticeworld

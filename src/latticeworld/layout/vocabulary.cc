@@ -1,0 +1,36 @@
+#include "latticeworld/layout/vocabulary.h"
+
+namespace latticeworld {
+
+const std::vector<LayoutClass>& ClassesOf(Vocabulary vocabulary) {
+  static const std::vector<LayoutClass> kSuburb = {
+      {'A', "farmland", "farmland: fields, orchards, crops", {255, 194, 128}},
+      {'B', "building", "buildings: houses, villages, towns", {255, 0, 0}},
+      {'D', "barren land", "barren land: bare earth, sand, gravel", {157, 127, 183}},
+      {'F', "forest", "forest: woodland, dense trees", {34, 139, 34}},
+      {'G', "grassland", "grassland: meadows, lawns, pasture", {144, 238, 144}},
+      {'R', "road", "roads: streets, lanes, paths", {255, 255, 0}},
+      {'W', "water", "water: lakes, rivers, ponds", {0, 0, 255}},
+  };
+  static const std::vector<LayoutClass> kWild = {
+      {'B', "grassland", "low bushes or grassland", {0, 128, 0}},
+      {'F', "forest", "forest: woodland, dense trees", {0, 0, 0}},
+      {'R', "rocky land", "rocky land: bare rock, scree, cliffs", {128, 128, 128}},
+      {'S', "snow", "snow-capped land: peaks, glaciers", {255, 255, 255}},
+      {'W', "water", "water: lakes, rivers, ponds", {0, 0, 255}},
+  };
+  return vocabulary == Vocabulary::kSuburb ? kSuburb : kWild;
+}
+
+const LayoutClass* FindClass(Vocabulary vocabulary, char letter) {
+  for (const LayoutClass& entry : ClassesOf(vocabulary)) {
+    if (entry.letter == letter) return &entry;
+  }
+  return nullptr;
+}
+
+std::string_view LegalLetters(Vocabulary vocabulary) {
+  return vocabulary == Vocabulary::kSuburb ? "A, B, D, F, G, R, W" : "B, F, R, S, W";
+}
+
+}  // namespace latticeworld

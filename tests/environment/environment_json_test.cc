@@ -1,0 +1,196 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "latticeworld/common/random.h"
+#include "latticeworld/environment/environment_config.h"
+
+namespace latticeworld {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename Enum>
+Enum Draw(RandomStream* random) {
+  const auto names = EnumNames(Enum{});
+  return names[static_cast<std::size_t>(random->UniformInt(0, static_cast<int>(names.size()) - 1))]
+      .value;
+}
+
+EnvironmentConfig RandomEnvironment(std::uint64_t seed) {
+  RandomStream random(seed, "environment");
+  EnvironmentConfig environment;
+  environment.coarse = {Draw<TerrainType>(&random), Draw<Season>(&random),
+                        Draw<ArtisticStyle>(&random), Draw<Weather>(&random),
+                        Draw<TimeOfDay>(&random)};
+  environment.fine = DeriveFineAttributes(environment.coarse);
+  for (const auto& entry : EnumNames(AssetType{})) {
+    FineAttribute& fine = environment.fine_of(entry.value);
+    fine.density = random.Uniform();
+    if (ValuesOf(entry.value).has_rotation) {
+      for (double& angle : fine.rotation_deg) angle = random.Uniform(0.0, 360.0);
+    }
+    if (ValuesOf(entry.value).has_scale) fine.scale = random.Uniform(0.25, 4.0);
+  }
+  for (int i = random.UniformInt(0, 5); i > 0; --i) {
+    AgentGroup group{Draw<AgentCategory>(&random), random.UniformInt(1, 100), AgentState::kIdle,
+                     Draw<Region>(&random)};
+    const AgentState state = Draw<AgentState>(&random);
+    if (CanBe(group.category, state)) group.state = state;
+    environment.agents.push_back(group);
+  }
+  return environment;
+}
+
+// The violations of the example's JSON after `change`.
+template <typename Change>
+std::vector<Violation> ViolationsAfter(Change&& change) {
+  Json json = Json::parse(ToJson(RandomEnvironment(1)));
+  change(json);
+  return ParseEnvironment(json.dump()).status().violations();
+}
+
+TEST(EnvironmentJsonTest, ReadsBackWhatItWrites) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const EnvironmentConfig environment = RandomEnvironment(seed);
+    const std::string json = ToJson(environment);
+    const Result<EnvironmentConfig> read = ParseEnvironment(json);
+    ASSERT_TRUE(read.ok()) << read.status().ToString();
+    ASSERT_EQ(ToJson(*read), json);
+    ASSERT_EQ(read->fine_of(AssetType::kStone).rotation_deg,
+              environment.fine_of(AssetType::kStone).rotation_deg);
+    ASSERT_EQ(read->agents.size(), environment.agents.size());
+  }
+}
+
+TEST(EnvironmentJsonTest, EachMissingKeyIsNamed) {
+  const Json whole = Json::parse(ToJson(RandomEnvironment(1)));
+  int removed = 0;
+  const Json flat = whole.flatten();
+  for (const auto& [path, value] : flat.items()) {
+    const Json::json_pointer pointer(path);
+    if (pointer.back().find_first_not_of("0123456789") == std::string::npos) continue;
+    Json json = whole;
+    json.at(pointer.parent_pointer()).erase(pointer.back());
+    const auto violations = ParseEnvironment(json.dump()).status().violations();
+    ASSERT_EQ(violations.size(), 1u) << path;
+    EXPECT_EQ(violations[0].code, "missing_key");
+    EXPECT_EQ(violations[0].pointer, path);
+    ++removed;
+  }
+  EXPECT_GT(removed, 30);
+}
+
+TEST(EnvironmentJsonTest, EachValueOfAWrongTypeIsNamed) {
+  const Json whole = Json::parse(ToJson(RandomEnvironment(1)));
+  const Json flat = whole.flatten();
+  for (const auto& [path, value] : flat.items()) {
+    for (const Json& wrong :
+         {Json(nullptr), Json(true), Json(Json::array()), Json(Json::object())}) {
+      Json json = whole;
+      json[Json::json_pointer(path)] = wrong;
+      const auto violations = ParseEnvironment(json.dump()).status().violations();
+      ASSERT_EQ(violations.size(), 1u) << path << " = " << wrong;
+      EXPECT_EQ(violations[0].code, "wrong_type") << path;
+      EXPECT_EQ(violations[0].pointer, path);
+    }
+  }
+}
+
+TEST(EnvironmentJsonTest, UnknownKeysAreErrorsAtEveryLevel) {
+  const Json whole = Json::parse(ToJson(RandomEnvironment(1)));
+  for (const char* path : {"", "/coarse", "/fine", "/fine/grass"}) {
+    Json json = whole;
+    json[Json::json_pointer(std::string(path) + "/colour")] = 1;
+    const auto violations = ParseEnvironment(json.dump()).status().violations();
+    ASSERT_EQ(violations.size(), 1u) << path;
+    EXPECT_EQ(violations[0].code, "unknown_key");
+    EXPECT_EQ(violations[0].pointer, std::string(path) + "/colour");
+  }
+}
+
+TEST(EnvironmentJsonTest, AllViolationsComeAtOnce) {
+  const auto violations = ViolationsAfter([](Json& json) {
+    json["coarse"].erase("season");
+    json["coarse"]["weather"] = "hail";
+    json["fine"]["grass"]["density"] = "much";
+    json["fine"]["sea"] = 1;
+  });
+  std::vector<std::string> codes;
+  for (const Violation& violation : violations) codes.push_back(violation.code);
+  std::sort(codes.begin(), codes.end());
+  EXPECT_EQ(codes, (std::vector<std::string>{"missing_key", "unknown_key", "unknown_value",
+                                             "wrong_type"}));
+}
+
+TEST(EnvironmentJsonTest, ValuesOutOfRangeAndConflictsAreRefused) {
+  const auto code = [](const char* path, const Json& value) {
+    const auto violations = ViolationsAfter([&](Json& json) {
+      json["coarse"]["season"] = "winter";
+      json[Json::json_pointer(path)] = value;
+    });
+    for (const Violation& violation : violations) {
+      if (violation.pointer == path) return violation.code;
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(code("/fine/grass/density", 1.01), "out_of_range");
+  EXPECT_EQ(code("/fine/grass/density", -0.01), "out_of_range");
+  EXPECT_EQ(code("/fine/stone/rotation/2", 360.0), "out_of_range");
+  EXPECT_EQ(code("/fine/architecture/scale", 0.0), "out_of_range");
+  EXPECT_EQ(code("/fine/desert/wind", 1e300), "out_of_range");
+  EXPECT_EQ(code("/fine/forest/season_variant", "summer oak"), "conflict");
+  EXPECT_EQ(code("/fine/forest/season_variant", "plastic"), "unknown_value");
+}
+
+TEST(EnvironmentJsonTest, AgentsAreBoundedAndFitTheirState) {
+  const auto code = [](const Json& agents) {
+    const auto violations = ViolationsAfter([&](Json& json) { json["agents"] = agents; });
+    return violations.empty() ? std::string("ok") : violations[0].code;
+  };
+  const auto group = [](const char* category, const Json& quantity, const char* state) {
+    return Json{
+        {"category", category}, {"quantity", quantity}, {"state", state}, {"position", "center"}};
+  };
+  EXPECT_EQ(code(Json::array({group("sheep", 9, "grazing")})), "ok");
+  EXPECT_EQ(code(Json::array({group("sheep", 0, "grazing")})), "out_of_range");
+  EXPECT_EQ(code(Json::array({group("sheep", 1.5, "grazing")})), "wrong_type");
+  EXPECT_EQ(code(Json::array({group("sheep", 99999999999999ULL, "grazing")})), "out_of_range");
+  EXPECT_EQ(code(Json::array({group("goblin", 1, "grazing")})), "conflict");
+  EXPECT_EQ(code(Json::array({group("dragon", 1, "idle")})), "unknown_value");
+  EXPECT_EQ(code(Json::array({group("sheep", 500, "idle"), group("horse", 500, "idle"),
+                              group("horse", 1, "idle")})),
+            "out_of_range");
+}
+
+TEST(EnvironmentJsonTest, DuplicateKeysAreRefused) {
+  std::string json = ToJson(RandomEnvironment(1));
+  json.insert(json.find("\"season\""), "\"season\": \"winter\", ");
+  const Status status = ParseEnvironment(json).status();
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.violations()[0].code, "duplicate_key");
+}
+
+TEST(EnvironmentJsonTest, WhatIsNoJsonIsRefused) {
+  for (const std::string& text :
+       {std::string(), std::string("{"), std::string("[1,2"), std::string("\xff\xfe"),
+        std::string("{\"coarse\": NaN}"), std::string(100000, '['), std::string(2 << 20, ' '),
+        ToJson(RandomEnvironment(2)) + "x"}) {
+    const Status status = ParseEnvironment(text).status();
+    EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+    EXPECT_LT(status.message().size(), 1000u);
+  }
+  EXPECT_FALSE(ParseEnvironment("[]").ok());
+  EXPECT_FALSE(ParseEnvironment("null").ok());
+}
+
+TEST(EnvironmentJsonTest, CutDocumentsNeverPass) {
+  const std::string json = ToJson(RandomEnvironment(3));
+  for (std::size_t length = 0; length + 2 < json.size(); length += 7) {
+    ASSERT_FALSE(ParseEnvironment(json.substr(0, length)).ok()) << length;
+  }
+}
+
+}  // namespace
+}  // namespace latticeworld

@@ -1,0 +1,92 @@
+#include "latticeworld/layout/class_weights.h"
+
+#include <gtest/gtest.h>
+
+#include "layouts.h"
+
+namespace latticeworld {
+namespace {
+
+char LetterAt(const SymbolicLayout& layout, const GridGeometry& geometry, CellIndex cell) {
+  return layout.cells(cell.row * kLayoutSize / geometry.rows(),
+                      cell.col * kLayoutSize / geometry.cols());
+}
+
+TEST(DecodeLayoutTest, WeightsSumToOneInEveryCell) {
+  for (const int cells : {32, 100, 257}) {
+    const GridGeometry geometry = GridGeometry::FromCells(cells, 128.0);
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      const ClassWeights weights =
+          DecodeLayout(Random(Vocabulary::kSuburb, seed), geometry, DecodeOptions(), seed);
+      for (int row = 0; row < cells; ++row) {
+        for (int col = 0; col < cells; ++col) {
+          float sum = 0.0f;
+          for (const ClassWeight& entry : weights.classes) {
+            ASSERT_GE(entry.weight(row, col), -1e-6f);
+            sum += entry.weight(row, col);
+          }
+          ASSERT_NEAR(sum, 1.0f, 1e-4f);
+        }
+      }
+    }
+  }
+}
+
+TEST(DecodeLayoutTest, OnlyClassesOfTheLayoutHaveWeights) {
+  const ClassWeights weights = DecodeLayout(Uniform(Vocabulary::kWild, 'F'),
+                                            GridGeometry::FromCells(64, 64.0), DecodeOptions(), 1);
+  ASSERT_EQ(weights.classes.size(), 1u);
+  EXPECT_NE(weights.Find('F'), nullptr);
+  EXPECT_EQ(weights.Find('W'), nullptr);
+}
+
+TEST(DecodeLayoutTest, AwayFromBordersTheLetterRules) {
+  SymbolicLayout layout = Uniform(Vocabulary::kSuburb, 'G');
+  Fill(&layout, {8, 8}, {23, 23}, 'F');
+  const GridGeometry geometry = GridGeometry::FromCells(512, 512.0);
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const ClassWeights weights = DecodeLayout(layout, geometry, DecodeOptions(), seed);
+    for (int row = 0; row < 512; row += 3) {
+      for (int col = 0; col < 512; col += 3) {
+        const bool at_border = (row > 110 && row < 400 && col > 110 && col < 400) &&
+                               !(row > 145 && row < 365 && col > 145 && col < 365);
+        if (at_border) continue;
+        ASSERT_EQ(weights.DominantAt({row, col}), LetterAt(layout, geometry, {row, col}));
+      }
+    }
+  }
+}
+
+TEST(DecodeLayoutTest, ABorderIsBlendedAndChangesWithTheSeed) {
+  SymbolicLayout layout = Uniform(Vocabulary::kWild, 'B');
+  Fill(&layout, {0, 16}, {31, 31}, 'S');
+  const GridGeometry geometry = GridGeometry::FromCells(256, 256.0);
+  const ClassWeights first = DecodeLayout(layout, geometry, DecodeOptions(), 1);
+  const ClassWeights again = DecodeLayout(layout, geometry, DecodeOptions(), 1);
+  const ClassWeights other = DecodeLayout(layout, geometry, DecodeOptions(), 2);
+  EXPECT_EQ(*first.Find('S'), *again.Find('S'));
+  EXPECT_NE(*first.Find('S'), *other.Find('S'));
+  int blended = 0;
+  for (const float weight : *first.Find('S')) blended += weight > 0.05f && weight < 0.95f;
+  EXPECT_GT(blended, 256);       // at least a cell wide along the whole border
+  EXPECT_LT(blended, 256 * 24);  // and not wider than a few layout cells
+}
+
+TEST(DecodeLayoutTest, ARoadOneCellWideStaysConnectedInItsPlace) {
+  SymbolicLayout layout = Uniform(Vocabulary::kSuburb, 'G');
+  for (int row = 0; row < 32; ++row) layout.cells(row, 10 + (row / 8)) = 'R';
+  for (int step = 8; step < 32; step += 8) layout.cells(step, 10 + step / 8 - 1) = 'R';
+  const GridGeometry geometry = GridGeometry::FromCells(512, 512.0);
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const ClassWeights weights = DecodeLayout(layout, geometry, DecodeOptions(), seed);
+    for (int row = 0; row < 512; ++row) {
+      int width = 0;
+      for (int col = 130; col < 256; ++col) width += weights.DominantAt({row, col}) == 'R';
+      ASSERT_GE(width, 4) << "row " << row << ", seed " << seed;
+      ASSERT_LE(width, 56) << "row " << row << ", seed " << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace latticeworld
