@@ -16,13 +16,16 @@
 
 namespace latticeworld {
 
+// No world holds more assets than this; larger ones are thinned and say so in a warning.
+inline constexpr int kMaxAssets = 200000;
+
 // Where an agent begins.
 struct AgentStart {
-  std::string name;  // unique, legal as a ROS name: "sheep_1"
+  std::string name;  // unique, legal as a ROS name: "sheep_1"; the first wheeled robot is "robot"
   AgentCategory category = AgentCategory::kSheep;
   AgentState state = AgentState::kIdle;
-  int team = 0;               // 0 neutral (animals), 1 robots, 2 adversaries
-  bool controllable = false;  // obeys commands instead of behaving by itself
+  int team = 0;               // 0 animals, 1 robots, 2 goblins and ancient warriors
+  bool controllable = false;  // obeys commands instead of behaving by itself: wheeled robots
   WorldPoint position;
   double height_above_ground_m = 0.0;  // of the body's lowest point; flyers > 0
   double heading_rad = 0.0;            // 0 east, counter-clockwise
@@ -51,7 +54,10 @@ struct SceneAnswer {
   std::vector<std::string> warnings;  // what could not be placed and why
 };
 
-// Psi_C: places assets and agents by class weights, density and rules. Errors: CANCELLED.
+// Psi_C: places assets and agents by class weights, density and rules (densities.h has the numbers
+// a hectare, placement.h the rules). Nothing solid overlaps, and nothing stands in water, on a road
+// or outside. Every stage draws from its own stream of the seed: the same request gives the same
+// bytes. Reports the stage "scene". Errors: CANCELLED.
 Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& progress);
 
 }  // namespace latticeworld

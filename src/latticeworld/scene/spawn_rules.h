@@ -7,15 +7,19 @@
 
 namespace latticeworld {
 
-// OK when an agent of the category with that body radius can live at the place: inside the world,
-// not in or within its radius of a solid asset, not under water that it cannot live in (and whales
-// only in water deep enough), not on ground too steep to stand on. Else OUT_OF_RANGE or
-// FAILED_PRECONDITION that says why.
+// OK when an agent of the category with that body radius can live at the place: wholly inside the
+// world, not in or within its radius of a solid asset, in water of at most 0.2 m for legs and
+// wheels and of at least 2 m for fins, on slopes of at most 35 degrees for legs and 30 for wheels.
+// Depth and slope are those of the centre and the rim of the body. Else OUT_OF_RANGE (place
+// outside, or a radius that is not positive or larger than half the world) or FAILED_PRECONDITION
+// that says why, with the figures found and allowed.
 Status CheckSpawn(const Scene& scene, AgentCategory category, double body_radius_m,
                   WorldPoint position);
 
-// A place for it in the region, at least `clearance_m` away from the `taken` places; prefers ground
-// that suits the category (sheep: grass). NOT_FOUND that says why when there is none.
+// A place for it in the region that passes CheckSpawn, at least 2 m and two radii away from the
+// `taken` places; prefers ground that suits the category (sheep: grass). Random tries, then a scan
+// whose step is the radius, 0.5 m or 1/256 of the region, whichever is largest. NOT_FOUND that
+// counts why when neither finds one.
 Result<WorldPoint> FindSpawn(const Scene& scene, AgentCategory category, double body_radius_m,
                              Region region, const std::vector<WorldPoint>& taken,
                              RandomStream* random);

@@ -1,0 +1,79 @@
+#include "latticeworld/scene/scene.h"
+
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "latticeworld/common/check.h"
+#include "latticeworld/common/random.h"
+#include "latticeworld/scene/agent_placement.h"
+#include "latticeworld/scene/densities.h"
+#include "latticeworld/scene/placement.h"
+
+namespace latticeworld {
+namespace {
+
+// Factor on all densities that keeps the expected number of assets below kMaxAssets. The number
+// that a world gets varies by its square root, far less than the margin.
+double ThinningFor(const Terrain& terrain, const EnvironmentConfig& environment,
+                   std::vector<std::string>* warnings) {
+  const double expected = ExpectedAssets(terrain.weights, environment, terrain.geometry());
+  constexpr double kMargin = 0.9;
+  const double most = kMargin * kMaxAssets;
+  if (expected <= most) return 1.0;
+  char text[200];
+  std::snprintf(text, sizeof(text),
+                "a world of %.0f m with these densities would hold about %.0f assets: thinned to "
+                "%.0f %% of every density, at most %d assets",
+                terrain.geometry().size_m(), expected, 100.0 * most / expected, kMaxAssets);
+  warnings->push_back(text);
+  return most / expected;
+}
+
+}  // namespace
+
+Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& progress) {
+  LW_CHECK(request.terrain != nullptr, "a scene stands on a terrain");
+  const Terrain& terrain = *request.terrain;
+  SceneAnswer answer;
+  auto scene = std::make_shared<Scene>();
+  scene->terrain = request.terrain;
+  scene->environment = request.environment;
+
+  RandomStream wind(request.seed, "scene/wind");
+  scene->atmosphere = DeriveAtmosphere(request.environment.coarse,
+                                       request.environment.fine_of(AssetType::kDesert).wind_mps,
+                                       wind.Uniform(-M_PI, M_PI));
+
+  Placement placement(terrain, request.environment, request.seed,
+                      ThinningFor(terrain, request.environment, &answer.warnings));
+  double done = 0.0;
+  const auto step = [&progress, &done]() {
+    constexpr double kStages = 9.0;  // eight kinds, and the agents
+    done += 1.0;
+    progress.Report("scene", done / kStages);
+    return progress.CheckCancelled();
+  };
+  LW_RETURN_IF_ERROR(progress.CheckCancelled());
+  for (const auto place : {PlaceBuildings, PlaceTrees, PlaceStones}) {
+    place(&placement);
+    LW_RETURN_IF_ERROR(step());
+  }
+  // What follows is not solid, so that the index stays true.
+  scene->index = AssetIndex(terrain.geometry().size_m(), placement.assets);
+  for (const auto place :
+       {PlaceBushes, PlaceDeadBranches, PlaceCrops, PlaceFlowers, PlaceGrassTufts}) {
+    place(&placement, scene->index);
+    LW_RETURN_IF_ERROR(step());
+  }
+  scene->assets = std::move(placement.assets);
+  scene->agents = PlaceAgents(*scene, request.seed, &answer.warnings);
+  LW_RETURN_IF_ERROR(step());
+  answer.scene = std::move(scene);
+  return answer;
+}
+
+}  // namespace latticeworld
