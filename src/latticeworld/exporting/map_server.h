@@ -11,10 +11,13 @@
 namespace latticeworld {
 
 struct MapServerFiles {
-  std::string pgm;   // content of map.pgm
+  std::string pgm;   // content of map.pgm, binary, first row north
   std::string yaml;  // content of map.yaml, naming map.pgm
 };
-// occupancy: 0..100, -1 unknown. Files as ROS map_server reads them (mode: scale).
+// Files from which ROS map_server publishes the same occupancy again. occupancy: 0..100, -1
+// unknown, (rows x cols) of geometry. mode: scale, in which 99 reads back as 98; where cells are
+// unknown mode: raw, for scale cannot say so in a PGM. Errors: INVALID_ARGUMENT (another shape than
+// the geometry's, a value that is none of these).
 Result<MapServerFiles> ToMapServer(const Grid<std::int8_t>& occupancy,
                                    const GridGeometry& geometry);
 

@@ -13,19 +13,24 @@ struct Scene;
 struct RobotLimits {
   double radius_m = 0.3;          // 0: obstacles are not inflated
   double max_slope_rad = 0.5236;  // 30 degrees
-  double max_step_m = 0.25;       // height difference between neighbouring cells
+  // Height difference between neighbouring cells that it can climb. A difference that a slope of
+  // max_slope makes over the same distance is no step, so that coarse grids do not close slopes.
+  double max_step_m = 0.25;
   double max_fording_depth_m = 0.2;
 };
 
-// (rows x cols) of the scene's geometry, in [0, 1]: 0 impassable, 1 level open ground; slopes
-// between by their share of max_slope.
+// (rows x cols) of the scene's geometry, in [0, 1]: 0 impassable, 1 level open ground. Slopes and
+// shallow water lie between, by their shares of max_slope and max_fording_depth. It is 0 exactly
+// where BuildOccupancy with the same limits is 100.
 Grid<float> BuildTraversability(const Scene& scene, const RobotLimits& limits);
 
 // (rows x cols), row 0 north: 0 free .. 100 occupied; graded costs on slopes: a slope that the
-// robot can climb stays below 50. Solid assets, deep water and too steep ground are 100.
+// robot can climb stays below 50. Solid assets (grown by the robot's radius), deep water, steps and
+// too steep ground are 100.
 Grid<std::int8_t> BuildOccupancy(const Scene& scene, const RobotLimits& limits);
 
-// Slope [rad] of the ground at cell centres, central differences over the triangulation's vertices.
+// Slope [rad] of the ground at cell centres, central differences over the triangulation's vertices
+// (one-sided at the world's edge).
 Grid<float> BuildSlope(const Scene& scene);
 
 }  // namespace latticeworld

@@ -8,7 +8,10 @@ namespace latticeworld {
 struct Scene;
 
 // True when neither ground nor a solid asset lies on the segment between two points (map frame
-// [m]). The ground is sampled every half cell; assets are vertical cylinders and boxes.
+// [m]); the same in both directions. The ground is tested exactly, at every edge of the
+// triangulation that the segment crosses; ground that it only touches does not hide. Trees are
+// vertical cylinders of their trunk's radius, stones of their own, buildings oriented boxes; all
+// reach down into the ground. Crowns, bushes and what is not solid hide nothing.
 bool HasLineOfSight(const Scene& scene, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 }  // namespace latticeworld

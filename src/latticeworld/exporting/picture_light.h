@@ -1,0 +1,51 @@
+#ifndef LATTICEWORLD_EXPORTING_PICTURE_LIGHT_H_
+#define LATTICEWORLD_EXPORTING_PICTURE_LIGHT_H_
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <opencv2/core/matx.hpp>
+
+namespace latticeworld {
+
+struct Scene;
+
+// Colours of pictures are BGR in [0, 1], display-referred.
+using Color = cv::Vec3f;
+constexpr float kByteToUnit = 1.0f / 255.0f;
+inline Color FromRgb(int r, int g, int b) {
+  return {b * kByteToUnit, g * kByteToUnit, r * kByteToUnit};
+}
+inline Color Mix(const Color& a, const Color& b, float share_of_b) {
+  return a * (1.0f - share_of_b) + b * share_of_b;
+}
+inline Color Times(const Color& a, const Color& b) { return a.mul(b); }
+
+// What shines on a picture.
+struct PictureLight {
+  Eigen::Vector3f
+      direction;  // unit, map frame, towards the light; never flat, so that relief reads
+  Color sun;
+  Color ambient;
+  float shadow = 1.0f;  // darkness of cast shadows, [0, 1]
+  Color sky_high;
+  Color sky_low;
+  Color fog;
+  bool is_night = false;
+  float stars = 0.0f;  // how well they are seen, [0, 1]
+};
+
+// The light of maps: white, from the north-west.
+PictureLight MapLight();
+// The light of the scene's weather and hour.
+PictureLight SceneLight(const Scene& scene);
+
+// Brightness and tint that a surface of this unit normal gets; sunlit: 0 in shadow .. 1.
+inline Color Shade(const PictureLight& light, const Eigen::Vector3f& normal, float sunlit) {
+  const float facing = std::max(0.0f, normal.dot(light.direction));
+  const float sky = 0.65f + 0.35f * normal.z();
+  return light.sun * (facing * sunlit) + light.ambient * sky;
+}
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_EXPORTING_PICTURE_LIGHT_H_

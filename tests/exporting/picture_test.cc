@@ -1,0 +1,176 @@
+#include "latticeworld/exporting/picture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "../mapping/hand_made_scene.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr int kWidth_px = 300;
+constexpr PictureOptions kOptions = {kWidth_px, true};
+
+cv::Mat Decode(const Result<std::string>& png) {
+  EXPECT_TRUE(png.ok()) << png.status().ToString();
+  const std::vector<unsigned char> bytes(png->begin(), png->end());
+  return cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
+}
+
+Scene Meadow() {
+  return MakeScene(64, 64.0, [](double, double) { return 1.0; });
+}
+
+Scene WithSurface(Scene scene, SurfaceClass surface) {
+  auto terrain = std::make_shared<Terrain>(*scene.terrain);
+  for (SurfaceClass& cell : terrain->surface) cell = surface;
+  scene.terrain = terrain;
+  return scene;
+}
+
+// Mean BGR over a box around a place, given in shares of the map's side from its north-west corner.
+cv::Scalar TopColorAt(const cv::Mat& picture, double u, double v) {
+  const int margin = kWidth_px / 50, side = kWidth_px - 2 * margin;
+  const cv::Rect box(margin + static_cast<int>(u * side) - 4,
+                     margin + static_cast<int>(v * side) - 4, 8, 8);
+  return cv::mean(picture(box));
+}
+
+double Difference(const cv::Scalar& a, const cv::Scalar& b) { return cv::norm(a - b); }
+
+TEST(PictureTest, ViewsAreColourPngsOfTheWidthAndStandSideBySide) {
+  const cv::Mat top = Decode(DrawTopView(Meadow(), kOptions));
+  const cv::Mat oblique = Decode(DrawObliqueView(Meadow(), kOptions));
+  const cv::Mat both = Decode(DrawWorld(Meadow(), kOptions));
+  EXPECT_EQ(top.cols, kWidth_px);
+  EXPECT_EQ(oblique.size(), top.size());
+  EXPECT_EQ(top.channels(), 3);
+  EXPECT_EQ(both.rows, top.rows);
+  EXPECT_GT(both.cols, 2 * kWidth_px - kWidth_px / 20);
+  EXPECT_LE(both.cols, 2 * kWidth_px);
+}
+
+TEST(PictureTest, TheSameSceneGivesTheSameBytes) {
+  EXPECT_EQ(*DrawWorld(Meadow(), kOptions), *DrawWorld(Meadow(), kOptions));
+}
+
+TEST(PictureTest, WidthsOutsideTheLimitsAreRefusedByEveryView) {
+  for (const int width_px : {-1, 0, 63, 4097}) {
+    const PictureOptions options = {width_px, true};
+    for (const auto draw : {DrawTopView, DrawObliqueView, DrawWorld}) {
+      const auto png = draw(Meadow(), options);
+      ASSERT_FALSE(png.ok());
+      EXPECT_EQ(png.status().code(), StatusCode::kInvalidArgument);
+      EXPECT_NE(png.status().message().find(std::to_string(width_px)), std::string::npos);
+    }
+  }
+  EXPECT_EQ(Decode(DrawWorld(Meadow(), {64, true})).rows,
+            Decode(DrawTopView(Meadow(), {64, true})).rows);
+}
+
+TEST(PictureTest, NorthIsUpAndEastIsRight) {
+  // Houses fill the north-east of the map; nothing else changes.
+  const cv::Mat without = Decode(DrawTopView(Meadow(), kOptions));
+  const cv::Mat with = Decode(DrawTopView(
+      WithAssets(Meadow(), {MakeBuilding(14.0f, 12.0f, 5.0f, 6.0f, 5.0f, 0.0f)}), kOptions));
+  const auto change = [&](double u, double v) {
+    return Difference(TopColorAt(without, u, v), TopColorAt(with, u, v));
+  };
+  EXPECT_GT(change(0.5 + 14.0 / 64.0, 0.5 - 12.0 / 64.0), 30.0);
+  EXPECT_LT(change(0.25, 0.25), 2.0);
+  EXPECT_LT(change(0.25, 0.75), 2.0);
+  EXPECT_LT(change(0.75, 0.75), 2.0);
+}
+
+TEST(PictureTest, WaterIsBlueGrassGreenAndSnowWhite) {
+  const cv::Scalar grass = TopColorAt(Decode(DrawTopView(Meadow(), kOptions)), 0.4, 0.6);
+  EXPECT_GT(grass[1], grass[0] + 20.0);
+  EXPECT_GT(grass[1], grass[2]);
+  const cv::Scalar water =
+      TopColorAt(Decode(DrawTopView(WithWater(Meadow(), 3.0f), kOptions)), 0.4, 0.6);
+  EXPECT_GT(water[0], water[1]);
+  EXPECT_GT(water[0], water[2] + 40.0);
+  const cv::Scalar snow = TopColorAt(
+      Decode(DrawTopView(WithSurface(Meadow(), SurfaceClass::kSnow), kOptions)), 0.4, 0.6);
+  for (int channel = 0; channel < 3; ++channel) EXPECT_GT(snow[channel], 215.0);
+}
+
+TEST(PictureTest, SlopesThatFaceTheNorthWestAreLighter) {
+  const Scene ridge =
+      MakeScene(64, 64.0, [](double x_m, double y_m) { return 12.0 - 0.35 * std::abs(x_m - y_m); });
+  const cv::Mat picture = Decode(DrawTopView(ridge, kOptions));
+  // The ridge runs from south-west to north-east.
+  EXPECT_GT(cv::sum(TopColorAt(picture, 0.35, 0.35))[0],
+            cv::sum(TopColorAt(picture, 0.65, 0.65))[0] + 40.0);
+}
+
+TEST(PictureTest, EverySeasonAndWeatherLooksDifferentFromTheSouth) {
+  Scene scene = Meadow();
+  std::vector<std::string> pictures;
+  for (const auto& weather : EnumNames(Weather{})) {
+    scene.atmosphere.weather = weather.value;
+    pictures.push_back(*DrawObliqueView(scene, kOptions));
+  }
+  scene.atmosphere.weather = Weather::kSunny;
+  for (const auto& season : EnumNames(Season{})) {
+    scene.environment.coarse.season = season.value;
+    scene.environment.coarse.time_of_day = TimeOfDay::kDusk;
+    pictures.push_back(*DrawObliqueView(scene, kOptions));
+  }
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(pictures[i], pictures[j]) << i << " " << j;
+}
+
+TEST(PictureTest, AHillHidesWhatStandsBehindIt) {
+  // A wall of land across the south half; a house behind it, then the same house on its top.
+  const auto picture_with = [](float y_m, bool house) {
+    Scene scene =
+        MakeScene(64, 64.0, [](double, double y) { return y < -8.0 && y > -14.0 ? 40.0 : 0.0; });
+    if (house) scene = WithAssets(scene, {MakeBuilding(0.0f, y_m, 4.0f, 3.0f, 2.0f, 0.0f)});
+    // Without sun no shadow gives the house away.
+    scene.atmosphere.weather = Weather::kFog;
+    scene.atmosphere.sun_direction = -Eigen::Vector3d::UnitY();
+    return Decode(DrawObliqueView(scene, {kWidth_px, false}));
+  };
+  const cv::Mat empty = picture_with(0.0f, false);
+  EXPECT_LT(cv::norm(empty, picture_with(-3.0f, true), cv::NORM_INF), 40.0);
+  EXPECT_GT(cv::norm(empty, picture_with(-11.0f, true), cv::NORM_INF), 60.0);
+}
+
+TEST(PictureTest, AgentsAreMarkedOnlyWhenAsked) {
+  Scene scene = Meadow();
+  const cv::Mat empty = Decode(DrawTopView(scene, kOptions));
+  AgentStart robot;
+  robot.category = AgentCategory::kWheeledRobot;
+  robot.position = {-16.0, -16.0};
+  scene.agents.push_back(robot);
+  const cv::Mat marked = Decode(DrawTopView(scene, kOptions));
+  const cv::Mat unmarked = Decode(DrawTopView(scene, {kWidth_px, false}));
+  EXPECT_GT(Difference(TopColorAt(empty, 0.25, 0.75), TopColorAt(marked, 0.25, 0.75)), 20.0);
+  EXPECT_LT(Difference(TopColorAt(empty, 0.25, 0.75), TopColorAt(unmarked, 0.25, 0.75)), 1.0);
+}
+
+TEST(PictureTest, ExtremeWorldsAreDrawn) {
+  // The smallest and a steep one; things beyond the edge; a sun below the horizon.
+  Scene scene = MakeScene(32, 16.0, [](double x_m, double) { return 500.0 * x_m; });
+  scene = WithAssets(scene, {MakeTree(8.0f, 8.0f, 30.0f, 6.0f, 1.0f),
+                             MakeBuilding(-8.0f, -8.0f, 90.0f, 9.0f, 9.0f, 1.0f),
+                             MakeRound(AssetKind::kStone, 0.0f, 0.0f, 0.0f, 0.0f)});
+  scene.atmosphere.sun_direction = -Eigen::Vector3d::UnitZ();
+  scene.atmosphere.visibility_m = 0.0;
+  scene.atmosphere.snow_depth_m = 5.0;
+  scene.environment.coarse.time_of_day = TimeOfDay::kNight;
+  AgentStart eagle;
+  eagle.category = AgentCategory::kEagle;
+  eagle.position = {8.0, 8.0};
+  eagle.height_above_ground_m = 400.0;
+  scene.agents.push_back(eagle);
+  for (const int width_px : {64, 100, 301})
+    EXPECT_FALSE(Decode(DrawWorld(scene, {width_px, true})).empty());
+}
+
+}  // namespace
+}  // namespace latticeworld
