@@ -20,10 +20,12 @@ inline constexpr int kMaxReliefSize = 8193;
 struct Relief {
   Grid<float> height_m;  // (rows x cols) of the picture, not necessarily square; row 0 north
   Grid<float> summary;   // (32 x 32) mean height, scaled so that the lowest is 0 and the highest 1
-  std::string caption;   // "high ground in the upper right falling to a low in the lower left"
+  std::string caption;   // "high ground in the upper right falling to low ground in the lower left"
+  double height_step_m = 0.0;  // between neighbouring values of the picture; 0: not in steps
 };
 
-// Height [m] = offset + scale * value / largest value of the picture's depth (255 or 65535).
+// Height [m] = offset + scale * value / largest value of the picture's depth (255 or 65535; of a
+// PGM its own maxval).
 struct HeightMapOptions {
   double height_scale_m = 100.0;  // [0, 9000]: from the lowest to the highest possible value
   double height_offset_m = 0.0;   // [-9000, 9000]
@@ -36,9 +38,10 @@ std::vector<Violation> Validate(const HeightMapOptions& options);
 Result<Relief> ReadHeightMap(std::string_view bytes, const HeightMapOptions& options);
 
 // Relief from height samples: summary and caption are made. height_m: finite, at least 33 a side.
-Relief MakeRelief(Grid<float> height_m);
+Relief MakeRelief(Grid<float> height_m, double height_step_m = 0.0);
 
-// Gentle rolling land of about amplitude_m from low to high for fixed-height scenes.
+// Gentle rolling land from 0 to amplitude_m for fixed-height scenes. Its hills are nearly half the
+// world wide. The same seed and size give the same land at every resolution.
 Grid<float> ProceduralRelief(const GridGeometry& geometry, double amplitude_m, std::uint64_t seed);
 
 }  // namespace latticeworld

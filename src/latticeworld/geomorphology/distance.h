@@ -1,0 +1,23 @@
+#ifndef LATTICEWORLD_GEOMORPHOLOGY_DISTANCE_H_
+#define LATTICEWORLD_GEOMORPHOLOGY_DISTANCE_H_
+
+#include <limits>
+
+#include "latticeworld/geometry/grid.h"
+
+namespace latticeworld {
+
+inline constexpr float kNoFeature = std::numeric_limits<float>::infinity();
+
+// In place: values(x) = min over y of values(y) + curvature * |x - y|^2, distances in cells, with
+// kNoFeature where y carries nothing (all of them: unchanged). curvature > 0. Exact, in linear
+// time: Felzenszwalb and Huttenlocher 2012, "Distance transforms of sampled functions".
+void LowerEnvelope(double curvature, Grid<float>* values);
+
+// Euclidean distance [cells] of every cell to the nearest cell whose mask is `feature`; kNoFeature
+// everywhere when there is none.
+Grid<float> DistanceTo(bool feature, const Grid<unsigned char>& mask);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_GEOMORPHOLOGY_DISTANCE_H_

@@ -1,0 +1,180 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <vector>
+
+#include "latticeworld/relief/relief.h"
+
+namespace latticeworld {
+namespace {
+
+// A ramp whose values use the whole depth.
+cv::Mat Ramp(int rows, int cols, int type) {
+  cv::Mat image(rows, cols, type);
+  const int largest = type == CV_8UC1 ? 255 : 65535;
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < cols; ++c) {
+      const int value = largest * (r * cols + c) / (rows * cols - 1);
+      if (type == CV_8UC1) {
+        image.at<std::uint8_t>(r, c) = static_cast<std::uint8_t>(value);
+      } else {
+        image.at<std::uint16_t>(r, c) = static_cast<std::uint16_t>(value);
+      }
+    }
+  }
+  return image;
+}
+
+std::string Encode(const std::string& extension, const cv::Mat& image,
+                   const std::vector<int>& parameters = {}) {
+  std::vector<unsigned char> bytes;
+  EXPECT_TRUE(cv::imencode(extension, image, bytes, parameters));
+  return std::string(bytes.begin(), bytes.end());
+}
+
+// The failure's message; fails the test when there is none or its code is another.
+std::string RefusalOf(const std::string& bytes) {
+  const Result<Relief> relief = ReadHeightMap(bytes, HeightMapOptions());
+  if (relief.ok()) {
+    ADD_FAILURE() << "read a picture that should be refused";
+    return "";
+  }
+  EXPECT_EQ(relief.status().code(), StatusCode::kInvalidArgument);
+  return relief.status().message();
+}
+
+void ExpectRefused(const std::string& bytes, const std::string& words) {
+  const std::string message = RefusalOf(bytes);
+  EXPECT_NE(message.find(words), std::string::npos) << message;
+}
+
+void PutBigEndian(std::uint32_t value, std::size_t at, std::string* bytes) {
+  for (int i = 0; i < 4; ++i) (*bytes)[at + i] = static_cast<char>(value >> (24 - 8 * i));
+}
+
+TEST(HeightMapTest, ReadsEveryFormatAndDepthWithMetricScaleAndOffset) {
+  HeightMapOptions options;
+  options.height_scale_m = 200.0;
+  options.height_offset_m = -50.0;
+  for (const int type : {CV_8UC1, CV_16UC1}) {
+    const cv::Mat image = Ramp(47, 90, type);
+    for (const char* extension : {".png", ".pgm", ".tiff"}) {
+      const Result<Relief> relief = ReadHeightMap(Encode(extension, image), options);
+      ASSERT_TRUE(relief.ok()) << extension << ": " << relief.status().ToString();
+      ASSERT_EQ(relief->height_m.rows(), 47);
+      ASSERT_EQ(relief->height_m.cols(), 90);
+      const double largest = type == CV_8UC1 ? 255.0 : 65535.0;
+      for (int r = 0; r < 47; ++r) {
+        for (int c = 0; c < 90; ++c) {
+          const int value =
+              type == CV_8UC1 ? image.at<std::uint8_t>(r, c) : image.at<std::uint16_t>(r, c);
+          EXPECT_NEAR(relief->height_m(r, c), -50.0 + 200.0 * value / largest, 1e-3);
+        }
+      }
+      EXPECT_NEAR(relief->height_step_m, 200.0 / largest, 1e-9);
+    }
+  }
+}
+
+TEST(HeightMapTest, ReadsUncompressedTiff) {
+  const std::string bytes =
+      Encode(".tiff", Ramp(64, 65, CV_16UC1), {cv::IMWRITE_TIFF_COMPRESSION, 1});
+  const Result<Relief> relief = ReadHeightMap(bytes, HeightMapOptions());
+  ASSERT_TRUE(relief.ok()) << relief.status().ToString();
+  EXPECT_NEAR(relief->height_m(63, 64), 100.0f, 1e-3);
+}
+
+TEST(HeightMapTest, ReadsPlainPgmWithCommentsAndItsOwnMaxval) {
+  std::string bytes = "P2 # plain\n# of a hand\n33 34\n1000\n";
+  for (int i = 0; i < 33 * 34; ++i) bytes += std::to_string(i % 1001) + (i % 17 == 16 ? "\n" : " ");
+  const Result<Relief> relief = ReadHeightMap(bytes, HeightMapOptions());
+  ASSERT_TRUE(relief.ok()) << relief.status().ToString();
+  EXPECT_NEAR(relief->height_m(0, 10), 1.0f, 1e-5);
+  EXPECT_NEAR(relief->height_m(30, 10), 100.0f, 1e-4);  // sample 1000
+}
+
+TEST(HeightMapTest, TakesTheSmallestAndTheLargestSize) {
+  EXPECT_TRUE(ReadHeightMap(Encode(".png", Ramp(33, 33, CV_8UC1)), HeightMapOptions()).ok());
+  const cv::Mat largest(33, kMaxReliefSize, CV_8UC1, cv::Scalar(7));
+  EXPECT_TRUE(ReadHeightMap(Encode(".png", largest), HeightMapOptions()).ok());
+  ExpectRefused(Encode(".png", Ramp(32, 100, CV_8UC1)), "100 x 32 samples; legal are 33 to 8193");
+  ExpectRefused(Encode(".pgm", cv::Mat(40, 8194, CV_8UC1, cv::Scalar(1))), "8194 x 40");
+}
+
+TEST(HeightMapTest, RefusesHostileSizesFromTheHeaderAlone) {
+  for (const std::uint32_t side : {0u, 1u, 30000u, 0xffffffffu}) {
+    std::string png = Encode(".png", Ramp(40, 40, CV_8UC1));
+    PutBigEndian(side, 16, &png);
+    PutBigEndian(side, 20, &png);
+    const std::string size = std::to_string(side) + " x " + std::to_string(side);
+    ExpectRefused(png, size);
+    ExpectRefused("P5 " + std::to_string(side % 2000000000u) + " 100 255\n", " x 100 samples");
+  }
+  ExpectRefused("P5 99999999999999999999 99999999999999999999 255\n", "legal are 33 to 8193");
+}
+
+TEST(HeightMapTest, RefusesWhatIsNoHeightMapAndSaysWhatItIs) {
+  ExpectRefused("", "empty");
+  ExpectRefused("this is a text", "not a picture");
+  ExpectRefused(Encode(".jpg", Ramp(40, 40, CV_8UC1)), "a JPEG");
+  ExpectRefused(Encode(".bmp", Ramp(40, 40, CV_8UC1)), "a BMP");
+  const cv::Mat color(40, 40, CV_8UC3, cv::Scalar(1, 2, 3));
+  const cv::Mat alpha(40, 40, CV_8UC4, cv::Scalar(1, 2, 3, 4));
+  ExpectRefused(Encode(".png", color), "colour (RGB)");
+  ExpectRefused(Encode(".png", alpha), "RGBA");
+  ExpectRefused(Encode(".ppm", color), "a PPM");
+  ExpectRefused(Encode(".tiff", color), "3 sample(s)");
+  ExpectRefused(Encode(".tiff", cv::Mat(40, 40, CV_32FC1, cv::Scalar(1.0))), "32 bits");
+  ExpectRefused(Encode(".png", Ramp(40, 40, CV_8UC1), {cv::IMWRITE_PNG_BILEVEL, 1}), "1 bits");
+}
+
+TEST(HeightMapTest, NeverReadsLessThanTheWholePictureFromACutFile) {
+  for (const char* extension : {".png", ".pgm", ".tiff"}) {
+    const std::string whole = Encode(extension, Ramp(40, 50, CV_16UC1));
+    const Grid<float> expected = ReadHeightMap(whole, HeightMapOptions()).value().height_m;
+    for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 97) {
+      const Result<Relief> relief =
+          ReadHeightMap(std::string_view(whole).substr(0, size), HeightMapOptions());
+      // A TIFF may end with bytes that belong to no sample.
+      const bool harmless = relief.ok() && extension == std::string(".tiff") &&
+                            size > whole.size() - 16 && relief->height_m == expected;
+      EXPECT_TRUE(!relief.ok() || harmless)
+          << extension << " cut to " << size << " of " << whole.size();
+    }
+  }
+}
+
+TEST(HeightMapTest, SurvivesEveryDamagedByte) {
+  for (const char* extension : {".png", ".pgm", ".tiff"}) {
+    const std::string whole = Encode(extension, Ramp(33, 34, CV_8UC1));
+    for (std::size_t at = 0; at < whole.size(); at += at < 64 ? 1 : 1 + whole.size() / 199) {
+      std::string damaged = whole;
+      damaged[at] = static_cast<char>(damaged[at] ^ 0xa5);
+      const Result<Relief> relief = ReadHeightMap(damaged, HeightMapOptions());
+      if (relief.ok()) continue;
+      EXPECT_EQ(relief.status().code(), StatusCode::kInvalidArgument);
+    }
+  }
+}
+
+TEST(HeightMapTest, SaysThatADamagedPngIsDamaged) {
+  std::string png = Encode(".png", Ramp(40, 40, CV_8UC1));
+  png[60] = static_cast<char>(png[60] ^ 1);
+  ExpectRefused(png, "checksum");
+}
+
+TEST(HeightMapTest, NamesEveryIllegalOption) {
+  HeightMapOptions options;
+  options.height_scale_m = -1.0;
+  options.height_offset_m = std::nan("");
+  const Result<Relief> relief = ReadHeightMap(Encode(".png", Ramp(40, 40, CV_8UC1)), options);
+  ASSERT_FALSE(relief.ok());
+  EXPECT_EQ(relief.status().violations().size(), 2u);
+}
+
+}  // namespace
+}  // namespace latticeworld

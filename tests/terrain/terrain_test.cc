@@ -1,0 +1,287 @@
+#include "latticeworld/terrain/terrain.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "latticeworld/geomorphology/slope.h"
+#include "latticeworld/terrain/components.h"
+#include "latticeworld/terrain/cover.h"
+#include "test_layouts.h"
+
+namespace latticeworld {
+namespace {
+
+Terrain Build(const SymbolicLayout& layout, const GridGeometry& geometry, std::uint64_t seed,
+              const Relief* relief = nullptr) {
+  TerrainRequest request;
+  request.geometry = geometry;
+  request.layout = &layout;
+  request.relief = relief;
+  request.seed = seed;
+  return BuildTerrain(request, Progress()).value();
+}
+
+Relief Valley() {
+  // Falls by 40 m from north to south along a valley in the middle whose sides rise by 25 m.
+  Grid<float> height_m(100, 140);
+  for (int r = 0; r < 100; ++r) {
+    for (int c = 0; c < 140; ++c) {
+      const double u = (c + 0.5) / 140.0 - 0.52;
+      height_m(r, c) = static_cast<float>(40.0 * (1.0 - r / 99.0) + 100.0 * u * u +
+                                          1.5 * std::sin(0.3 * r) * std::sin(0.21 * c));
+    }
+  }
+  return MakeRelief(std::move(height_m));
+}
+
+bool IsWet(const Terrain& terrain, int r, int c) {
+  return !std::isnan(terrain.water_level_m(r, c));
+}
+
+// What holds of every terrain.
+void ExpectSound(const Terrain& terrain) {
+  const Grid<float>& ground = terrain.ground.height_m();
+  int wet_cells = 0, unlike = 0, floating = 0, hanging = 0, infinite = 0;
+  for (int r = 0; r < ground.rows(); ++r) {
+    for (int c = 0; c < ground.cols(); ++c) {
+      infinite += !std::isfinite(ground(r, c));
+      const bool wet = IsWet(terrain, r, c);
+      wet_cells += wet;
+      unlike += wet != (terrain.surface(r, c) == SurfaceClass::kWaterBed);
+      unlike += wet != (terrain.weights.DominantAt({r, c}) == 'W');
+      if (wet) {
+        floating += terrain.water_level_m(r, c) <= ground(r, c);
+        internal::ForEachNeighbour(ground, r, c, [&](int row, int col) {
+          if (!IsWet(terrain, row, col)) hanging += ground(row, col) < terrain.water_level_m(r, c);
+        });
+      }
+      const WorldPoint center = terrain.geometry().CenterOf({r, c});
+      const double depth_m = terrain.WaterDepthAt(center);
+      const double expected_m = wet ? terrain.water_level_m(r, c) - ground(r, c) : 0.0;
+      if (std::abs(depth_m - expected_m) > 1e-3) ++unlike;
+    }
+  }
+  EXPECT_EQ(infinite, 0);
+  EXPECT_EQ(unlike, 0) << "water, surface, weights and WaterDepthAt must agree";
+  EXPECT_EQ(floating, 0) << "of " << wet_cells << " wet cells";
+  EXPECT_EQ(hanging, 0) << "dry cells beside water and below it, of " << wet_cells << " wet cells";
+}
+
+std::vector<double> SlopesOfClass_deg(const Terrain& terrain, SurfaceClass surface) {
+  const Grid<float> slope =
+      GradientMagnitude(terrain.ground.height_m(), terrain.geometry().resolution_m());
+  std::vector<double> slopes;
+  for (int r = 0; r < slope.rows(); ++r) {
+    for (int c = 0; c < slope.cols(); ++c) {
+      if (terrain.surface(r, c) == surface) {
+        slopes.push_back(std::atan(slope(r, c)) * 180.0 / M_PI);
+      }
+    }
+  }
+  std::sort(slopes.begin(), slopes.end());
+  return slopes;
+}
+
+double At(const std::vector<double>& sorted, double share) {
+  return sorted.empty() ? 0.0 : sorted[static_cast<std::size_t>(share * (sorted.size() - 1))];
+}
+
+TEST(TerrainTest, IsSoundForManyLayoutsSizesAndSeeds) {
+  std::uint64_t seed = 1;
+  const Relief relief = Valley();
+  for (const SymbolicLayout& layout : testing_layouts::Many()) {
+    for (const auto& [cells, size_m] :
+         {std::pair(32, 16.0), {129, 512.0}, {200, 100.0}, {97, 1500.0}}) {
+      SCOPED_TRACE(testing::Message()
+                   << "seed " << seed << ", " << cells << " cells, " << size_m << " m\n"
+                   << ToText(layout));
+      const auto geometry = GridGeometry::FromCells(cells, size_m);
+      ExpectSound(Build(layout, geometry, seed));
+      ExpectSound(Build(layout, geometry, seed, &relief));
+      ++seed;
+    }
+  }
+}
+
+TEST(TerrainTest, WithoutReliefEveryWaterBodyIsLevel) {
+  for (const SymbolicLayout& layout : testing_layouts::Many()) {
+    const Terrain terrain = Build(layout, GridGeometry::FromCells(160, 320.0), 3);
+    Grid<unsigned char> wet(160, 160);
+    for (int r = 0; r < 160; ++r) {
+      for (int c = 0; c < 160; ++c) wet(r, c) = IsWet(terrain, r, c);
+    }
+    const internal::Components bodies = internal::ComponentsOf(wet);
+    for (int i = 0; i < bodies.count(); ++i) {
+      const float level = terrain.water_level_m.data()[bodies.cells[bodies.begin[i]]];
+      for (int k = bodies.begin[i]; k < bodies.begin[i + 1]; ++k) {
+        ASSERT_EQ(terrain.water_level_m.data()[bodies.cells[k]], level);
+      }
+    }
+  }
+}
+
+TEST(TerrainTest, WithoutReliefWaterLiesLowAndSnowHigh) {
+  for (int seed = 1; seed <= 8; ++seed) {
+    const Terrain terrain = Build(testing_layouts::Blobs(Vocabulary::kWild, seed),
+                                  GridGeometry::FromCells(256, 512.0), seed);
+    std::map<SurfaceClass, std::pair<double, int>> sums;
+    for (int r = 0; r < 256; ++r) {
+      for (int c = 0; c < 256; ++c) {
+        auto& [sum, count] = sums[terrain.surface(r, c)];
+        sum += IsWet(terrain, r, c) ? terrain.water_level_m(r, c) : terrain.ground.height_m()(r, c);
+        ++count;
+      }
+    }
+    const auto mean = [&sums](SurfaceClass surface) {
+      return sums[surface].first / sums[surface].second;
+    };
+    for (const SurfaceClass other :
+         {SurfaceClass::kGrass, SurfaceClass::kForestFloor, SurfaceClass::kRock}) {
+      EXPECT_LT(mean(SurfaceClass::kWaterBed), mean(other)) << "seed " << seed;
+    }
+    EXPECT_GT(mean(SurfaceClass::kSnow), mean(SurfaceClass::kGrass) + 3.0) << "seed " << seed;
+    EXPECT_GT(mean(SurfaceClass::kSnow), mean(SurfaceClass::kForestFloor) + 3.0) << "seed " << seed;
+  }
+}
+
+TEST(TerrainTest, WithoutReliefTheGroundIsPassable) {
+  for (int seed = 1; seed <= 2; ++seed) {
+    const std::vector<SymbolicLayout> layouts = {testing_layouts::RiverAndRoad(),
+                                                 testing_layouts::Blobs(Vocabulary::kSuburb, seed),
+                                                 testing_layouts::Blobs(Vocabulary::kWild, seed)};
+    for (const SymbolicLayout& layout : layouts) {
+      const Terrain terrain = Build(layout, GridGeometry::FromCells(512, 512.0), seed);
+      EXPECT_LT(At(SlopesOfClass_deg(terrain, SurfaceClass::kRoad), 0.99), 15.0);
+      EXPECT_LT(At(SlopesOfClass_deg(terrain, SurfaceClass::kFarmland), 0.95), 8.0);
+      EXPECT_LT(At(SlopesOfClass_deg(terrain, SurfaceClass::kBuilding), 0.90), 8.0);
+      EXPECT_LT(At(SlopesOfClass_deg(terrain, SurfaceClass::kGrass), 0.99), 25.0);
+      EXPECT_LT(At(SlopesOfClass_deg(terrain, SurfaceClass::kForestFloor), 0.99), 25.0);
+      for (const auto& entry : EnumNames(SurfaceClass{})) {
+        EXPECT_LT(At(SlopesOfClass_deg(terrain, entry.value), 1.0), 50.0) << entry.name;
+      }
+    }
+  }
+}
+
+TEST(TerrainTest, IsTheSameForTheSameSeedAndAnotherForAnother) {
+  const SymbolicLayout layout = testing_layouts::Blobs(Vocabulary::kSuburb, 5);
+  const auto geometry = GridGeometry::FromCells(128, 256.0);
+  const Terrain a = Build(layout, geometry, 11);
+  const Terrain b = Build(layout, geometry, 11);
+  EXPECT_EQ(a.ground.height_m(), b.ground.height_m());
+  EXPECT_EQ(a.surface, b.surface);
+  // NaN is unlike itself: compare the bytes.
+  EXPECT_EQ(std::memcmp(a.water_level_m.data(), b.water_level_m.data(),
+                        a.water_level_m.size() * sizeof(float)),
+            0);
+  EXPECT_NE(a.ground.height_m(), Build(layout, geometry, 12).ground.height_m());
+}
+
+TEST(TerrainTest, IsNearlyTheSameLandAtHalfTheResolution) {
+  const SymbolicLayout layout = testing_layouts::Blobs(Vocabulary::kWild, 3);
+  const Terrain fine = Build(layout, GridGeometry::FromCells(512, 512.0), 4);
+  const Terrain coarse = Build(layout, GridGeometry::FromCells(256, 512.0), 4);
+  std::vector<double> differences;
+  for (int r = 0; r < 256; ++r) {
+    for (int c = 0; c < 256; ++c) {
+      const WorldPoint point = coarse.geometry().CenterOf({r, c});
+      differences.push_back(std::abs(fine.ground.HeightAt(point) - coarse.ground.HeightAt(point)));
+    }
+  }
+  std::sort(differences.begin(), differences.end());
+  EXPECT_LT(At(differences, 0.5), 0.1);
+  EXPECT_LT(At(differences, 0.95), 0.5);
+}
+
+TEST(TerrainTest, KeepsTheMetricHeightsOfAReliefAwayFromWaterAndPaving) {
+  const Relief relief = Valley();
+  const SymbolicLayout layout = testing_layouts::RiverAndRoad();
+  const auto geometry = GridGeometry::FromCells(256, 512.0);
+  const Terrain terrain = Build(layout, geometry, 2, &relief);
+  const Terrain dry =
+      Build(testing_layouts::Filled(Vocabulary::kSuburb, 'G'), geometry, 2, &relief);
+  int compared = 0;
+  for (int r = 0; r < 256; ++r) {
+    for (int c = 0; c < 256; ++c) {
+      // The picture's own height there: 100 x 140 samples over the world.
+      const float given = relief.height_m(static_cast<int>((r + 0.5) / 2.56),
+                                          static_cast<int>((c + 0.5) / 256.0 * 140.0));
+      EXPECT_NEAR(dry.ground.height_m()(r, c), given, 1.2);
+      const bool far = std::abs(r - 164) > 24 && (c < 50 || c > 215);
+      if (!far) continue;
+      EXPECT_NEAR(terrain.ground.height_m()(r, c), dry.ground.height_m()(r, c), 0.01);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 10000);
+}
+
+TEST(TerrainTest, ARiverOnAReliefFallsAlongItsCourse) {
+  SymbolicLayout layout = testing_layouts::Filled(Vocabulary::kSuburb, 'G');
+  for (int r = 0; r < kLayoutSize; ++r) layout.cells(r, 16) = layout.cells(r, 17) = 'W';
+  const Relief relief = Valley();
+  const Terrain terrain = Build(layout, GridGeometry::FromCells(256, 512.0), 6, &relief);
+  std::vector<double> levels;
+  for (int r = 0; r < 256; ++r) {
+    double sum = 0.0;
+    int count = 0;
+    for (int c = 0; c < 256; ++c) {
+      if (!IsWet(terrain, r, c)) continue;
+      sum += terrain.water_level_m(r, c);
+      ++count;
+    }
+    if (count > 0) levels.push_back(sum / count);
+  }
+  ASSERT_GT(levels.size(), 250u);
+  for (std::size_t i = 1; i < levels.size(); ++i) EXPECT_LT(levels[i], levels[i - 1] + 0.15);
+  EXPECT_GT(levels.front() - levels.back(), 25.0);
+}
+
+TEST(TerrainTest, ACancelledBuildEndsWithCancelled) {
+  const SymbolicLayout layout = testing_layouts::RiverAndRoad();
+  TerrainRequest request;
+  request.geometry = GridGeometry::FromCells(64, 64.0);
+  request.layout = &layout;
+  Progress cancelled;
+  cancelled.Cancel();
+  EXPECT_EQ(BuildTerrain(request, cancelled).status().code(), StatusCode::kCancelled);
+  std::vector<double> fractions;
+  const Progress watched(
+      [&fractions](std::string_view, double fraction) { fractions.push_back(fraction); });
+  EXPECT_TRUE(BuildTerrain(request, watched).ok());
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.back(), 1.0);
+}
+
+TEST(CoverTest, EveryLetterOfBothVocabulariesHasItsSurface) {
+  const auto surfaces = [](Vocabulary vocabulary) {
+    std::map<char, SurfaceClass> result;
+    for (const LayoutClass& entry : ClassesOf(vocabulary)) {
+      result[entry.letter] = internal::SurfaceOf(vocabulary, entry.letter);
+    }
+    return result;
+  };
+  EXPECT_EQ(surfaces(Vocabulary::kSuburb),
+            (std::map<char, SurfaceClass>{{'A', SurfaceClass::kFarmland},
+                                          {'B', SurfaceClass::kBuilding},
+                                          {'D', SurfaceClass::kBarren},
+                                          {'F', SurfaceClass::kForestFloor},
+                                          {'G', SurfaceClass::kGrass},
+                                          {'R', SurfaceClass::kRoad},
+                                          {'W', SurfaceClass::kWaterBed}}));
+  EXPECT_EQ(surfaces(Vocabulary::kWild),
+            (std::map<char, SurfaceClass>{{'B', SurfaceClass::kGrass},
+                                          {'F', SurfaceClass::kForestFloor},
+                                          {'R', SurfaceClass::kRock},
+                                          {'S', SurfaceClass::kSnow},
+                                          {'W', SurfaceClass::kWaterBed}}));
+}
+
+}  // namespace
+}  // namespace latticeworld
