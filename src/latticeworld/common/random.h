@@ -1,6 +1,7 @@
 #ifndef LATTICEWORLD_COMMON_RANDOM_H_
 #define LATTICEWORLD_COMMON_RANDOM_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -34,6 +35,9 @@ class RandomStream {
       std::swap((*values)[i - 1], (*values)[UniformInt(0, static_cast<int>(i) - 1)]);
     }
   }
+
+  // All that the next draws depend on, for hashes of a running simulation.
+  std::array<std::uint64_t, 4> state() const { return {state_[0], state_[1], state_[2], state_[3]}; }
 
  private:
   std::uint64_t state_[4];

@@ -79,9 +79,13 @@ std::string FullData(const octomap::OcTree& tree) {
 }
 
 std::string BinaryFile(const octomap::OcTree& tree) {
-  std::ostringstream stream;
-  tree.writeBinaryConst(stream);
-  return std::move(stream).str();
+  // As AbstractOcTree::writeBinaryConst writes it, which would also print to stderr.
+  std::ostringstream header;
+  header << "# Octomap OcTree binary file\n# (feel free to add / change comments, but leave the "
+            "first line as it is!)\n#\nid "
+         << tree.getTreeType() << "\nsize " << tree.size() << "\nres " << tree.getResolution()
+         << "\ndata\n";
+  return header.str() + BinaryData(tree);
 }
 
 }  // namespace latticeworld

@@ -1,0 +1,139 @@
+#include "latticeworld/simulation/agents/locomotion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "latticeworld/simulation/agents/bodies.h"
+#include "latticeworld/simulation/agents/species.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr double kVelocityGain_hz = 3.0;    // of thrust and strokes on the velocity error
+constexpr double kAirDrag_hz = 0.3;         // drag acceleration per speed through the air
+constexpr double kWaterDrag_hz = 0.5;       // the same in water
+constexpr double kWindCompensation = 0.95;  // share of the drag that a flyer feels and counters
+constexpr double kThrustToWeight = 2.0;     // largest
+constexpr double kYawGain_hz = 10.0;
+constexpr double kCeiling_m = 300.0;  // above the highest ground: no flyer climbs further
+
+double Toward(double from, double to, double largest_change) {
+  return from + std::clamp(to - from, -largest_change, largest_change);
+}
+
+void RampUp(Agent* agent, const VelocityCommand& wanted, double step_s) {
+  const Species& species = SpeciesOf(agent->category);
+  const double change_mps = species.acceleration_mps2 * step_s;
+  for (int i = 0; i < 3; ++i) {
+    agent->driven.linear_mps[i] =
+        Toward(agent->driven.linear_mps[i], wanted.linear_mps[i], change_mps);
+  }
+  agent->driven.yaw_rate_radps = Toward(agent->driven.yaw_rate_radps, wanted.yaw_rate_radps,
+                                        4.0 * species.turn_rate_radps * step_s);
+}
+
+void TurnTo(const Agent& agent, double yaw_rate_radps, PhysicsWorld* physics) {
+  const double error = yaw_rate_radps - agent.motion.angular_velocity_radps.z();
+  if (yaw_rate_radps == 0.0 && std::abs(error) < 1e-3) return;
+  const Species& species = SpeciesOf(agent.category);
+  const double inertia = 0.5 * species.mass_kg * agent.radius_m * agent.radius_m;
+  physics->AddTorque(agent.body, {0.0, 0.0, inertia * kYawGain_hz * error});
+}
+
+void DriveWheels(const Agent& agent, PhysicsWorld* physics) {
+  const double forward = agent.driven.linear_mps.x();
+  const double turn = 0.5 * kWheelTrack_m * agent.driven.yaw_rate_radps;
+  physics->SetWheelRates(agent.body, (forward - turn) / kWheelRadius_m,
+                         (forward + turn) / kWheelRadius_m);
+}
+
+void DriveLegs(const Agent& agent, PhysicsWorld* physics) {
+  const Eigen::Vector3d forward(agent.driven.linear_mps.x(), 0.0, 0.0);
+  physics->SetWalkVelocity(agent.body, agent.motion.orientation * forward);
+  TurnTo(agent, agent.driven.yaw_rate_radps, physics);
+}
+
+void DriveWings(const Agent& agent, const Surroundings& world) {
+  const double mass_kg = SpeciesOf(agent.category).mass_kg;
+  const Eigen::Vector3d& velocity = agent.motion.linear_velocity_mps;
+  const Eigen::Vector3d drag = mass_kg * kAirDrag_hz * (world.scene.atmosphere.wind_mps - velocity);
+  Eigen::Vector3d thrust = Eigen::Vector3d::Zero();
+  if (agent.alive()) {
+    Eigen::Vector3d wanted = agent.motion.orientation * agent.driven.linear_mps;
+    const double ceiling_m = world.scene.terrain->ground.max_m() + kCeiling_m;
+    if (agent.motion.position_m.z() > ceiling_m) wanted.z() = std::min(wanted.z(), -1.0);
+    thrust = mass_kg * (kVelocityGain_hz * (wanted - velocity) +
+                        kGravity_mps2 * Eigen::Vector3d::UnitZ()) -
+             kWindCompensation * drag;
+    const double limit_n = kThrustToWeight * mass_kg * kGravity_mps2;
+    if (thrust.norm() > limit_n) thrust *= limit_n / thrust.norm();
+    TurnTo(agent, agent.driven.yaw_rate_radps, &world.physics);
+  }
+  world.physics.AddForce(agent.body, thrust + drag);
+}
+
+void DriveFins(const Agent& agent, const Surroundings& world) {
+  const Species& species = SpeciesOf(agent.category);
+  const WorldPoint place = agent.place();
+  const double depth_m = world.scene.terrain->WaterDepthAt(place);
+  const double surface_m = world.scene.terrain->ground.HeightAt(place) + depth_m;
+  // Share of the body under water: as dense as water, so that it floats level when under.
+  const double submerged =
+      depth_m > 0.0
+          ? std::clamp((surface_m - agent.motion.position_m.z()) / species.height_m, 0.0, 1.0)
+          : 0.0;
+  const Eigen::Vector3d& velocity = agent.motion.linear_velocity_mps;
+  Eigen::Vector3d force = species.mass_kg * submerged *
+                          (kGravity_mps2 * Eigen::Vector3d::UnitZ() - kWaterDrag_hz * velocity);
+  if (agent.alive()) {
+    const Eigen::Vector3d wanted = agent.motion.orientation * agent.driven.linear_mps;
+    force += species.mass_kg * submerged *
+             (kVelocityGain_hz * (wanted - velocity) + kWaterDrag_hz * velocity);
+    TurnTo(agent, agent.driven.yaw_rate_radps, &world.physics);
+  }
+  world.physics.AddForce(agent.body, force);
+}
+
+}  // namespace
+
+VelocityCommand ClampToLimits(AgentCategory category, const VelocityCommand& command) {
+  const Species& species = SpeciesOf(category);
+  const Locomotion locomotion = LocomotionOf(category);
+  VelocityCommand clamped;
+  clamped.yaw_rate_radps =
+      std::clamp(command.yaw_rate_radps, -species.turn_rate_radps, species.turn_rate_radps);
+  if (locomotion == Locomotion::kWheels || locomotion == Locomotion::kLegs) {
+    clamped.linear_mps.x() =
+        std::clamp(command.linear_mps.x(), -species.top_speed_mps, species.top_speed_mps);
+    return clamped;
+  }
+  clamped.linear_mps = command.linear_mps;
+  // Component by component first: the norm of finite numbers may be infinite.
+  for (int i = 0; i < 3; ++i) {
+    clamped.linear_mps[i] =
+        std::clamp(clamped.linear_mps[i], -species.top_speed_mps, species.top_speed_mps);
+  }
+  const double speed_mps = clamped.linear_mps.norm();
+  if (speed_mps > species.top_speed_mps) clamped.linear_mps *= species.top_speed_mps / speed_mps;
+  return clamped;
+}
+
+void Drive(Agent* agent, const VelocityCommand& wanted, Surroundings* world) {
+  RampUp(agent, agent->alive() ? wanted : VelocityCommand(), world->step_s);
+  switch (LocomotionOf(agent->category)) {
+    case Locomotion::kWheels:
+      DriveWheels(*agent, &world->physics);
+      break;
+    case Locomotion::kLegs:
+      DriveLegs(*agent, &world->physics);
+      break;
+    case Locomotion::kWings:
+      DriveWings(*agent, *world);
+      break;
+    case Locomotion::kFins:
+      DriveFins(*agent, *world);
+      break;
+  }
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,37 @@
+#ifndef LATTICEWORLD_SIMULATION_AGENTS_SURROUNDINGS_H_
+#define LATTICEWORLD_SIMULATION_AGENTS_SURROUNDINGS_H_
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "latticeworld/geometry/grid.h"
+#include "latticeworld/scene/scene.h"
+#include "latticeworld/simulation/agents/agent.h"
+
+namespace latticeworld {
+
+// What agents think with: the world around them, and how they tell what they did.
+struct Surroundings {
+  const Scene& scene;
+  const Grid<float>& traversability;  // of mapping, [0, 1]
+  std::map<AgentId, Agent>& agents;
+  PhysicsWorld& physics;
+  std::vector<Event>& events;
+  double step_s;
+  double pursuit_distance_m;
+  std::uint64_t step;          // for events
+  std::uint64_t episode_step;  // for timers
+
+  std::uint64_t StepsIn(double seconds) const {
+    return static_cast<std::uint64_t>(seconds / step_s + 0.5);
+  }
+  std::uint64_t In(double seconds) const { return episode_step + StepsIn(seconds); }
+  void Tell(EventKind kind, const Agent& agent, const std::string& other) {
+    events.push_back({step, kind, agent.name, other, agent.motion.position_m});
+  }
+};
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_SIMULATION_AGENTS_SURROUNDINGS_H_

@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "test_scene.h"
+
+namespace latticeworld {
+namespace {
+
+TestScene Place() {
+  TestScene scene;
+  scene.water_depth_m = [](double x, double) { return x > 20.0 ? 3.0 : 0.0; };
+  scene.AddBuilding(0.0, 10.0, 4.0, 4.0);
+  scene.AddAgent("robot", AgentCategory::kWheeledRobot, 0.0, 0.0);
+  return scene;
+}
+
+SpawnRequest At(AgentCategory category, double x_m, double y_m, const std::string& name = "") {
+  SpawnRequest request;
+  request.category = category;
+  request.position = WorldPoint{x_m, y_m};
+  request.name = name;
+  return request;
+}
+
+TEST(SpawningTest, SpawnsWhereAskedWithTheNameAskedFor) {
+  const auto simulator = MakeSimulator(Place());
+  SpawnRequest request = At(AgentCategory::kHumanoidRobot, -5.0, -5.0, "Alice_2");
+  request.controllable = true;
+  request.heading_rad = 1.0;
+  const auto name = simulator->Spawn(request);
+  ASSERT_TRUE(name.ok()) << name.status().ToString();
+  EXPECT_EQ(*name, "Alice_2");
+  const AgentSnapshot alice = Now(*simulator, "Alice_2");
+  EXPECT_NEAR(alice.position_m.x(), -5.0, 1e-9);
+  EXPECT_NEAR(YawOf(alice), 1.0, 1e-9);
+  EXPECT_EQ(alice.team, 1);
+  EXPECT_TRUE(simulator->Command("Alice_2", Forward(1.0)).ok());
+  EXPECT_EQ(Count(simulator->TakeEvents(), EventKind::kSpawned, "Alice_2"), 1);
+}
+
+TEST(SpawningTest, GivesNumberedNames) {
+  const auto simulator = MakeSimulator(Place());
+  EXPECT_EQ(*simulator->Spawn(At(AgentCategory::kSheep, -10.0, 0.0)), "sheep_1");
+  EXPECT_EQ(*simulator->Spawn(At(AgentCategory::kSheep, -14.0, 0.0)), "sheep_2");
+  ASSERT_TRUE(simulator->Remove("sheep_1").ok());
+  EXPECT_EQ(*simulator->Spawn(At(AgentCategory::kSheep, -10.0, 0.0)), "sheep_1");
+}
+
+TEST(SpawningTest, RefusesAndSaysWhyAndChangesNothing) {
+  const auto simulator = MakeSimulator(Place());
+  const double kNan = std::numeric_limits<double>::quiet_NaN();
+  SpawnRequest grazing_goblin = At(AgentCategory::kGoblin, -5.0, 0.0);
+  grazing_goblin.state = AgentState::kGrazing;
+  SpawnRequest dizzy = At(AgentCategory::kGoblin, -5.0, 0.0);
+  dizzy.heading_rad = kNan;
+  const struct {
+    SpawnRequest request;
+    StatusCode code;
+  } cases[] = {
+      {At(AgentCategory::kSheep, 0.0, 10.0), StatusCode::kFailedPrecondition},   // in the building
+      {At(AgentCategory::kSheep, 25.0, 0.0), StatusCode::kFailedPrecondition},   // under water
+      {At(AgentCategory::kWhale, -10.0, 0.0), StatusCode::kFailedPrecondition},  // on land
+      {At(AgentCategory::kSheep, 40.0, 0.0), StatusCode::kOutOfRange},
+      {At(AgentCategory::kSheep, kNan, 0.0), StatusCode::kInvalidArgument},
+      {At(AgentCategory::kSheep, 0.3, 0.0), StatusCode::kFailedPrecondition},  // on the robot
+      {At(AgentCategory::kSheep, -5.0, 0.0, "robot"), StatusCode::kAlreadyExists},
+      {At(AgentCategory::kSheep, -5.0, 0.0, "7up"), StatusCode::kInvalidArgument},
+      {At(AgentCategory::kSheep, -5.0, 0.0, "/robot"), StatusCode::kInvalidArgument},
+      {At(AgentCategory::kSheep, -5.0, 0.0, "a b"), StatusCode::kInvalidArgument},
+      {At(AgentCategory::kSheep, -5.0, 0.0, std::string(65, 'a')), StatusCode::kInvalidArgument},
+      {grazing_goblin, StatusCode::kInvalidArgument},
+      {dizzy, StatusCode::kInvalidArgument},
+  };
+  const std::string before = simulator->StateHash();
+  for (const auto& one : cases) {
+    const auto name = simulator->Spawn(one.request);
+    ASSERT_FALSE(name.ok());
+    EXPECT_EQ(name.status().code(), one.code) << name.status().ToString();
+    EXPECT_GT(name.status().message().size(), 10u);
+    EXPECT_EQ(simulator->StateHash(), before);
+  }
+  EXPECT_TRUE(simulator->TakeEvents().empty());
+}
+
+TEST(SpawningTest, FindsAPlaceInARegion) {
+  const auto simulator = MakeSimulator(Place());
+  for (int i = 0; i < 12; ++i) {
+    SpawnRequest request;
+    request.category = AgentCategory::kSheep;
+    request.region = Region::kLowerLeft;
+    const auto name = simulator->Spawn(request);
+    ASSERT_TRUE(name.ok()) << name.status().ToString();
+    const AgentSnapshot sheep = Now(*simulator, *name);
+    EXPECT_TRUE(IsIn(Region::kLowerLeft, simulator->scene().geometry(),
+                     {sheep.position_m.x(), sheep.position_m.y()}));
+  }
+}
+
+TEST(SpawningTest, HoldsNoMoreThanTheLimit) {
+  TestScene scene;
+  scene.size_m = 256.0;
+  const auto simulator = MakeSimulator(scene);
+  for (int i = 0; i < kMaxAgents; ++i) {
+    ASSERT_TRUE(simulator
+                    ->Spawn(At(AgentCategory::kRoboticDog, -100.0 + 5.0 * (i % 40),
+                               -100.0 + 5.0 * (i / 40)))
+                    .ok());
+  }
+  const auto refused = simulator->Spawn(At(AgentCategory::kRoboticDog, 120.0, 120.0));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().code(), StatusCode::kResourceExhausted);
+  simulator->Step();
+}
+
+TEST(SpawningTest, RemovesOnceAndOnlyWhatIsThere) {
+  const auto simulator = MakeSimulator(Place());
+  EXPECT_EQ(simulator->Remove("nobody").code(), StatusCode::kNotFound);
+  EXPECT_TRUE(simulator->Remove("robot").ok());
+  EXPECT_EQ(simulator->Remove("robot").code(), StatusCode::kNotFound);
+  EXPECT_EQ(simulator->Command("robot", Forward(1.0)).code(), StatusCode::kNotFound);
+  EXPECT_TRUE(simulator->State()->agents.empty());
+  RunFor(simulator.get(), 1.0);
+}
+
+TEST(SpawningTest, AnEmptyWorldRuns) {
+  const auto simulator = MakeSimulator(TestScene());
+  RunFor(simulator.get(), 1.0);
+  EXPECT_EQ(simulator->State()->step, 100u);
+  EXPECT_NEAR(simulator->State()->time_s, 1.0, 1e-12);
+  EXPECT_TRUE(simulator->State()->agents.empty());
+}
+
+TEST(OptionsTest, EveryViolationIsNamedAtOnce) {
+  const double kNan = std::numeric_limits<double>::quiet_NaN();
+  for (const double bad : {kNan, -1.0, 1e9, std::numeric_limits<double>::infinity()}) {
+    SimulatorOptions options;
+    options.step_s = options.command_timeout_s = options.pursuit_distance_m = bad;
+    EXPECT_EQ(Validate(options).size(), 3u);
+    const auto simulator = Simulator::Create(TestScene().Build(), options, 1);
+    ASSERT_FALSE(simulator.ok());
+    EXPECT_EQ(simulator.status().code(), StatusCode::kInvalidArgument);
+  }
+  EXPECT_TRUE(Validate(SimulatorOptions()).empty());
+}
+
+}  // namespace
+}  // namespace latticeworld
