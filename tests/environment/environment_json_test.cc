@@ -170,6 +170,41 @@ TEST(EnvironmentJsonTest, DuplicateKeysAreRefused) {
   const Status status = ParseEnvironment(json).status();
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.violations()[0].code, "duplicate_key");
+  EXPECT_EQ(status.violations()[0].pointer, "/coarse/season");
+}
+
+TEST(EnvironmentJsonTest, ADuplicateInsideAnArrayIsPlaced) {
+  Json json = Json::parse(ToJson(RandomEnvironment(1)));
+  const Json sheep = {
+      {"category", "sheep"}, {"quantity", 1}, {"state", "idle"}, {"position", "center"}};
+  json["agents"] = Json::array({sheep, sheep, sheep});
+  std::string text = json.dump();
+  text.insert(text.rfind("\"state\""), "\"state\": \"idle\", ");
+  const Status status = ParseEnvironment(text).status();
+  ASSERT_EQ(status.violations().size(), 1u) << status.ToString();
+  EXPECT_EQ(status.violations()[0].pointer, "/agents/2/state");
+}
+
+TEST(EnvironmentJsonTest, PointersEscapeOddKeys) {
+  const auto violations = ViolationsAfter([](Json& json) { json["a/b~c"] = 1; });
+  ASSERT_EQ(violations.size(), 1u);
+  EXPECT_EQ(violations[0].pointer, "/a~1b~0c");
+}
+
+// Takes minutes where the parser's work grows with the square of the keys.
+TEST(EnvironmentJsonTest, AFloodOfKeysEndsInABoundedAnswer) {
+  std::string flat = "{", nested = "{\"agents\": [";
+  for (int i = 0; flat.size() < 1000000; ++i) flat += "\"k" + std::to_string(i) + "\": 0, ";
+  while (nested.size() < 1000000) nested += "{\"x\": {\"y\": 0}, \"x\": 1}, ";
+  flat += "\"last\": 0}";
+  nested += "{}]}";
+  for (const std::string& text :
+       {flat, nested, "{\"" + std::string(1000000, 'k') + "\": {\"\": 0}}"}) {
+    const Status status = ParseEnvironment(text).status();
+    EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+    EXPECT_LE(status.violations().size(), 501u);
+    EXPECT_LT(status.message().size(), 100000u);
+  }
 }
 
 TEST(EnvironmentJsonTest, WhatIsNoJsonIsRefused) {

@@ -22,7 +22,8 @@ TEST(DecodeLayoutTest, WeightsSumToOneInEveryCell) {
         for (int col = 0; col < cells; ++col) {
           float sum = 0.0f;
           for (const ClassWeight& entry : weights.classes) {
-            ASSERT_GE(entry.weight(row, col), -1e-6f);
+            ASSERT_GE(entry.weight(row, col), 0.0f);
+            ASSERT_LE(entry.weight(row, col), 1.0f);
             sum += entry.weight(row, col);
           }
           ASSERT_NEAR(sum, 1.0f, 1e-4f);

@@ -1,9 +1,11 @@
 // The JSON of y_C, in and out.
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/environment/environment_config.h"
@@ -15,35 +17,112 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxJsonBytes = 1 << 20;
 constexpr int kMaxDepth = 8;
+constexpr std::size_t kMaxKeys = 64;         // in one object; the largest legal one has eleven
+constexpr std::size_t kMaxViolations = 500;  // what a person or a program can still use
 
-// Parses text, noting keys that stand twice in one object and nesting beyond what any legal
-// document has. nlohmann's parser is iterative, so depth costs no stack; the limit keeps errors
-// readable.
-Result<Json> ParseStrictly(std::string_view text, std::vector<Violation>* violations) {
-  std::vector<std::set<std::string>> keys;
-  int deepest = 0;
-  const auto note = [&](int depth, Json::parse_event_t event, Json& parsed) {
-    deepest = std::max(deepest, depth);
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key &&
-        !keys.back().insert(parsed.get<std::string>()).second) {
-      const std::string key = parsed.get<std::string>();
-      violations->push_back({"duplicate_key", "/" + key,
-                             "the key " + Quote(key) + " stands twice in one object", Quote(key)});
+// A key as a JSON pointer writes it (RFC 6901); what is too long for a message is cut.
+std::string PointerToken(const std::string& key) {
+  const std::string quoted = Quote(key);  // with quotation marks around it
+  std::string token;
+  for (const char c : quoted.substr(1, quoted.size() - 2)) {
+    if (c == '~') {
+      token += "~0";
+    } else if (c == '/') {
+      token += "~1";
+    } else {
+      token += c;
     }
-    return true;
+  }
+  return token;
+}
+
+// Follows the parser through a document and notes what the parsed value no longer shows: keys that
+// stand twice in one object, and nesting deeper than any legal document has.
+class ParseObserver {
+ public:
+  explicit ParseObserver(std::vector<Violation>* violations) : violations_(violations) {}
+
+  int deepest() const { return deepest_; }
+
+  // Whether to keep what was parsed. `depth` counts the containers that enclose the event; end
+  // events do not come for what was not kept, so the path is cut to it instead of popped.
+  bool Note(int depth, Json::parse_event_t event, const Json& parsed) {
+    deepest_ = std::max(deepest_, depth);
+    const auto level = static_cast<std::size_t>(depth);
+    switch (event) {
+      case Json::parse_event_t::object_start:
+      case Json::parse_event_t::array_start:
+        path_.resize(level);
+        CountElement();
+        path_.push_back({event == Json::parse_event_t::array_start, -1, "", {}});
+        return true;
+      case Json::parse_event_t::value:
+        path_.resize(level);
+        CountElement();
+        return true;
+      case Json::parse_event_t::key:
+        path_.resize(level);
+        return NoteKey(parsed.get<std::string>());
+      default:
+        return true;
+    }
+  }
+
+ private:
+  struct Container {
+    bool is_array;
+    int index;                   // of an array's latest element
+    std::string key;             // of an object's latest member
+    std::set<std::string> keys;  // of an object so far
   };
+
+  void CountElement() {
+    if (!path_.empty() && path_.back().is_array) ++path_.back().index;
+  }
+
+  bool NoteKey(std::string key) {
+    Container& object = path_.back();
+    object.key = std::move(key);
+    if (!object.keys.insert(object.key).second) {
+      violations_->push_back({"duplicate_key", Pointer(),
+                              "the key " + Quote(object.key) + " stands twice in one object",
+                              Quote(object.key)});
+    }
+    // ordered_json looks through all members at each new one: without a limit, a hostile
+    // document would cost quadratic time. The keys within it are enough to show what is wrong.
+    return object.keys.size() <= kMaxKeys;
+  }
+
+  std::string Pointer() const {
+    std::string pointer;
+    for (const Container& container : path_) {
+      pointer += "/";
+      pointer += container.is_array ? std::to_string(container.index) : PointerToken(container.key);
+    }
+    return pointer;
+  }
+
+  std::vector<Violation>* violations_;
+  std::vector<Container> path_;  // from the outermost container inwards
+  int deepest_ = 0;
+};
+
+// nlohmann's parser is iterative, so depth costs no stack; the limit keeps errors readable.
+Result<Json> ParseStrictly(std::string_view text, std::vector<Violation>* violations) {
+  ParseObserver observer(violations);
   try {
-    Json json = Json::parse(text.begin(), text.end(), note);
-    if (deepest > kMaxDepth) {
+    Json json = Json::parse(text.begin(), text.end(),
+                            [&](int depth, Json::parse_event_t event, Json& parsed) {
+                              return observer.Note(depth, event, parsed);
+                            });
+    if (observer.deepest() > kMaxDepth) {
       return InvalidArgument("environment JSON is nested deeper than " + std::to_string(kMaxDepth));
     }
     return json;
   } catch (const Json::exception& exception) {
     return Status(StatusCode::kInvalidArgument,
                   "environment is not JSON: " + Quote(exception.what(), 300),
-                  {{"parse_error", "", exception.what(), Quote(text)}});
+                  {{"parse_error", "", Quote(exception.what(), 300), Quote(text)}});
   }
 }
 
@@ -59,7 +138,7 @@ class ObjectReader {
     for (const auto& [key, value] : json_.items()) {
       if (known_.count(key) > 0) continue;
       std::vector<std::string> legal(known_.begin(), known_.end());
-      violations_->push_back({"unknown_key", pointer_ + "/" + key,
+      violations_->push_back({"unknown_key", pointer_ + "/" + PointerToken(key),
                               Quote(key) + " is not one of " + Join(legal, ", "), Quote(key)});
     }
   }
@@ -204,6 +283,12 @@ Result<EnvironmentConfig> ParseEnvironment(std::string_view text) {
   }
   // Where the shape is wrong, the values that were not read would only be reported twice.
   if (violations.empty()) violations = Validate(environment);
+  if (violations.size() > kMaxViolations) {
+    const std::size_t further = violations.size() - kMaxViolations;
+    violations.resize(kMaxViolations);
+    violations.push_back(
+        {"more_violations", "", "and " + std::to_string(further) + " further violations", ""});
+  }
   if (!violations.empty()) {
     return Status::FromViolations("illegal environment", std::move(violations));
   }

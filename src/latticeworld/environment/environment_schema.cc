@@ -4,6 +4,7 @@
 #include <string>
 
 #include "latticeworld/environment/environment_config.h"
+#include "latticeworld/environment/ranges.h"
 
 namespace latticeworld {
 namespace {
@@ -17,8 +18,10 @@ Json NamesSchema() {
   return {{"enum", names}};
 }
 
-Json NumberSchema(double low, double high) {
-  return {{"type", "number"}, {"minimum", low}, {"maximum", high}};
+Json NumberSchema(const Range& range) {
+  return {{"type", "number"},
+          {"minimum", range.low},
+          {range.half_open ? "exclusiveMaximum" : "maximum", range.high}};
 }
 
 // An object that has exactly these properties.
@@ -36,19 +39,18 @@ Json FineSchema(AssetType type) {
   Json properties;
   properties["season_variant"] = {{"enum", values.season_variants}};
   properties["material"] = {{"enum", values.materials}};
-  properties["density"] = NumberSchema(0.0, 1.0);
+  properties["density"] = NumberSchema(kDensityRange);
   if (values.has_rotation) {
-    properties["rotation"] = {
-        {"type", "array"},
-        {"description", "Euler angles roll, pitch, yaw [degrees]"},
-        {"items", {{"type", "number"}, {"minimum", 0}, {"exclusiveMaximum", 360}}},
-        {"minItems", 3},
-        {"maxItems", 3}};
+    properties["rotation"] = {{"type", "array"},
+                              {"description", "Euler angles roll, pitch, yaw [degrees]"},
+                              {"items", NumberSchema(kRotationRange)},
+                              {"minItems", 3},
+                              {"maxItems", 3}};
   }
-  if (values.has_scale) properties["scale"] = NumberSchema(0.25, 4.0);
-  if (values.has_height) properties["height"] = NumberSchema(-5.0, 5.0);
-  if (values.has_wind) properties["wind"] = NumberSchema(0.0, 40.0);
-  if (values.has_slope) properties["slope"] = NumberSchema(0.0, 90.0);
+  if (values.has_scale) properties["scale"] = NumberSchema(kScaleRange);
+  if (values.has_height) properties["height"] = NumberSchema(kHeightRange);
+  if (values.has_wind) properties["wind"] = NumberSchema(kWindRange);
+  if (values.has_slope) properties["slope"] = NumberSchema(kSlopeRange);
   return ObjectSchema(properties);
 }
 

@@ -9,8 +9,8 @@
 namespace latticeworld {
 
 // Whether a seasonal variant can be seen in a season: a variant that names another season cannot,
-// nor snow and ice in summer, nor bloom in winter. A variant outside the type's table is never
-// allowed.
+// nor ice outside of winter, nor bloom in winter, nor a cover of snow without winter or snowfall. A
+// variant outside the type's table is never allowed.
 bool IsAllowed(AssetType type, std::string_view season_variant, const CoarseAttributes& coarse);
 
 }  // namespace latticeworld

@@ -3,6 +3,7 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/environment/environment_config.h"
+#include "latticeworld/environment/ranges.h"
 #include "latticeworld/environment/season_rules.h"
 
 namespace latticeworld {
@@ -24,13 +25,11 @@ class Validator {
         {std::move(code), std::move(pointer), std::move(message), std::move(given)});
   }
 
-  // high is excluded when `half_open`.
-  void CheckRange(const std::string& pointer, double value, double low, double high,
-                  bool half_open = false) {
-    if (value >= low && (half_open ? value < high : value <= high)) return;
+  void CheckRange(const std::string& pointer, double value, const Range& range) {
+    if (value >= range.low && (range.half_open ? value < range.high : value <= range.high)) return;
     Add("out_of_range", pointer,
-        "must be from " + FormatDouble(low) + (half_open ? " to below " : " to ") +
-            FormatDouble(high) + ", not " + FormatDouble(value),
+        "must be from " + FormatDouble(range.low) + (range.half_open ? " to below " : " to ") +
+            FormatDouble(range.high) + ", not " + FormatDouble(value),
         FormatDouble(value));
   }
 
@@ -56,17 +55,17 @@ class Validator {
           Quote(fine.season_variant));
     }
     CheckName(pointer + "/material", fine.material, values.materials);
-    CheckRange(pointer + "/density", fine.density, 0.0, 1.0);
+    CheckRange(pointer + "/density", fine.density, kDensityRange);
     if (values.has_rotation) {
       for (int i = 0; i < 3; ++i) {
         CheckRange(pointer + "/rotation/" + std::to_string(i),
-                   fine.rotation_deg[static_cast<std::size_t>(i)], 0.0, 360.0, true);
+                   fine.rotation_deg[static_cast<std::size_t>(i)], kRotationRange);
       }
     }
-    if (values.has_scale) CheckRange(pointer + "/scale", fine.scale, 0.25, 4.0);
-    if (values.has_height) CheckRange(pointer + "/height", fine.height_m, -5.0, 5.0);
-    if (values.has_wind) CheckRange(pointer + "/wind", fine.wind_mps, 0.0, 40.0);
-    if (values.has_slope) CheckRange(pointer + "/slope", fine.slope_deg, 0.0, 90.0);
+    if (values.has_scale) CheckRange(pointer + "/scale", fine.scale, kScaleRange);
+    if (values.has_height) CheckRange(pointer + "/height", fine.height_m, kHeightRange);
+    if (values.has_wind) CheckRange(pointer + "/wind", fine.wind_mps, kWindRange);
+    if (values.has_slope) CheckRange(pointer + "/slope", fine.slope_deg, kSlopeRange);
   }
 
   void CheckAgents() {
