@@ -1,0 +1,73 @@
+#include "latticeworld/language/generator.h"
+
+#include <algorithm>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/class_words.h"
+#include "latticeworld/language/tokens.h"
+
+namespace latticeworld {
+namespace {
+
+bool HasWords(std::string_view text) {
+  const std::vector<Token> tokens = Tokenize(text);
+  return std::any_of(tokens.begin(), tokens.end(), [](const Token& token) {
+    return token.kind == TokenKind::kWord || token.kind == TokenKind::kNumber;
+  });
+}
+
+Status ValidateRelief(const Relief* relief) {
+  if (relief == nullptr || (relief->summary.rows() == kReliefSummarySize &&
+                            relief->summary.cols() == kReliefSummarySize)) {
+    return Status();
+  }
+  return InvalidArgument("the relief's summary has " + std::to_string(relief->summary.rows()) +
+                         " x " + std::to_string(relief->summary.cols()) +
+                         " cells; 32 x 32 are needed");
+}
+
+}  // namespace
+
+Status Validate(const LayoutRequest& request) {
+  LW_RETURN_IF_ERROR(ValidateText("layout instruction", request.instruction, kMaxInstructionBytes));
+  LW_RETURN_IF_ERROR(ValidateRelief(request.relief));
+  if (request.relief == nullptr && !HasWords(request.instruction)) {
+    return InvalidArgument(
+        "layout instruction is empty (no words) and there is no relief; give a text, a relief, or "
+        "both");
+  }
+  return Status();
+}
+
+Status Validate(const EnvironmentRequest& request) {
+  LW_RETURN_IF_ERROR(
+      ValidateText("environment instruction", request.instruction, kMaxInstructionBytes));
+  LW_RETURN_IF_ERROR(ValidateRelief(request.relief));
+  if (request.layout == nullptr) {
+    return InvalidArgument("an environment needs a layout; none was given");
+  }
+  if (request.layout->cells.rows() != kLayoutSize || request.layout->cells.cols() != kLayoutSize) {
+    return InvalidArgument("the layout has " + std::to_string(request.layout->cells.rows()) +
+                           " x " + std::to_string(request.layout->cells.cols()) +
+                           " cells; 32 x 32 are needed");
+  }
+  return Status();
+}
+
+Vocabulary ChooseVocabulary(std::string_view layout_instruction) {
+  const std::vector<Token> tokens = Tokenize(layout_instruction);
+  int suburb = 0;
+  int wild = 0;
+  for (std::size_t i = 0; i < tokens.size();) {
+    if (tokens[i].text == "wild" || tokens[i].text == "wilderness") wild += 2;
+    const ClassWordMatch match = MatchClassWord(tokens, i);
+    i += match.word != nullptr ? match.tokens : 1;
+    if (match.word == nullptr) continue;
+    // Only a word that one vocabulary has and the other has not tells them apart.
+    suburb += match.word->suburb_exact && !match.word->wild_exact ? 1 : 0;
+    wild += match.word->wild_exact && !match.word->suburb_exact ? 1 : 0;
+  }
+  return wild > suburb ? Vocabulary::kWild : Vocabulary::kSuburb;
+}
+
+}  // namespace latticeworld

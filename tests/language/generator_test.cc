@@ -1,0 +1,29 @@
+#include "latticeworld/language/generator.h"
+
+#include <gtest/gtest.h>
+
+namespace latticeworld {
+namespace {
+
+TEST(ChooseVocabularyTest, FollowsTheWords) {
+  EXPECT_EQ(ChooseVocabulary("houses along a road, fields around"), Vocabulary::kSuburb);
+  EXPECT_EQ(ChooseVocabulary("Snow-capped peaks above rocky slopes"), Vocabulary::kWild);
+  EXPECT_EQ(ChooseVocabulary("a lake and a forest"), Vocabulary::kSuburb);
+  EXPECT_EQ(ChooseVocabulary(""), Vocabulary::kSuburb);
+}
+
+TEST(LayoutRequestTest, RefusesWhatNoBackEndCanUse) {
+  LayoutRequest request;
+  EXPECT_FALSE(Validate(request).ok());
+  request.instruction = " \n\t ";
+  EXPECT_FALSE(Validate(request).ok());
+  request.instruction = "a lake \xFF";
+  EXPECT_EQ(Validate(request).code(), StatusCode::kInvalidArgument);
+  request.instruction = std::string(kMaxInstructionBytes + 1, 'a');
+  EXPECT_FALSE(Validate(request).ok());
+  request.instruction = std::string(kMaxInstructionBytes, 'a');
+  EXPECT_TRUE(Validate(request).ok());
+}
+
+}  // namespace
+}  // namespace latticeworld

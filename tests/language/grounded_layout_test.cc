@@ -1,0 +1,352 @@
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "latticeworld/common/random.h"
+#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/layout/measures.h"
+
+namespace latticeworld {
+namespace {
+
+using Kind = ClaimKind;
+constexpr int kSeeds = 20;
+
+Claim Says(Kind kind, char subject, std::vector<Region> regions = {}) {
+  Claim claim;
+  claim.kind = kind;
+  claim.subject = subject;
+  claim.regions = std::move(regions);
+  return claim;
+}
+Claim Ties(Kind kind, char subject, char object) {
+  Claim claim = Says(kind, subject);
+  claim.object = object;
+  return claim;
+}
+Claim Runs(char subject, Region from, Region to) {
+  Claim claim = Says(Kind::kCourse, subject);
+  claim.from = from;
+  claim.to = to;
+  return claim;
+}
+
+struct Sample {
+  std::string instruction;
+  Vocabulary vocabulary;
+  std::vector<Claim> claims;  // by hand, not from the parser
+};
+
+void PrintTo(const Sample& sample, std::ostream* os) { *os << sample.instruction; }
+
+const Vocabulary kSuburb = Vocabulary::kSuburb;
+const Vocabulary kWild = Vocabulary::kWild;
+
+std::vector<Sample> Samples() {
+  using R = Region;
+  return {
+      {"A river winds from the north to the south between dense forest in the upper left and "
+       "farmland on the right. A road runs from the west to the east, with a small village in the "
+       "center.",
+       kSuburb,
+       {Runs('W', R::kUpper, R::kLower), Runs('R', R::kMiddleLeft, R::kMiddleRight),
+        Says(Kind::kPresent, 'F', {R::kUpperLeft}), Says(Kind::kMostly, 'A', {R::kMiddleRight}),
+        Says(Kind::kPresent, 'B', {R::kCenter}), Ties(Kind::kAdjacent, 'W', 'F')}},
+      {"The map is mostly forest with a lake in the center.",
+       kSuburb,
+       {Says(Kind::kMostly, 'F'), Says(Kind::kPresent, 'W', {R::kCenter}),
+        Says(Kind::kClustered, 'W')}},
+      {"FARMLAND COVERS THE SOUTHERN HALF; WOODS IN THE NORTH-EAST CORNER!",
+       kSuburb,
+       {Says(Kind::kMostly, 'A', {R::kLowerLeft, R::kLower, R::kLowerRight}),
+        Says(Kind::kPresent, 'F', {R::kUpperRight})}},
+      {"In the upper left there is a lake and in the lower right a town. No roads.",
+       kSuburb,
+       {Says(Kind::kPresent, 'W', {R::kUpperLeft}), Says(Kind::kPresent, 'B', {R::kLowerRight}),
+        Says(Kind::kAbsent, 'R')}},
+      {"three ponds scattered across a meadow, without any buildings or trees",
+       kSuburb,
+       {Says(Kind::kPresent, 'W'), Says(Kind::kAbsent, 'B'), Says(Kind::kAbsent, 'F'),
+        Says(Kind::kMostly, 'G')}},
+      {"A lake in the middle of the map is surrounded by forest. The rest is farmland.",
+       kSuburb,
+       {Says(Kind::kPresent, 'W', {R::kCenter}), Ties(Kind::kSurrounds, 'F', 'W'),
+        Says(Kind::kMostly, 'A')}},
+      {"Forest and farmland in the west, a village next to a lake in the east",
+       kSuburb,
+       {Says(Kind::kPresent, 'F', {R::kMiddleLeft}), Says(Kind::kPresent, 'A', {R::kMiddleLeft}),
+        Ties(Kind::kAdjacent, 'B', 'W')}},
+      {"Please draw a treeless plain crossed by a highway from the lower left to the upper right",
+       kSuburb,
+       {Says(Kind::kAbsent, 'F'), Runs('R', R::kLowerLeft, R::kUpperRight),
+        Says(Kind::kMostly, 'G')}},
+      {"More forest than farmland, please. A stream flows from east to west.",
+       kSuburb,
+       {Ties(Kind::kMoreThan, 'F', 'A'), Runs('W', R::kMiddleRight, R::kMiddleLeft)}},
+      {"Scattered houses in the southern part and an apple orchard in the top right corner",
+       kSuburb,
+       {Says(Kind::kScattered, 'B'), Says(Kind::kPresent, 'B', {R::kLower}),
+        Says(Kind::kPresent, 'A', {R::kUpperRight})}},
+      {"A gravel road connects the top left with the bottom right. Row houses stand in the middle "
+       "left.",
+       kSuburb,
+       {Runs('R', R::kUpperLeft, R::kLowerRight), Says(Kind::kPresent, 'B', {R::kMiddleLeft})}},
+      {"The left half is dense woodland and the right half is cropland; there is no water.",
+       kSuburb,
+       {Says(Kind::kMostly, 'F', {R::kUpperLeft, R::kMiddleLeft, R::kLowerLeft}),
+        Says(Kind::kMostly, 'A', {R::kUpperRight, R::kMiddleRight, R::kLowerRight}),
+        Says(Kind::kAbsent, 'W')}},
+      {"A few trees in the north. Barren land dominates the south.",
+       kSuburb,
+       {Says(Kind::kLittle, 'F', {R::kUpper}), Says(Kind::kMostly, 'D', {R::kLower})}},
+      {"A river crosses the map from west to east and a road crosses it from north to south.",
+       kSuburb,
+       {Runs('W', R::kMiddleLeft, R::kMiddleRight), Runs('R', R::kUpper, R::kLower)}},
+      {"A town in the south-west, and a forest north of the town.",
+       kSuburb,
+       {Says(Kind::kPresent, 'B', {R::kLowerLeft}), Says(Kind::kPresent, 'F', {R::kMiddleLeft})}},
+      {"Along the southern edge runs a road. Houses are clustered in the lower left.",
+       kSuburb,
+       {Says(Kind::kPresent, 'R', {R::kLower}), Says(Kind::kPresent, 'B', {R::kLowerLeft}),
+        Says(Kind::kClustered, 'B')}},
+      {"Everything is grassland, except for a small pond at the top right.",
+       kSuburb,
+       {Says(Kind::kMostly, 'G'), Says(Kind::kPresent, 'W', {R::kUpperRight})}},
+      {"Snow-capped peaks in the north, rocky slopes below them in the middle, pine forest in the "
+       "south.",
+       kWild,
+       {Says(Kind::kPresent, 'S', {R::kUpper}), Says(Kind::kPresent, 'R', {R::kCenter}),
+        Says(Kind::kMostly, 'F', {R::kLower})}},
+      {"A vast lake lies in the lower right, bordered by low bushes; mountains in the upper left.",
+       kWild,
+       {Says(Kind::kPresent, 'W', {R::kLowerRight}), Ties(Kind::kAdjacent, 'W', 'B'),
+        Says(Kind::kPresent, 'R', {R::kUpperLeft})}},
+      {"mostly rocky land with sparse bushes, snow only in the upper right corner, no water",
+       kWild,
+       {Says(Kind::kMostly, 'R'), Says(Kind::kPresent, 'S', {R::kUpperRight}),
+        Says(Kind::kAbsent, 'W')}},
+      {"a creek meanders from the upper left to the lower right through woodland",
+       kWild,
+       {Runs('W', R::kUpperLeft, R::kLowerRight), Ties(Kind::kAdjacent, 'W', 'F')}},
+      {"Forest covers most of the land. A glacier sits in the north-west and two lakes in the "
+       "south.",
+       kWild,
+       {Says(Kind::kMostly, 'F'), Says(Kind::kPresent, 'S', {R::kUpperLeft}),
+        Says(Kind::kPresent, 'W', {R::kLower})}},
+      {"Mostly farmland. A river enters in the north-west and leaves in the south-east. There are "
+       "two "
+       "villages, one in the north-east and one in the south-west, connected by a road.",
+       kSuburb,
+       {Says(Kind::kMostly, 'A'), Runs('W', R::kUpperLeft, R::kLowerRight),
+        Says(Kind::kPresent, 'B', {R::kUpperRight, R::kLowerLeft}),
+        Runs('R', R::kUpperRight, R::kLowerLeft)}},
+      {"In the center there is a village; around it are fields. Woods lie in all four corners.",
+       kSuburb,
+       {Says(Kind::kPresent, 'B', {R::kCenter}),
+        Says(Kind::kPresent, 'F', {R::kUpperLeft, R::kUpperRight, R::kLowerLeft, R::kLowerRight})}},
+  };
+}
+
+LayoutAnswer Generate(const std::string& instruction, Vocabulary vocabulary, std::uint64_t seed,
+                      const Relief* relief = nullptr) {
+  LayoutRequest request;
+  request.instruction = instruction;
+  request.vocabulary = vocabulary;
+  request.seed = seed;
+  request.relief = relief;
+  Result<LayoutAnswer> answer = MakeGroundedLayoutGenerator()->Generate(request, Progress());
+  EXPECT_TRUE(answer.ok()) << answer.status().ToString();
+  return std::move(answer).value();
+}
+
+bool IsLegal(const SymbolicLayout& layout) {
+  return ParseLayout(ToText(layout), layout.vocabulary).ok();
+}
+
+// Pieces of at most two cells, over all letters.
+int TinyPieces(const SymbolicLayout& layout) {
+  int tiny = 0;
+  for (const LayoutClass& entry : ClassesOf(layout.vocabulary)) {
+    for (const LayoutComponent& component : ComponentsOf(layout, entry.letter)) {
+      tiny += component.cells.size() <= 2 ? 1 : 0;
+    }
+  }
+  return tiny;
+}
+
+class GroundedLayoutSamples : public testing::TestWithParam<Sample> {};
+
+TEST_P(GroundedLayoutSamples, SatisfiesWhatTheWordsSayForEverySeed) {
+  const Sample& sample = GetParam();
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const LayoutAnswer answer = Generate(sample.instruction, sample.vocabulary, seed);
+    ASSERT_TRUE(IsLegal(answer.layout));
+    for (const Claim& claim : sample.claims) {
+      const ClaimMeasure measure = Measure(claim, answer.layout);
+      EXPECT_TRUE(measure.holds) << sample.instruction << "\nseed " << seed << ": "
+                                 << NameOf(claim.kind) << " " << measure.explanation << "\n"
+                                 << ToText(answer.layout);
+    }
+    EXPECT_LE(TinyPieces(answer.layout), 6) << seed << "\n" << ToText(answer.layout);
+    for (const std::string& warning : answer.warnings) {
+      ADD_FAILURE() << sample.instruction << ": " << warning;
+    }
+  }
+}
+
+TEST_P(GroundedLayoutSamples, TheSeedChangesTheLayoutAndRepeatsIt) {
+  const Sample& sample = GetParam();
+  const auto text = [&](std::uint64_t seed) {
+    return ToText(Generate(sample.instruction, sample.vocabulary, seed).layout);
+  };
+  EXPECT_EQ(text(3), text(3));
+  EXPECT_NE(text(3), text(4));
+}
+
+INSTANTIATE_TEST_SUITE_P(Voices, GroundedLayoutSamples, testing::ValuesIn(Samples()));
+
+Relief HillInTheNorth() {
+  Grid<float> height(65, 65);
+  for (int row = 0; row < 65; ++row) {
+    for (int col = 0; col < 65; ++col) height(row, col) = static_cast<float>(64 - row);
+  }
+  return MakeRelief(std::move(height));
+}
+
+TEST(GroundedLayoutTest, FollowsTheReliefAloneWithoutWords) {
+  const Relief relief = HillInTheNorth();
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const SymbolicLayout layout = Generate("", kWild, seed, &relief).layout;
+    EXPECT_GT(ShareIn(layout, 'S', Region::kUpper), 0.2);
+    EXPECT_GT(ShareIn(layout, 'W', Region::kLower), 0.1);
+    EXPECT_EQ(ShareIn(layout, 'S', Region::kLower), 0.0);
+    EXPECT_EQ(ShareIn(layout, 'W', Region::kUpper), 0.0);
+  }
+}
+
+TEST(GroundedLayoutTest, WordsWithoutPlaceFollowTheRelief) {
+  const Relief relief = HillInTheNorth();
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const SymbolicLayout layout = Generate("a lake and snow", kWild, seed, &relief).layout;
+    EXPECT_GT(ShareIn(layout, 'W', Region::kAnywhere), 0.0);
+    EXPECT_EQ(ShareIn(layout, 'W', Region::kUpper), 0.0) << ToText(layout);
+    EXPECT_GT(ShareIn(layout, 'S', Region::kAnywhere), 0.0);
+    EXPECT_EQ(ShareIn(layout, 'S', Region::kLower), 0.0) << ToText(layout);
+  }
+}
+
+TEST(GroundedLayoutTest, WarnsOfWhatItDoesNotUnderstand) {
+  const LayoutAnswer answer = Generate("a forest with purple spaceships", kSuburb, 1);
+  ASSERT_EQ(answer.warnings.size(), 1u);
+  EXPECT_NE(answer.warnings[0].find("purple spaceships"), std::string::npos);
+}
+
+TEST(GroundedLayoutTest, WarnsOfClassesThatTheVocabularyLacks) {
+  const LayoutAnswer answer = Generate("a forest and a castle", kWild, 1);
+  ASSERT_EQ(answer.warnings.size(), 1u);
+  EXPECT_NE(answer.warnings[0].find("castle"), std::string::npos);
+}
+
+TEST(GroundedLayoutTest, WarnsOfWhatCannotHoldTogether) {
+  const LayoutAnswer answer = Generate("a lake in the center, but no water", kSuburb, 1);
+  ASSERT_FALSE(answer.warnings.empty());
+  EXPECT_NE(answer.warnings[0].find("lake"), std::string::npos) << answer.warnings[0];
+}
+
+TEST(GroundedLayoutTest, CountsSeparatePieces) {
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const SymbolicLayout layout = Generate("five ponds in the grass", kSuburb, seed).layout;
+    EXPECT_EQ(ComponentsOf(layout, 'W').size(), 5u) << ToText(layout);
+  }
+}
+
+TEST(GroundedLayoutTest, WordSaladGivesALegalLayout) {
+  const std::vector<std::string> words = {"forest",     "no",
+                                          "the",        "rest",
+                                          "is",         "lake",
+                                          "between",    "and",
+                                          "north",      "of",
+                                          "from",       "to",
+                                          "river",      "surrounded by",
+                                          "mostly",     "three",
+                                          "ponds",      ",",
+                                          ".",          "in",
+                                          "upper left", "road",
+                                          "runs",       "through",
+                                          "connects",   "more",
+                                          "than",       "without",
+                                          "xyzzy",      "999999999999",
+                                          "edges",      "snow",
+                                          "village",    "around",
+                                          "scattered",  "middle",
+                                          "'",          "-",
+                                          "(",          "everywhere",
+                                          "the",        "treeless",
+                                          "west",       "half",
+                                          "a few",      "dozen",
+                                          "next to",    "it",
+                                          "winding",    "with",
+                                          "but"};
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    RandomStream random(seed, "salad");
+    std::string text = "a";
+    const int length = random.UniformInt(1, 60);
+    for (int i = 0; i < length; ++i) {
+      text += " " + words[random.UniformInt(0, static_cast<int>(words.size()) - 1)];
+    }
+    const Vocabulary vocabulary = random.Chance(0.5) ? kSuburb : kWild;
+    EXPECT_TRUE(IsLegal(Generate(text, vocabulary, seed).layout)) << text;
+  }
+}
+
+// Random code points, encoded.
+std::string RandomUtf8(RandomStream* random, int length) {
+  std::string text = "x";
+  for (int i = 0; i < length; ++i) {
+    int code = random->Chance(0.5) ? random->UniformInt(1, 0x7F) : random->UniformInt(1, 0x10FFFF);
+    if (code >= 0xD800 && code <= 0xDFFF) code = 0x20;
+    const auto add = [&](int bits) { text += static_cast<char>(bits); };
+    if (code < 0x80) {
+      add(code);
+    } else if (code < 0x800) {
+      add(0xC0 | code >> 6), add(0x80 | (code & 0x3F));
+    } else if (code < 0x10000) {
+      add(0xE0 | code >> 12), add(0x80 | (code >> 6 & 0x3F)), add(0x80 | (code & 0x3F));
+    } else {
+      add(0xF0 | code >> 18), add(0x80 | (code >> 12 & 0x3F));
+      add(0x80 | (code >> 6 & 0x3F)), add(0x80 | (code & 0x3F));
+    }
+  }
+  return text;
+}
+
+TEST(GroundedLayoutTest, AnyUtf8GivesALegalLayout) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    RandomStream random(seed, "utf8");
+    const std::string text = RandomUtf8(&random, random.UniformInt(0, 300));
+    EXPECT_TRUE(IsLegal(Generate(text, kSuburb, seed).layout));
+  }
+}
+
+TEST(GroundedLayoutTest, ReadsTheLongestInstruction) {
+  std::string text;
+  while (text.size() + 60 < kMaxInstructionBytes) {
+    text += "A lake in the north, woods in the south, a road, no snow; ";
+  }
+  EXPECT_TRUE(IsLegal(Generate(text, kSuburb, 1).layout));
+}
+
+TEST(GroundedLayoutTest, StopsWhenCancelled) {
+  LayoutRequest request;
+  request.instruction = "a lake";
+  Progress progress;
+  progress.Cancel();
+  const auto answer = MakeGroundedLayoutGenerator()->Generate(request, progress);
+  ASSERT_FALSE(answer.ok());
+  EXPECT_EQ(answer.status().code(), StatusCode::kCancelled);
+}
+
+}  // namespace
+}  // namespace latticeworld
