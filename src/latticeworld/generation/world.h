@@ -1,11 +1,14 @@
 #ifndef LATTICEWORLD_GENERATION_WORLD_H_
 #define LATTICEWORLD_GENERATION_WORLD_H_
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "latticeworld/common/enum_names.h"
 #include "latticeworld/environment/environment_config.h"
 #include "latticeworld/geometry/grid_geometry.h"
 #include "latticeworld/layout/claims.h"
@@ -17,14 +20,21 @@ namespace latticeworld {
 
 enum class VisualKind : std::uint8_t { kNone, kHeightMap };
 
+constexpr std::array<EnumName<VisualKind>, 2> EnumNames(VisualKind) {
+  return {{{VisualKind::kNone, "none"}, {VisualKind::kHeightMap, "height_map"}}};
+}
+
+// A 16-bit picture of the largest legal size, uncompressed, and its header.
+inline constexpr std::size_t kMaxVisualBytes = 256u << 20;
+
 // What a person asks for. Empty and zero fields have a meaning, so that text alone is enough.
 struct GenerationRequest {
   std::string layout_instruction;       // x_L; may be empty only with a visual instruction
   std::string environment_instruction;  // x_C; may be empty
   VisualKind visual_kind = VisualKind::kNone;
-  std::string visual;  // bytes of the picture
-  HeightMapOptions height_map;
-  std::string vocabulary;  // "": chosen from the text; "suburb", "wild"
+  std::string visual;           // bytes of the picture, at most kMaxVisualBytes
+  HeightMapOptions height_map;  // of a height map; without one it is not looked at
+  std::string vocabulary;  // "": chosen from the text, "wild" for a picture alone; "suburb", "wild"
   std::string generator;   // "": "grounded"
   std::uint64_t seed = 0;  // never 0 here: callers draw one for a user who gave none
   double size_m = 512.0;

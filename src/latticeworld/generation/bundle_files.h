@@ -1,0 +1,38 @@
+#ifndef LATTICEWORLD_GENERATION_BUNDLE_FILES_H_
+#define LATTICEWORLD_GENERATION_BUNDLE_FILES_H_
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "latticeworld/common/result.h"
+#include "latticeworld/generation/manifest.h"
+
+namespace latticeworld {
+
+// Names of the files of a bundle.
+inline constexpr char kManifestFile[] = "world.json";
+inline constexpr char kLayoutFile[] = "layout.txt";
+inline constexpr char kEnvironmentFile[] = "environment.json";
+inline constexpr char kTerrainFile[] = "terrain.bin";
+inline constexpr char kAssetsFile[] = "assets.csv";
+inline constexpr char kAgentsFile[] = "agents.json";
+inline constexpr char kVisualFile[] = "visual";
+inline constexpr char kHeightFile[] = "height.png";
+inline constexpr char kWaterFile[] = "water.png";
+inline constexpr char kMapPictureFile[] = "map.pgm";
+inline constexpr char kMapFile[] = "map.yaml";
+inline constexpr char kOctreeFile[] = "world.bt";
+inline constexpr char kPreviewFile[] = "preview.png";
+inline std::string WeightFile(char letter) { return std::string("weights/") + letter + ".png"; }
+
+// Limits of what is read into memory; a world of the largest size stays below them.
+inline constexpr std::size_t kMaxManifestBytes = 16u << 20;
+inline constexpr std::size_t kMaxBundleFileBytes = 2048u << 20;
+
+// The manifest of the bundle in a directory. Errors: as LoadBundle.
+Result<Manifest> ReadManifest(const std::filesystem::path& directory);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_GENERATION_BUNDLE_FILES_H_

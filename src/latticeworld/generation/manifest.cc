@@ -1,0 +1,234 @@
+#include "latticeworld/generation/manifest.h"
+
+#include <array>
+#include <cmath>
+
+#include "latticeworld/common/digest.h"
+#include "latticeworld/generation/json_fields.h"
+
+namespace latticeworld {
+namespace {
+
+namespace jf = json_fields;
+using jf::Json;
+
+constexpr std::string_view kDigestKey = "\"manifest_sha256\": \"";
+constexpr std::size_t kDigestDigits = 64;
+
+Json Encode(const GenerationRequest& request) {
+  return {{"layout_instruction", request.layout_instruction},
+          {"environment_instruction", request.environment_instruction},
+          {"visual_kind", NameOf(request.visual_kind)},
+          {"height_map_scale_m", request.height_map.height_scale_m},
+          {"height_map_offset_m", request.height_map.height_offset_m},
+          {"vocabulary", request.vocabulary},
+          {"generator", request.generator},
+          {"seed", request.seed},
+          {"size_m", request.size_m},
+          {"resolution_m", request.resolution_m}};
+}
+
+GenerationRequest DecodeRequest(const Json& json) {
+  jf::ExpectKeys(
+      json, {"layout_instruction", "environment_instruction", "visual_kind", "height_map_scale_m",
+             "height_map_offset_m", "vocabulary", "generator", "seed", "size_m", "resolution_m"});
+  GenerationRequest request;
+  request.layout_instruction = jf::Text(json, "layout_instruction");
+  request.environment_instruction = jf::Text(json, "environment_instruction");
+  request.visual_kind = jf::Named<VisualKind>(json, "visual_kind");
+  request.height_map.height_scale_m = jf::Number(json, "height_map_scale_m");
+  request.height_map.height_offset_m = jf::Number(json, "height_map_offset_m");
+  jf::Named<Vocabulary>(json, "vocabulary");  // resolved when it was saved: never empty
+  request.vocabulary = jf::Text(json, "vocabulary");
+  request.generator = jf::Text(json, "generator");
+  request.seed = jf::Unsigned(json, "seed");
+  request.size_m = jf::Number(json, "size_m");
+  request.resolution_m = jf::Number(json, "resolution_m");
+  return request;
+}
+
+Json Encode(const Eigen::Vector3d& vector) {
+  return Json::array({vector.x(), vector.y(), vector.z()});
+}
+
+Eigen::Vector3d DecodeVector(const Json& object, const char* key) {
+  const Json& json = jf::Array(object, key);
+  if (json.size() != 3 || !json[0].is_number() || !json[1].is_number() || !json[2].is_number()) {
+    jf::Fail(key, json, "three numbers");
+  }
+  return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
+}
+
+Json Encode(const Atmosphere& atmosphere) {
+  return {{"weather", NameOf(atmosphere.weather)},
+          {"visibility_m", atmosphere.visibility_m},
+          {"rain_mmph", atmosphere.rain_mmph},
+          {"snow_depth_m", atmosphere.snow_depth_m},
+          {"wind_mps", Encode(atmosphere.wind_mps)},
+          {"sun_direction", Encode(atmosphere.sun_direction)},
+          {"sun_intensity", atmosphere.sun_intensity},
+          {"ambient_intensity", atmosphere.ambient_intensity}};
+}
+
+Atmosphere DecodeAtmosphere(const Json& json) {
+  jf::ExpectKeys(json, {"weather", "visibility_m", "rain_mmph", "snow_depth_m", "wind_mps",
+                        "sun_direction", "sun_intensity", "ambient_intensity"});
+  Atmosphere atmosphere;
+  atmosphere.weather = jf::Named<Weather>(json, "weather");
+  atmosphere.visibility_m = jf::Number(json, "visibility_m", 0.0);
+  atmosphere.rain_mmph = jf::Number(json, "rain_mmph", 0.0);
+  atmosphere.snow_depth_m = jf::Number(json, "snow_depth_m", 0.0);
+  atmosphere.wind_mps = DecodeVector(json, "wind_mps");
+  atmosphere.sun_direction = DecodeVector(json, "sun_direction");
+  if (!(std::abs(atmosphere.sun_direction.norm() - 1.0) < 1e-6)) {
+    jf::Fail("sun_direction", json["sun_direction"], "a unit vector");
+  }
+  atmosphere.sun_intensity = jf::Number(json, "sun_intensity", 0.0, 1.0);
+  atmosphere.ambient_intensity = jf::Number(json, "ambient_intensity", 0.0, 1.0);
+  return atmosphere;
+}
+
+Json Encode(const Claim& claim) {
+  Json regions = Json::array();
+  for (const Region region : claim.regions) regions.push_back(NameOf(region));
+  return {{"kind", NameOf(claim.kind)},
+          {"subject", std::string(1, claim.subject)},
+          {"object", claim.object == '\0' ? std::string() : std::string(1, claim.object)},
+          {"regions", std::move(regions)},
+          {"from", NameOf(claim.from)},
+          {"to", NameOf(claim.to)},
+          {"words", claim.words}};
+}
+
+char DecodeLetter(const Json& json, const char* key, Vocabulary vocabulary) {
+  const std::string text = jf::Text(json, key);
+  if (text.size() != 1 || FindClass(vocabulary, text[0]) == nullptr) {
+    jf::Fail(key, json[key], "one of the letters " + std::string(LegalLetters(vocabulary)));
+  }
+  return text[0];
+}
+
+Claim DecodeClaim(const Json& json, Vocabulary vocabulary) {
+  jf::ExpectKeys(json, {"kind", "subject", "object", "regions", "from", "to", "words"});
+  Claim claim;
+  claim.kind = jf::Named<ClaimKind>(json, "kind");
+  claim.subject = DecodeLetter(json, "subject", vocabulary);
+  if (!jf::Text(json, "object").empty()) claim.object = DecodeLetter(json, "object", vocabulary);
+  for (const Json& name : jf::Array(json, "regions")) {
+    claim.regions.push_back(jf::Named<Region>(Json{{"region", name}}, "region"));
+  }
+  claim.from = jf::Named<Region>(json, "from");
+  claim.to = jf::Named<Region>(json, "to");
+  claim.words = jf::Text(json, "words");
+  return claim;
+}
+
+Json Encode(const BundleFile& file) {
+  return {{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}};
+}
+
+BundleFile DecodeFile(const Json& json) {
+  jf::ExpectKeys(json, {"name", "bytes", "sha256"});
+  return {jf::Text(json, "name"), jf::Unsigned(json, "bytes"), jf::Text(json, "sha256")};
+}
+
+Manifest DecodeFields(const Json& json) {
+  jf::ExpectKeys(json, {"format_version", "world_id", "request", "height_png", "water_png",
+                        "octree_resolution_m", "atmosphere", "claims", "warnings", "stages",
+                        "files", "manifest_sha256"});
+  Manifest manifest;
+  manifest.world_id = jf::Text(json, "world_id");
+  manifest.request = DecodeRequest(json["request"]);
+  const Vocabulary vocabulary = *FromName<Vocabulary>(manifest.request.vocabulary);
+  jf::ExpectKeys(json["height_png"], {"scale_m", "offset_m"});
+  manifest.height_png_scale_m = jf::Number(json["height_png"], "scale_m", 0.0);
+  manifest.height_png_offset_m = jf::Number(json["height_png"], "offset_m");
+  jf::ExpectKeys(json["water_png"], {"scale_m"});
+  manifest.water_png_scale_m = jf::Number(json["water_png"], "scale_m", 0.0);
+  manifest.octree_resolution_m = jf::Number(json, "octree_resolution_m", 0.0);
+  manifest.atmosphere = DecodeAtmosphere(json["atmosphere"]);
+  for (const Json& claim : jf::Array(json, "claims")) {
+    manifest.claims.push_back(DecodeClaim(claim, vocabulary));
+  }
+  for (const Json& warning : jf::Array(json, "warnings")) {
+    manifest.warnings.push_back(jf::Text(Json{{"warning", warning}}, "warning"));
+  }
+  for (const Json& stage : jf::Array(json, "stages")) {
+    jf::ExpectKeys(stage, {"name", "seconds"});
+    manifest.stages.push_back({jf::Text(stage, "name"), jf::Number(stage, "seconds", 0.0)});
+  }
+  for (const Json& file : jf::Array(json, "files")) manifest.files.push_back(DecodeFile(file));
+  return manifest;
+}
+
+// The digits of the manifest's own digest within its text; npos when it has none.
+std::size_t DigestOffset(std::string_view content) {
+  const std::size_t key = content.rfind(kDigestKey);
+  if (key == std::string_view::npos) return key;
+  const std::size_t offset = key + kDigestKey.size();
+  return offset + kDigestDigits <= content.size() ? offset : std::string_view::npos;
+}
+
+bool DigestMatches(std::string_view content) {
+  const std::size_t offset = DigestOffset(content);
+  if (offset == std::string_view::npos) return false;
+  std::string zeroed(content);
+  zeroed.replace(offset, kDigestDigits, kDigestDigits, '0');
+  return Sha256Hex(zeroed) == content.substr(offset, kDigestDigits);
+}
+
+Result<Manifest> Decode(std::string_view content) {
+  const Json json = Json::parse(content);
+  if (!json.is_object()) return DataLoss("is not an object");
+  const bool has_digest = json.contains("manifest_sha256");
+  if (has_digest && !DigestMatches(content)) {
+    return DataLoss("its SHA-256 is not the one that it carries");
+  }
+  const Json version = json.value("format_version", Json());
+  if (version.is_number_integer() && version != kBundleFormatVersion) {
+    return FailedPrecondition("has format version " + jf::Shown(version) +
+                              "; this program reads version " +
+                              std::to_string(kBundleFormatVersion));
+  }
+  return DecodeFields(json);
+}
+
+}  // namespace
+
+std::string EncodeManifest(const Manifest& manifest) {
+  Json json = {
+      {"format_version", kBundleFormatVersion},
+      {"world_id", manifest.world_id},
+      {"request", Encode(manifest.request)},
+      {"height_png",
+       {{"scale_m", manifest.height_png_scale_m}, {"offset_m", manifest.height_png_offset_m}}},
+      {"water_png", {{"scale_m", manifest.water_png_scale_m}}},
+      {"octree_resolution_m", manifest.octree_resolution_m},
+      {"atmosphere", Encode(manifest.atmosphere)},
+      {"claims", Json::array()},
+      {"warnings", manifest.warnings},
+      {"stages", Json::array()},
+      {"files", Json::array()},
+      {"manifest_sha256", std::string(kDigestDigits, '0')}};
+  for (const Claim& claim : manifest.claims) json["claims"].push_back(Encode(claim));
+  for (const StageTime& stage : manifest.stages) {
+    json["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+  }
+  for (const BundleFile& file : manifest.files) json["files"].push_back(Encode(file));
+  std::string content = jf::Dump(json);
+  const std::string digest = Sha256Hex(content);
+  content.replace(DigestOffset(content), kDigestDigits, digest);
+  return content;
+}
+
+Result<Manifest> DecodeManifest(std::string_view content) {
+  try {
+    return Decode(content);
+  } catch (const jf::FieldError& error) {
+    return DataLoss(error.what());
+  } catch (const Json::exception& error) {
+    return DataLoss(error.what());
+  }
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,242 @@
+#include "latticeworld/generation/world_generator.h"
+
+#include <chrono>
+#include <exception>
+#include <new>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "latticeworld/common/check.h"
+#include "latticeworld/common/random.h"
+#include "latticeworld/common/text.h"
+#include "latticeworld/generation/world_id.h"
+
+namespace latticeworld {
+namespace {
+
+// What `status` says, as violations: its own, or itself as one about `pointer`.
+void Append(const Status& status, std::string_view pointer, std::vector<Violation>* violations) {
+  if (status.ok()) return;
+  if (status.violations().empty()) {
+    violations->push_back({"illegal_value", std::string(pointer), status.message(), ""});
+    return;
+  }
+  violations->insert(violations->end(), status.violations().begin(), status.violations().end());
+}
+
+void CheckTexts(const GenerationRequest& request, std::vector<Violation>* violations) {
+  Relief relief;  // stands for the picture, which is not read yet
+  relief.summary = Grid<float>(kReliefSummarySize, kReliefSummarySize);
+  SymbolicLayout layout;
+  layout.cells = Grid<char>(kLayoutSize, kLayoutSize, ClassesOf(layout.vocabulary)[0].letter);
+  LayoutRequest layout_request;
+  layout_request.instruction = request.layout_instruction;
+  if (request.visual_kind != VisualKind::kNone) layout_request.relief = &relief;
+  Append(Validate(layout_request), "layout_instruction", violations);
+  EnvironmentRequest environment_request;
+  environment_request.instruction = request.environment_instruction;
+  environment_request.layout = &layout;
+  Append(Validate(environment_request), "environment_instruction", violations);
+}
+
+void CheckVisual(const GenerationRequest& request, std::vector<Violation>* violations) {
+  switch (request.visual_kind) {
+    case VisualKind::kNone:
+      if (!request.visual.empty()) {
+        violations->push_back({"visual_without_kind", "visual_kind",
+                               "a picture is given, so its kind must be height_map, not none",
+                               "none"});
+      }
+      return;
+    case VisualKind::kHeightMap:
+      if (request.visual.empty()) {
+        violations->push_back({"missing_visual", "visual",
+                               "visual_kind is height_map, but no picture is given; give the bytes "
+                               "of a PNG, PGM or TIFF, or visual_kind none",
+                               ""});
+      }
+      if (request.visual.size() > kMaxVisualBytes) {
+        const std::string given = std::to_string(request.visual.size());
+        violations->push_back({"out_of_range", "visual",
+                               "the picture is " + given + " bytes long; at most " +
+                                   std::to_string(kMaxVisualBytes) + " are legal",
+                               given});
+      }
+      for (Violation& violation : Validate(request.height_map)) {
+        violations->push_back(std::move(violation));
+      }
+      return;
+  }
+  const std::string given = std::to_string(static_cast<int>(request.visual_kind));
+  violations->push_back({"unknown_value", "visual_kind",
+                         "is " + given + "; legal are " + LegalNames<VisualKind>(), given});
+}
+
+Vocabulary ResolveVocabulary(const GenerationRequest& request) {
+  if (!request.vocabulary.empty()) return *FromName<Vocabulary>(request.vocabulary);
+  // The method's suburban scenes have no relief, so a relief without words is a wild one.
+  if (request.layout_instruction.empty()) return Vocabulary::kWild;
+  return ChooseVocabulary(request.layout_instruction);
+}
+
+Result<std::optional<Relief>> ReadRelief(const GenerationRequest& request) {
+  if (request.visual_kind == VisualKind::kNone) return std::optional<Relief>();
+  LW_ASSIGN_OR_RETURN(Relief relief, ReadHeightMap(request.visual, request.height_map));
+  return std::optional<Relief>(std::move(relief));
+}
+
+// Runs the stages of one generation: reports, times and names the failure of each, and stops
+// between two of them once the caller cancels.
+class StageRunner {
+ public:
+  explicit StageRunner(const Progress& progress) : progress_(progress) {}
+
+  template <typename Function>  // a function that gives a Result
+  auto Run(std::string_view name, Function&& function) -> decltype(function()) {
+    LW_RETURN_IF_ERROR(progress_.CheckCancelled());
+    progress_.Report(name, 0.0);
+    const auto start = std::chrono::steady_clock::now();
+    auto result = function();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (!result.ok()) return result.status().WithContext(name);
+    stages_.push_back({std::string(name), elapsed.count()});
+    progress_.Report(name, 1.0);
+    return result;
+  }
+
+  std::vector<StageTime> TakeStages() { return std::move(stages_); }
+
+ private:
+  const Progress& progress_;
+  std::vector<StageTime> stages_;
+};
+
+Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, LanguageBackend* backend,
+                                               const Progress& progress) {
+  auto world = std::make_shared<World>();
+  StageRunner stages(progress);
+  const auto add_warnings = [&world](std::vector<std::string> warnings) {
+    for (std::string& warning : warnings) world->warnings.push_back(std::move(warning));
+  };
+
+  LW_ASSIGN_OR_RETURN(const GridGeometry geometry,
+                      GridGeometry::Create(request.size_m, request.resolution_m));
+  LW_ASSIGN_OR_RETURN(const std::optional<Relief> relief,
+                      stages.Run("relief", [&] { return ReadRelief(request); }));
+  const Relief* relief_pointer = relief ? &*relief : nullptr;
+
+  LW_ASSIGN_OR_RETURN(LayoutAnswer layout, stages.Run("layout", [&] {
+    LayoutRequest layout_request;
+    layout_request.instruction = request.layout_instruction;
+    layout_request.vocabulary = *FromName<Vocabulary>(request.vocabulary);
+    layout_request.relief = relief_pointer;
+    layout_request.seed = StreamSeed(request.seed, "layout");
+    return backend->layout->Generate(layout_request, progress);
+  }));
+  world->layout = std::move(layout.layout);
+  world->claims = std::move(layout.claims);
+  add_warnings(std::move(layout.warnings));
+
+  LW_ASSIGN_OR_RETURN(EnvironmentAnswer environment, stages.Run("environment", [&] {
+    EnvironmentRequest environment_request;
+    environment_request.instruction = request.environment_instruction;
+    environment_request.relief = relief_pointer;
+    environment_request.layout = &world->layout;
+    environment_request.seed = StreamSeed(request.seed, "environment");
+    return backend->environment->Generate(environment_request, progress);
+  }));
+  world->environment = std::move(environment.environment);
+  add_warnings(std::move(environment.warnings));
+
+  LW_ASSIGN_OR_RETURN(Terrain terrain, stages.Run("terrain", [&] {
+    TerrainRequest terrain_request;
+    terrain_request.geometry = geometry;
+    terrain_request.layout = &world->layout;
+    terrain_request.relief = relief_pointer;
+    terrain_request.seed = StreamSeed(request.seed, "terrain");
+    return BuildTerrain(terrain_request, progress);
+  }));
+
+  LW_ASSIGN_OR_RETURN(SceneAnswer scene, stages.Run("scene", [&] {
+    SceneRequest scene_request;
+    scene_request.terrain = std::make_shared<const Terrain>(std::move(terrain));
+    scene_request.environment = world->environment;
+    scene_request.seed = StreamSeed(request.seed, "scene");
+    return BuildScene(scene_request, progress);
+  }));
+  world->scene = std::move(scene.scene);
+  add_warnings(std::move(scene.warnings));
+
+  LW_RETURN_IF_ERROR(progress.CheckCancelled());
+  world->request = std::move(request);
+  world->stages = stages.TakeStages();
+  world->id = ContentId(world->layout, *world->scene);
+  return std::shared_ptr<const World>(std::move(world));
+}
+
+}  // namespace
+
+WorldGenerator::WorldGenerator(std::map<std::string, LanguageBackend> backends,
+                               std::string default_backend)
+    : backends_(std::move(backends)), default_backend_(std::move(default_backend)) {
+  LW_CHECK(backends_.count(default_backend_) == 1, "the default back end is among the back ends");
+  for (const auto& [name, backend] : backends_) {
+    LW_CHECK(backend.layout != nullptr && backend.environment != nullptr,
+             "a back end answers for layout and environment");
+  }
+}
+
+std::vector<std::string> WorldGenerator::backend_names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, backend] : backends_) names.push_back(name);
+  return names;
+}
+
+Status WorldGenerator::Validate(const GenerationRequest& request) const {
+  std::vector<Violation> violations;
+  CheckTexts(request, &violations);
+  CheckVisual(request, &violations);
+  if (!request.vocabulary.empty() && !FromName<Vocabulary>(request.vocabulary)) {
+    violations.push_back({"unknown_value", "vocabulary",
+                          "is " + Quote(request.vocabulary) + "; legal are " +
+                              LegalNames<Vocabulary>() + ", or none to let the text decide",
+                          request.vocabulary});
+  }
+  if (!request.generator.empty() && backends_.count(request.generator) == 0) {
+    violations.push_back({"unknown_value", "generator",
+                          "is " + Quote(request.generator) + "; legal are " +
+                              Join(backend_names(), ", ") + ", or none for " + default_backend_,
+                          request.generator});
+  }
+  if (request.seed == 0) {
+    violations.push_back({"out_of_range", "seed", "is 0; draw one from 1 to 2^64 - 1", "0"});
+  }
+  if (const auto geometry = GridGeometry::Create(request.size_m, request.resolution_m);
+      !geometry.ok()) {
+    Append(geometry.status(), "size", &violations);
+  }
+  return Status::FromViolations("unusable request", std::move(violations));
+}
+
+Result<std::shared_ptr<const World>> WorldGenerator::Generate(const GenerationRequest& request,
+                                                              const Progress& progress) {
+  try {
+    LW_RETURN_IF_ERROR(Validate(request));
+    GenerationRequest resolved = request;
+    resolved.vocabulary = std::string(NameOf(ResolveVocabulary(request)));
+    if (resolved.generator.empty()) resolved.generator = default_backend_;
+    if (resolved.visual_kind == VisualKind::kNone) resolved.height_map = HeightMapOptions();
+    LanguageBackend* backend = &backends_.at(resolved.generator);
+    return RunStages(std::move(resolved), backend, progress);
+  } catch (const std::bad_alloc&) {
+    return ResourceExhausted("not enough memory for a world of " + FormatDouble(request.size_m) +
+                             " m at " + FormatDouble(request.resolution_m) +
+                             " m; ask for a smaller size or a coarser resolution");
+  } catch (const std::exception& error) {
+    // A defect of a stage or of a library below it must not end the program that asked.
+    return Internal(std::string("generation failed: ") + error.what());
+  }
+}
+
+}  // namespace latticeworld

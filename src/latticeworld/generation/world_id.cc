@@ -1,0 +1,108 @@
+#include "latticeworld/generation/world_id.h"
+
+#include <cstdint>
+#include <string>
+#include <type_traits>
+
+#include "latticeworld/common/digest.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr std::size_t kIdDigits = 12;
+
+// Fields go into one buffer first: a digest call for each of a million fields would cost more than
+// the hash itself, and hashing whole structs would hash their padding.
+class FieldBuffer {
+ public:
+  template <typename T>
+  void Add(const T& value) {
+    static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>, "padding would go into the hash");
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  }
+  void Add(const Eigen::Vector3d& vector) {
+    for (int i = 0; i < 3; ++i) Add(vector[i]);
+  }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+template <typename T>
+void AddGrid(const Grid<T>& grid, Digest* digest) {
+  digest->Add(grid.rows());
+  digest->Add(grid.cols());
+  digest->AddBytes(grid.data(), grid.size() * sizeof(T));
+}
+
+void AddTerrain(const Terrain& terrain, Digest* digest) {
+  digest->Add(terrain.geometry().resolution_m());
+  AddGrid(terrain.ground.height_m(), digest);
+  AddGrid(terrain.water_level_m, digest);
+  AddGrid(terrain.surface, digest);
+  for (const ClassWeight& entry : terrain.weights.classes) {
+    digest->Add(entry.letter);
+    AddGrid(entry.weight, digest);
+  }
+}
+
+std::string FieldsOf(const std::vector<Asset>& assets) {
+  FieldBuffer fields;
+  for (const Asset& asset : assets) {
+    fields.Add(asset.kind);
+    fields.Add(asset.season_variant);
+    fields.Add(asset.material);
+    fields.Add(asset.x_m);
+    fields.Add(asset.y_m);
+    fields.Add(asset.z_m);
+    fields.Add(asset.yaw_rad);
+    fields.Add(asset.scale);
+    fields.Add(asset.height_m);
+    fields.Add(asset.half_length_m);
+    fields.Add(asset.half_width_m);
+    fields.Add(asset.trunk_radius_m);
+  }
+  return fields.bytes();
+}
+
+std::string FieldsOf(const Atmosphere& atmosphere) {
+  FieldBuffer fields;
+  fields.Add(atmosphere.weather);
+  fields.Add(atmosphere.visibility_m);
+  fields.Add(atmosphere.rain_mmph);
+  fields.Add(atmosphere.snow_depth_m);
+  fields.Add(atmosphere.wind_mps);
+  fields.Add(atmosphere.sun_direction);
+  fields.Add(atmosphere.sun_intensity);
+  fields.Add(atmosphere.ambient_intensity);
+  return fields.bytes();
+}
+
+void AddAgent(const AgentStart& agent, Digest* digest) {
+  digest->AddText(agent.name);
+  digest->Add(agent.category);
+  digest->Add(agent.state);
+  digest->Add(agent.team);
+  digest->Add(agent.controllable);
+  digest->Add(agent.position.x_m);
+  digest->Add(agent.position.y_m);
+  digest->Add(agent.height_above_ground_m);
+  digest->Add(agent.heading_rad);
+}
+
+}  // namespace
+
+std::string ContentId(const SymbolicLayout& layout, const Scene& scene) {
+  Digest digest;
+  digest.Add(layout.vocabulary);
+  digest.AddText(ToText(layout));
+  digest.AddText(ToJson(scene.environment));
+  AddTerrain(*scene.terrain, &digest);
+  digest.AddText(FieldsOf(scene.assets));
+  digest.AddText(FieldsOf(scene.atmosphere));
+  for (const AgentStart& agent : scene.agents) AddAgent(agent, &digest);
+  return "world-" + digest.Hex().substr(0, kIdDigits);
+}
+
+}  // namespace latticeworld

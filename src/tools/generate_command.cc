@@ -1,0 +1,125 @@
+#include "tools/generate_command.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <filesystem>
+#include <iostream>
+#include <random>
+#include <string>
+
+#include "latticeworld/common/files.h"
+#include "latticeworld/common/text.h"
+#include "latticeworld/generation/bundle.h"
+#include "latticeworld/generation/world_generator.h"
+#include "tools/arguments.h"
+#include "tools/interrupt.h"
+#include "tools/progress_display.h"
+#include "tools/world_summary.h"
+
+namespace latticeworld::tools {
+namespace {
+
+// A seed for a user who gave none: not 0, and short enough to be typed again.
+std::uint64_t DrawSeed() {
+  std::random_device device;
+  return 1 + device() % 1000000000u;
+}
+
+Result<GenerationRequest> ReadRequest(const CLI::App& command) {
+  GenerationRequest request;
+  ArgumentReader arguments(&command);
+  arguments.RequireBeside("--height-scale", "--height-map");
+  arguments.RequireBeside("--height-offset", "--height-map");
+  request.height_map.height_scale_m =
+      arguments.Number("--height-scale", request.height_map.height_scale_m);
+  request.height_map.height_offset_m =
+      arguments.Number("--height-offset", request.height_map.height_offset_m);
+  request.seed = arguments.Unsigned("--seed", 0);
+  request.size_m = arguments.Number("--size", request.size_m);
+  request.resolution_m = arguments.Number("--resolution", request.resolution_m);
+  LW_RETURN_IF_ERROR(arguments.status());
+
+  if (request.seed == 0) request.seed = DrawSeed();
+  request.vocabulary = ValueOf(command, "--vocabulary").value_or("");
+  request.generator = ValueOf(command, "--generator").value_or("");
+  LW_ASSIGN_OR_RETURN(request.layout_instruction, TextOf(command, "--layout"));
+  LW_ASSIGN_OR_RETURN(request.environment_instruction, TextOf(command, "--environment"));
+  if (const auto file = ValueOf(command, "--height-map")) {
+    auto picture = ReadFile(*file, kMaxVisualBytes);
+    if (!picture.ok()) return picture.status().WithContext("--height-map");
+    request.visual_kind = VisualKind::kHeightMap;
+    request.visual = *std::move(picture);
+  }
+  return request;
+}
+
+// Whether a bundle can be written there, before any work is done for it.
+Status CheckTarget(const std::filesystem::path& target) {
+  return DirectoryWriter::Create(target).status().WithContext("--out");
+}
+
+Status Generate(const CLI::App& command) {
+  LW_ASSIGN_OR_RETURN(const GenerationRequest request, ReadRequest(command));
+  std::filesystem::path target = *ValueOf(command, "--out");
+  if (target.empty()) return InvalidArgument("--out: is empty; give the directory to be made");
+  if (!target.has_filename()) target = target.parent_path();  // a trailing slash
+  WorldGenerator generator = MakeDefaultWorldGenerator();
+  LW_RETURN_IF_ERROR(generator.Validate(request));
+  LW_RETURN_IF_ERROR(CheckTarget(target));
+
+  ProgressDisplay display;
+  Progress progress(
+      [&display](std::string_view stage, double fraction) { display.Show(stage, fraction); });
+  const CancelOnInterrupt cancel_on_interrupt(&progress);
+  const auto world = generator.Generate(request, progress);
+  if (!world.ok()) {
+    display.Clear();
+    return world.status();
+  }
+  display.Show("save", 0.0);
+  const Status saved = SaveBundle(**world, target);
+  display.Clear();
+  LW_RETURN_IF_ERROR(saved);
+
+  PrintSummary(**world, StandardOutputIsTerminal(), &std::cout);
+  std::cout << "bundle       " << target.string() << "\n";
+  return Status();
+}
+
+}  // namespace
+
+void AddGenerateCommand(CLI::App* app, int* exit_status) {
+  CLI::App* command = app->add_subcommand(
+      "generate", "Generates a world from words (and a height map) and saves it as a bundle.");
+  AddValueOption(command, "--layout", "TEXT",
+                 "What the land looks like, in words; @FILE reads them from a file. Needed unless "
+                 "there is a height map.");
+  AddValueOption(command, "--environment", "TEXT",
+                 "Season, weather, time of day and what lives there; @FILE reads a file. Without "
+                 "it the environment follows from the layout.");
+  AddValueOption(command, "--height-map", "FILE",
+                 "Relief: an 8- or 16-bit greyscale PNG, PGM or TIFF, 33 to 8193 pixels a side.");
+  AddValueOption(command, "--height-scale", "METRES",
+                 "Height from a black to a white pixel of the height map, 0 to 9000 [100].");
+  AddValueOption(command, "--height-offset", "METRES",
+                 "Height of a black pixel of the height map, -9000 to 9000 [0].");
+  AddValueOption(command, "--vocabulary", "NAME", "suburb or wild. Without it the words decide.");
+  AddValueOption(
+      command, "--generator", "NAME",
+      "Who reads the words: " + Join(MakeDefaultWorldGenerator().backend_names(), ", ") + ".");
+  AddValueOption(command, "--seed", "N",
+                 "The same request and seed give the same world. 0 or none: one is drawn and "
+                 "shown.");
+  AddValueOption(command, "--size", "METRES", "Side of the world, 16 to 8192 [512].");
+  AddValueOption(command, "--resolution", "METRES",
+                 "Side of a cell, 0.05 to 16 [0.5]. A side has 32 to 4096 cells.");
+  AddValueOption(command, "--out", "DIR", "The bundle: a directory that does not exist yet.");
+  command->get_option("--out")->required();
+  command->callback([command, exit_status] {
+    const Status status = Generate(*command);
+    if (!status.ok()) *exit_status = ReportFailure("generate", status);
+  });
+}
+
+}  // namespace latticeworld::tools

@@ -1,0 +1,76 @@
+#include "latticeworld/generation/agents_json.h"
+
+#include <gtest/gtest.h>
+
+#include "generation/test_world.h"
+
+namespace latticeworld {
+namespace {
+
+const GridGeometry& TestGeometry() {
+  static const GridGeometry geometry = *GridGeometry::Create(32.0, 0.5);
+  return geometry;
+}
+
+std::string Replaced(std::string text, const std::string& what, const std::string& with) {
+  const std::size_t offset = text.find(what);
+  EXPECT_NE(offset, std::string::npos) << what;
+  return text.replace(offset, what.size(), with);
+}
+
+TEST(AgentsJsonTest, GivesBackTheSameAgents) {
+  const auto agents = MakeTestWorld()->scene->agents;
+  const auto decoded = DecodeAgents(EncodeAgents(agents), TestGeometry());
+  ASSERT_TRUE(decoded.ok()) << decoded.status().ToString();
+  ASSERT_EQ(decoded->size(), 3u);
+  EXPECT_EQ((*decoded)[1].name, "sheep_2");
+  EXPECT_EQ((*decoded)[1].heading_rad, -1.0 / 3.0);
+  EXPECT_EQ((*decoded)[2].category, AgentCategory::kWheeledRobot);
+  EXPECT_TRUE((*decoded)[2].controllable);
+  EXPECT_EQ(EncodeAgents(*decoded), EncodeAgents(agents));
+}
+
+TEST(AgentsJsonTest, TakesNoAgents) {
+  const auto decoded = DecodeAgents(EncodeAgents({}), TestGeometry());
+  ASSERT_TRUE(decoded.ok());
+  EXPECT_TRUE(decoded->empty());
+}
+
+TEST(AgentsJsonTest, NamesWhatIsWrong) {
+  const std::string good = EncodeAgents(MakeTestWorld()->scene->agents);
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"{}", "not an array"},
+      {"[", "parse error"},
+      {"[1]", "agent 0"},
+      {Replaced(good, "\"sheep_1\"", "\"1 sheep\""), "name is"},
+      {Replaced(good, "sheep_2", "sheep_1"), "agent 1: name is"},
+      {Replaced(good, "\"category\": \"sheep\"", "\"category\": \"cow\""), "category is"},
+      {Replaced(good, "grazing", "flying"), "one that a sheep can be in"},
+      {Replaced(good, "\"team\": 0", "\"team\": 0.5"), "team is 0.5"},
+      {Replaced(good, "\"team\": 0", "\"team\": -1"), "team is -1"},
+      {Replaced(good, "\"x_m\": 7.1", "\"x_m\": 16.1"), "x_m is 16.1"},
+      {Replaced(good, "\"x_m\": 7.1", "\"x_m\": \"7.1\""), "x_m is"},
+      {Replaced(good, "\"x_m\": 7.1", "\"x_m\": 1e999"), "1e999"},
+      {Replaced(good, "\"x_m\"", "\"X_m\""), "x_m is missing"},
+      {Replaced(good, "\"team\"", "\"extra\": 1, \"team\""), "is unknown"},
+      {Replaced(good, "\"controllable\": false", "\"controllable\": 0"), "true or false"},
+  };
+  for (const auto& [content, message] : cases) {
+    const auto decoded = DecodeAgents(content, TestGeometry());
+    ASSERT_FALSE(decoded.ok()) << message;
+    EXPECT_EQ(decoded.status().code(), StatusCode::kDataLoss);
+    EXPECT_NE(decoded.status().message().find(message), std::string::npos)
+        << message << " | " << decoded.status().message();
+  }
+}
+
+TEST(AgentsJsonTest, RefusesMoreAgentsThanAWorldMayHave) {
+  std::vector<AgentStart> agents(kMaxAgents + 1);
+  for (std::size_t i = 0; i < agents.size(); ++i) agents[i].name = "sheep_" + std::to_string(i);
+  EXPECT_FALSE(DecodeAgents(EncodeAgents(agents), TestGeometry()).ok());
+  agents.pop_back();
+  EXPECT_TRUE(DecodeAgents(EncodeAgents(agents), TestGeometry()).ok());
+}
+
+}  // namespace
+}  // namespace latticeworld

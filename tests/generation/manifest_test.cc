@@ -1,0 +1,128 @@
+#include "latticeworld/generation/manifest.h"
+
+#include <gtest/gtest.h>
+
+#include "latticeworld/common/digest.h"
+
+namespace latticeworld {
+namespace {
+
+Manifest MakeManifest() {
+  Manifest manifest;
+  manifest.world_id = "world-0123456789ab";
+  manifest.request.layout_instruction = "ein \"See\" — é";
+  manifest.request.vocabulary = "wild";
+  manifest.request.generator = "grounded";
+  manifest.request.seed = 18446744073709551615u;
+  manifest.request.size_m = 100.0 / 3.0;
+  manifest.height_png_scale_m = 12.25;
+  manifest.height_png_offset_m = -3.5;
+  manifest.water_png_scale_m = 0.1;
+  manifest.octree_resolution_m = 0.5;
+  manifest.atmosphere.wind_mps = {0.1, 0.2, 0.0};
+  manifest.claims = {
+      {ClaimKind::kCourse, 'R', '\0', {}, Region::kLowerLeft, Region::kUpperRight, "a ridge"}};
+  manifest.warnings = {"one", "two"};
+  manifest.stages = {{"relief", 0.25}};
+  manifest.files = {{"layout.txt", 1056, std::string(64, 'a')}};
+  return manifest;
+}
+
+// The manifest with something in it changed and the digest made right again, as a program that does
+// not know our rules would write it.
+std::string Forged(const std::string& what, const std::string& with) {
+  std::string content = EncodeManifest(MakeManifest());
+  const std::size_t offset = content.find(what);
+  EXPECT_NE(offset, std::string::npos) << what;
+  content.replace(offset, what.size(), with);
+  const std::string key = "\"manifest_sha256\": \"";
+  const std::size_t digits = content.rfind(key) + key.size();
+  content.replace(digits, 64, std::string(64, '0'));
+  return content.replace(digits, 64, Sha256Hex(content));
+}
+
+TEST(ManifestTest, GivesBackEveryField) {
+  const Manifest manifest = MakeManifest();
+  const auto decoded = DecodeManifest(EncodeManifest(manifest));
+  ASSERT_TRUE(decoded.ok()) << decoded.status().ToString();
+  EXPECT_EQ(decoded->world_id, manifest.world_id);
+  EXPECT_EQ(decoded->request.layout_instruction, manifest.request.layout_instruction);
+  EXPECT_EQ(decoded->request.seed, manifest.request.seed);
+  EXPECT_EQ(decoded->request.size_m, manifest.request.size_m);
+  EXPECT_EQ(decoded->height_png_scale_m, 12.25);
+  EXPECT_EQ(decoded->height_png_offset_m, -3.5);
+  EXPECT_EQ(decoded->water_png_scale_m, 0.1);
+  EXPECT_EQ(decoded->atmosphere.wind_mps, manifest.atmosphere.wind_mps);
+  ASSERT_EQ(decoded->claims.size(), 1u);
+  EXPECT_EQ(decoded->claims[0].from, Region::kLowerLeft);
+  EXPECT_EQ(decoded->warnings, manifest.warnings);
+  ASSERT_EQ(decoded->files.size(), 1u);
+  EXPECT_EQ(decoded->files[0].bytes, 1056u);
+  EXPECT_EQ(EncodeManifest(*decoded), EncodeManifest(manifest));
+}
+
+TEST(ManifestTest, SeesAChangeOfAnyByte) {
+  const std::string content = EncodeManifest(MakeManifest());
+  for (std::size_t i = 0; i < content.size(); ++i) {
+    std::string changed = content;
+    changed[i] ^= 1;
+    EXPECT_FALSE(DecodeManifest(changed).ok()) << "byte " << i;
+  }
+}
+
+TEST(ManifestTest, IsRefusedWhereverItIsCut) {
+  const std::string content = EncodeManifest(MakeManifest());
+  for (std::size_t length = 0; length + 1 < content.size(); ++length) {
+    EXPECT_FALSE(DecodeManifest(content.substr(0, length)).ok()) << "cut to " << length;
+  }
+}
+
+TEST(ManifestTest, NamesBothVersionsOfAnotherFormat) {
+  for (const std::string& content : {Forged("\"format_version\": 1", "\"format_version\": 2"),
+                                     std::string("{\"format_version\": 2, \"what\": \"ever\"}")}) {
+    const auto decoded = DecodeManifest(content);
+    ASSERT_FALSE(decoded.ok());
+    EXPECT_EQ(decoded.status().code(), StatusCode::kFailedPrecondition);
+    EXPECT_NE(decoded.status().message().find("version 2"), std::string::npos);
+    EXPECT_NE(decoded.status().message().find("version 1"), std::string::npos);
+  }
+}
+
+TEST(ManifestTest, NamesIllegalValues) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {Forged("\"vocabulary\": \"wild\"", "\"vocabulary\": \"sea\""), "suburb, wild"},
+      {Forged("\"vocabulary\": \"wild\"", "\"vocabulary\": \"\""), "suburb, wild"},
+      {Forged("\"seed\": 18446744073709551615", "\"seed\": -1"), "seed is -1"},
+      {Forged("\"seed\": 18446744073709551615", "\"seed\": 1.5"), "seed is 1.5"},
+      {Forged("\"visual_kind\": \"none\"", "\"visual_kind\": \"film\""), "none, height_map"},
+      {Forged("\"subject\": \"R\"", "\"subject\": \"A\""), "subject is"},
+      {Forged("\"subject\": \"R\"", "\"subject\": \"RR\""), "subject is"},
+      {Forged("\"from\": \"lower left\"", "\"from\": \"below\""), "from is"},
+      {Forged("\"weather\": \"sunny\"", "\"weather\": \"hail\""), "weather is"},
+      {Forged("\"sun_intensity\": 1.0", "\"sun_intensity\": 2.0"), "sun_intensity is 2.0"},
+      {Forged("\"bytes\": 1056", "\"bytes\": \"1056\""), "bytes is"},
+      {Forged("\"warnings\"", "\"warning\""), "warnings is missing"},
+      {Forged("\"claims\"", "\"more\": 1, \"claims\""), "is unknown"},
+      {Forged("\"two\"", "2"), "warning is 2"},
+  };
+  for (const auto& [content, message] : cases) {
+    const auto decoded = DecodeManifest(content);
+    ASSERT_FALSE(decoded.ok()) << message;
+    EXPECT_EQ(decoded.status().code(), StatusCode::kDataLoss);
+    EXPECT_NE(decoded.status().message().find(message), std::string::npos)
+        << message << " | " << decoded.status().message();
+  }
+}
+
+TEST(ManifestTest, SurvivesHostileJson) {
+  const std::string deep(1 << 20, '[');
+  for (const std::string& content :
+       {std::string(), std::string("null"), std::string("[]"), std::string("{}"), deep,
+        std::string("{\"manifest_sha256\": 1}"), std::string("\xff\xfe"),
+        std::string("{\"manifest_sha256\": \"")}) {
+    EXPECT_FALSE(DecodeManifest(content).ok());
+  }
+}
+
+}  // namespace
+}  // namespace latticeworld

@@ -1,0 +1,267 @@
+#include "generation/test_world.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "latticeworld/generation/world_id.h"
+
+namespace latticeworld {
+namespace {
+
+SymbolicLayout MakeLayout() {
+  SymbolicLayout layout;
+  layout.vocabulary = Vocabulary::kSuburb;
+  layout.cells = Grid<char>(kLayoutSize, kLayoutSize, 'G');
+  for (int row = 0; row < kLayoutSize; ++row) {
+    for (int col = 0; col < kLayoutSize; ++col) {
+      if (row < 10 && col < 10) layout.cells(row, col) = 'F';
+      if (row > 20 && col > 20) layout.cells(row, col) = 'W';
+    }
+  }
+  return layout;
+}
+
+EnvironmentConfig MakeEnvironment() {
+  EnvironmentConfig environment;
+  environment.coarse.season = Season::kAutumn;
+  environment.coarse.weather = Weather::kRain;
+  environment.fine = DeriveFineAttributes(environment.coarse);
+  environment.agents = {{AgentCategory::kSheep, 2, AgentState::kGrazing, Region::kUpperRight}};
+  return environment;
+}
+
+std::shared_ptr<Terrain> MakeTerrain(const SymbolicLayout& layout, const GridGeometry& geometry) {
+  auto terrain = std::make_shared<Terrain>();
+  const int cells = geometry.rows();
+  Grid<float> height_m(cells, cells);
+  terrain->water_level_m = Grid<float>(cells, cells, std::numeric_limits<float>::quiet_NaN());
+  terrain->surface = Grid<SurfaceClass>(cells, cells, SurfaceClass::kGrass);
+  for (int row = 0; row < cells; ++row) {
+    for (int col = 0; col < cells; ++col) {
+      height_m(row, col) = std::sin(0.1f * row) + 0.7f * std::cos(0.13f * col) - 1.0f / 3.0f;
+      if (layout.cells(row / 2, col / 2) != 'W') continue;
+      height_m(row, col) -= 3.0f;
+      terrain->water_level_m(row, col) = -0.9f;
+      terrain->surface(row, col) = SurfaceClass::kWaterBed;
+    }
+  }
+  terrain->ground = HeightField(geometry, std::move(height_m));
+  terrain->weights = DecodeLayout(layout, geometry, DecodeOptions(), 5);
+  return terrain;
+}
+
+std::vector<Asset> MakeAssets(const Terrain& terrain) {
+  std::vector<Asset> assets;
+  for (const auto& entry : EnumNames(AssetKind{})) {
+    const float i = static_cast<float>(assets.size());
+    Asset asset;
+    asset.kind = entry.value;
+    asset.season_variant = 1;
+    asset.material = 1;
+    asset.x_m = -14.0f + 1.7f * i;
+    asset.y_m = 9.0f / 7.0f * i;
+    asset.z_m = static_cast<float>(terrain.ground.HeightAt(asset.position()));
+    asset.yaw_rad = -0.1f * i;
+    asset.scale = 1.0f + i / 3.0f;
+    asset.height_m = 0.1f + i;
+    asset.half_length_m = 0.4f;
+    asset.half_width_m = 0.3f;
+    asset.trunk_radius_m = entry.value == AssetKind::kTree ? 1e-3f : 0.0f;
+    assets.push_back(asset);
+  }
+  return assets;
+}
+
+std::vector<AgentStart> MakeAgents() {
+  std::vector<AgentStart> agents(3);
+  agents[0] = {"sheep_1", AgentCategory::kSheep, AgentState::kGrazing, 0, false, {7.1, 8.3}, 0.0,
+               1};
+  agents[1] = {"sheep_2", AgentCategory::kSheep, AgentState::kGrazing, 0, false, {9.7, 9.1}, 0.0,
+               -1.0 / 3.0};
+  agents[2] = {"robot", AgentCategory::kWheeledRobot, AgentState::kIdle, 1, true, {-2, -3}, 0.05,
+               1e-9};
+  return agents;
+}
+
+void ExpectSameBits(const Grid<float>& a, const Grid<float>& b, const char* what) {
+  ASSERT_EQ(a.rows(), b.rows()) << what;
+  ASSERT_EQ(a.cols(), b.cols()) << what;
+  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(float)), 0) << what;
+}
+
+void ExpectSameTerrain(const Terrain& a, const Terrain& b) {
+  EXPECT_EQ(a.geometry().rows(), b.geometry().rows());
+  EXPECT_EQ(a.geometry().resolution_m(), b.geometry().resolution_m());
+  ExpectSameBits(a.ground.height_m(), b.ground.height_m(), "elevation");
+  ExpectSameBits(a.water_level_m, b.water_level_m, "water level");
+  EXPECT_EQ(a.surface, b.surface);
+  EXPECT_EQ(a.weights.vocabulary, b.weights.vocabulary);
+  ASSERT_EQ(a.weights.classes.size(), b.weights.classes.size());
+  for (std::size_t i = 0; i < a.weights.classes.size(); ++i) {
+    EXPECT_EQ(a.weights.classes[i].letter, b.weights.classes[i].letter);
+    ExpectSameBits(a.weights.classes[i].weight, b.weights.classes[i].weight, "weight");
+  }
+}
+
+void ExpectSameAssets(const std::vector<Asset>& a, const std::vector<Asset>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].kind, b[i].kind);
+    EXPECT_EQ(a[i].season_variant, b[i].season_variant);
+    EXPECT_EQ(a[i].material, b[i].material);
+    EXPECT_EQ(a[i].x_m, b[i].x_m);
+    EXPECT_EQ(a[i].y_m, b[i].y_m);
+    EXPECT_EQ(a[i].z_m, b[i].z_m);
+    EXPECT_EQ(a[i].yaw_rad, b[i].yaw_rad);
+    EXPECT_EQ(a[i].scale, b[i].scale);
+    EXPECT_EQ(a[i].height_m, b[i].height_m);
+    EXPECT_EQ(a[i].half_length_m, b[i].half_length_m);
+    EXPECT_EQ(a[i].half_width_m, b[i].half_width_m);
+    EXPECT_EQ(a[i].trunk_radius_m, b[i].trunk_radius_m);
+  }
+}
+
+void ExpectSameAgents(const std::vector<AgentStart>& a, const std::vector<AgentStart>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].name, b[i].name);
+    EXPECT_EQ(a[i].category, b[i].category);
+    EXPECT_EQ(a[i].state, b[i].state);
+    EXPECT_EQ(a[i].team, b[i].team);
+    EXPECT_EQ(a[i].controllable, b[i].controllable);
+    EXPECT_EQ(a[i].position.x_m, b[i].position.x_m);
+    EXPECT_EQ(a[i].position.y_m, b[i].position.y_m);
+    EXPECT_EQ(a[i].height_above_ground_m, b[i].height_above_ground_m);
+    EXPECT_EQ(a[i].heading_rad, b[i].heading_rad);
+  }
+}
+
+void ExpectSameAtmosphere(const Atmosphere& a, const Atmosphere& b) {
+  EXPECT_EQ(a.weather, b.weather);
+  EXPECT_EQ(a.visibility_m, b.visibility_m);
+  EXPECT_EQ(a.rain_mmph, b.rain_mmph);
+  EXPECT_EQ(a.snow_depth_m, b.snow_depth_m);
+  EXPECT_EQ(a.wind_mps, b.wind_mps);
+  EXPECT_EQ(a.sun_direction, b.sun_direction);
+  EXPECT_EQ(a.sun_intensity, b.sun_intensity);
+  EXPECT_EQ(a.ambient_intensity, b.ambient_intensity);
+}
+
+void ExpectSameRequest(const GenerationRequest& a, const GenerationRequest& b) {
+  EXPECT_EQ(a.layout_instruction, b.layout_instruction);
+  EXPECT_EQ(a.environment_instruction, b.environment_instruction);
+  EXPECT_EQ(a.visual_kind, b.visual_kind);
+  EXPECT_EQ(a.visual, b.visual);
+  EXPECT_EQ(a.height_map.height_scale_m, b.height_map.height_scale_m);
+  EXPECT_EQ(a.height_map.height_offset_m, b.height_map.height_offset_m);
+  EXPECT_EQ(a.vocabulary, b.vocabulary);
+  EXPECT_EQ(a.generator, b.generator);
+  EXPECT_EQ(a.seed, b.seed);
+  EXPECT_EQ(a.size_m, b.size_m);
+  EXPECT_EQ(a.resolution_m, b.resolution_m);
+}
+
+void ExpectSameClaims(const std::vector<Claim>& a, const std::vector<Claim>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].kind, b[i].kind);
+    EXPECT_EQ(a[i].subject, b[i].subject);
+    EXPECT_EQ(a[i].object, b[i].object);
+    EXPECT_EQ(a[i].regions, b[i].regions);
+    EXPECT_EQ(a[i].from, b[i].from);
+    EXPECT_EQ(a[i].to, b[i].to);
+    EXPECT_EQ(a[i].words, b[i].words);
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<World> MakeTestWorld() {
+  auto world = std::make_shared<World>();
+  world->request.layout_instruction = "A wood in the upper left, a lake: \"Königssee\".";
+  world->request.environment_instruction = "autumn";
+  world->request.visual_kind = VisualKind::kHeightMap;
+  world->request.visual = MakePgm(40, 50);
+  world->request.height_map = {12.5, -0.1};
+  world->request.vocabulary = "suburb";
+  world->request.generator = "a model that is not here";
+  world->request.seed = 18446744073709551557u;
+  world->request.size_m = 32.0;
+  world->request.resolution_m = 0.5;
+  const GridGeometry geometry = *GridGeometry::Create(32.0, 0.5);
+
+  world->layout = MakeLayout();
+  world->environment = MakeEnvironment();
+  auto scene = std::make_shared<Scene>();
+  scene->terrain = MakeTerrain(world->layout, geometry);
+  scene->environment = world->environment;
+  scene->assets = MakeAssets(*scene->terrain);
+  scene->index = AssetIndex(geometry.size_m(), scene->assets);
+  scene->atmosphere = {Weather::kRain,   1.0 / 3.0,       4.5, 0.0,
+                       {0.1, -0.2, 0.0}, {0.6, 0.0, 0.8}, 0.7, 0.2};
+  scene->agents = MakeAgents();
+  world->scene = scene;
+  world->claims = {{ClaimKind::kPresent,
+                    'F',
+                    '\0',
+                    {Region::kUpperLeft, Region::kUpper},
+                    Region::kAnywhere,
+                    Region::kAnywhere,
+                    "A wood in the upper left"},
+                   {ClaimKind::kAdjacent, 'F', 'W', {}, Region::kUpper, Region::kLower, "by"}};
+  world->warnings = {"not understood: \"Königssee\"", "a second one"};
+  world->stages = {{"relief", 0.001}, {"layout", 1.0 / 3.0}};
+  world->id = ContentId(world->layout, *scene);
+  return world;
+}
+
+std::string MakePgm(int rows, int cols) {
+  std::string pgm = "P5\n" + std::to_string(cols) + " " + std::to_string(rows) + "\n255\n";
+  for (int row = 0; row < rows; ++row) {
+    for (int col = 0; col < cols; ++col) pgm.push_back(static_cast<char>(col * 255 / (cols - 1)));
+  }
+  return pgm;
+}
+
+void ExpectSameWorld(const World& a, const World& b) {
+  EXPECT_EQ(a.id, b.id);
+  ExpectSameRequest(a.request, b.request);
+  EXPECT_EQ(a.layout.vocabulary, b.layout.vocabulary);
+  EXPECT_EQ(a.layout.cells, b.layout.cells);
+  EXPECT_EQ(ToJson(a.environment), ToJson(b.environment));
+  EXPECT_EQ(ToJson(a.scene->environment), ToJson(b.scene->environment));
+  ExpectSameTerrain(*a.scene->terrain, *b.scene->terrain);
+  ExpectSameAssets(a.scene->assets, b.scene->assets);
+  EXPECT_EQ(a.scene->index.largest_solid_radius_m(), b.scene->index.largest_solid_radius_m());
+  ExpectSameAtmosphere(a.scene->atmosphere, b.scene->atmosphere);
+  ExpectSameAgents(a.scene->agents, b.scene->agents);
+  ExpectSameClaims(a.claims, b.claims);
+  EXPECT_EQ(a.warnings, b.warnings);
+}
+
+TemporaryDirectory::TemporaryDirectory() {
+  std::string name = (std::filesystem::temp_directory_path() / "lw-generation-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) ADD_FAILURE() << "cannot make " << name;
+  path_ = name;
+}
+
+TemporaryDirectory::~TemporaryDirectory() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::vector<std::string> TemporaryDirectory::Entries() const {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace latticeworld
