@@ -47,6 +47,19 @@ TEST(BehaviourTest, SheepGrazeOnGrassAndKeepOutOfWaterAndThings) {
   }
 }
 
+TEST(BehaviourTest, EveryAgentBeginsInTheBehaviourOfItsState) {
+  TestScene scene;
+  scene.AddAgent("guard", AgentCategory::kHumanoidRobot, 0.0, 0.0).state = AgentState::kPatrolling;
+  scene.AddAgent("sheep", AgentCategory::kSheep, 5.0, 0.0).state = AgentState::kGrazing;
+  scene.AddAgent("eagle", AgentCategory::kEagle, -5.0, 0.0).state = AgentState::kFlying;
+  scene.AddAgent("idler", AgentCategory::kHorse, 0.0, 5.0).state = AgentState::kIdle;
+  const auto simulator = MakeSimulator(scene, 1);
+  EXPECT_EQ(Now(*simulator, "guard").behaviour, Behaviour::kPatrol);
+  EXPECT_EQ(Now(*simulator, "sheep").behaviour, Behaviour::kGraze);
+  EXPECT_EQ(Now(*simulator, "eagle").behaviour, Behaviour::kSoar);
+  EXPECT_EQ(Now(*simulator, "idler").behaviour, Behaviour::kIdle);
+}
+
 TEST(BehaviourTest, PatrolsGoRoundAndComeBack) {
   TestScene scene;
   scene.AddBuilding(6.0, 6.0, 3.0, 3.0);

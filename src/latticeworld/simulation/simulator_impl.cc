@@ -100,7 +100,7 @@ Agent& SimulatorImpl::Begin(const AgentStart& start) {
   agent.controllable = start.controllable;
   agent.radius_m = spec.radius_m;
   agent.hit_points = SpeciesOf(start.category).hit_points;
-  agent.behaviour = start.controllable ? Behaviour::kControlled : Behaviour::kIdle;
+  agent.behaviour = start.controllable ? Behaviour::kControlled : BehaviourIn(start.state);
   agent.body = physics_->Add(spec, {start.position.x_m, start.position.y_m, StartHeight(start)},
                              start.heading_rad);
   agent.motion = physics_->MotionOf(agent.body);

@@ -9,26 +9,19 @@ namespace latticeworld {
 namespace {
 
 Steering LiveBy(AgentState state, Agent* agent, Surroundings* world) {
-  switch (state) {
-    case AgentState::kGrazing:
-      agent->behaviour = Behaviour::kGraze;
+  agent->behaviour = BehaviourIn(state);
+  switch (agent->behaviour) {
+    case Behaviour::kGraze:
       return Graze(agent, world);
-    case AgentState::kSwimming:
-      agent->behaviour = Behaviour::kSwim;
+    case Behaviour::kSwim:
       return Swim(agent, world);
-    case AgentState::kFlying:
-      agent->behaviour = Behaviour::kSoar;
+    case Behaviour::kSoar:
       return Soar(agent, world);
-    case AgentState::kPatrolling:
-    case AgentState::kPursuing:  // until there is somebody to pursue or attack
-    case AgentState::kAttacking:
-      agent->behaviour = Behaviour::kPatrol;
+    case Behaviour::kPatrol:
       return Patrol(agent, world);
-    case AgentState::kIdle:
-      break;
+    default:
+      return Rest(*agent);
   }
-  agent->behaviour = Behaviour::kIdle;
-  return Rest(*agent);
 }
 
 void AddPoint(Digest* digest, WorldPoint point) {
@@ -41,6 +34,24 @@ void AddVelocity(Digest* digest, const VelocityCommand& velocity) {
 }
 
 }  // namespace
+
+Behaviour BehaviourIn(AgentState state) {
+  switch (state) {
+    case AgentState::kIdle:
+      return Behaviour::kIdle;
+    case AgentState::kGrazing:
+      return Behaviour::kGraze;
+    case AgentState::kSwimming:
+      return Behaviour::kSwim;
+    case AgentState::kFlying:
+      return Behaviour::kSoar;
+    case AgentState::kPatrolling:
+    case AgentState::kPursuing:  // until there is somebody to pursue or attack
+    case AgentState::kAttacking:
+      return Behaviour::kPatrol;
+  }
+  return Behaviour::kIdle;
+}
 
 void Think(Agent* agent, Surroundings* world) {
   if (!agent->alive()) {

@@ -8,6 +8,9 @@ namespace latticeworld {
 
 class Digest;
 
+// What an agent in a state does as long as nobody is there to hunt.
+Behaviour BehaviourIn(AgentState state);
+
 // One thought: decides what the agent does and steers for until the next one.
 void Think(Agent* agent, Surroundings* world);
 
