@@ -106,11 +106,17 @@ bool SpawnSearch::Try(WorldPoint position, const std::vector<WorldPoint>& taken)
   return true;
 }
 
+double SpawnSearch::Draw(double low_m, double high_m, RandomStream* random) const {
+  if (region_ == Region::kAnywhere) return random->Uniform(low_m, high_m);
+  const double first_m = random->Uniform(low_m, high_m);
+  return 0.5 * (first_m + random->Uniform(low_m, high_m));
+}
+
 Result<WorldPoint> SpawnSearch::Find(const std::vector<WorldPoint>& taken, RandomStream* random) {
   if (scan_cols_ > 0 && random_tries_help_) {
     for (int i = 0; i < kRandomTries; ++i) {
-      const double x_m = random->Uniform(box_.x_min_m, box_.x_max_m);
-      const WorldPoint position = {x_m, random->Uniform(box_.y_min_m, box_.y_max_m)};
+      const double x_m = Draw(box_.x_min_m, box_.x_max_m, random);
+      const WorldPoint position = {x_m, Draw(box_.y_min_m, box_.y_max_m, random)};
       if (i < kSuitedTries && !Suits(position)) continue;
       if (Try(position, taken)) return position;
     }

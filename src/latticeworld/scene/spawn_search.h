@@ -37,6 +37,8 @@ class SpawnSearch {
   // True when the body can be there; else counts why not.
   bool Try(WorldPoint position, const std::vector<WorldPoint>& taken);
   bool Suits(WorldPoint position) const;
+  // Uniform anywhere; in a region about its middle (triangular), as "in the center" is meant.
+  double Draw(double low_m, double high_m, RandomStream* random) const;
   Status Failure() const;
 
   const Scene& scene_;
