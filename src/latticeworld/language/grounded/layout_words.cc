@@ -1,21 +1,12 @@
 #include "latticeworld/language/grounded/layout_words.h"
 
-#include <algorithm>
-#include <string>
-#include <unordered_map>
+#include "latticeworld/language/grounded/phrase_table.h"
 
 namespace latticeworld {
 namespace {
 
-constexpr std::size_t kMaxPhraseWords = 4;
-
-struct WordGroup {
-  LayoutWord word;
-  std::vector<std::string_view> phrases;
-};
-
-const std::vector<WordGroup>& Groups() {
-  static const std::vector<WordGroup> groups = {
+const PhraseTable<LayoutWord>& Table() {
+  static const PhraseTable<LayoutWord> table({
       {LayoutWord::kFunction,
        {"a",
         "an",
@@ -480,50 +471,17 @@ const std::vector<WordGroup>& Groups() {
         "undulating", "valley",   "valleys", "slope",        "slopes",   "highland", "highlands",
         "lowland",    "lowlands", "high",    "low",          "elevated", "plateau",  "basin",
         "gentle",     "gently",   "level",   "rolling hills"}},
-  };
-  return groups;
-}
-
-struct PhraseIndex {
-  std::unordered_map<std::string_view, LayoutWord> by_phrase;
-  std::unordered_map<std::string_view, std::size_t> longest_by_first_word;
-};
-
-const PhraseIndex& Index() {
-  static const PhraseIndex index = [] {
-    PhraseIndex built;
-    for (const WordGroup& group : Groups()) {
-      for (const std::string_view phrase : group.phrases) {
-        built.by_phrase.emplace(phrase, group.word);
-        std::size_t& longest =
-            built
-                .longest_by_first_word[phrase.substr(0, std::min(phrase.find(' '), phrase.size()))];
-        longest = std::max(
-            longest, static_cast<std::size_t>(1 + std::count(phrase.begin(), phrase.end(), ' ')));
-      }
-    }
-    return built;
-  }();
-  return index;
+  });
+  return table;
 }
 
 }  // namespace
 
 LayoutWordMatch MatchLayoutWord(const std::vector<Token>& tokens, std::size_t at) {
   if (tokens[at].kind != TokenKind::kWord) return {};
-  const PhraseIndex& index = Index();
-  const auto first = index.longest_by_first_word.find(tokens[at].text);
-  if (first == index.longest_by_first_word.end()) return {};
-  std::size_t words = 0;
-  while (words < std::min(first->second, kMaxPhraseWords + 1) && at + words < tokens.size() &&
-         tokens[at + words].kind == TokenKind::kWord) {
-    ++words;
-  }
-  for (; words > 0; --words) {
-    const auto found = index.by_phrase.find(JoinWords(tokens, at, at + words));
-    if (found != index.by_phrase.end()) return {found->second, words};
-  }
-  return {};
+  const auto match = Table().At(tokens, at, /*plurals=*/false);
+  if (match.value == nullptr) return {};
+  return {*match.value, match.tokens};
 }
 
 }  // namespace latticeworld
