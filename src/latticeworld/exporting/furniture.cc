@@ -2,29 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <opencv2/imgproc.hpp>
-#include <string>
-
-#include "latticeworld/common/text.h"
-#include "latticeworld/exporting/asset_looks.h"
-#include "latticeworld/scene/scene.h"
+#include <vector>
 
 namespace latticeworld {
 namespace {
+
+constexpr float kLineHeight = 1.9f;  // of the footer, in letters
 
 cv::Scalar ScalarOf(const Color& color) {
   const cv::Vec3b bytes = ToBytes(color);
   return {static_cast<double>(bytes[0]), static_cast<double>(bytes[1]),
           static_cast<double>(bytes[2])};
-}
-
-// 1, 2 or 5 times a power of ten, at most `limit`.
-double RoundLength(double limit) {
-  const double power = std::pow(10.0, std::floor(std::log10(limit)));
-  for (const double factor : {5.0, 2.0})
-    if (factor * power <= limit) return factor * power;
-  return power;
 }
 
 cv::Rect Scaled(double x, double y, double width, double height) {
@@ -34,60 +23,21 @@ cv::Rect Scaled(double x, double y, double width, double height) {
           static_cast<int>(std::lround(height * kSupersample))};
 }
 
-void DrawScaleBar(const Scene& scene, const Sheet& sheet, cv::Mat* bgr) {
-  const double px_per_m = sheet.map_side() / scene.geometry().size_m();
-  const double length_m = RoundLength(0.27 * scene.geometry().size_m());
-  const double thick = std::max(2.0, 0.006 * sheet.width);
-  const double top = sheet.height - sheet.footer + 0.2 * sheet.footer;
-  constexpr int kParts = 4;
-  for (int part = 0; part < kParts; ++part) {
-    const double part_px = length_m * px_per_m / kParts;
-    const cv::Rect box = Scaled(sheet.margin + part * part_px, top, part_px, thick);
-    cv::rectangle(*bgr, box, ScalarOf(part % 2 ? PaperColor() : InkColor()), cv::FILLED);
-    cv::rectangle(*bgr, box, ScalarOf(InkColor()), kSupersample);
-  }
-  DrawLabel(FormatDouble(length_m) + " m",
-            {static_cast<float>(sheet.margin + length_m * px_per_m + 0.6 * sheet.letter()),
-             static_cast<float>(top + 0.5 * thick + 0.45 * sheet.letter())},
-            sheet.letter(), InkColor(), bgr);
-}
-
-std::string Caption(const Scene& scene) {
-  const CoarseAttributes& coarse = scene.environment.coarse;
-  const std::string size = FormatDouble(std::round(scene.geometry().size_m()));
-  return size + " x " + size + " m, " + std::string(NameOf(coarse.season)) + ", " +
-         std::string(NameOf(coarse.weather)) + ", " + std::string(NameOf(coarse.time_of_day));
-}
-
-void DrawLegend(const Scene& scene, const Sheet& sheet, cv::Mat* bgr) {
-  std::map<AgentCategory, int> counts;
-  for (const AgentStart& agent : scene.agents) ++counts[agent.category];
-  const float letter = sheet.letter();
-  const float first_line = sheet.height - 0.36f * sheet.footer;
-  float x = sheet.margin, y = first_line;
-  for (const auto& [category, count] : counts) {
-    const std::string text = std::to_string(count) + " " + std::string(NameOf(category));
-    const float width = 2.2f * letter + LabelWidth(text, letter);
-    if (x > sheet.margin && x + width > sheet.width - sheet.margin) {
-      x = sheet.margin;
-      y += 1.9f * letter;
-    }
-    DrawMarker(Eigen::Vector2f(x + 0.6f * letter, y - 0.45f * letter) * kSupersample,
-               0.55f * letter, AgentColor(category), bgr);
-    DrawLabel(text, {x + 1.6f * letter, y}, letter, InkColor(), bgr);
-    x += width + 0.8f * letter;
-  }
-}
-
 }  // namespace
 
-Sheet::Sheet(int width_px) : width(width_px) {
+Sheet::Sheet(int width_px, int footer_lines) : width(width_px) {
   margin = std::max(2, width / 50);
-  footer = width >= 200 ? width / 9 : margin;
+  footer = margin;
+  if (lettered() && footer_lines > 0)
+    footer = static_cast<int>(std::lround((0.9f + kLineHeight * footer_lines) * letter()));
   height = width - margin + footer;
 }
 
 float Sheet::letter() const { return std::max(7.0f, 0.0165f * width); }
+
+float Sheet::baseline(int line) const {
+  return height - footer + (kLineHeight * (line + 1) - 0.1f) * letter();
+}
 
 Color PaperColor() { return FromRgb(250, 248, 243); }
 Color InkColor() { return FromRgb(48, 50, 54); }
@@ -97,16 +47,10 @@ void DrawFrame(const cv::Rect& rectangle, cv::Mat* bgr) {
                 ScalarOf(InkColor()), kSupersample + 1, cv::LINE_AA);
 }
 
-void DrawFooter(const Scene& scene, const Sheet& sheet, bool agents, cv::Mat* bgr) {
-  if (!sheet.lettered()) return;
-  DrawScaleBar(scene, sheet, bgr);
-  const std::string caption = Caption(scene);
-  const double top = sheet.height - sheet.footer + 0.2 * sheet.footer;
-  DrawLabel(caption,
-            {sheet.width - sheet.margin - LabelWidth(caption, sheet.letter()),
-             static_cast<float>(top + 0.65 * sheet.letter())},
-            sheet.letter(), InkColor(), bgr);
-  if (agents) DrawLegend(scene, sheet, bgr);
+void DrawBox(const cv::Rect2d& box, const Color& fill, cv::Mat* bgr) {
+  const cv::Rect scaled = Scaled(box.x, box.y, box.width, box.height);
+  cv::rectangle(*bgr, scaled, ScalarOf(fill), cv::FILLED);
+  cv::rectangle(*bgr, scaled, ScalarOf(InkColor()), kSupersample);
 }
 
 void DrawNorthArrow(const Sheet& sheet, cv::Mat* bgr) {

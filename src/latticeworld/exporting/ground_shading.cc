@@ -134,7 +134,7 @@ Color WaterColor(const Scene& scene, float depth_m) {
 float ReliefExaggeration(const Scene& scene) {
   const HeightField& ground = scene.terrain->ground;
   const double range_m = std::max(0.5, static_cast<double>(ground.max_m()) - ground.min_m());
-  return static_cast<float>(std::clamp(0.1 * scene.geometry().size_m() / range_m, 1.0, 5.0));
+  return static_cast<float>(std::clamp(0.1 * scene.geometry().size_m() / range_m, 1.0, 3.5));
 }
 
 ShadedGround ShadeGround(const Scene& scene, const GroundMaterials& materials,

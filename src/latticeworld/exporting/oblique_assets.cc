@@ -77,6 +77,8 @@ class AssetPainter {
     crown.roughness = 0.45f;
     crown.foliage = look.foliage;
     crown.snow = look.snow;
+    // A cone of the crown's own radius reads as a needle beside round crowns.
+    if (look.conifer) crown.radius.x() *= 1.3f;
     const Color bark =
         Mix(Times(look.bark, Shade(light_, axes_.viewer, 0.5f)), light_.fog, crown.haze);
     const float trunk_top_m = z_m + (look.foliage < 1.0f ? 0.75f : 0.4f) * asset.height_m;

@@ -15,8 +15,8 @@ struct Scene;
 // away. It takes drawn heights (ShadedGround::surface_m).
 class ObliqueCamera {
  public:
-  // Fits the whole world into a picture of that many pixels. skirt_m: depth of the block that the
-  // world is cut from, below its lowest ground.
+  // Fits the whole world, the assets on it and low flyers into a picture of that many pixels.
+  // skirt_m: depth of the block that the world is cut from, below its lowest ground.
   ObliqueCamera(const Scene& scene, const ShadedGround& ground, float skirt_m, int width_px,
                 int height_px);
 
@@ -33,6 +33,15 @@ class ObliqueCamera {
   ViewAxes axes() const;
 
  private:
+  // What the world takes up, at a focal length of one pixel.
+  struct Extent {
+    float width;
+    float top;
+    float bottom;
+  };
+  Extent ExtentOf(const Scene& scene, const ShadedGround& ground, float skirt_m) const;
+
+  float elevation_rad_ = 0.0f;  // of the eye above the world's middle
   float eye_y_m_ = 0.0f;
   float eye_z_m_ = 0.0f;
   float focal_px_ = 1.0f;

@@ -107,13 +107,14 @@ Haze::Haze(const Scene& scene)
       visibility_m_(static_cast<float>(std::max(1.0, scene.atmosphere.visibility_m))) {}
 
 float Haze::At(float y_m) const {
-  // Through the air of the world itself, the camera stands outside it; thick air thins out enough
-  // to leave the near part of the world readable.
+  // Through the air of the world itself, the camera stands outside it. However thick the air, it
+  // leaves the near half of the world readable: it is drawn as if it lay behind.
   constexpr float kContrast = 3.0f;  // contrast left at the visibility is e^-3
-  const float through_m = y_m + half_size_m_ + 0.15f * size_m_;
-  const float thickest = 1.15f / size_m_;
-  const float extinction = std::min(kContrast / visibility_m_, thickest);
-  return std::min(0.8f, 1.0f - std::exp(-extinction * through_m));
+  constexpr float kThickest = 1.0f;  // optical depth drawn at the far edge
+  const float through = std::clamp((y_m + half_size_m_) / size_m_, 0.0f, 1.0f);
+  const float depth = std::min(kContrast / visibility_m_ * size_m_ * through,
+                               kThickest * (0.08f + 0.92f * through * through));
+  return 1.0f - std::exp(-depth);
 }
 
 void PaintBackdrop(const PictureLight& light, cv::Mat* bgr) {
@@ -131,7 +132,7 @@ void PaintBackdrop(const PictureLight& light, cv::Mat* bgr) {
   for (int y = 0; y < rows; ++y) {
     const float down = static_cast<float>(y) / rows;
     const Color sky =
-        Mix(light.sky_high, light.sky_low, std::min(1.0f, std::pow(2.0f * down, 0.8f)));
+        Mix(light.sky_high, light.sky_low, std::min(1.0f, std::pow(2.6f * down, 0.8f)));
     cv::Vec3b* out = bgr->ptr<cv::Vec3b>(y);
     for (int x = 0; x < cols; ++x) {
       if (y >= clouds.rows) {

@@ -15,39 +15,46 @@ namespace {
 
 constexpr float kLargestExaggeration = 1.6f;  // trees and houses keep their true height
 
-// Pins: a line up from where the agent begins, with its marker at the top.
-void PaintAgents(const Scene& scene, const Sheet& sheet, const ShadedGround& ground,
-                 const ObliqueCamera& camera, cv::Mat* bgr) {
+// Pins: a thin line from where the agent begins up to its marker. Flyers' markers are at their
+// height, with a spot on the ground below; the others' just above the ground.
+void PaintAgents(const Scene& scene, const ShadedGround& ground, const ObliqueCamera& camera,
+                 float radius_px, cv::Mat* bgr) {
   std::vector<const AgentStart*> far_first;
   for (const AgentStart& agent : scene.agents) far_first.push_back(&agent);
   std::stable_sort(
       far_first.begin(), far_first.end(),
       [](const AgentStart* a, const AgentStart* b) { return a->position.y_m > b->position.y_m; });
-  const float radius = std::max(1.5f, 0.0058f * sheet.width);
+  const float radius = radius_px * kSupersample;
   for (const AgentStart* agent : far_first) {
     const CellIndex cell = scene.geometry().CellAt(agent->position);
     const float x_m = static_cast<float>(agent->position.x_m);
     const float distance_m = camera.DistanceOf(static_cast<float>(agent->position.y_m));
     const Eigen::Vector2f foot =
         camera.Project(x_m, distance_m, ground.surface_m.at<float>(cell.row, cell.col));
-    const float stem =
-        std::max(2.2f * radius * kSupersample, static_cast<float>(agent->height_above_ground_m) *
-                                                   camera.PixelsPerMetre(distance_m));
-    cv::line(*bgr, cv::Point(foot.x(), foot.y()), cv::Point(foot.x(), foot.y() - stem),
-             cv::Scalar(40, 40, 40), kSupersample, cv::LINE_AA);
-    DrawMarker({foot.x(), foot.y() - stem}, radius, AgentColor(agent->category), bgr);
+    const float height_px =
+        static_cast<float>(agent->height_above_ground_m) * camera.PixelsPerMetre(distance_m);
+    // Flyers beyond the frame stay marked at its edge.
+    const float marker_y = std::max(foot.y() - std::max(2.2f * radius, height_px), 1.5f * radius);
+    const cv::Point at(static_cast<int>(foot.x()), static_cast<int>(foot.y()));
+    if (agent->height_above_ground_m > 0.0)
+      cv::ellipse(*bgr, at,
+                  cv::Size(static_cast<int>(0.7f * radius), static_cast<int>(0.4f * radius)), 0.0,
+                  0.0, 360.0, cv::Scalar(40, 40, 40), cv::FILLED, cv::LINE_AA);
+    cv::line(*bgr, at, cv::Point(at.x, static_cast<int>(marker_y)), cv::Scalar(40, 40, 40),
+             kSupersample, cv::LINE_AA);
+    DrawMarker({foot.x(), marker_y}, radius_px, AgentColor(agent->category), bgr);
   }
 }
 
 }  // namespace
 
-cv::Mat PaintObliqueView(const Scene& scene, const GroundMaterials& materials, const Sheet& sheet,
-                         bool agents) {
+cv::Mat PaintObliqueView(const Scene& scene, const GroundMaterials& materials, const Footer& footer,
+                         int width_px, bool agents, bool write_footer) {
+  const Sheet sheet(width_px, footer.lines);
   const cv::Vec3b paper = ToBytes(PaperColor());
   cv::Mat bgr(sheet.height * kSupersample, sheet.width * kSupersample, CV_8UC3,
               cv::Scalar(paper[0], paper[1], paper[2]));
-  const cv::Rect frame(sheet.margin, sheet.margin, sheet.width - 2 * sheet.margin,
-                       sheet.height - 2 * sheet.margin);
+  const cv::Rect frame(sheet.margin, sheet.margin, sheet.map_side(), sheet.map_side());
   const cv::Rect scaled(frame.x * kSupersample, frame.y * kSupersample, frame.width * kSupersample,
                         frame.height * kSupersample);
 
@@ -62,8 +69,11 @@ cv::Mat PaintObliqueView(const Scene& scene, const GroundMaterials& materials, c
   PaintObliqueGround(scene, ground, light, camera, skirt_m, &canvas);
   PaintObliqueAssets(scene, ground, light, camera, &canvas);
   PaintPrecipitation(scene, &canvas.bgr);
-  if (agents) PaintAgents(scene, sheet, ground, camera, &canvas.bgr);
+  if (agents)
+    PaintAgents(scene, ground, camera, std::max(1.5f, 0.0058f * sheet.width), &canvas.bgr);
   DrawFrame(frame, &bgr);
+  DrawNote(sheet, ground.exaggeration, &bgr);
+  if (write_footer) DrawFooter(footer, sheet, &bgr);
   return bgr;
 }
 

@@ -99,12 +99,14 @@ void PaintBall(const Ball& ball, const ViewAxes& axes, const PictureLight& light
 void PaintConifer(const Eigen::Vector2f& top, float height, const Ball& look, const ViewAxes& axes,
                   const PictureLight& light, Canvas* canvas) {
   constexpr float kTiers = 3.5f;
+  constexpr float kStemShare = 0.1f;  // of the width that the tip has, for body
   const int y_first = std::max(0, static_cast<int>(std::ceil(top.y())));
   const int y_last = std::min(canvas->bgr.rows - 1, static_cast<int>(top.y() + height));
   for (int y = y_first; y <= y_last; ++y) {
     const float down = (y - top.y()) / height;
     const float tier = kTiers * down - std::floor(kTiers * down);
-    const float half = look.radius.x() * down * (0.72f + 0.28f * tier);
+    const float half =
+        look.radius.x() * (kStemShare + (1.0f - kStemShare) * down) * (0.7f + 0.3f * tier);
     const int x_first = std::max(0, static_cast<int>(std::ceil(top.x() - half)));
     const int x_last = std::min(canvas->bgr.cols - 1, static_cast<int>(std::floor(top.x() + half)));
     for (int x = x_first; x <= x_last; ++x) {
@@ -114,7 +116,9 @@ void PaintConifer(const Eigen::Vector2f& top, float height, const Ball& look, co
           (u * axes.right + 0.55f * axes.up + std::sqrt(std::max(0.0f, 1.0f - u * u)) * axes.viewer)
               .normalized();
       Ball lit = look;
-      lit.color *= 1.12f - 0.3f * tier * down;
+      lit.color *= 1.15f - 0.4f * tier;
+      // Snow lies on the upper side of each tier and leaves green below its rim.
+      lit.snow *= std::clamp(1.25f - 1.9f * tier - 0.35f * u * u, 0.0f, 1.0f);
       PaintLit(x, y, normal, lit, light, canvas);
     }
   }

@@ -37,23 +37,29 @@ Result<std::string> EncodePng(const cv::Mat& picture) {
 
 Result<std::string> DrawTopView(const Scene& scene, const PictureOptions& options) {
   LW_RETURN_IF_ERROR(Validate(options));
+  const Footer footer = LayOutFooter(scene, options.width_px, options.agents);
   return EncodePng(
-      Averaged(PaintTopView(scene, MaterialsOf(scene), Sheet(options.width_px), options.agents)));
+      Averaged(PaintTopView(scene, MaterialsOf(scene), footer, options.width_px, options.agents)));
 }
 
 Result<std::string> DrawObliqueView(const Scene& scene, const PictureOptions& options) {
   LW_RETURN_IF_ERROR(Validate(options));
-  return EncodePng(Averaged(
-      PaintObliqueView(scene, MaterialsOf(scene), Sheet(options.width_px), options.agents)));
+  const Footer footer = LayOutFooter(scene, options.width_px, options.agents);
+  return EncodePng(Averaged(PaintObliqueView(scene, MaterialsOf(scene), footer, options.width_px,
+                                             options.agents, /*write_footer=*/true)));
 }
 
 Result<std::string> DrawWorld(const Scene& scene, const PictureOptions& options) {
   LW_RETURN_IF_ERROR(Validate(options));
-  const Sheet sheet(options.width_px);
+  const Footer footer = LayOutFooter(scene, options.width_px, options.agents);
   const GroundMaterials materials = MaterialsOf(scene);
-  const cv::Mat top = Averaged(PaintTopView(scene, materials, sheet, options.agents));
-  const cv::Mat oblique = Averaged(PaintObliqueView(scene, materials, sheet, options.agents));
+  const cv::Mat top =
+      Averaged(PaintTopView(scene, materials, footer, options.width_px, options.agents));
+  const cv::Mat oblique =
+      Averaged(PaintObliqueView(scene, materials, footer, options.width_px, options.agents,
+                                /*write_footer=*/false));
   // Two margins meet in the middle: half of one is enough there.
+  const Sheet sheet(options.width_px, footer.lines);
   cv::Mat picture;
   cv::hconcat(top, oblique.colRange(sheet.margin / 2, oblique.cols), picture);
   return EncodePng(picture);

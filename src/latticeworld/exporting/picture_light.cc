@@ -12,7 +12,7 @@ Color Grey(float value) { return {value, value, value}; }
 
 // Azimuth kept, elevation brought into what shows relief.
 Eigen::Vector3f ReadableDirection(const Eigen::Vector3d& direction) {
-  constexpr double kLowest_rad = 0.33, kHighest_rad = 1.0;
+  constexpr double kLowest_rad = 0.48, kHighest_rad = 0.95;
   const double horizontal = direction.head<2>().norm();
   const double elevation_rad =
       std::clamp(std::atan2(direction.z(), horizontal), kLowest_rad, kHighest_rad);
@@ -33,8 +33,8 @@ void ApplyTimeOfDay(TimeOfDay time, PictureLight* light) {
       light->fog = FromRgb(226, 206, 206);
       break;
     case TimeOfDay::kDusk:
-      light->sun = FromRgb(255, 172, 110) * 1.0f;
-      light->ambient = FromRgb(140, 140, 190) * 0.6f;
+      light->sun = FromRgb(255, 186, 128) * 0.95f;
+      light->ambient = FromRgb(136, 146, 198) * 0.62f;
       light->sky_high = FromRgb(72, 92, 150);
       light->sky_low = FromRgb(250, 170, 110);
       light->fog = FromRgb(214, 170, 150);
@@ -65,9 +65,9 @@ void ApplyTimeOfDay(TimeOfDay time, PictureLight* light) {
 void ApplyWeather(Weather weather, PictureLight* light) {
   const auto overcast = [light](float share, const Color& sky) {
     const float brightness = light->is_night ? 0.22f : 1.0f;
-    light->ambient += light->sun * (0.42f * share);
-    light->sun *= 1.0f - 0.65f * share;
-    light->shadow *= 1.0f - 0.8f * share;
+    light->ambient += light->sun * (0.3f * share);
+    light->sun *= 1.0f - 0.6f * share;
+    light->shadow *= 1.0f - 0.6f * share;
     light->sky_high = Mix(light->sky_high, sky * (0.82f * brightness), share);
     light->sky_low = Mix(light->sky_low, sky * brightness, 0.75f * share);
     light->fog = Mix(light->fog, sky * brightness, share);
@@ -102,7 +102,7 @@ PictureLight MapLight() {
   PictureLight light;
   light.direction = Eigen::Vector3f(-1.0f, 1.0f, 1.25f).normalized();
   light.sun = FromRgb(255, 250, 238) * 0.74f;
-  light.ambient = FromRgb(232, 240, 255) * 0.52f;
+  light.ambient = FromRgb(232, 240, 255) * 0.49f;
   light.shadow = 0.8f;
   light.sky_high = light.sky_low = light.fog = Grey(1.0f);
   return light;
@@ -112,6 +112,8 @@ PictureLight SceneLight(const Scene& scene) {
   PictureLight light;
   light.direction = ReadableDirection(scene.atmosphere.sun_direction);
   ApplyTimeOfDay(scene.environment.coarse.time_of_day, &light);
+  // A low sun still lights level ground well.
+  light.sun *= std::clamp(0.6f / light.direction.z(), 0.9f, 1.3f);
   ApplyWeather(scene.atmosphere.weather, &light);
   return light;
 }

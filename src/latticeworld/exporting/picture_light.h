@@ -41,9 +41,10 @@ PictureLight SceneLight(const Scene& scene);
 
 // Brightness and tint that a surface of this unit normal gets; sunlit: 0 in shadow .. 1.
 inline Color Shade(const PictureLight& light, const Eigen::Vector3f& normal, float sunlit) {
-  const float facing = std::max(0.0f, normal.dot(light.direction));
-  const float sky = 0.65f + 0.35f * normal.z();
-  return light.sun * (facing * sunlit) + light.ambient * sky;
+  const float facing = normal.dot(light.direction);
+  // The sky is brighter around the sun, so that relief reads under clouds and in shadow too.
+  const float sky = 0.6f + 0.22f * normal.z() + 0.22f * facing;
+  return light.sun * (std::max(0.0f, facing) * sunlit) + light.ambient * sky;
 }
 
 }  // namespace latticeworld

@@ -127,8 +127,9 @@ std::vector<std::size_t> ByTop(const std::vector<Asset>& assets) {
 
 }  // namespace
 
-cv::Mat PaintTopView(const Scene& scene, const GroundMaterials& materials, const Sheet& sheet,
-                     bool agents) {
+cv::Mat PaintTopView(const Scene& scene, const GroundMaterials& materials, const Footer& footer,
+                     int width_px, bool agents) {
+  const Sheet sheet(width_px, footer.lines);
   const cv::Vec3b paper = ToBytes(PaperColor());
   cv::Mat bgr(sheet.height * kSupersample, sheet.width * kSupersample, CV_8UC3,
               cv::Scalar(paper[0], paper[1], paper[2]));
@@ -153,7 +154,8 @@ cv::Mat PaintTopView(const Scene& scene, const GroundMaterials& materials, const
   }
   DrawFrame({sheet.margin, sheet.margin, sheet.map_side(), sheet.map_side()}, &bgr);
   DrawNorthArrow(sheet, &bgr);
-  DrawFooter(scene, sheet, agents, &bgr);
+  DrawScaleBar(scene, sheet, &bgr);
+  DrawFooter(footer, sheet, &bgr);
   return bgr;
 }
 

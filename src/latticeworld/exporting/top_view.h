@@ -3,7 +3,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "latticeworld/exporting/furniture.h"
+#include "latticeworld/exporting/footer.h"
 #include "latticeworld/exporting/ground_colors.h"
 
 namespace latticeworld {
@@ -11,8 +11,8 @@ namespace latticeworld {
 struct Scene;
 
 // The world as a map on its sheet, supersampled (CV_8UC3).
-cv::Mat PaintTopView(const Scene& scene, const GroundMaterials& materials, const Sheet& sheet,
-                     bool agents);
+cv::Mat PaintTopView(const Scene& scene, const GroundMaterials& materials, const Footer& footer,
+                     int width_px, bool agents);
 
 }  // namespace latticeworld
 
