@@ -113,6 +113,26 @@ INSTANTIATE_TEST_SUITE_P(
         {"no rain", "grassland summer realistic sunny day"},
     }));
 
+TEST(GroundedEnvironmentTest, ACorrectionCountsAndIsQuoted) {
+  const EnvironmentAnswer answer =
+      Generate("A sunny summer noon. No, make it night, and let it rain.", Meadow(false));
+  EXPECT_EQ(answer.environment.coarse.time_of_day, TimeOfDay::kNight);
+  EXPECT_EQ(answer.environment.coarse.weather, Weather::kRain);
+  EXPECT_EQ(answer.environment.coarse.season, Season::kSummer);
+  ASSERT_EQ(answer.warnings.size(), 2u);
+  EXPECT_NE(answer.warnings[0].find("noon"), std::string::npos) << answer.warnings[0];
+  EXPECT_NE(answer.warnings[0].find("night"), std::string::npos) << answer.warnings[0];
+  EXPECT_NE(answer.warnings[1].find("sunny"), std::string::npos) << answer.warnings[1];
+  EXPECT_NE(answer.warnings[1].find("rain"), std::string::npos) << answer.warnings[1];
+}
+
+TEST(GroundedEnvironmentTest, WhereAgentsAreDoesNotChangeTheLand) {
+  const EnvironmentAnswer answer =
+      Generate("Mountains in the morning. Three sheep graze on a meadow.", Meadow(false));
+  EXPECT_EQ(answer.environment.coarse.terrain_type, TerrainType::kMountain);
+  EXPECT_TRUE(answer.warnings.empty());
+}
+
 TEST(GroundedEnvironmentTest, RefusesAWhaleWithoutOpenWater) {
   const EnvironmentAnswer answer = Generate("a whale swims in the center", Meadow(false));
   EXPECT_TRUE(answer.environment.agents.empty());

@@ -338,6 +338,36 @@ TEST(GroundedLayoutTest, ReadsTheLongestInstruction) {
   EXPECT_TRUE(IsLegal(Generate(text, kSuburb, 1).layout));
 }
 
+TEST(GroundedLayoutTest, WhatIsSaidAgainIsLaidOnce) {
+  const std::string once =
+      "A river winds from the north to the south between dense forest in the upper left and "
+      "farmland on the right. A road runs from the west to the east, with a small village in the "
+      "center. ";
+  std::string often;
+  for (int i = 0; i < 12; ++i) often += once;
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const LayoutAnswer answer = Generate(often, kSuburb, seed);
+    EXPECT_EQ(ToText(answer.layout), ToText(Generate(once, kSuburb, seed).layout));
+    ASSERT_EQ(answer.warnings.size(), 1u);
+    EXPECT_NE(answer.warnings[0].find("river winds"), std::string::npos) << answer.warnings[0];
+  }
+}
+
+TEST(GroundedLayoutTest, WarnsOfWhatIsBeyondItsLimits) {
+  std::string text;
+  const std::vector<std::string> places = {"north",      "south",      "west",       "east",
+                                           "north-east", "north-west", "south-east", "south-west"};
+  for (const std::string& place : places) {
+    for (const std::string thing : {"lake", "village", "forest", "field", "meadow"}) {
+      text += "A " + thing + " in the " + place + ". ";
+    }
+  }
+  const LayoutAnswer answer = Generate(text, kSuburb, 1);
+  ASSERT_FALSE(answer.warnings.empty());
+  EXPECT_NE(answer.warnings[0].find("too many things"), std::string::npos) << answer.warnings[0];
+  EXPECT_NE(answer.warnings[0].find("in the south-east"), std::string::npos) << answer.warnings[0];
+}
+
 TEST(GroundedLayoutTest, StopsWhenCancelled) {
   LayoutRequest request;
   request.instruction = "a lake";

@@ -4,6 +4,7 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/environment_words.h"
+#include "latticeworld/language/grounded/heard_attribute.h"
 #include "latticeworld/language/grounded/not_understood.h"
 #include "latticeworld/language/grounded/numbers.h"
 #include "latticeworld/language/grounded/places.h"
@@ -31,8 +32,11 @@ class EnvironmentParser {
       }
     }
     EndSentence();
-    if (!reading_.season.has_value()) reading_.season = season_hint_;
-    if (!reading_.time_of_day.has_value()) reading_.time_of_day = time_hint_;
+    reading_.terrain_type = terrain_type_.Chosen();
+    reading_.season = season_.Chosen();
+    reading_.artistic_style = artistic_style_.Chosen();
+    reading_.weather = weather_.Chosen();
+    reading_.time_of_day = time_of_day_.Chosen();
     unknown_.AppendTo(&reading_.warnings);
     return std::move(reading_);
   }
@@ -69,7 +73,7 @@ class EnvironmentParser {
     } else if (state.tokens == longest && SpeaksOfAgents()) {
       ReadState(*state.value, end);
     } else if (attribute.tokens == longest) {
-      ReadAttribute(*attribute.value);
+      ReadAttribute(*attribute.value, end);
       if (asset.tokens == longest) ReadAsset(*asset.value);
     } else if (density.tokens == longest || vague.tokens == longest) {
       if (density.tokens == longest) density_ = *density.value;
@@ -206,20 +210,19 @@ class EnvironmentParser {
     }
   }
 
-  void ReadAttribute(const AttributeHint& hint) {
+  void ReadAttribute(const AttributeHint& hint, std::size_t end) {
     if (negated_) {
       negated_ = false;
       return;
     }
-    // The first one said counts, and a hint gives way to what is said outright.
-    const auto take = [](const auto& said, auto* kept) {
-      if (said.has_value() && !kept->has_value()) *kept = said;
-    };
-    take(hint.terrain_type, &reading_.terrain_type);
-    take(hint.season, hint.weather.has_value() ? &season_hint_ : &reading_.season);
-    take(hint.artistic_style, &reading_.artistic_style);
-    take(hint.weather, &reading_.weather);
-    take(hint.time_of_day, hint.weak ? &time_hint_ : &reading_.time_of_day);
+    const std::size_t begin = tokens_[at_].begin;
+    const std::string_view words = instruction_.substr(begin, end - begin);
+    // "sheep on the meadow" says where the sheep are, not what all of the land is.
+    terrain_type_.Hear(hint.terrain_type, words, hint.weak || last_ >= 0, &reading_.warnings);
+    season_.Hear(hint.season, words, hint.weak || hint.weather.has_value(), &reading_.warnings);
+    artistic_style_.Hear(hint.artistic_style, words, hint.weak, &reading_.warnings);
+    weather_.Hear(hint.weather, words, hint.weak, &reading_.warnings);
+    time_of_day_.Hear(hint.time_of_day, words, hint.weak, &reading_.warnings);
   }
 
   void ReadAsset(AssetType type) {
@@ -277,8 +280,11 @@ class EnvironmentParser {
   int last_ = -1;
   Region lead_ = Region::kAnywhere;
   std::optional<AssetType> last_asset_;
-  std::optional<Season> season_hint_;
-  std::optional<TimeOfDay> time_hint_;
+  HeardAttribute<TerrainType> terrain_type_;
+  HeardAttribute<Season> season_;
+  HeardAttribute<ArtisticStyle> artistic_style_;
+  HeardAttribute<Weather> weather_;
+  HeardAttribute<TimeOfDay> time_of_day_;
 };
 
 }  // namespace

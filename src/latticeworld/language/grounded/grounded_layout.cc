@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <string>
@@ -12,6 +13,13 @@ namespace latticeworld {
 namespace {
 
 constexpr int kMaxAttempts = 12;
+// Wishes laid in all attempts together: what asks for much is drawn again less often.
+constexpr int kMaxLaidWishes = 96;
+
+int AttemptsFor(const LayoutPlan& plan) {
+  const auto wishes = static_cast<int>(plan.areas.size() + plan.courses.size());
+  return std::clamp(kMaxLaidWishes / std::max(1, wishes), 2, kMaxAttempts);
+}
 
 double TotalDistance(const std::vector<Claim>& claims, const SymbolicLayout& layout) {
   double total = 0.0;
@@ -35,9 +43,10 @@ class GroundedLayoutGenerator final : public LayoutGenerator {
     }
     // Lay out and measure; where a claim fails, draw again and keep the best.
     double best = std::numeric_limits<double>::infinity();
-    for (int attempt = 0; attempt < kMaxAttempts && best > 0.0; ++attempt) {
+    const int attempts = AttemptsFor(plan);
+    for (int attempt = 0; attempt < attempts && best > 0.0; ++attempt) {
       LW_RETURN_IF_ERROR(progress.CheckCancelled());
-      progress.Report("layout", static_cast<double>(attempt) / kMaxAttempts);
+      progress.Report("layout", static_cast<double>(attempt) / attempts);
       SymbolicLayout layout = SynthesizeLayout(
           plan, request.relief, request.seed + static_cast<std::uint64_t>(attempt) * 0x9E3779B9u);
       const double distance = TotalDistance(plan.claims, layout);

@@ -5,6 +5,7 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/mention.h"
+#include "latticeworld/language/grounded/repeated_mentions.h"
 
 namespace latticeworld {
 namespace {
@@ -12,13 +13,21 @@ namespace {
 // Cells that a class needs to count as present in the whole layout, with some to spare.
 constexpr int kPresentCells = 20;
 
-// Things that a layout of 1024 cells has room for.
-constexpr std::size_t kMaxWishes = 48;
+// Things that a layout of 1024 cells has room for, and ties between them.
+constexpr std::size_t kMaxWishes = 32;
+constexpr std::size_t kMaxRelations = 32;
 
 bool SameMeaning(const Claim& a, const Claim& b) {
   return a.kind == b.kind && a.subject == b.subject && a.object == b.object &&
          a.regions == b.regions && a.from == b.from && a.to == b.to;
 }
+
+bool IsSame(const RelationWish& a, const RelationWish& b) {
+  return a.kind == b.kind && a.subject == b.subject && a.object == b.object &&
+         a.subject_area == b.subject_area && a.object_area == b.object_area;
+}
+
+std::size_t Index(int index) { return static_cast<std::size_t>(index); }
 
 char DefaultBackground(Vocabulary vocabulary) {
   return vocabulary == Vocabulary::kSuburb ? 'G' : 'B';
@@ -40,6 +49,7 @@ class Planner {
   }
 
   LayoutPlan Plan() {
+    JoinRepeated();
     SettleHeadings();
     SettleCourseEnds();
     SettleBetween();
@@ -47,6 +57,7 @@ class Planner {
     area_of_.assign(reading_.mentions.size(), -1);
     for (std::size_t i = 0; i < reading_.mentions.size(); ++i) {
       const Mention& mention = reading_.mentions[i];
+      if (is_repeated_[i]) continue;
       if (plan_.areas.size() + plan_.courses.size() >= kMaxWishes) {
         plan_.warnings.push_back("too many things for one layout: nothing is laid from " +
                                  Quote(Words(mention.begin, mention.end)) + " on");
@@ -60,14 +71,14 @@ class Planner {
         WishArea(static_cast<int>(i));
       }
     }
-    for (const Tie& tie : reading_.ties) Relate(tie);
+    RelateAll();
     DropContradictions();
     DropRepeatedClaims();
     return std::move(plan_);
   }
 
  private:
-  Mention& At(int index) { return reading_.mentions[static_cast<std::size_t>(index)]; }
+  Mention& At(int index) { return reading_.mentions[Index(index)]; }
 
   std::string Words(std::size_t begin, std::size_t end) const {
     return std::string(instruction_.substr(begin, end - begin));
@@ -80,6 +91,32 @@ class Planner {
     claim.regions = std::move(regions);
     claim.words = Words(mention.begin, mention.end);
     plan_.claims.push_back(std::move(claim));
+  }
+
+  // What is said again in the same words is the same thing: it is laid once.
+  void JoinRepeated() {
+    const std::vector<int> first = FirstOfRepeated(reading_.mentions, instruction_);
+    for (Mention& mention : reading_.mentions) {
+      if (mention.from_mention >= 0) mention.from_mention = first[Index(mention.from_mention)];
+      if (mention.to_mention >= 0) mention.to_mention = first[Index(mention.to_mention)];
+    }
+    for (Tie& tie : reading_.ties) {
+      tie.subject = first[Index(tie.subject)];
+      tie.object = first[Index(tie.object)];
+    }
+    is_repeated_.assign(first.size(), false);
+    std::size_t repeated = 0;
+    std::string words;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      is_repeated_[i] = first[i] != static_cast<int>(i);
+      if (!is_repeated_[i]) continue;
+      if (repeated++ == 0)
+        words = Words(At(static_cast<int>(i)).begin, At(static_cast<int>(i)).end);
+    }
+    if (repeated == 0) return;
+    plan_.warnings.push_back(
+        "said more than once and laid once: " + Quote(words) +
+        (repeated > 1 ? " and " + std::to_string(repeated - 1) + " more" : ""));
   }
 
   // "north of the lake": a place beside the other's, which gets one if it has none.
@@ -270,7 +307,7 @@ class Planner {
     ClaimArea(mention, wish);
     if (whole_map) return;
     plan_.areas.push_back(std::move(wish));
-    area_of_[static_cast<std::size_t>(index)] = static_cast<int>(plan_.areas.size()) - 1;
+    area_of_[Index(index)] = static_cast<int>(plan_.areas.size()) - 1;
   }
 
   void ClaimArea(const Mention& mention, const AreaWish& wish) {
@@ -298,6 +335,17 @@ class Planner {
     if (wish.texture == Texture::kClustered) AddClaim(ClaimKind::kClustered, mention, {});
   }
 
+  void RelateAll() {
+    for (const Tie& tie : reading_.ties) {
+      if (plan_.relations.size() >= kMaxRelations) {
+        plan_.warnings.push_back("too many ties for one layout: nothing is tied from " +
+                                 Quote(Words(tie.begin, tie.end)) + " on");
+        return;
+      }
+      Relate(tie);
+    }
+  }
+
   void Relate(const Tie& tie) {
     const Mention& subject = At(tie.subject);
     const Mention& object = At(tie.object);
@@ -306,21 +354,22 @@ class Planner {
     claim.subject = subject.letter;
     claim.object = object.letter;
     claim.words = Words(tie.begin, tie.end);
-    const int subject_area = area_of_[static_cast<std::size_t>(tie.subject)];
-    const int object_area = area_of_[static_cast<std::size_t>(tie.object)];
+    const int subject_area = area_of_[Index(tie.subject)];
+    const int object_area = area_of_[Index(tie.object)];
     if (tie.kind == TieKind::kMoreThan) {
       claim.kind = ClaimKind::kMoreThan;
-      if (subject_area >= 0)
-        plan_.areas[static_cast<std::size_t>(subject_area)].amount = Amount::kMuch;
-      if (object_area >= 0)
-        plan_.areas[static_cast<std::size_t>(object_area)].amount = Amount::kLittle;
+      if (subject_area >= 0) plan_.areas[Index(subject_area)].amount = Amount::kMuch;
+      if (object_area >= 0) plan_.areas[Index(object_area)].amount = Amount::kLittle;
     } else {
       const bool ring = tie.kind == TieKind::kSurrounds && !object.is_line();
       claim.kind = ring ? ClaimKind::kSurrounds : ClaimKind::kAdjacent;
-      plan_.relations.push_back(
-          {claim.kind, claim.subject, claim.object, subject_area, object_area});
+      const RelationWish wish{claim.kind, claim.subject, claim.object, subject_area, object_area};
+      const bool known =
+          std::any_of(plan_.relations.begin(), plan_.relations.end(),
+                      [&](const RelationWish& other) { return IsSame(wish, other); });
+      if (!known) plan_.relations.push_back(wish);
       if (ring && subject_area >= 0) {
-        AreaWish& wish = plan_.areas[static_cast<std::size_t>(subject_area)];
+        AreaWish& wish = plan_.areas[Index(subject_area)];
         wish.laid_by_relation =
             wish.places.empty() && wish.amount == Amount::kUnsaid && wish.shape == WordShape::kMass;
       }
@@ -360,7 +409,8 @@ class Planner {
   LayoutReading reading_;
   std::string_view instruction_;
   LayoutPlan plan_;
-  std::vector<int> area_of_;  // by mention; -1: a course, denied, or the background
+  std::vector<bool> is_repeated_;  // by mention: said before in the same words
+  std::vector<int> area_of_;       // by mention; -1: a course, denied, or the background
 };
 
 }  // namespace
