@@ -124,6 +124,119 @@ TEST(PictureTest, EverySeasonAndWeatherLooksDifferentFromTheSouth) {
     for (std::size_t j = 0; j < i; ++j) EXPECT_NE(pictures[i], pictures[j]) << i << " " << j;
 }
 
+TEST(PictureTest, EveryStyleHasItsOwnPaletteInBothViews) {
+  std::vector<cv::Mat> tops, obliques;
+  for (const auto& style : EnumNames(ArtisticStyle{})) {
+    Scene scene = WithAssets(Meadow(), {MakeTree(-12.0f, 8.0f, 9.0f, 3.0f, 0.3f),
+                                        MakeBuilding(10.0f, 6.0f, 6.0f, 5.0f, 4.0f, 0.3f)});
+    scene.environment.coarse.artistic_style = style.value;
+    tops.push_back(Decode(DrawTopView(scene, kOptions)));
+    obliques.push_back(Decode(DrawObliqueView(scene, kOptions)));
+  }
+  const cv::Rect grass(100, 180, 40, 40);
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (const auto* views : {&tops, &obliques})
+        EXPECT_GT(Difference(cv::mean((*views)[i](grass)), cv::mean((*views)[j](grass))), 15.0)
+            << i << " " << j;
+    }
+  }
+}
+
+TEST(PictureTest, StylesChangeColoursButNotWhereThingsAre) {
+  // What a house changes in a picture lies in the same place in every style.
+  std::vector<cv::Rect> places;
+  for (const auto& style : EnumNames(ArtisticStyle{})) {
+    Scene scene = Meadow();
+    scene.environment.coarse.artistic_style = style.value;
+    scene.environment.coarse.weather = Weather::kFog;
+    const cv::Mat without = Decode(DrawObliqueView(scene, kOptions));
+    const cv::Mat with = Decode(DrawObliqueView(
+        WithAssets(scene, {MakeBuilding(4.0f, 0.0f, 6.0f, 5.0f, 4.0f, 0.0f)}), kOptions));
+    cv::Rect place;
+    for (int y = 0; y < with.rows; ++y)
+      for (int x = 0; x < with.cols; ++x)
+        if (cv::norm(with.at<cv::Vec3b>(y, x), without.at<cv::Vec3b>(y, x)) > 10.0)
+          place |= cv::Rect(x, y, 1, 1);
+    places.push_back(place);
+  }
+  for (const cv::Rect& place : places) {
+    EXPECT_GT(place.area(), 400);
+    EXPECT_NEAR(place.x, places[0].x, 2);
+    EXPECT_NEAR(place.y, places[0].y, 2);
+    EXPECT_NEAR(place.width, places[0].width, 4);
+    EXPECT_NEAR(place.height, places[0].height, 4);
+  }
+}
+
+TEST(PictureTest, VillageGroundIsGardenAndARoadThroughItStandsOut) {
+  Scene scene = WithSurface(Meadow(), SurfaceClass::kBuilding);
+  auto terrain = std::make_shared<Terrain>(*scene.terrain);
+  for (int row = 28; row < 36; ++row)
+    for (int col = 0; col < 64; ++col) terrain->surface(row, col) = SurfaceClass::kRoad;
+  scene.terrain = terrain;
+  const cv::Mat picture = Decode(DrawTopView(scene, kOptions));
+  const cv::Scalar road = TopColorAt(picture, 0.5, 0.5);
+  EXPECT_LT(std::abs(road[1] - road[2]), 8.0);  // grey
+  cv::Scalar village;
+  for (const double u : {0.2, 0.4, 0.6, 0.8})
+    for (const double v : {0.1, 0.25, 0.75, 0.9}) village += TopColorAt(picture, u, v) / 16.0;
+  EXPECT_GT(village[1], village[0] + 25.0);
+  EXPECT_GT(village[1], village[2]);
+  EXPECT_GT(Difference(road, village), 40.0);
+}
+
+TEST(PictureTest, ThickAirLeavesTheNearHalfReadable) {
+  // Contrast between a dark road and snow, near and in the middle, in the thickest air.
+  Scene scene = WithSurface(Meadow(), SurfaceClass::kSnow);
+  auto terrain = std::make_shared<Terrain>(*scene.terrain);
+  for (int row = 0; row < 64; ++row)
+    for (int col = 28; col < 36; ++col) terrain->surface(row, col) = SurfaceClass::kRoad;
+  scene.terrain = terrain;
+  scene.environment.coarse.time_of_day = TimeOfDay::kDusk;
+  const auto contrast = [&](double visibility_m, Weather weather, int y) {
+    scene.atmosphere.weather = weather;
+    scene.atmosphere.visibility_m = visibility_m;
+    const cv::Mat picture = Decode(DrawObliqueView(scene, {kWidth_px, false}));
+    return Difference(cv::mean(picture(cv::Rect(145, y, 10, 6))),
+                      cv::mean(picture(cv::Rect(90, y, 10, 6))));
+  };
+  for (const int y : {160, 200, 240})
+    EXPECT_GT(contrast(10.0, Weather::kFog, y), 0.45 * contrast(1e5, Weather::kSunny, y)) << y;
+}
+
+TEST(PictureTest, FlyersAreMarkedAtTheirHeight) {
+  const auto top_of_mark = [](double height_m) {
+    Scene scene = Meadow();
+    const cv::Mat empty = Decode(DrawObliqueView(scene, {kWidth_px, false}));
+    AgentStart eagle;
+    eagle.category = AgentCategory::kEagle;
+    eagle.position = {0.0, -20.0};
+    eagle.height_above_ground_m = height_m;
+    scene.agents.push_back(eagle);
+    const cv::Mat marked = Decode(DrawObliqueView(scene, {kWidth_px, true}));
+    for (int y = 0; y < kWidth_px - 6; ++y)
+      if (cv::norm(marked.row(y).colRange(7, 293), empty.row(y).colRange(7, 293), cv::NORM_INF) >
+          60.0)
+        return y;
+    return -1;
+  };
+  const int low = top_of_mark(9.0), high = top_of_mark(18.0);
+  ASSERT_GT(high, 0);
+  // 64 m take up to 0.95 of the picture's width.
+  const double px_per_m = 0.95 * 288.0 / 64.0;
+  EXPECT_NEAR(low - high, 9.0 * px_per_m, 0.12 * 9.0 * px_per_m);
+}
+
+TEST(PictureTest, CompressionOutsideTheLimitsIsRefusedTogetherWithTheWidth) {
+  const auto png = DrawWorld(Meadow(), {10, true, 11});
+  ASSERT_FALSE(png.ok());
+  EXPECT_NE(png.status().message().find("10"), std::string::npos);
+  EXPECT_NE(png.status().message().find("11"), std::string::npos);
+  EXPECT_LT(DrawTopView(Meadow(), {kWidth_px, true, 9})->size(),
+            DrawTopView(Meadow(), {kWidth_px, true, 1})->size());
+}
+
 TEST(PictureTest, AHillHidesWhatStandsBehindIt) {
   // A wall of land across the south half; a house behind it, then the same house on its top.
   const auto picture_with = [](float y_m, bool house) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/scene/scene.h"
 
 namespace latticeworld {
@@ -88,6 +89,8 @@ PlantLook LookOfPlant(const Scene& scene, std::size_t index) {
     }
   }
   if (asset.kind == AssetKind::kBush && coarse.season != Season::kWinter) look.leaf *= 0.95f;
+  look.leaf = InStyle(coarse.artistic_style, look.leaf);
+  look.bark = InStyle(coarse.artistic_style, look.bark);
   return look;
 }
 
@@ -104,13 +107,17 @@ BuildingLook LookOfBuilding(const Scene& scene, std::size_t index) {
   look.gabled = scene.assets[index].height_m <= kHighestGable_m;
   if (!look.gabled) look.roof = FromRgb(150, 150, 152);
   look.snow = SnowOn(scene);
+  const ArtisticStyle style = scene.environment.coarse.artistic_style;
+  look.wall = InStyle(style, look.wall);
+  look.roof = InStyle(style, look.roof);
   return look;
 }
 
 Color StoneColor(const Scene& scene, std::size_t index) {
   const Color stone =
       Mix(FromRgb(122, 118, 112), FromRgb(164, 158, 148), static_cast<float>(Draw(41, index)));
-  return Mix(stone, FromRgb(240, 244, 248), 0.5f * SnowOn(scene));
+  return InStyle(scene.environment.coarse.artistic_style,
+                 Mix(stone, FromRgb(240, 244, 248), 0.5f * SnowOn(scene)));
 }
 
 Color AgentColor(AgentCategory category) {

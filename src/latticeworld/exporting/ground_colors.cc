@@ -6,6 +6,8 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/exporting/picture_light.h"
+#include "latticeworld/exporting/picture_style.h"
+#include "latticeworld/exporting/village_ground.h"
 #include "latticeworld/scene/scene.h"
 
 namespace latticeworld {
@@ -104,13 +106,18 @@ cv::Mat GroundColors(const Scene& scene) {
   const bool desert = coarse.terrain_type == TerrainType::kDesert;
   const bool wild = terrain.weights.vocabulary == Vocabulary::kWild;
   const Color barren = desert ? FromRgb(222, 190, 138) : FromRgb(166, 144, 116);
-  const Color road = wild ? FromRgb(150, 132, 108) : FromRgb(132, 130, 130);
+  const Color road = wild ? FromRgb(150, 132, 108) : FromRgb(112, 112, 118);
+
+  const ArtisticStyle style = coarse.artistic_style;
+  const Color rim = RoadRim(ArtisticStyle::kRealistic, road);
 
   // Patches of tens of metres, tufts of a few, grain of one cell.
   const int rows = geometry.rows(), cols = geometry.cols();
   const double cell_m = geometry.resolution_m();
   const cv::Mat patches = SmoothNoise(rows, cols, std::max(1.0, 38.0 / cell_m), 101);
   const cv::Mat tufts = SmoothNoise(rows, cols, std::max(1.0, 7.0 / cell_m), 102);
+  const cv::Mat yards = YardsAroundHouses(scene);
+  const cv::Mat rims = RoadRims(scene);
   const cv::Mat grain = SmoothNoise(rows, cols, std::max(1.0, 1.6 / cell_m), 103);
 
   cv::Mat colors(rows, cols, CV_32FC3);
@@ -134,10 +141,12 @@ cv::Mat GroundColors(const Scene& scene) {
           out[col] = barren * (1.0f + 0.05f * patch + 0.03f * tuft);
           break;
         case SurfaceClass::kRoad:
-          out[col] = road * (1.0f + 0.02f * tuft);
+          out[col] = Mix(road * (1.0f + 0.02f * tuft), rim, rims.at<float>(row, col));
           break;
         case SurfaceClass::kBuilding:
-          out[col] = FromRgb(176, 170, 158) * (1.0f + 0.03f * patch);
+          out[col] = Mix(GardenColor(season.grass, point.x_m, point.y_m, patch),
+                         FromRgb(206, 192, 162), 0.9f * yards.at<float>(row, col)) *
+                     (1.0f + 0.03f * tuft);
           break;
         case SurfaceClass::kRock:
           out[col] = FromRgb(134, 128, 120) * (1.0f + 0.07f * patch + 0.08f * tuft);
@@ -160,7 +169,7 @@ cv::Mat GroundColors(const Scene& scene) {
   for (int row = 0; row < rows; ++row) {
     Color* out = colors.ptr<Color>(row);
     for (int col = 0; col < cols; ++col) {
-      out[col] *= (1.0f + 0.025f * grain.at<float>(row, col)) * wet;
+      out[col] *= (1.0f + 0.014f * grain.at<float>(row, col)) * wet;
       if (snow == 0.0f) continue;
       const float cover = snow * Smoothstep(-1.6f, 0.2f,
                                             0.7f * tufts.at<float>(row, col) +
@@ -168,6 +177,13 @@ cv::Mat GroundColors(const Scene& scene) {
       const bool swept = terrain.surface(row, col) == SurfaceClass::kRoad;
       out[col] = Mix(out[col], FromRgb(238, 242, 248), cover * (swept ? 0.5f : 0.92f));
     }
+  }
+  if (style == ArtisticStyle::kRealistic) return colors;
+  const Color bright_rim = RoadRim(style, road);
+  for (int row = 0; row < rows; ++row) {
+    Color* out = colors.ptr<Color>(row);
+    for (int col = 0; col < cols; ++col)
+      out[col] = Mix(InStyle(style, out[col]), bright_rim, rims.at<float>(row, col));
   }
   return colors;
 }

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/scene/scene.h"
 
 namespace latticeworld {
@@ -126,7 +127,7 @@ Color WaterColor(const Scene& scene, float depth_m) {
   Color water = Mix(shallow, deep, 1.0f - std::exp(-0.55f * depth_m));
   if (scene.environment.coarse.season == Season::kWinter && scene.atmosphere.snow_depth_m > 0.0)
     water = Mix(water, FromRgb(186, 208, 222), 0.55f);  // ice
-  return water;
+  return InStyle(scene.environment.coarse.artistic_style, water);
 }
 
 }  // namespace

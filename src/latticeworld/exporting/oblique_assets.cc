@@ -8,6 +8,7 @@
 #include "latticeworld/common/random.h"
 #include "latticeworld/exporting/asset_looks.h"
 #include "latticeworld/exporting/oblique_ground.h"
+#include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/scene/scene.h"
 
 namespace latticeworld {
@@ -121,6 +122,7 @@ class AssetPainter {
     if (asset.kind == AssetKind::kCrop)
       color = Mix(FromRgb(186, 166, 84), FromRgb(120, 142, 64), static_cast<float>(draw));
     if (asset.kind == AssetKind::kDeadBranch) color = FromRgb(106, 86, 66);
+    color = InStyle(scene_.environment.coarse.artistic_style, color);
     // Too small for shading: specks of less than a pixel would only darken the ground.
     if (asset.half_length_m * camera_.PixelsPerMetre(camera_.DistanceOf(asset.y_m)) < 0.8f) return;
     Ball speck = BallOf(asset, color, 0.0f);
@@ -231,6 +233,8 @@ class AssetPainter {
     // Windows in storeys of three metres, lit at night.
     const int storeys = std::max(1, static_cast<int>((building.eaves_m - building.base_m) / 3.0f));
     const int windows = std::max(1, static_cast<int>(2.0f * half / 3.2f));
+    const ArtisticStyle style = scene_.environment.coarse.artistic_style;
+    const bool neon = style == ArtisticStyle::kCyberpunk;
     for (int storey = 0; storey < storeys; ++storey) {
       for (int window = 0; window < windows; ++window) {
         const float s = (2.0f * (window + 0.5f) / windows - 1.0f) * half;
@@ -238,8 +242,8 @@ class AssetPainter {
         const float high_m = std::min(low_m + 1.4f, building.eaves_m - 0.3f);
         if (high_m <= low_m) continue;
         const bool lit =
-            light_.is_night && HashToUnit(52, static_cast<int>(s * 10.0f + asset.x_m),
-                                          storey * 7 + static_cast<int>(asset.y_m)) < 0.6;
+            (light_.is_night || neon) && HashToUnit(52, static_cast<int>(s * 10.0f + asset.x_m),
+                                                    storey * 7 + static_cast<int>(asset.y_m)) < 0.6;
         std::vector<Eigen::Vector2f> outline;
         for (const auto& [along_m, z_m] : {std::pair<float, float>{-0.5f, low_m},
                                            {-0.5f, high_m},
@@ -248,7 +252,7 @@ class AssetPainter {
           const Eigen::Vector3f p = PointOf(asset, middle + sideways * (s + along_m), z_m);
           outline.push_back(camera_.Project(p.x(), camera_.DistanceOf(p.y()), p.z()));
         }
-        const Color glass = lit ? FromRgb(255, 206, 120)
+        const Color glass = lit ? WindowLight(style, HashToUnit(53, window, storey))
                                 : Times(FromRgb(86, 100, 116), Shade(light_, normal, 1.0f));
         FillPolygon(outline, Mix(glass, light_.fog, building.haze), building.distance_m, canvas_);
       }

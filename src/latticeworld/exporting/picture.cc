@@ -14,10 +14,15 @@ constexpr int kMinWidth_px = 64;
 constexpr int kMaxWidth_px = 4096;
 
 Status Validate(const PictureOptions& options) {
-  if (options.width_px >= kMinWidth_px && options.width_px <= kMaxWidth_px) return {};
-  return InvalidArgument("width must be from " + std::to_string(kMinWidth_px) + " to " +
-                         std::to_string(kMaxWidth_px) + " pixels, not " +
-                         std::to_string(options.width_px));
+  std::string problems;
+  if (options.width_px < kMinWidth_px || options.width_px > kMaxWidth_px)
+    problems = "width must be from " + std::to_string(kMinWidth_px) + " to " +
+               std::to_string(kMaxWidth_px) + " pixels, not " + std::to_string(options.width_px);
+  if (options.compression < 0 || options.compression > 9) {
+    if (!problems.empty()) problems += "; ";
+    problems += "compression must be from 0 to 9, not " + std::to_string(options.compression);
+  }
+  return problems.empty() ? Status() : InvalidArgument(problems);
 }
 
 cv::Mat Averaged(const cv::Mat& supersampled) {
@@ -26,9 +31,9 @@ cv::Mat Averaged(const cv::Mat& supersampled) {
   return picture;
 }
 
-Result<std::string> EncodePng(const cv::Mat& picture) {
+Result<std::string> EncodePng(const cv::Mat& picture, const PictureOptions& options) {
   std::vector<unsigned char> bytes;
-  if (!cv::imencode(".png", picture, bytes, {cv::IMWRITE_PNG_COMPRESSION, 3}))
+  if (!cv::imencode(".png", picture, bytes, {cv::IMWRITE_PNG_COMPRESSION, options.compression}))
     return Internal("the picture cannot be encoded as PNG");
   return std::string(bytes.begin(), bytes.end());
 }
@@ -39,14 +44,16 @@ Result<std::string> DrawTopView(const Scene& scene, const PictureOptions& option
   LW_RETURN_IF_ERROR(Validate(options));
   const Footer footer = LayOutFooter(scene, options.width_px, options.agents);
   return EncodePng(
-      Averaged(PaintTopView(scene, MaterialsOf(scene), footer, options.width_px, options.agents)));
+      Averaged(PaintTopView(scene, MaterialsOf(scene), footer, options.width_px, options.agents)),
+      options);
 }
 
 Result<std::string> DrawObliqueView(const Scene& scene, const PictureOptions& options) {
   LW_RETURN_IF_ERROR(Validate(options));
   const Footer footer = LayOutFooter(scene, options.width_px, options.agents);
   return EncodePng(Averaged(PaintObliqueView(scene, MaterialsOf(scene), footer, options.width_px,
-                                             options.agents, /*write_footer=*/true)));
+                                             options.agents, /*write_footer=*/true)),
+                   options);
 }
 
 Result<std::string> DrawWorld(const Scene& scene, const PictureOptions& options) {
@@ -62,7 +69,7 @@ Result<std::string> DrawWorld(const Scene& scene, const PictureOptions& options)
   const Sheet sheet(options.width_px, footer.lines);
   cv::Mat picture;
   cv::hconcat(top, oblique.colRange(sheet.margin / 2, oblique.cols), picture);
-  return EncodePng(picture);
+  return EncodePng(picture, options);
 }
 
 }  // namespace latticeworld

@@ -12,6 +12,7 @@ struct Scene;
 struct PictureOptions {
   int width_px = 1200;  // [64, 4096] of one view; views are square-ish, see each function
   bool agents = true;   // mark where agents begin
+  int compression = 3;  // of the PNG, [0, 9]: larger is smaller and slower
 };
 
 // PNG of the world from above, north up: ground colours, shaded relief, water, assets, agents.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/scene/scene.h"
 
 namespace latticeworld {
@@ -115,6 +116,7 @@ PictureLight SceneLight(const Scene& scene) {
   // A low sun still lights level ground well.
   light.sun *= std::clamp(0.6f / light.direction.z(), 0.9f, 1.3f);
   ApplyWeather(scene.atmosphere.weather, &light);
+  ApplyStyle(scene.environment.coarse.artistic_style, &light);
   return light;
 }
 

@@ -1,0 +1,72 @@
+#include "latticeworld/exporting/picture_style.h"
+
+#include <algorithm>
+
+namespace latticeworld {
+namespace {
+
+float Luma(const Color& color) { return 0.114f * color[0] + 0.587f * color[1] + 0.299f * color[2]; }
+
+Color Clamped(Color color) {
+  for (int channel = 0; channel < 3; ++channel)
+    color[channel] = std::clamp(color[channel], 0.0f, 1.0f);
+  return color;
+}
+
+// Away from grey, for share > 1.
+Color Saturated(const Color& color, float share) {
+  const float grey = Luma(color);
+  return Mix({grey, grey, grey}, color, share);
+}
+
+}  // namespace
+
+Color InStyle(ArtisticStyle style, const Color& natural) {
+  switch (style) {
+    case ArtisticStyle::kRealistic:
+      return natural;
+    case ArtisticStyle::kCartoon:  // bright and pure
+      return Clamped(Mix(Saturated(natural, 1.75f), FromRgb(255, 255, 255), 0.1f));
+    case ArtisticStyle::kCyberpunk: {  // dark violet to pale cyan, a hint of the hue left
+      const float luma = Luma(natural);
+      const Color toned = luma < 0.5f
+                              ? Mix(FromRgb(14, 10, 34), FromRgb(84, 62, 132), 2.0f * luma)
+                              : Mix(FromRgb(84, 62, 132), FromRgb(176, 226, 240), 2.0f * luma - 1);
+      return Clamped(Mix(toned, Saturated(natural, 1.2f) * 0.8f, 0.28f));
+    }
+  }
+  return natural;
+}
+
+void ApplyStyle(ArtisticStyle style, PictureLight* light) {
+  switch (style) {
+    case ArtisticStyle::kRealistic:
+      return;
+    case ArtisticStyle::kCartoon:
+      light->sky_high = InStyle(style, light->sky_high);
+      light->sky_low = InStyle(style, light->sky_low);
+      light->ambient *= 1.08f;
+      return;
+    case ArtisticStyle::kCyberpunk:
+      light->sky_high = Mix(light->sky_high, FromRgb(22, 12, 58), 0.88f);
+      light->sky_low = Mix(light->sky_low, FromRgb(206, 54, 150), 0.72f);
+      light->fog = Mix(light->fog, FromRgb(120, 58, 150), 0.75f);
+      light->sun = Times(light->sun, FromRgb(255, 214, 244));
+      light->ambient = Times(light->ambient, FromRgb(214, 214, 255));
+      return;
+  }
+}
+
+Color WindowLight(ArtisticStyle style, double draw) {
+  if (style != ArtisticStyle::kCyberpunk) return FromRgb(255, 206, 120);
+  return draw < 0.4   ? FromRgb(72, 244, 255)
+         : draw < 0.8 ? FromRgb(255, 84, 214)
+                      : FromRgb(255, 232, 110);
+}
+
+Color RoadRim(ArtisticStyle style, const Color& road) {
+  return style == ArtisticStyle::kCyberpunk ? FromRgb(64, 220, 236)
+                                            : Mix(road, FromRgb(226, 216, 192), 0.6f);
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,22 @@
+#ifndef LATTICEWORLD_EXPORTING_PICTURE_STYLE_H_
+#define LATTICEWORLD_EXPORTING_PICTURE_STYLE_H_
+
+#include "latticeworld/environment/attributes.h"
+#include "latticeworld/exporting/picture_light.h"
+
+namespace latticeworld {
+
+// The palette of a style: what becomes of a natural colour. Styles change colours only, never where
+// or what is drawn.
+Color InStyle(ArtisticStyle style, const Color& natural);
+// The same for what shines.
+void ApplyStyle(ArtisticStyle style, PictureLight* light);
+
+// Lamplight behind a window; draw in [0, 1) picks one where the style has several.
+Color WindowLight(ArtisticStyle style, double draw);
+// The rim of a road beside its surface.
+Color RoadRim(ArtisticStyle style, const Color& road);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_EXPORTING_PICTURE_STYLE_H_

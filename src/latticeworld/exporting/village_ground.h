@@ -1,0 +1,24 @@
+#ifndef LATTICEWORLD_EXPORTING_VILLAGE_GROUND_H_
+#define LATTICEWORLD_EXPORTING_VILLAGE_GROUND_H_
+
+#include <opencv2/core/mat.hpp>
+
+#include "latticeworld/exporting/picture_light.h"
+
+namespace latticeworld {
+
+struct Scene;
+
+// Village ground between houses: lawns, beds and trodden earth, plot by plot, behind hedges.
+// waviness: smooth noise that bends the plots' borders.
+Color GardenColor(const Color& grass, double x_m, double y_m, float waviness);
+
+// How much each cell is the trodden yard around a house (CV_32FC1, [0, 1]).
+cv::Mat YardsAroundHouses(const Scene& scene);
+
+// How much each cell of road is its rim (CV_32FC1, [0, 1]), where roads are wide enough for one.
+cv::Mat RoadRims(const Scene& scene);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_EXPORTING_VILLAGE_GROUND_H_
