@@ -141,6 +141,22 @@ TEST(GroundedEnvironmentTest, RefusesAWhaleWithoutOpenWater) {
   EXPECT_NE(answer.warnings[0].find("water"), std::string::npos);
 }
 
+TEST(GroundedEnvironmentTest, AWhaleNeedsWideWaterNotMuchOfIt) {
+  SymbolicLayout river = Meadow(false);
+  for (int row = 0; row < kLayoutSize; ++row) {
+    river.cells(row, 4) = 'W';
+    river.cells(row, 5) = 'W';
+  }
+  EXPECT_TRUE(Generate("a whale swims", river).environment.agents.empty());
+  SymbolicLayout lake = Meadow(false);
+  for (int row = 14; row < 17; ++row) {
+    for (int col = 14; col < 17; ++col) lake.cells(row, col) = 'W';
+  }
+  const EnvironmentAnswer answer = Generate("a whale swims in the north", lake);
+  ASSERT_EQ(answer.environment.agents.size(), 1u);
+  EXPECT_EQ(answer.environment.agents[0].position, Region::kCenter);
+}
+
 TEST(GroundedEnvironmentTest, MovesAgentsToWhereTheyCanLive) {
   const EnvironmentAnswer answer =
       Generate("Six sheep graze in the upper left. A whale swims in the south.", Meadow(true));

@@ -237,6 +237,18 @@ TEST(GroundedLayoutTest, WordsWithoutPlaceFollowTheRelief) {
   }
 }
 
+TEST(GroundedLayoutTest, WarnsOfWordsAgainstTheRelief) {
+  const Relief relief = HillInTheNorth();
+  const LayoutAnswer against =
+      Generate("Snow in the south. A lake in the north.", kWild, 1, &relief);
+  EXPECT_GT(ShareIn(against.layout, 'S', Region::kLower), 0.0);
+  ASSERT_EQ(against.warnings.size(), 2u);
+  EXPECT_NE(against.warnings[0].find("Snow in the south"), std::string::npos);
+  EXPECT_NE(against.warnings[1].find("lake in the north"), std::string::npos);
+  EXPECT_TRUE(
+      Generate("Snow in the north. A lake in the south.", kWild, 1, &relief).warnings.empty());
+}
+
 TEST(GroundedLayoutTest, WarnsOfWhatItDoesNotUnderstand) {
   const LayoutAnswer answer = Generate("a forest with purple spaceships", kSuburb, 1);
   ASSERT_EQ(answer.warnings.size(), 1u);

@@ -8,15 +8,17 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/canvas.h"
 #include "latticeworld/language/grounded/places.h"
-#include "latticeworld/layout/measures.h"
 
 namespace latticeworld {
 namespace {
 
-// A whale needs open water: so many cells in one piece. At 16 m a cell, about a hectare.
-constexpr std::size_t kWhaleWaterCells = 40;
 // Cells of a ninth (about 114) that a group needs to live there.
 constexpr int kRoomCells = 6;
+// A whale needs water that stays 2 m deep all around it. The bed falls off from the shore, so that
+// a river of one cell never gets there however long it is, but the middle of three by three cells
+// of water does: 2.7 m in a world of the usual 512 m, where a cell has 16 m. Smaller worlds have
+// shallower lakes; whether one suits is then for the scene to find out.
+constexpr int kOpenWaterCells = 1;
 
 AgentState UsualState(AgentCategory category) {
   switch (category) {
@@ -62,12 +64,7 @@ AgentState LegalState(AgentCategory category, AgentState wanted) {
 class Fitter {
  public:
   Fitter(const SymbolicLayout& layout, std::vector<std::string>* warnings)
-      : layout_(layout), warnings_(warnings) {
-    const std::vector<LayoutComponent> waters = ComponentsOf(layout, 'W');
-    if (!waters.empty() && waters.front().cells.size() >= kWhaleWaterCells) {
-      open_water_ = waters.front();
-    }
-  }
+      : layout_(layout), warnings_(warnings) {}
 
   std::vector<AgentGroup> Fit(const std::vector<AgentWish>& wishes) {
     int total = 0;
@@ -108,17 +105,15 @@ class Fitter {
                      std::string(NameOf(group.state)) + "; it is " + std::string(NameOf(legal)));
       group.state = legal;
     }
+    const auto is_open_water = [&](CellIndex cell) { return IsOpenWater(cell); };
     switch (LocomotionOf(group.category)) {
       case Locomotion::kFins:
-        if (open_water_.cells.empty()) {
+        if (RoomIn(Region::kAnywhere, is_open_water) < kOpenWaterCells) {
           Warn(wish, "left out: there is no water large enough for a " +
                          std::string(NameOf(group.category)));
           return std::nullopt;
         }
-        Settle(wish, "open water", &group, [&](CellIndex cell) {
-          return std::find(open_water_.cells.begin(), open_water_.cells.end(), cell) !=
-                 open_water_.cells.end();
-        });
+        Settle(wish, "open water", kOpenWaterCells, &group, is_open_water);
         return group;
       case Locomotion::kWings:
         return group;
@@ -130,7 +125,7 @@ class Fitter {
     const auto is_grass = [&](CellIndex cell) { return layout_.cells[cell] == grass; };
     if (group.state == AgentState::kGrazing) {
       if (RoomIn(Region::kAnywhere, is_grass) >= kRoomCells) {
-        Settle(wish, "grass", &group, is_grass);
+        Settle(wish, "grass", kRoomCells, &group, is_grass);
         return group;
       }
       Warn(wish, "there is no grass to graze on; it is idle");
@@ -141,8 +136,18 @@ class Fitter {
       Warn(wish, "left out: there is no land to stand on");
       return std::nullopt;
     }
-    Settle(wish, "land", &group, is_land);
+    Settle(wish, "land", kRoomCells, &group, is_land);
     return group;
+  }
+
+  // Water in the cell and all around it; the land beyond the map's edge is no shore.
+  bool IsOpenWater(CellIndex cell) const {
+    if (layout_.cells[cell] != 'W') return false;
+    for (const auto& step : kNeighbours8) {
+      const CellIndex next{cell.row + step[0], cell.col + step[1]};
+      if (layout_.cells.Contains(next) && layout_.cells[next] != 'W') return false;
+    }
+    return true;
   }
 
   template <typename Suits>
@@ -160,16 +165,16 @@ class Fitter {
 
   // Moves the group to the nearest ninth with room where its own has none.
   template <typename Suits>
-  void Settle(const AgentWish& wish, std::string_view ground, AgentGroup* group,
+  void Settle(const AgentWish& wish, std::string_view ground, int least_room, AgentGroup* group,
               const Suits& suits) {
-    if (RoomIn(group->position, suits) >= kRoomCells) return;
+    if (RoomIn(group->position, suits) >= least_room) return;
     const Heading from = HeadingOf(group->position);
     Region best = Region::kAnywhere;
     int best_score = -1;
     for (const auto& entry : EnumNames(Region{})) {
       if (entry.value == Region::kAnywhere) continue;
       const int room = RoomIn(entry.value, suits);
-      if (room < kRoomCells) continue;
+      if (room < least_room) continue;
       const Heading to = HeadingOf(entry.value);
       const int east = to.east - from.east;
       const int south = to.south - from.south;
@@ -187,7 +192,6 @@ class Fitter {
 
   const SymbolicLayout& layout_;
   std::vector<std::string>* warnings_;
-  LayoutComponent open_water_;
   std::vector<AgentGroup> groups_;
 };
 

@@ -8,6 +8,7 @@
 #include "latticeworld/language/grounded/grounded.h"
 #include "latticeworld/language/grounded/layout_parser.h"
 #include "latticeworld/language/grounded/layout_synthesis.h"
+#include "latticeworld/language/grounded/relief_conflicts.h"
 
 namespace latticeworld {
 namespace {
@@ -60,6 +61,12 @@ class GroundedLayoutGenerator final : public LayoutGenerator {
       if (measure.holds) continue;
       answer.warnings.push_back("not satisfied: " + Quote(claim.words) + ": " +
                                 measure.explanation);
+    }
+    if (request.relief != nullptr) {
+      for (std::string& conflict :
+           ReliefConflicts(plan.claims, request.vocabulary, *request.relief)) {
+        answer.warnings.push_back(std::move(conflict));
+      }
     }
     answer.claims = std::move(plan.claims);
     return answer;
