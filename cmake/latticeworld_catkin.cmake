@@ -1,0 +1,98 @@
+# The catkin side of the package: messages, the compatibility packages, what is exported.
+# Gives the target latticeworld_messages: include folders of all messages, and their generation.
+
+# ROS comes from Debian's packages and works with Debian's python alone, whatever another python
+# (pyenv, conda) stands first in PATH.
+if(NOT PYTHON_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The python that ROS is installed for")
+endif()
+
+set(LATTICEWORLD_ROS_PACKAGES actionlib actionlib_msgs diagnostic_msgs geometry_msgs nav_msgs roscpp
+    rosgraph_msgs sensor_msgs std_msgs std_srvs tf2_msgs visualization_msgs)
+find_package(catkin REQUIRED COMPONENTS message_generation ${LATTICEWORLD_ROS_PACKAGES})
+
+add_library(latticeworld_messages INTERFACE)
+
+# latticeworld_compat(<package>): uses the system's package, else builds the one in cmake/compat.
+function(latticeworld_compat package)
+  # Already part of this catkin workspace?
+  if(NOT TARGET ${package}_generate_messages_cpp)
+    # What an earlier run of this build made is not the system's: look past it.
+    string(REPLACE ":" ";" prefixes "$ENV{CMAKE_PREFIX_PATH}")
+    list(PREPEND prefixes ${CMAKE_PREFIX_PATH})
+    list(REMOVE_ITEM prefixes ${CATKIN_DEVEL_PREFIX} ${CMAKE_INSTALL_PREFIX})
+    set(CMAKE_PREFIX_PATH ${prefixes})
+    list(REMOVE_ITEM CMAKE_SYSTEM_PREFIX_PATH ${CMAKE_INSTALL_PREFIX})
+    find_package(${package} QUIET NO_CMAKE_ENVIRONMENT_PATH NO_SYSTEM_ENVIRONMENT_PATH)
+    if(${package}_FOUND)
+      message(STATUS "latticeworld: using ${package} in ${${package}_DIR}")
+      target_include_directories(latticeworld_messages SYSTEM INTERFACE ${${package}_INCLUDE_DIRS})
+      return()
+    endif()
+    message(STATUS "latticeworld: no ${package} found, building a wire-compatible one")
+    list(PREPEND CMAKE_PREFIX_PATH ${CATKIN_DEVEL_PREFIX})
+    add_subdirectory(${PROJECT_SOURCE_DIR}/cmake/compat/${package})
+    # rosmsg, rostopic and rosbag find a package of the devel space through its source folder.
+    file(READ ${CATKIN_DEVEL_PREFIX}/.catkin source_spaces)
+    set(compat ${PROJECT_SOURCE_DIR}/cmake/compat)
+    if(NOT compat IN_LIST source_spaces)
+      file(APPEND ${CATKIN_DEVEL_PREFIX}/.catkin ";${compat}")
+    endif()
+  endif()
+  add_dependencies(latticeworld_messages ${package}_generate_messages_cpp
+                   ${package}_generate_messages_py)
+endfunction()
+latticeworld_compat(octomap_msgs)
+latticeworld_compat(grid_map_msgs)
+
+add_message_files(FILES
+  AgentEvent.msg
+  AgentState.msg
+  AgentStates.msg
+  Environment.msg
+  GenerationProgress.msg
+  Layout.msg
+  StageTime.msg
+  Status.msg
+  TerrainSample.msg
+  WorldBundle.msg
+  WorldInfo.msg
+)
+add_service_files(FILES
+  GenerateWorld.srv
+  GetWorld.srv
+  ListWorlds.srv
+  LoadWorld.srv
+  QueryTerrain.srv
+  RemoveAgent.srv
+  ResetWorld.srv
+  SaveWorld.srv
+  SpawnAgent.srv
+  Step.srv
+)
+add_action_files(FILES GenerateWorldTask.action)
+generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs sensor_msgs std_msgs)
+
+catkin_package(CATKIN_DEPENDS message_runtime ${LATTICEWORLD_ROS_PACKAGES})
+
+target_include_directories(latticeworld_messages SYSTEM INTERFACE
+                           ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_INCLUDE_DESTINATION}
+                           ${catkin_INCLUDE_DIRS})
+target_link_libraries(latticeworld_messages INTERFACE ${catkin_LIBRARIES})
+add_dependencies(latticeworld_messages latticeworld_generate_messages_cpp
+                 latticeworld_generate_messages_py)
+
+# latticeworld_node(<name> SOURCES ... LIBRARIES ...): a program that rosrun and roslaunch find.
+function(latticeworld_node name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES})
+  target_compile_options(${name} PRIVATE -Wall -Wextra -Wshadow)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY
+                        ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
+  install(TARGETS ${name} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+endfunction()
+
+catkin_install_python(PROGRAMS scripts/generate_world.py
+                      DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(DIRECTORY launch_cfg DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})

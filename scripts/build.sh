@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Installs what is missing and builds LatticeWorld (Release, Ninja, ccache).
+# Usage: scripts/build.sh [further arguments for cmake, as -DLATTICEWORLD_BUILD_BENCHMARKS=ON]
+# The build goes to build/, or to $LATTICEWORLD_BUILD_DIR.
+set -euo pipefail
+export PATH="/usr/bin:${PATH}"  # Debian's python before any other: ROS is installed for it
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${LATTICEWORLD_BUILD_DIR:-$root/build}
+
+"$root/scripts/install_dependencies.sh"
+cmake -G Ninja -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release "$@"
+cmake --build "$build" --parallel "$(nproc)"

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, starts the world server (and a roscore where none runs),
+# generates the README's world and keeps it running until Ctrl-C.
+# Usage: scripts/run.sh ["layout instruction" ["environment instruction"]]
+set -euo pipefail
+export PATH="/usr/bin:${PATH}"
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${LATTICEWORLD_BUILD_DIR:-$root/build}
+
+layout=${1:-"A river winds from the north to the south between dense forest in the upper left and\
+ farmland on the right. A road runs from the west to the east, with a small village in the center."}
+environment=${2:-"A sunny autumn afternoon. Nine sheep graze in the lower left, two\
+ goblins patrol near the upper right, an eagle circles above, and a wheeled robot waits in the center."}
+
+"$root/scripts/build.sh"
+
+set +u  # catkin's setup files read variables that may be unset
+# shellcheck disable=SC1091
+source "$build/devel/setup.bash"
+set -u
+if [ -z "${ROS_IP:-}" ] && [ -z "${ROS_HOSTNAME:-}" ]; then export ROS_IP=127.0.0.1; fi
+export ROS_MASTER_URI=${ROS_MASTER_URI:-http://127.0.0.1:11311}
+
+launch_pid=
+stop() {
+  trap - EXIT INT TERM HUP
+  if [ -n "$launch_pid" ] && kill -0 "$launch_pid" 2>/dev/null; then
+    kill -INT "$launch_pid"
+    wait "$launch_pid" || true
+  fi
+}
+trap 'stop; exit 130' INT
+trap 'stop; exit 143' TERM HUP
+trap stop EXIT
+
+# roslaunch starts a roscore where none runs and stops it again. In a session of its own, so that
+# Ctrl-C reaches it through `stop` alone and once.
+log=$(mktemp "${TMPDIR:-/tmp}/latticeworld_run.XXXXXX.log")
+setsid roslaunch latticeworld world.launch >"$log" 2>&1 &
+launch_pid=$!
+
+/usr/bin/python3 "$root/scripts/generate_world.py" --server-pid "$launch_pid" \
+  --layout "$layout" --environment "$environment" || {
+  echo "the world server's output is in $log" >&2
+  exit 1
+}
+echo
+echo "The world is running; the server's output is in $log. Ctrl-C ends it."
+wait "$launch_pid"

@@ -1,0 +1,34 @@
+#ifndef LATTICEWORLD_ROS_MESSAGES_H_
+#define LATTICEWORLD_ROS_MESSAGES_H_
+
+// The package's own messages and services, in the namespace latticeworld_msgs. gencpp puts them
+// into a namespace named as the package, where Status, AgentState and StageTime would meet the
+// core's; on the wire nothing differs, for names there are string literals. Include this header,
+// never a generated one.
+
+#define latticeworld latticeworld_msgs
+#include <latticeworld/AgentEvent.h>
+#include <latticeworld/AgentState.h>
+#include <latticeworld/AgentStates.h>
+#include <latticeworld/Environment.h>
+#include <latticeworld/GenerateWorld.h>
+#include <latticeworld/GenerateWorldTaskAction.h>
+#include <latticeworld/GenerationProgress.h>
+#include <latticeworld/GetWorld.h>
+#include <latticeworld/Layout.h>
+#include <latticeworld/ListWorlds.h>
+#include <latticeworld/LoadWorld.h>
+#include <latticeworld/QueryTerrain.h>
+#include <latticeworld/RemoveAgent.h>
+#include <latticeworld/ResetWorld.h>
+#include <latticeworld/SaveWorld.h>
+#include <latticeworld/SpawnAgent.h>
+#include <latticeworld/StageTime.h>
+#include <latticeworld/Status.h>
+#include <latticeworld/Step.h>
+#include <latticeworld/TerrainSample.h>
+#include <latticeworld/WorldBundle.h>
+#include <latticeworld/WorldInfo.h>
+#undef latticeworld
+
+#endif  // LATTICEWORLD_ROS_MESSAGES_H_

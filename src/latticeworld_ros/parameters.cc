@@ -1,0 +1,128 @@
+#include "latticeworld_ros/parameters.h"
+
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "latticeworld/common/text.h"
+
+namespace latticeworld {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+// Each reads one value; false: of another type. XmlRpcValue's own conversions are not const.
+bool Read(XmlRpcValue value, double* out) {
+  if (value.getType() == XmlRpcValue::TypeInt) return *out = static_cast<int>(value), true;
+  if (value.getType() == XmlRpcValue::TypeDouble) return *out = static_cast<double>(value), true;
+  return false;
+}
+bool Read(XmlRpcValue value, int* out) {
+  if (value.getType() != XmlRpcValue::TypeInt) return false;
+  *out = static_cast<int>(value);
+  return true;
+}
+bool Read(XmlRpcValue value, bool* out) {
+  if (value.getType() != XmlRpcValue::TypeBoolean) return false;
+  *out = static_cast<bool>(value);
+  return true;
+}
+bool Read(XmlRpcValue value, std::string* out) {
+  if (value.getType() != XmlRpcValue::TypeString) return false;
+  *out = static_cast<std::string>(value);
+  return true;
+}
+bool Read(XmlRpcValue value, std::vector<std::string>* out) {
+  if (value.getType() != XmlRpcValue::TypeArray) return false;
+  out->assign(static_cast<std::size_t>(value.size()), std::string());
+  for (int i = 0; i < value.size(); ++i) {
+    if (!Read(value[i], &(*out)[static_cast<std::size_t>(i)])) return false;
+  }
+  return true;
+}
+
+const char* TypeName(const double&) { return "a number"; }
+const char* TypeName(const int&) { return "a whole number"; }
+const char* TypeName(const bool&) { return "true or false"; }
+const char* TypeName(const std::string&) { return "a text"; }
+const char* TypeName(const std::vector<std::string>&) { return "a list of texts"; }
+
+struct Parameter {
+  std::function<bool(const XmlRpcValue&)> read;
+  std::string type;
+};
+
+template <typename T>
+Parameter Bind(T* field) {
+  return {[field](const XmlRpcValue& value) { return Read(value, field); }, TypeName(*field)};
+}
+
+std::map<std::string, Parameter> BindAll(WorldServerOptions* options) {
+  return {
+      {"real_time_factor", Bind(&options->real_time_factor)},
+      {"start_paused", Bind(&options->start_paused)},
+      {"step", Bind(&options->simulator.step_s)},
+      {"command_timeout", Bind(&options->simulator.command_timeout_s)},
+      {"pursuit_distance", Bind(&options->simulator.pursuit_distance_m)},
+      {"clock_rate", Bind(&options->clock_rate_hz)},
+      {"state_rate", Bind(&options->state_rate_hz)},
+      {"marker_rate", Bind(&options->marker_rate_hz)},
+      {"marker_terrain_cells", Bind(&options->marker_terrain_cells)},
+      {"marker_max_assets", Bind(&options->marker_max_assets)},
+      {"generator", Bind(&options->generator)},
+      {"worlds_directory", Bind(&options->worlds_directory)},
+      {"visual_directories", Bind(&options->visual_directories)},
+      {"octomap_resolution", Bind(&options->octomap_resolution_m)},
+      {"octomap_thickness", Bind(&options->octomap_thickness_m)},
+      {"robot_radius", Bind(&options->robot.radius_m)},
+      {"robot_max_slope", Bind(&options->robot.max_slope_rad)},
+      {"robot_max_step", Bind(&options->robot.max_step_m)},
+      {"robot_max_fording_depth", Bind(&options->robot.max_fording_depth_m)},
+  };
+}
+
+}  // namespace
+
+Result<WorldServerOptions> OptionsFromParameters(const XmlRpcValue& parameters,
+                                                 const std::vector<std::string>& generators) {
+  WorldServerOptions options;
+  const std::map<std::string, Parameter> known = BindAll(&options);
+  std::vector<Violation> violations;
+
+  XmlRpcValue given = parameters;
+  if (given.getType() == XmlRpcValue::TypeStruct) {
+    for (const auto& [name, value] : given) {
+      const auto parameter = known.find(name);
+      if (parameter == known.end()) {
+        std::vector<std::string> names;
+        for (const auto& entry : known) names.push_back(entry.first);
+        violations.push_back({"unknown_key", name,
+                              "there is no such parameter; there are " + Join(names, ", "), name});
+      } else if (!parameter->second.read(value)) {
+        violations.push_back(
+            {"wrong_type", name, "must be " + parameter->second.type, value.toXml()});
+      }
+    }
+  } else if (given.valid()) {
+    violations.push_back({"wrong_type", "", "the parameters are no dictionary", given.toXml()});
+  }
+
+  for (Violation& violation : Validate(options, generators)) {
+    violations.push_back(std::move(violation));
+  }
+  if (!violations.empty()) {
+    return Status::FromViolations("parameters of world_server", std::move(violations));
+  }
+  return options;
+}
+
+std::filesystem::path ExpandHome(const std::string& path) {
+  const char* home = std::getenv("HOME");
+  if (home == nullptr || path.empty() || path[0] != '~') return path;
+  if (path.size() == 1) return home;
+  return path[1] == '/' ? std::filesystem::path(home) / path.substr(2)
+                        : std::filesystem::path(path);
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,26 @@
+#ifndef LATTICEWORLD_ROS_PARAMETERS_H_
+#define LATTICEWORLD_ROS_PARAMETERS_H_
+
+#include <XmlRpcValue.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "latticeworld/common/result.h"
+#include "latticeworld_ros/world_server_options.h"
+
+namespace latticeworld {
+
+// The options that a node's private parameters say: a struct of name to value, or an invalid value
+// for none at all. Absent ones keep their defaults. Errors: INVALID_ARGUMENT naming every unknown
+// name, every wrong type and every value out of range.
+Result<WorldServerOptions> OptionsFromParameters(const XmlRpc::XmlRpcValue& parameters,
+                                                 const std::vector<std::string>& generators);
+
+// "~" and "~/..." below the home directory, where there is one.
+std::filesystem::path ExpandHome(const std::string& path);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_ROS_PARAMETERS_H_

@@ -1,0 +1,47 @@
+#ifndef LATTICEWORLD_ROS_SIMULATION_LISTENER_H_
+#define LATTICEWORLD_ROS_SIMULATION_LISTENER_H_
+
+#include <ros/time.h>
+
+#include <cstdint>
+#include <string>
+
+#include "latticeworld/simulation/simulator.h"
+
+namespace latticeworld {
+
+// One advance of ROS time by the simulator's fixed step.
+struct Tick {
+  std::uint64_t number = 0;  // since the node began; ROS time is number * fixed step
+  ros::Time now;
+  Simulator* simulator = nullptr;  // null: no world yet
+  std::string world_id;            // empty: no world yet
+  bool settled = false;  // the next tick may be long in coming: publish what is due later as well
+};
+
+// Over the last second or so of wall time.
+struct LoopStatistics {
+  ros::Time now;
+  bool paused = false;
+  double real_time_factor = 0.0;  // simulated over wall time
+  double mean_step_s = 0.0;       // wall time of Simulator::Step
+  double max_step_s = 0.0;
+  Simulator* simulator = nullptr;  // null: no world yet
+  std::string world_id;
+};
+
+// Hears what the simulation loop does, on the loop's thread.
+class SimulationListener {
+ public:
+  virtual ~SimulationListener() = default;
+  virtual void OnTick(const Tick& tick) = 0;
+  // Time stands still; called about ten times a second meanwhile.
+  virtual void OnStandstill(ros::Time now) = 0;
+  // A new world, or the start state of the old one: the next tick shows it.
+  virtual void OnBegin() = 0;
+  virtual void OnStatistics(const LoopStatistics& statistics) = 0;
+};
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_ROS_SIMULATION_LISTENER_H_

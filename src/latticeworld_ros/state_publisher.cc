@@ -1,0 +1,120 @@
+#include "latticeworld_ros/state_publisher.h"
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <rosgraph_msgs/Clock.h>
+#include <tf2_msgs/TFMessage.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <algorithm>
+#include <boost/make_shared.hpp>
+#include <cmath>
+#include <memory>
+
+#include "latticeworld_ros/agent_conversion.h"
+#include "latticeworld_ros/agent_markers.h"
+#include "latticeworld_ros/diagnostics.h"
+
+namespace latticeworld {
+namespace {
+
+std::uint64_t TicksPer(double rate_hz, double step_s) {
+  return static_cast<std::uint64_t>(std::max(1L, std::lround(1.0 / (rate_hz * step_s))));
+}
+
+}  // namespace
+
+StatePublisher::StatePublisher(ros::NodeHandle node, const WorldServerOptions& options,
+                               RobotTopics* robots)
+    : robots_(robots),
+      ticks_per_clock_(TicksPer(options.clock_rate_hz, options.simulator.step_s)),
+      ticks_per_state_(TicksPer(options.state_rate_hz, options.simulator.step_s)),
+      ticks_per_markers_(TicksPer(options.marker_rate_hz, options.simulator.step_s)),
+      clock_(node.advertise<rosgraph_msgs::Clock>("/clock", 100)),
+      tf_(node.advertise<tf2_msgs::TFMessage>("/tf", 100)),
+      agents_(node.advertise<latticeworld_msgs::AgentStates>("agents", 100)),
+      events_(node.advertise<latticeworld_msgs::AgentEvent>("agent_events", 1000)),
+      markers_(node.advertise<visualization_msgs::MarkerArray>("agents/markers", 10)),
+      diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("diagnostics", 10)) {}
+
+void StatePublisher::OnTick(const Tick& tick) {
+  const auto due = [&](std::uint64_t ticks) { return tick.settled || tick.number % ticks == 0; };
+  const bool state_due = tick.simulator != nullptr && due(ticks_per_state_);
+  const bool markers_due = tick.simulator != nullptr && due(ticks_per_markers_);
+  std::vector<Event> events;
+  if (tick.simulator != nullptr) events = tick.simulator->TakeEvents();
+
+  if (due(ticks_per_clock_) || state_due || markers_due || !events.empty()) PublishClock(tick.now);
+  PublishEvents(tick, events);
+  if (!state_due && !markers_due) return;
+  const std::shared_ptr<const WorldState> state = tick.simulator->State();
+  if (state_due) PublishState(tick, *state);
+  if (markers_due) PublishMarkers(tick, *state);
+}
+
+void StatePublisher::OnStandstill(ros::Time now) { PublishClock(now); }
+
+void StatePublisher::OnBegin() { map_from_odom_.clear(); }
+
+void StatePublisher::OnStatistics(const LoopStatistics& statistics) {
+  // The clock first: what is published below carries this stamp.
+  PublishClock(statistics.now);
+  diagnostics_.publish(ToDiagnostics(statistics));
+}
+
+void StatePublisher::PublishClock(ros::Time now) {
+  rosgraph_msgs::Clock message;
+  message.clock = now;
+  clock_.publish(message);
+}
+
+void StatePublisher::PublishEvents(const Tick& tick, const std::vector<Event>& events) {
+  for (const Event& event : events) events_.publish(ToRos(event, tick.now, tick.world_id));
+}
+
+void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
+  std::vector<std::string> robot_names;
+  for (const AgentSnapshot& agent : state.agents) {
+    if (agent.controllable) robot_names.push_back(agent.name);
+  }
+  if (robot_names != robot_names_) {
+    for (auto entry = map_from_odom_.begin(); entry != map_from_odom_.end();) {
+      const bool lives = std::binary_search(robot_names.begin(), robot_names.end(), entry->first);
+      entry = lives ? std::next(entry) : map_from_odom_.erase(entry);
+    }
+    robot_names_ = robot_names;
+    robots_->Want(std::move(robot_names));
+  }
+
+  const std::shared_ptr<const RobotPublisherMap> robots = robots_->publishers();
+  tf2_msgs::TFMessage transforms;
+  transforms.transforms.reserve(state.agents.size() + robot_names_.size());
+  for (const AgentSnapshot& agent : state.agents) {
+    const Eigen::Isometry3d map_from_base = PoseOf(agent);
+    const std::string base = BaseFrame(agent.name);
+    if (!agent.controllable) {
+      transforms.transforms.push_back(ToRos(map_from_base, tick.now, kMapFrame, base));
+      continue;
+    }
+    // Odometry begins where the robot begins, as if switched on there.
+    const Eigen::Isometry3d& map_from_odom =
+        map_from_odom_.try_emplace(agent.name, map_from_base).first->second;
+    const Eigen::Isometry3d odom_from_map = map_from_odom.inverse();
+    const std::string odom = OdomFrame(agent.name);
+    transforms.transforms.push_back(ToRos(map_from_odom, tick.now, kMapFrame, odom));
+    transforms.transforms.push_back(ToRos(odom_from_map * map_from_base, tick.now, odom, base));
+    const auto robot = robots->find(agent.name);
+    if (robot == robots->end()) continue;  // not there yet
+    robot->second.odom.publish(ToOdometry(agent, tick.now, odom, odom_from_map));
+    robot->second.ground_truth.publish(
+        ToOdometry(agent, tick.now, kMapFrame, Eigen::Isometry3d::Identity()));
+  }
+  tf_.publish(transforms);
+  agents_.publish(ToRos(state, tick.now, tick.world_id));
+}
+
+void StatePublisher::PublishMarkers(const Tick& tick, const WorldState& state) {
+  if (markers_.getNumSubscribers() == 0) return;
+  markers_.publish(ToMarkers(state, tick.now));
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,48 @@
+#ifndef LATTICEWORLD_ROS_STATE_PUBLISHER_H_
+#define LATTICEWORLD_ROS_STATE_PUBLISHER_H_
+
+#include <ros/ros.h>
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "latticeworld_ros/robot_topics.h"
+#include "latticeworld_ros/simulation_listener.h"
+#include "latticeworld_ros/world_server_options.h"
+
+namespace latticeworld {
+
+// Publishes what changes while a world runs: /clock (before all that carries its stamp), /tf (one
+// message a tick, whatever the number of agents), agents, agent_events, odometry, agents/markers
+// and diagnostics. Everything but the constructor runs on the simulation loop's thread.
+class StatePublisher : public SimulationListener {
+ public:
+  StatePublisher(ros::NodeHandle node, const WorldServerOptions& options, RobotTopics* robots);
+
+  void OnTick(const Tick& tick) override;
+  void OnStandstill(ros::Time now) override;
+  void OnBegin() override;
+  void OnStatistics(const LoopStatistics& statistics) override;
+
+ private:
+  void PublishClock(ros::Time now);
+  void PublishEvents(const Tick& tick, const std::vector<Event>& events);
+  void PublishState(const Tick& tick, const WorldState& state);
+  void PublishMarkers(const Tick& tick, const WorldState& state);
+
+  RobotTopics* const robots_;
+  const std::uint64_t ticks_per_clock_;
+  const std::uint64_t ticks_per_state_;
+  const std::uint64_t ticks_per_markers_;
+  ros::Publisher clock_, tf_, agents_, events_, markers_, diagnostics_;
+
+  std::vector<std::string> robot_names_;                    // as last told to robots_
+  std::map<std::string, Eigen::Isometry3d> map_from_odom_;  // where each robot began
+};
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_ROS_STATE_PUBLISHER_H_

@@ -1,0 +1,88 @@
+#include "latticeworld_ros/world_conversion.h"
+
+#include <string>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld_ros/agent_conversion.h"
+
+namespace latticeworld {
+
+latticeworld_msgs::WorldInfo ToInfo(const World& world) {
+  const Scene& scene = *world.scene;
+  latticeworld_msgs::WorldInfo message;
+  message.header.frame_id = kMapFrame;
+  message.world_id = world.id;
+  message.seed = world.request.seed;
+  message.generator = world.request.generator;
+  message.vocabulary = std::string(NameOf(world.layout.vocabulary));
+  message.layout_instruction = world.request.layout_instruction;
+  message.environment_instruction = world.request.environment_instruction;
+  message.size = scene.geometry().size_m();
+  message.resolution = scene.geometry().resolution_m();
+  message.min_height = scene.terrain->ground.min_m();
+  message.max_height = scene.terrain->ground.max_m();
+  message.agents = static_cast<std::uint32_t>(scene.agents.size());
+  message.assets = static_cast<std::uint32_t>(scene.assets.size());
+  return message;
+}
+
+latticeworld_msgs::Layout ToLayout(const World& world) {
+  latticeworld_msgs::Layout message;
+  message.header.frame_id = kMapFrame;
+  message.world_id = world.id;
+  message.vocabulary = std::string(NameOf(world.layout.vocabulary));
+  message.layout = ToText(world.layout);
+  return message;
+}
+
+latticeworld_msgs::Environment ToEnvironment(const World& world) {
+  latticeworld_msgs::Environment message;
+  message.header.frame_id = kMapFrame;
+  message.world_id = world.id;
+  message.environment = ToJson(world.environment);
+  return message;
+}
+
+std::vector<latticeworld_msgs::StageTime> ToRos(const std::vector<StageTime>& stages) {
+  std::vector<latticeworld_msgs::StageTime> messages(stages.size());
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    messages[i].name = stages[i].name;
+    messages[i].seconds = stages[i].seconds;
+  }
+  return messages;
+}
+
+Result<std::vector<latticeworld_msgs::TerrainSample>> SampleTerrain(
+    const Scene& scene, const std::vector<geometry_msgs::Point>& points) {
+  if (points.size() > kMaxTerrainPoints) {
+    return ResourceExhausted(std::to_string(points.size()) + " points are given; at most " +
+                             std::to_string(kMaxTerrainPoints) + " are legal in one call");
+  }
+  const Terrain& terrain = *scene.terrain;
+  const double half_m = terrain.geometry().half_size_m();
+  std::vector<latticeworld_msgs::TerrainSample> samples;
+  samples.reserve(points.size());
+  for (const geometry_msgs::Point& given : points) {
+    const WorldPoint point{given.x, given.y};
+    if (!terrain.geometry().Contains(point)) {
+      return Status(StatusCode::kOutOfRange,
+                    "point " + std::to_string(samples.size()) + " (" + FormatDouble(given.x) +
+                        ", " + FormatDouble(given.y) +
+                        ") m is outside the world, whose x and y go "
+                        "from " +
+                        FormatDouble(-half_m) + " to " + FormatDouble(half_m) + " m");
+    }
+    const SurfaceClass surface = terrain.SurfaceAt(point);
+    latticeworld_msgs::TerrainSample sample;
+    sample.height = terrain.ground.HeightAt(point);
+    sample.slope = terrain.ground.SlopeAt(point);
+    sample.surface = std::string(NameOf(surface));
+    sample.letter = std::string(1, terrain.weights.DominantAt(terrain.geometry().CellAt(point)));
+    sample.water_depth = terrain.WaterDepthAt(point);
+    sample.friction = PropertiesOf(surface, scene.atmosphere.weather).friction;
+    samples.push_back(std::move(sample));
+  }
+  return samples;
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,39 @@
+#include "latticeworld_ros/world_launcher.h"
+
+#include <utility>
+
+#include "latticeworld_ros/stopwatch.h"
+
+namespace latticeworld {
+
+WorldLauncher::WorldLauncher(const WorldServerOptions& options, SimulationLoop* loop,
+                             RobotTopics* robots, MapPublisher* maps, CurrentWorld* current)
+    : options_(options), loop_(loop), robots_(robots), maps_(maps), current_(current) {}
+
+Status WorldLauncher::Launch(std::shared_ptr<const World> world, const Progress& progress,
+                             std::vector<StageTime>* stages) {
+  LW_ASSIGN_OR_RETURN(WorldMessages messages,
+                      BuildWorldMessages(*world, options_, progress, stages));
+  const Stopwatch simulator_watch;
+  RunningWorld running;
+  running.world = world;
+  LW_ASSIGN_OR_RETURN(running.simulator,
+                      Simulator::Create(world->scene, options_.simulator, world->request.seed));
+  stages->push_back({"simulator", simulator_watch.seconds()});
+
+  // The last moment at which a cancel leaves the old world running.
+  LW_RETURN_IF_ERROR(progress.CheckCancelled());
+  const Stopwatch swap_watch;
+  LW_ASSIGN_OR_RETURN(const ros::Time stamp, loop_->Swap(&running));
+  SetStamp(stamp, &messages);
+  auto published = std::make_shared<PublishedWorld>();
+  published->world = std::move(world);
+  published->messages = std::move(messages);
+  current_->Set(published);
+  maps_->Publish(published->messages);
+  robots_->WaitUntilReady();
+  stages->push_back({"swap", swap_watch.seconds()});
+  return Status();
+}
+
+}  // namespace latticeworld

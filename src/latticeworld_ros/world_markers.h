@@ -1,0 +1,22 @@
+#ifndef LATTICEWORLD_ROS_WORLD_MARKERS_H_
+#define LATTICEWORLD_ROS_WORLD_MARKERS_H_
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include "latticeworld/scene/scene.h"
+
+namespace latticeworld {
+
+struct WorldMarkerOptions {
+  int terrain_cells = 128;  // a side: the ground is drawn at most that finely
+  int max_assets = 20000;   // more than that are thinned out evenly
+};
+
+// What stands still, for rviz: ground and water as triangles in the layout's colours, trees as
+// cones, bushes and stones as octahedra, buildings as boxes. Frame map, stamps left at zero. The
+// first marker deletes what was there before.
+visualization_msgs::MarkerArray ToMarkers(const Scene& scene, const WorldMarkerOptions& options);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_ROS_WORLD_MARKERS_H_

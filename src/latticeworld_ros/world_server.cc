@@ -1,0 +1,77 @@
+#include "latticeworld_ros/world_server.h"
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "latticeworld_ros/parameters.h"
+
+namespace latticeworld {
+namespace {
+
+ros::NodeHandle WithQueue(ros::NodeHandle node, ros::CallbackQueue* queue) {
+  node.setCallbackQueue(queue);
+  return node;
+}
+
+SimulationLoopOptions LoopOptions(const WorldServerOptions& options) {
+  SimulationLoopOptions loop;
+  loop.step_s = options.simulator.step_s;
+  loop.real_time_factor = options.real_time_factor;
+  loop.start_paused = options.start_paused;
+  return loop;
+}
+
+// The worlds directory, made where it can be. One that cannot be made is no reason not to start:
+// save_world says so when it is asked.
+std::filesystem::path WorldsDirectory(const WorldServerOptions& options) {
+  const std::filesystem::path directory = ExpandHome(options.worlds_directory);
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) {
+    ROS_WARN_STREAM("worlds_directory " << directory << " cannot be made: " << error.message());
+  }
+  return directory;
+}
+
+GenerationService::Options GenerationOptions(const WorldServerOptions& options) {
+  GenerationService::Options generation;
+  generation.defaults.generator = options.generator;
+  for (const std::string& directory : options.visual_directories) {
+    generation.defaults.visual_directories.push_back(ExpandHome(directory));
+  }
+  generation.worlds_directory = ExpandHome(options.worlds_directory);
+  return generation;
+}
+
+}  // namespace
+
+WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options,
+                         WorldGenerator generator)
+    : maps_(node),
+      robots_(WithQueue(node, &command_queue_),
+              [this](const std::string& robot, const VelocityCommand& command) {
+                loop_.Command(robot, command);
+              }),
+      states_(node, options, &robots_),
+      loop_(LoopOptions(options), &states_),
+      launcher_(options, &loop_, &robots_, &maps_, &current_),
+      generation_(node, GenerationOptions(options), std::move(generator), &launcher_),
+      services_(node, WorldsDirectory(options), &loop_, &robots_, &current_) {
+  loop_.Start();
+  command_spinner_.start();
+  services_.Start();
+  generation_.Start();
+}
+
+WorldServer::~WorldServer() {
+  // From outside in: nothing is asked any more, then nothing runs any more. The loop first, for
+  // whoever waits for it is let go.
+  command_spinner_.stop();
+  loop_.Stop();
+  generation_.Stop();
+  services_.Stop();
+}
+
+}  // namespace latticeworld

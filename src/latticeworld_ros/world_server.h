@@ -1,0 +1,48 @@
+#ifndef LATTICEWORLD_ROS_WORLD_SERVER_H_
+#define LATTICEWORLD_ROS_WORLD_SERVER_H_
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include "latticeworld/generation/world_generator.h"
+#include "latticeworld_ros/current_world.h"
+#include "latticeworld_ros/generation_service.h"
+#include "latticeworld_ros/map_publisher.h"
+#include "latticeworld_ros/robot_topics.h"
+#include "latticeworld_ros/simulation_loop.h"
+#include "latticeworld_ros/state_publisher.h"
+#include "latticeworld_ros/world_launcher.h"
+#include "latticeworld_ros/world_server_options.h"
+#include "latticeworld_ros/world_services.h"
+
+namespace latticeworld {
+
+// The node: its parts and how they hang together.
+//
+//   simulation loop (1 thread)   steps, owns time, tells the state publisher
+//   generation (2)               generate_world, generate_world_action, load_world
+//   services (4)                 everything else that is asked for
+//   commands (1)                 cmd_vel of every robot
+//   robot topics (1)             makes and ends the topics of robots
+class WorldServer {
+ public:
+  // options: valid.
+  WorldServer(ros::NodeHandle node, const WorldServerOptions& options, WorldGenerator generator);
+  ~WorldServer();
+
+ private:
+  ros::CallbackQueue command_queue_;
+  CurrentWorld current_;
+  MapPublisher maps_;
+  RobotTopics robots_;
+  StatePublisher states_;
+  SimulationLoop loop_;
+  WorldLauncher launcher_;
+  GenerationService generation_;
+  WorldServices services_;
+  ros::AsyncSpinner command_spinner_{1, &command_queue_};
+};
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_ROS_WORLD_SERVER_H_

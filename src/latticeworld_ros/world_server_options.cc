@@ -1,0 +1,48 @@
+#include "latticeworld_ros/world_server_options.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "latticeworld/common/text.h"
+
+namespace latticeworld {
+
+std::vector<Violation> Validate(const WorldServerOptions& options,
+                                const std::vector<std::string>& generators) {
+  std::vector<Violation> violations = Validate(options.simulator);
+  const auto refuse = [&](const char* name, const std::string& given, const std::string& legal) {
+    violations.push_back({"out_of_range", name, given + " is not legal; legal is " + legal, given});
+  };
+  const auto check_range = [&](const char* name, double value, double low, double high) {
+    if (value >= low && value <= high) return;
+    refuse(name, FormatDouble(value), FormatDouble(low) + " .. " + FormatDouble(high));
+  };
+  // Zero has a meaning of its own.
+  const auto check_zero_or_range = [&](const char* name, double value, double low, double high) {
+    if (value == 0.0 || (value >= low && value <= high)) return;
+    refuse(name, FormatDouble(value), "0 or " + FormatDouble(low) + " .. " + FormatDouble(high));
+  };
+
+  check_zero_or_range("real_time_factor", options.real_time_factor, 0.01, 1000.0);
+  check_range("clock_rate", options.clock_rate_hz, 1.0, 1000.0);
+  check_range("state_rate", options.state_rate_hz, 1.0, 1000.0);
+  check_range("marker_rate", options.marker_rate_hz, 0.1, 1000.0);
+  check_range("marker_terrain_cells", options.marker_terrain_cells, 16, 512);
+  check_range("marker_max_assets", options.marker_max_assets, 0, 200000);
+  check_zero_or_range("octomap_resolution", options.octomap_resolution_m, 0.05, 16.0);
+  check_range("octomap_thickness", options.octomap_thickness_m, 0.0, 100.0);
+  check_range("robot_radius", options.robot.radius_m, 0.0, 10.0);
+  check_range("robot_max_slope", options.robot.max_slope_rad, 0.01, 1.5);
+  check_range("robot_max_step", options.robot.max_step_m, 0.0, 10.0);
+  check_range("robot_max_fording_depth", options.robot.max_fording_depth_m, 0.0, 10.0);
+  if (std::find(generators.begin(), generators.end(), options.generator) == generators.end()) {
+    refuse("generator", Quote(options.generator), Join(generators, ", "));
+  }
+  if (options.worlds_directory.empty()) refuse("worlds_directory", "\"\"", "a directory");
+  for (const std::string& directory : options.visual_directories) {
+    if (directory.empty()) refuse("visual_directories", "\"\"", "directories");
+  }
+  return violations;
+}
+
+}  // namespace latticeworld

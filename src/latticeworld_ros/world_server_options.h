@@ -1,0 +1,45 @@
+#ifndef LATTICEWORLD_ROS_WORLD_SERVER_OPTIONS_H_
+#define LATTICEWORLD_ROS_WORLD_SERVER_OPTIONS_H_
+
+#include <string>
+#include <vector>
+
+#include "latticeworld/common/status.h"
+#include "latticeworld/mapping/traversability.h"
+#include "latticeworld/simulation/simulator.h"
+
+namespace latticeworld {
+
+// The parameters of world_server: launch_cfg/world_server.yaml has one entry a field, of the same
+// name. docs there.
+struct WorldServerOptions {
+  // Time.
+  double real_time_factor = 1.0;  // 0: as fast as possible; else [0.01, 1000]
+  bool start_paused = false;
+  SimulatorOptions simulator;  // step_s, command_timeout_s, pursuit_distance_m
+
+  // Publishing, in Hz of simulated time.
+  double clock_rate_hz = 100.0;    // [1, 1000]
+  double state_rate_hz = 50.0;     // [1, 1000]: tf, agents, odometry
+  double marker_rate_hz = 10.0;    // [0.1, 1000]: agents/markers
+  int marker_terrain_cells = 128;  // [16, 512] a side: ground of world/markers
+  int marker_max_assets = 20000;   // [0, 200000]: assets of world/markers
+
+  // Worlds.
+  std::string generator = "grounded";
+  std::string worlds_directory = "~/.ros/latticeworld/worlds";
+  std::vector<std::string> visual_directories = {"~/.ros/latticeworld/visuals"};
+
+  // Maps.
+  double octomap_resolution_m = 0.0;  // 0: that of the world; else [0.05, 16]
+  double octomap_thickness_m = 1.0;   // [0, 100]
+  RobotLimits robot;                  // for map and the traversability layer
+};
+
+// Every violation, each with its parameter's name. generators: the legal ones.
+std::vector<Violation> Validate(const WorldServerOptions& options,
+                                const std::vector<std::string>& generators);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_ROS_WORLD_SERVER_OPTIONS_H_

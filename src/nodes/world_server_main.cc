@@ -1,0 +1,42 @@
+// The world server: generate_world turns text into a running world, and everything around it.
+// Parameters: launch_cfg/world_server.yaml. Services and topics: docs/interfaces.md.
+
+#include <ros/ros.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <utility>
+
+#include "latticeworld/generation/world_generator.h"
+#include "latticeworld_ros/parameters.h"
+#include "latticeworld_ros/shutdown_guard.h"
+#include "latticeworld_ros/world_server.h"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "world_server");
+  // This node owns the clock. Said before the first NodeHandle, so that this node keeps it too.
+  if (!ros::param::has("/use_sim_time")) ros::param::set("/use_sim_time", true);
+
+  latticeworld::WorldGenerator generator = latticeworld::MakeDefaultWorldGenerator();
+  XmlRpc::XmlRpcValue parameters;
+  (void)ros::param::get(ros::this_node::getName(), parameters);  // none at all is legal
+  const auto options = latticeworld::OptionsFromParameters(parameters, generator.backend_names());
+  if (!options.ok()) {
+    ROS_FATAL_STREAM(options.status().ToString());
+    return EXIT_FAILURE;
+  }
+  try {
+    ros::NodeHandle node;
+    auto server = std::make_unique<latticeworld::WorldServer>(node, *options, std::move(generator));
+    ROS_INFO("ready: call generate_world or load_world");
+    ros::waitForShutdown();
+    const latticeworld::ShutdownGuard guard(std::chrono::milliseconds(1500));
+    server.reset();
+  } catch (const std::exception& error) {
+    ROS_FATAL_STREAM("world_server: " << error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,113 @@
+#include "latticeworld_ros/agent_conversion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace latticeworld {
+namespace {
+
+AgentSnapshot Robot() {
+  AgentSnapshot agent;
+  agent.name = "scout";
+  agent.category = AgentCategory::kWheeledRobot;
+  agent.team = 1;
+  agent.controllable = true;
+  agent.behaviour = Behaviour::kControlled;
+  agent.health = 0.5;
+  agent.position_m = {3.0, 4.0, 5.0};
+  agent.orientation = Eigen::AngleAxisd(M_PI / 2.0, Eigen::Vector3d::UnitZ());
+  agent.linear_velocity_mps = {1.0, 0.0, 0.0};
+  agent.angular_velocity_radps = {0.0, 0.0, 0.25};
+  return agent;
+}
+
+TEST(AgentConversionTest, StatesCarryTheStepAndEveryField) {
+  WorldState state;
+  state.step = 12;
+  state.episode_step = 2;
+  state.episode_time_s = 0.02;
+  state.agents = {Robot()};
+  const auto message = ToRos(state, ros::Time(7, 5), "world-1");
+  EXPECT_EQ(message.header.stamp, ros::Time(7, 5));
+  EXPECT_EQ(message.header.frame_id, "map");
+  EXPECT_EQ(message.world_id, "world-1");
+  EXPECT_EQ(message.step, 12u);
+  EXPECT_EQ(message.episode_step, 2u);
+  EXPECT_DOUBLE_EQ(message.episode_time, 0.02);
+  ASSERT_EQ(message.agents.size(), 1u);
+  const auto& agent = message.agents[0];
+  EXPECT_EQ(agent.name, "scout");
+  EXPECT_EQ(agent.species, "wheeled robot");
+  EXPECT_EQ(agent.behaviour, "controlled");
+  EXPECT_EQ(agent.team, 1);
+  EXPECT_TRUE(agent.controllable);
+  EXPECT_DOUBLE_EQ(agent.health, 0.5);
+  EXPECT_DOUBLE_EQ(agent.pose.position.z, 5.0);
+  EXPECT_NEAR(agent.pose.orientation.z, std::sqrt(0.5), 1e-12);
+  EXPECT_DOUBLE_EQ(agent.twist.linear.x, 1.0);
+  EXPECT_DOUBLE_EQ(agent.twist.angular.z, 0.25);
+}
+
+TEST(AgentConversionTest, OdometryIsSeenFromItsFrame) {
+  const AgentSnapshot robot = Robot();
+  // A frame that lies at (3, 0, 5) and looks north, as the robot does: the robot is 4 m ahead.
+  Eigen::Isometry3d map_from_odom = Eigen::Isometry3d::Identity();
+  map_from_odom.linear() = robot.orientation.toRotationMatrix();
+  map_from_odom.translation() = Eigen::Vector3d(3.0, 0.0, 5.0);
+  const auto message =
+      ToOdometry(robot, ros::Time(1, 0), OdomFrame(robot.name), map_from_odom.inverse());
+  EXPECT_EQ(message.header.frame_id, "scout/odom");
+  EXPECT_EQ(message.child_frame_id, "scout/base_link");
+  EXPECT_NEAR(message.pose.pose.position.x, 4.0, 1e-12);
+  EXPECT_NEAR(message.pose.pose.position.y, 0.0, 1e-12);
+  EXPECT_NEAR(message.pose.pose.orientation.w, 1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(message.twist.twist.linear.x, 1.0);
+}
+
+TEST(AgentConversionTest, TransformsHaveUnitQuaternionsAndNoLeadingSlash) {
+  const auto message = ToRos(PoseOf(Robot()), ros::Time(1, 0), kMapFrame, BaseFrame("scout"));
+  EXPECT_EQ(message.header.frame_id, "map");
+  EXPECT_EQ(message.child_frame_id, "scout/base_link");
+  const auto& q = message.transform.rotation;
+  EXPECT_NEAR(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, 1.0, 1e-12);
+}
+
+TEST(AgentConversionTest, EmptySpawnRequestIsAWheeledRobotAtTheCentre) {
+  const auto request = FromRos(latticeworld_msgs::SpawnAgent::Request());
+  ASSERT_TRUE(request.ok()) << request.status().ToString();
+  EXPECT_EQ(request->category, AgentCategory::kWheeledRobot);
+  EXPECT_FALSE(request->state.has_value());
+  ASSERT_TRUE(request->position.has_value());
+  EXPECT_EQ(request->position->x_m, 0.0);
+}
+
+TEST(AgentConversionTest, PlacesInWordsReplaceThePosition) {
+  latticeworld_msgs::SpawnAgent::Request message;
+  message.species = "robotic_dog";
+  message.state = "patrolling";
+  message.place = "upper left";
+  message.position.x = std::numeric_limits<double>::quiet_NaN();  // not looked at
+  const auto request = FromRos(message);
+  ASSERT_TRUE(request.ok()) << request.status().ToString();
+  EXPECT_EQ(request->category, AgentCategory::kRoboticDog);
+  EXPECT_EQ(request->state, AgentState::kPatrolling);
+  EXPECT_EQ(request->region, Region::kUpperLeft);
+  EXPECT_FALSE(request->position.has_value());
+}
+
+TEST(AgentConversionTest, EveryViolationOfASpawnRequestIsTold) {
+  latticeworld_msgs::SpawnAgent::Request message;
+  message.species = "dragon";
+  message.state = "asleep";
+  message.position.y = std::numeric_limits<double>::infinity();
+  message.heading = std::numeric_limits<double>::quiet_NaN();
+  const auto request = FromRos(message);
+  ASSERT_FALSE(request.ok());
+  EXPECT_EQ(request.status().code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(request.status().violations().size(), 4u);
+}
+
+}  // namespace
+}  // namespace latticeworld

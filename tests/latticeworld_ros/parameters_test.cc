@@ -1,0 +1,76 @@
+#include "latticeworld_ros/parameters.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+
+namespace latticeworld {
+namespace {
+
+const std::vector<std::string> kGenerators = {"grounded"};
+
+TEST(ParametersTest, NoneAtAllGivesTheDefaults) {
+  const auto options = OptionsFromParameters(XmlRpc::XmlRpcValue(), kGenerators);
+  ASSERT_TRUE(options.ok()) << options.status().ToString();
+  EXPECT_DOUBLE_EQ(options->simulator.step_s, 0.01);
+}
+
+TEST(ParametersTest, GivenOnesAreTaken) {
+  XmlRpc::XmlRpcValue parameters;
+  parameters["real_time_factor"] = 0;  // a whole number where a number is wanted
+  parameters["step"] = 0.005;
+  parameters["start_paused"] = true;
+  parameters["worlds_directory"] = std::string("/srv/worlds");
+  parameters["visual_directories"][0] = std::string("/srv/pictures");
+  parameters["robot_max_slope"] = 0.3;
+  const auto options = OptionsFromParameters(parameters, kGenerators);
+  ASSERT_TRUE(options.ok()) << options.status().ToString();
+  EXPECT_EQ(options->real_time_factor, 0.0);
+  EXPECT_EQ(options->simulator.step_s, 0.005);
+  EXPECT_TRUE(options->start_paused);
+  EXPECT_EQ(options->worlds_directory, "/srv/worlds");
+  EXPECT_EQ(options->visual_directories, std::vector<std::string>{"/srv/pictures"});
+  EXPECT_EQ(options->robot.max_slope_rad, 0.3);
+}
+
+TEST(ParametersTest, EverythingWrongIsNamedAtOnce) {
+  XmlRpc::XmlRpcValue parameters;
+  parameters["setp"] = 0.01;
+  parameters["step"] = std::string("fast");
+  parameters["clock_rate"] = -3;
+  parameters["generator"] = std::string("oracle");
+  const auto options = OptionsFromParameters(parameters, kGenerators);
+  ASSERT_FALSE(options.ok());
+  EXPECT_EQ(options.status().violations().size(), 4u);
+  for (const char* word : {"setp", "step", "clock_rate", "-3", "oracle", "grounded"}) {
+    EXPECT_NE(options.status().message().find(word), std::string::npos) << word;
+  }
+}
+
+TEST(ParametersTest, EveryNumberRefusesWhatIsNoNumber) {
+  for (const char* name :
+       {"real_time_factor", "step", "command_timeout", "pursuit_distance", "clock_rate",
+        "state_rate", "marker_rate", "octomap_resolution", "octomap_thickness", "robot_radius",
+        "robot_max_slope", "robot_max_step", "robot_max_fording_depth"}) {
+    for (const double value : {-1.0, 1e9, std::numeric_limits<double>::quiet_NaN(),
+                               std::numeric_limits<double>::infinity()}) {
+      XmlRpc::XmlRpcValue parameters;
+      parameters[name] = value;
+      const auto options = OptionsFromParameters(parameters, kGenerators);
+      ASSERT_FALSE(options.ok()) << name << " = " << value;
+      EXPECT_EQ(options.status().violations().size(), 1u) << options.status().ToString();
+    }
+  }
+}
+
+TEST(ParametersTest, TildeIsTheHomeDirectory) {
+  ASSERT_EQ(setenv("HOME", "/home/somebody", 1), 0);
+  EXPECT_EQ(ExpandHome("~/worlds"), "/home/somebody/worlds");
+  EXPECT_EQ(ExpandHome("~"), "/home/somebody");
+  EXPECT_EQ(ExpandHome("~other/worlds"), "~other/worlds");
+  EXPECT_EQ(ExpandHome("/worlds"), "/worlds");
+}
+
+}  // namespace
+}  // namespace latticeworld

@@ -1,0 +1,206 @@
+#include "latticeworld_ros/simulation_loop.h"
+
+#include <gtest/gtest.h>
+#include <ros/console.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace latticeworld {
+namespace {
+
+constexpr double kStep_s = 0.01;
+
+// Counts, and remembers its seed and commands.
+class FakeSimulator : public Simulator {
+ public:
+  explicit FakeSimulator(std::uint64_t seed) : seed_(seed) { options_.step_s = kStep_s; }
+  Status Command(const std::string& agent, const VelocityCommand&) override {
+    return agent == "robot" ? Status() : NotFound(agent);
+  }
+  void Step() override {
+    ++step_;
+    ++episode_step_;
+  }
+  std::shared_ptr<const WorldState> State() const override {
+    auto state = std::make_shared<WorldState>();
+    state->step = step_;
+    state->episode_step = episode_step_;
+    return state;
+  }
+  std::vector<Event> TakeEvents() override { return {}; }
+  Result<std::string> Spawn(const SpawnRequest& request) override {
+    if (request.name.empty()) return InvalidArgument("no name");
+    return request.name;
+  }
+  latticeworld::Status Remove(const std::string&) override { return NotFound("nobody"); }
+  void Reset(std::uint64_t seed) override {
+    seed_ = seed;
+    episode_step_ = 0;
+  }
+  std::string StateHash() const override { return std::to_string(episode_step_); }
+  const Scene& scene() const override { return scene_; }
+  const SimulatorOptions& options() const override { return options_; }
+  std::uint64_t seed() const override { return seed_; }
+
+ private:
+  Scene scene_;
+  SimulatorOptions options_;
+  std::uint64_t seed_, step_ = 0, episode_step_ = 0;
+};
+
+// Remembers every time that it is told, and lets a test wait for a count of them.
+class Recorder : public SimulationListener {
+ public:
+  void OnTick(const Tick& tick) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    times_.push_back(tick.now);
+    changed_.notify_all();
+  }
+  void OnStandstill(ros::Time now) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    times_.push_back(now);
+    changed_.notify_all();
+  }
+  void OnBegin() override { ++begins; }
+  void OnStatistics(const LoopStatistics&) override {}
+
+  void WaitFor(std::size_t count) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    ASSERT_TRUE(
+        changed_.wait_for(lock, std::chrono::seconds(60), [&] { return times_.size() >= count; }));
+  }
+  std::vector<ros::Time> times() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return times_;
+  }
+  std::atomic<int> begins{0};
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<ros::Time> times_;
+};
+
+RunningWorld NewWorld(const std::string& id, std::uint64_t seed) {
+  auto world = std::make_shared<World>();
+  world->id = id;
+  return {world, std::make_unique<FakeSimulator>(seed)};
+}
+
+class SimulationLoopTest : public testing::Test {
+ protected:
+  SimulationLoopTest() : loop_({kStep_s, 1.0, /*start_paused=*/true}, &recorder_) { loop_.Start(); }
+  void Begin(const std::string& id = "one") {
+    RunningWorld world = NewWorld(id, 3);
+    ASSERT_TRUE(loop_.Swap(&world).ok());
+  }
+
+  Recorder recorder_;
+  SimulationLoop loop_;
+};
+
+TEST_F(SimulationLoopTest, WithoutAWorldEverythingSaysWhatToDo) {
+  for (const Status& status :
+       {loop_.Inspect(true).status(), loop_.Reset(1).status(), loop_.Step(1, false).status(),
+        loop_.Spawn({}).status(), loop_.Remove("a").status()}) {
+    EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition);
+    EXPECT_NE(status.message().find("generate_world"), std::string::npos);
+  }
+}
+
+TEST_F(SimulationLoopTest, StepMakesExactlyNSteps) {
+  Begin();
+  std::uint64_t done = 0;
+  ros::Time before;
+  for (const std::uint32_t n : {1u, 2u, 1000u}) {
+    const auto snapshot = loop_.Step(n, true);
+    ASSERT_TRUE(snapshot.ok()) << snapshot.status().ToString();
+    done += n;
+    EXPECT_EQ(snapshot->step, done);
+    EXPECT_EQ(snapshot->state_hash, std::to_string(done));
+    if (n > 1) {
+      EXPECT_EQ((snapshot->now - before).toNSec(), std::int64_t{n} * 10000000);
+    }
+    before = snapshot->now;
+  }
+  EXPECT_TRUE(loop_.Inspect(false)->state_hash.empty());
+}
+
+TEST_F(SimulationLoopTest, StepHasLimitsAndNeedsAPause) {
+  Begin();
+  EXPECT_EQ(loop_.Step(0, false).status().code(), StatusCode::kOutOfRange);
+  EXPECT_EQ(loop_.Step(kMaxStepsPerCall + 1, false).status().code(), StatusCode::kOutOfRange);
+  ASSERT_TRUE(loop_.SetPaused(false).ok());
+  EXPECT_EQ(loop_.Step(1, false).status().code(), StatusCode::kFailedPrecondition);
+}
+
+TEST_F(SimulationLoopTest, TimeNeverFallsOverWorldsAndResets) {
+  ASSERT_TRUE(loop_.SetPaused(false).ok());
+  recorder_.WaitFor(5);
+  Begin("one");
+  recorder_.WaitFor(recorder_.times().size() + 5);
+  ASSERT_TRUE(loop_.Reset(0).ok());
+  Begin("two");
+  ASSERT_TRUE(loop_.SetPaused(true).ok());
+  ASSERT_TRUE(loop_.Step(10, false).ok());
+  loop_.Stop();
+  const std::vector<ros::Time> times = recorder_.times();
+  for (std::size_t i = 1; i < times.size(); ++i) EXPECT_LE(times[i - 1], times[i]);
+  EXPECT_EQ(recorder_.begins, 3);
+}
+
+TEST_F(SimulationLoopTest, ResetKeepsTheSeedUnlessAnotherIsGiven) {
+  Begin();
+  ASSERT_TRUE(loop_.Step(5, false).ok());
+  EXPECT_EQ(loop_.Reset(0)->seed, 3u);
+  const auto snapshot = loop_.Reset(8);
+  EXPECT_EQ(snapshot->seed, 8u);
+  EXPECT_EQ(snapshot->episode_step, 0u);
+  EXPECT_EQ(snapshot->step, 5u);
+}
+
+TEST_F(SimulationLoopTest, SwapGivesBackTheWorldBefore) {
+  Begin("one");
+  RunningWorld world = NewWorld("two", 4);
+  ASSERT_TRUE(loop_.Swap(&world).ok());
+  EXPECT_EQ(world.world->id, "one");
+  EXPECT_EQ(loop_.Inspect(false)->world->id, "two");
+}
+
+TEST_F(SimulationLoopTest, AStepCallEndsWhenItsWorldDoes) {
+  Begin();
+  Status status;
+  std::thread caller([&] { status = loop_.Step(kMaxStepsPerCall, false).status(); });
+  // Once a step has been made, the call is under way.
+  const std::size_t before = recorder_.times().size();
+  recorder_.WaitFor(before + 100);
+  RunningWorld world = NewWorld("two", 4);
+  ASSERT_TRUE(loop_.Swap(&world).ok());
+  caller.join();
+  // On a fast machine all its steps may be done by then.
+  EXPECT_TRUE(status.ok() || status.code() == StatusCode::kAborted) << status.ToString();
+}
+
+TEST_F(SimulationLoopTest, StoppedLoopLetsEveryCallerGo) {
+  Begin();
+  std::vector<std::thread> callers;
+  for (int i = 0; i < 4; ++i) {
+    callers.emplace_back([&] {
+      while (loop_.Inspect(false).ok()) {
+      }
+    });
+  }
+  loop_.Stop();
+  for (std::thread& caller : callers) caller.join();
+  EXPECT_EQ(loop_.Step(1, false).status().code(), StatusCode::kUnavailable);
+  EXPECT_EQ(loop_.SetPaused(false).code(), StatusCode::kUnavailable);
+}
+
+}  // namespace
+}  // namespace latticeworld

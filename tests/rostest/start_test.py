@@ -1,0 +1,140 @@
+#!/usr/bin/python3
+"""How world_server starts, answers before there is a world, and ends."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import threading
+import unittest
+
+import roslib.packages
+import rospkg
+import rospy
+import rosservice
+import yaml
+from nav_msgs.srv import GetMap
+from rosgraph_msgs.msg import Clock
+
+from latticeworld.msg import GenerationProgress, Status
+from world_client import TIMEOUT_S, Collector, World, run, service, wait_until
+
+WORLD_SERVER = roslib.packages.find_node("latticeworld", "world_server")[0]
+DEFAULTS = pathlib.Path(rospkg.RosPack().get_path("latticeworld"), "launch_cfg/world_server.yaml")
+
+
+class Server:
+    """A world_server process of our own with these private parameters."""
+
+    def __init__(self, **parameters):
+        rospy.set_param("/world_server", parameters)
+        self.output = tempfile.TemporaryFile(mode="w+")
+        self.process = subprocess.Popen([WORLD_SERVER], stdout=self.output,
+                                        stderr=subprocess.STDOUT)
+
+    def __enter__(self):
+        wait_until(lambda: rosservice.get_service_node("/generate_world") or
+                   self.process.poll() is not None, "world_server is ready")
+        return self
+
+    def __exit__(self, *_):
+        self.stop()
+        rospy.delete_param("/world_server")
+
+    def stop(self):
+        if self.process.poll() is None:
+            self.process.send_signal(signal.SIGINT)
+        return self.process.wait(TIMEOUT_S)
+
+    def text(self):
+        self.output.seek(0)
+        return self.output.read()
+
+
+class StartTest(unittest.TestCase):
+    def test_without_parameters_it_starts_and_ends(self):
+        with Server() as server:
+            self.assertEqual(0, server.stop(), server.text())
+
+    def test_the_shipped_parameters_are_the_full_list_and_legal(self):
+        parameters = yaml.safe_load(DEFAULTS.read_text(encoding="utf-8"))
+        self.assertGreater(len(parameters), 15)
+        with Server(**parameters) as server:
+            self.assertEqual(0, server.stop(), server.text())
+
+    def test_bad_parameters_are_all_named(self):
+        with Server(stepp=0.01, step=-1.0, real_time_factor="fast", generator="oracle",
+                    clock_rate=0, visual_directories="one") as server:
+            self.assertEqual(1, server.process.wait(TIMEOUT_S))
+            for word in ("stepp", "step", "real_time_factor", "generator", "oracle", "grounded",
+                         "clock_rate", "visual_directories"):
+                self.assertIn(word, server.text())
+
+    def test_use_sim_time_is_set_only_where_it_is_unset(self):
+        rospy.delete_param("/use_sim_time")
+        with Server():
+            self.assertIs(True, rospy.get_param("/use_sim_time"))
+        rospy.set_param("/use_sim_time", False)
+        with Server():
+            self.assertIs(False, rospy.get_param("/use_sim_time"))
+        rospy.set_param("/use_sim_time", True)
+
+    def test_before_a_world_services_say_what_to_do(self):
+        with Server():
+            world = World()
+            for answer in (world.get_world(), world.save_world(), world.query_terrain(),
+                           world.spawn_agent(), world.remove_agent(name="a"), world.reset_world(),
+                           world.step()):
+                self.assertEqual(Status.FAILED_PRECONDITION, answer.status.code)
+                self.assertIn("generate_world", answer.status.message)
+            with self.assertRaises(rospy.ServiceException):
+                service("static_map", GetMap)()
+            self.assertEqual(Status.OK, world.list_worlds().status.code)
+            # The clock runs all the same: who waits for it is not stuck.
+            clock = Collector("/clock", Clock)
+            first = clock.wait_for_next().clock
+            clock.wait_for(lambda m: m.clock > first)
+            clock.close()
+
+    def test_a_directory_that_cannot_be_written(self):
+        # A file in the place of a folder keeps root out as well.
+        with tempfile.NamedTemporaryFile() as file:
+            with Server(worlds_directory=file.name + "/worlds"):
+                world = World()
+                world.generate()
+                answer = world.save_world(name="first")
+                self.assertNotEqual(Status.OK, answer.status.code)
+                self.assertIn(file.name, answer.status.message)
+                self.assertEqual(Status.OK, world.get_world().status.code)
+        if os.path.isdir("/proc/sys"):  # read-only for everybody
+            with Server(worlds_directory="/proc/sys"):
+                world = World()
+                world.generate()
+                answer = world.save_world(name="first")
+                self.assertNotEqual(Status.OK, answer.status.code)
+                self.assertIn("/proc/sys", answer.status.message)
+
+    def test_it_ends_while_a_world_is_made(self):
+        with Server() as server:
+            world = World()
+            world.generate()
+            progress = Collector("world/progress", GenerationProgress)
+            maker = threading.Thread(target=self.generate_and_lose, args=(world,))
+            maker.start()
+            progress.wait_for(lambda m: m.stage == "terrain")
+            self.assertEqual(0, server.stop(), server.text())
+            maker.join(TIMEOUT_S)
+            self.assertFalse(maker.is_alive())
+            progress.close()
+
+    @staticmethod
+    def generate_and_lose(world):
+        try:
+            world.generate(size=1024.0)
+        except (rospy.ServiceException, AssertionError):
+            pass  # the server has gone, or said that it was cancelled
+
+
+if __name__ == "__main__":
+    run("start_test", StartTest)
