@@ -191,7 +191,6 @@ TEST(EnvironmentJsonTest, PointersEscapeOddKeys) {
   EXPECT_EQ(violations[0].pointer, "/a~1b~0c");
 }
 
-// Takes minutes where the parser's work grows with the square of the keys.
 TEST(EnvironmentJsonTest, AFloodOfKeysEndsInABoundedAnswer) {
   std::string flat = "{", nested = "{\"agents\": [";
   for (int i = 0; flat.size() < 1000000; ++i) flat += "\"k" + std::to_string(i) + "\": 0, ";
@@ -205,6 +204,8 @@ TEST(EnvironmentJsonTest, AFloodOfKeysEndsInABoundedAnswer) {
     EXPECT_LE(status.violations().size(), 501u);
     EXPECT_LT(status.message().size(), 100000u);
   }
+  // The first 64 keys of an object are kept to be named, and no more.
+  EXPECT_LE(ParseEnvironment(flat).status().violations().size(), 80u);
 }
 
 TEST(EnvironmentJsonTest, WhatIsNoJsonIsRefused) {
@@ -220,10 +221,53 @@ TEST(EnvironmentJsonTest, WhatIsNoJsonIsRefused) {
   EXPECT_FALSE(ParseEnvironment("null").ok());
 }
 
+TEST(EnvironmentJsonTest, NestingIsBounded) {
+  const auto message = [](int depth) {
+    return ParseEnvironment("{\"deep\": " + std::string(depth - 1, '[') + "0" +
+                            std::string(depth - 1, ']') + "}")
+        .status()
+        .message();
+  };
+  EXPECT_EQ(message(8).find("nested deeper"), std::string::npos) << message(8);
+  EXPECT_NE(message(9).find("nested deeper than 8"), std::string::npos) << message(9);
+}
+
 TEST(EnvironmentJsonTest, CutDocumentsNeverPass) {
   const std::string json = ToJson(RandomEnvironment(3));
   for (std::size_t length = 0; length + 2 < json.size(); length += 7) {
     ASSERT_FALSE(ParseEnvironment(json.substr(0, length)).ok()) << length;
+  }
+}
+
+TEST(EnvironmentJsonTest, DamagedDocumentsAreRefusedOrReadAsALegalEnvironment) {
+  RandomStream random(1, "damage");
+  const std::vector<std::string> splices = {"{",    "}",       "[",    "]",       "\"",
+                                            ",",    ":",       "-",    "e9",      "1e999",
+                                            "null", "\\ud800", "\xff", "\\u0000", "/~"};
+  for (int i = 0; i < 1500; ++i) {
+    std::string text = ToJson(RandomEnvironment(static_cast<std::uint64_t>(i % 20)));
+    for (int k = random.UniformInt(1, 3); k > 0; --k) {
+      const auto at =
+          static_cast<std::size_t>(random.UniformInt(0, static_cast<int>(text.size()) - 1));
+      switch (random.UniformInt(0, 2)) {
+        case 0:
+          text[at] = static_cast<char>(text[at] ^ 1 << random.UniformInt(0, 7));
+          break;
+        case 1:
+          text.erase(at, static_cast<std::size_t>(random.UniformInt(1, 30)));
+          break;
+        default:
+          text.insert(at, splices[static_cast<std::size_t>(
+                              random.UniformInt(0, static_cast<int>(splices.size()) - 1))]);
+      }
+      if (text.empty()) text = " ";
+    }
+    const Result<EnvironmentConfig> read = ParseEnvironment(text);
+    if (read.ok()) {
+      ASSERT_TRUE(Validate(*read).empty()) << i;
+    } else {
+      ASSERT_EQ(read.status().code(), StatusCode::kInvalidArgument) << i;
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "latticeworld/common/random.h"
 #include "layouts.h"
 
 namespace latticeworld {
@@ -40,6 +41,28 @@ TEST(LayoutPictureTest, SizesOutOfRangeAreRefusedFromTheHeaderAlone) {
     EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
     EXPECT_NE(status.message().find(std::to_string(side) + " x "), std::string::npos)
         << status.message();
+  }
+}
+
+TEST(LayoutPictureTest, ADamagedOrCutPictureIsRefusedOrReadAsItWas) {
+  const SymbolicLayout layout = Random(Vocabulary::kSuburb, 5);
+  const std::string png = *ToPng(layout, 2);
+  const int size = static_cast<int>(png.size());
+  RandomStream random(1, "damage");
+  for (int i = 0; i < 300; ++i) {
+    std::string damaged = png;
+    if (i % 3 == 0) {
+      damaged.resize(static_cast<std::size_t>(random.UniformInt(0, size - 1)));
+    } else {
+      const int at = random.UniformInt(i % 3 == 1 ? 8 : 40, size - 1);
+      damaged[at] = static_cast<char>(damaged[at] ^ 1 << random.UniformInt(0, 7));
+    }
+    const Result<SymbolicLayout> read = FromPng(damaged, Vocabulary::kSuburb);
+    if (read.ok()) {
+      ASSERT_EQ(read->cells, layout.cells) << i;
+    } else {
+      ASSERT_EQ(read.status().code(), StatusCode::kInvalidArgument) << i;
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "latticeworld/common/random.h"
 #include "layouts.h"
 
 namespace latticeworld {
@@ -70,6 +71,39 @@ TEST(LayoutCodecTest, ColoredTextHoldsTheSameLetters) {
   }
   ASSERT_EQ(letters.size(), 2u * 32 * 32);
   for (std::size_t i = 0; i < 32 * 32; ++i) ASSERT_EQ(letters[2 * i], *(layout.cells.data() + i));
+}
+
+TEST(LayoutCodecTest, DamagedTextIsRefusedOrReadBackAsItStands) {
+  RandomStream random(1, "damage");
+  for (int i = 0; i < 2000; ++i) {
+    std::string text = ToText(Random(Vocabulary::kSuburb, static_cast<std::uint64_t>(i)));
+    for (int k = random.UniformInt(1, 3); k > 0; --k) {
+      const int at = random.UniformInt(0, static_cast<int>(text.size()) - 1);
+      switch (random.UniformInt(0, 3)) {
+        case 0:
+          text[at] = static_cast<char>(random.UniformInt(0, 255));
+          break;
+        case 1:
+          text[at] = 'W';
+          break;
+        case 2:
+          text.erase(at, random.UniformInt(1, 40));
+          break;
+        default:
+          text.insert(at, text.substr(0, random.UniformInt(1, 40)));
+      }
+      if (text.empty()) text = "\n";
+    }
+    const Result<SymbolicLayout> read = ParseLayout(text, Vocabulary::kSuburb);
+    if (read.ok()) {
+      std::string written = ToText(*read);
+      text.erase(std::remove(text.begin(), text.end(), '\r'), text.end());
+      if (text.back() != '\n') written.pop_back();
+      ASSERT_EQ(written, text) << i;
+    } else {
+      ASSERT_FALSE(read.status().violations().empty()) << i;
+    }
+  }
 }
 
 }  // namespace

@@ -167,6 +167,47 @@ TEST(HeightMapTest, SaysThatADamagedPngIsDamaged) {
   ExpectRefused(png, "checksum");
 }
 
+TEST(HeightMapTest, RefusesPgmSamplesAboveTheirMaxval) {
+  std::string bytes = "P5 33 33 100\n" + std::string(33 * 33, 'd');  // 'd' is 100
+  EXPECT_TRUE(ReadHeightMap(bytes, HeightMapOptions()).ok());
+  bytes[bytes.size() - 33 * 33 + 7] = 'e';
+  ExpectRefused(bytes, "sample 8 of the PGM height map is 101");
+  std::string plain = "P2 33 33 100\n101";
+  for (int i = 1; i < 33 * 33; ++i) plain += " 5";
+  ExpectRefused(plain, "sample 1 of the PGM height map is 101");
+}
+
+// An uncompressed TIFF of one strip, made by hand: 8 bits, 33 x 33 samples.
+std::string HandMadeTiff(std::uint32_t strip_offset, std::uint32_t strip_bytes) {
+  const std::vector<std::vector<std::uint32_t>> fields = {{256, 33}, {257, 33}, {258, 8},
+                                                          {259, 1},  {262, 1},  {273, strip_offset},
+                                                          {277, 1},  {278, 33}, {279, strip_bytes}};
+  const auto put = [](std::uint32_t value, int size, std::string* bytes) {
+    for (int i = 0; i < size; ++i) bytes->push_back(static_cast<char>(value >> (8 * i)));
+  };
+  std::string bytes("II*\0\x08\0\0\0", 8);
+  put(static_cast<std::uint32_t>(fields.size()), 2, &bytes);
+  for (const auto& field : fields) {
+    put(field[0], 2, &bytes);
+    put(4, 2, &bytes);  // LONG
+    put(1, 4, &bytes);
+    put(field[1], 4, &bytes);
+  }
+  put(0, 4, &bytes);  // no further directory
+  return bytes + std::string(33 * 33, '\x33');
+}
+
+TEST(HeightMapTest, RefusesTiffStripsOutsideTheFile) {
+  constexpr std::uint32_t kSamples = 33 * 33, kData = 8 + 2 + 9 * 12 + 4;
+  const Result<Relief> relief = ReadHeightMap(HandMadeTiff(kData, kSamples), HeightMapOptions());
+  ASSERT_TRUE(relief.ok()) << relief.status().ToString();
+  EXPECT_NEAR(relief->height_m(32, 32), 20.0f, 1e-4);  // 0x33 of 255
+  ExpectRefused(HandMadeTiff(kData + 1, kSamples), "piece 1 of its 1 strips lies outside");
+  ExpectRefused(HandMadeTiff(0xffffffffu, kSamples), "piece 1 of its 1 strips lies outside");
+  ExpectRefused(HandMadeTiff(kData, 0), "piece 1 of its 1 strips lies outside");
+  ExpectRefused(HandMadeTiff(kData, kSamples - 1), "its samples take 1089 bytes, 1088 are there");
+}
+
 TEST(HeightMapTest, NamesEveryIllegalOption) {
   HeightMapOptions options;
   options.height_scale_m = -1.0;
