@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "latticeworld_ros/world_server.h"
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow fails to be written, no more
   ros::init(argc, argv, "world_server");
   // This node owns the clock. Said before the first NodeHandle, so that this node keeps it too.
   if (!ros::param::has("/use_sim_time")) ros::param::set("/use_sim_time", true);

@@ -3,9 +3,12 @@
 
 import os
 import pathlib
+import resource
 import threading
+import xmlrpc.client
 
 import actionlib
+import rosgraph
 import rospy
 from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import Point
@@ -151,6 +154,17 @@ class RequestsTest(WorldTest):
         ran = self.assert_ok(self.world.step(steps=100, hash=True)).state_hash
         self.world.generate(seed=7)
         self.assertEqual(ran, self.world.step(steps=100, hash=True).state_hash)
+
+    def test_a_full_disk_leaves_no_bundle(self):
+        # A limit on the size of its files stands for the full disk: write fails in the same place.
+        server = rosgraph.Master(rospy.get_name()).lookupNode("/world_server")
+        pid = xmlrpc.client.ServerProxy(server).getPid(rospy.get_name())[2]
+        limits = resource.prlimit(pid, resource.RLIMIT_FSIZE)
+        resource.prlimit(pid, resource.RLIMIT_FSIZE, (20000, limits[1]))
+        self.addCleanup(resource.prlimit, pid, resource.RLIMIT_FSIZE, limits)
+        self.assert_untouched(lambda: self.world.save_world(name="too_large"),
+                              Status.RESOURCE_EXHAUSTED, "too_large")
+        self.assertEqual([], [path for path in WORLDS.iterdir() if "too_large" in path.name])
 
     def test_damaged_bundles(self):
         path = pathlib.Path(self.assert_ok(self.world.save_world(name="damaged")).path)
