@@ -267,6 +267,38 @@ TEST(GroundedLayoutTest, WarnsOfWhatCannotHoldTogether) {
   EXPECT_NE(answer.warnings[0].find("lake"), std::string::npos) << answer.warnings[0];
 }
 
+// Pieces of land that water shuts in on all sides.
+int Islands(const SymbolicLayout& layout, char letter) {
+  int islands = 0;
+  for (const LayoutComponent& component : ComponentsOf(layout, letter)) {
+    bool shut_in = true;
+    for (const CellIndex cell : component.cells) {
+      for (int i = 0; i < 9; ++i) {
+        const CellIndex next{cell.row + i / 3 - 1, cell.col + i % 3 - 1};
+        const bool inside = layout.cells.Contains(next);
+        shut_in = shut_in && inside && (layout.cells[next] == letter || layout.cells[next] == 'W');
+      }
+    }
+    islands += shut_in ? 1 : 0;
+  }
+  return islands;
+}
+
+TEST(GroundedLayoutTest, PutsIslandsIntoTheirWater) {
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    for (const std::string text : {"an island in the lake", "A lake with an island in it.",
+                                   "A small island in the middle of a large lake."}) {
+      const LayoutAnswer answer = Generate(text, kSuburb, seed);
+      EXPECT_EQ(Islands(answer.layout, 'G'), 1) << text << "\n" << ToText(answer.layout);
+      EXPECT_TRUE(answer.warnings.empty()) << text;
+    }
+    EXPECT_EQ(Islands(Generate("a wooded island in a lake", kSuburb, seed).layout, 'F'), 1);
+  }
+  const LayoutAnswer dry = Generate("A field and an island.", kSuburb, 1);
+  ASSERT_EQ(dry.warnings.size(), 1u);
+  EXPECT_NE(dry.warnings[0].find("island"), std::string::npos);
+}
+
 TEST(GroundedLayoutTest, CountsSeparatePieces) {
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     const SymbolicLayout layout = Generate("five ponds in the grass", kSuburb, seed).layout;

@@ -9,6 +9,12 @@ const std::vector<ClassWord>& AllClassWords() {
   using Shape = WordShape;
   static const std::vector<ClassWord> words = {
       // clang-format off
+      {"island", 'G', true, 'B', true, Shape::kThing, 6},
+      {"islet", 'G', true, 'B', true, Shape::kThing, 4},
+      {"grassy island", 'G', true, 'B', true, Shape::kThing, 6},
+      {"wooded island", 'F', true, 'F', true, Shape::kThing, 6},
+      {"forested island", 'F', true, 'F', true, Shape::kThing, 6},
+      {"rocky island", 'D', false, 'R', true, Shape::kThing, 6},
       {"forest", 'F', true, 'F', true, Shape::kMass, 130},
       {"wood", 'F', true, 'F', true, Shape::kMass, 130},
       {"woods", 'F', true, 'F', true, Shape::kMass, 130},

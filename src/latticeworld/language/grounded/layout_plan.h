@@ -46,12 +46,20 @@ struct RelationWish {
   int object_area = -1;
 };
 
+// Land within the largest water.
+struct IslandWish {
+  char letter = '?';
+  int pieces = 1;
+  int cells = 6;
+};
+
 // What an instruction asks for, ready to be laid out.
 struct LayoutPlan {
   Vocabulary vocabulary = Vocabulary::kSuburb;
   std::vector<AreaWish> areas;
   std::vector<CourseWish> courses;
   std::vector<RelationWish> relations;
+  std::vector<IslandWish> islands;
   char background = '\0';  // '\0': not said
   std::vector<Claim> claims;
   std::vector<std::string> warnings;

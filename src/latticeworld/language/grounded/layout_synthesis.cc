@@ -10,6 +10,7 @@
 #include "latticeworld/language/grounded/area_grower.h"
 #include "latticeworld/language/grounded/canvas.h"
 #include "latticeworld/language/grounded/course_router.h"
+#include "latticeworld/language/grounded/island_painter.h"
 #include "latticeworld/language/grounded/relation_painter.h"
 #include "latticeworld/language/grounded/smooth_field.h"
 #include "latticeworld/language/grounded/tidy.h"
@@ -49,6 +50,7 @@ class Synthesis {
     for (const RelationWish& relation : plan_.relations) {
       PaintRelation(relation, &random_, &canvas_);
     }
+    for (const IslandWish& island : plan_.islands) PaintIslands(island, &canvas_);
     return {plan_.vocabulary, canvas_.cells()};
   }
 

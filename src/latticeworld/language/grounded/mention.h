@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "latticeworld/language/class_words.h"
@@ -10,6 +11,10 @@
 #include "latticeworld/language/grounded/places.h"
 
 namespace latticeworld {
+
+inline bool NamesIsland(const ClassWord& noun) {
+  return noun.phrase.find("island") != std::string_view::npos || noun.phrase == "islet";
+}
 
 // A thing of the land that an instruction speaks of, with all that is said of it.
 struct Mention {
@@ -35,6 +40,8 @@ struct Mention {
   std::size_t end = 0;
 
   bool is_line() const { return noun->shape == WordShape::kLine; }
+  // Land that belongs into water.
+  bool is_island() const { return NamesIsland(*noun); }
   bool has_course() const {
     return from != Region::kAnywhere || to != Region::kAnywhere || from_mention >= 0 ||
            to_mention >= 0;

@@ -71,7 +71,7 @@ int NounReader::Known(const LayoutItem& item, char letter, const Modifiers& said
   if (!(points_back || said.definite) || said.number > 0 || said.is_rest) return -1;
   for (std::size_t i = state_.reading.mentions.size(); i-- > 0;) {
     const Mention& known = state_.reading.mentions[i];
-    if (!known.negated && known.letter == letter &&
+    if (!known.negated && known.letter == letter && known.is_island() == NamesIsland(*item.noun) &&
         known.is_line() == (item.noun->shape == WordShape::kLine)) {
       return static_cast<int>(i);
     }

@@ -16,6 +16,7 @@ constexpr int kPresentCells = 20;
 // Things that a layout of 1024 cells has room for, and ties between them.
 constexpr std::size_t kMaxWishes = 32;
 constexpr std::size_t kMaxRelations = 32;
+constexpr int kMaxIslands = 4;  // of one mention
 
 bool SameMeaning(const Claim& a, const Claim& b) {
   return a.kind == b.kind && a.subject == b.subject && a.object == b.object &&
@@ -63,7 +64,9 @@ class Planner {
                                  Quote(Words(mention.begin, mention.end)) + " on");
         break;
       }
-      if (mention.negated) {
+      if (mention.is_island()) {
+        WishIsland(mention);
+      } else if (mention.negated) {
         Deny(mention);
       } else if (mention.is_line()) {
         WishCourse(mention);
@@ -217,6 +220,24 @@ class Planner {
     AddClaim(ClaimKind::kAbsent, mention, std::move(regions));
   }
 
+  void WishIsland(const Mention& mention) {
+    if (mention.negated) return;  // nobody lays one unasked
+    const bool water =
+        std::any_of(reading_.mentions.begin(), reading_.mentions.end(), [](const Mention& other) {
+          return other.letter == 'W' && !other.negated && !other.is_line();
+        });
+    if (!water) {
+      plan_.warnings.push_back("there is no lake or sea for " +
+                               Quote(Words(mention.begin, mention.end)) + " to lie in");
+      return;
+    }
+    const int pieces = mention.number > 0 ? mention.number : mention.plural ? 2 : 1;
+    plan_.islands.push_back(
+        {mention.letter, std::min(pieces, kMaxIslands),
+         mention.amount == Amount::kMuch ? 2 * mention.noun->cells : mention.noun->cells});
+    AddClaim(ClaimKind::kPresent, mention, {});
+  }
+
   void WishCourse(const Mention& mention) {
     CourseWish wish;
     wish.letter = mention.letter;
@@ -350,6 +371,8 @@ class Planner {
     const Mention& subject = At(tie.subject);
     const Mention& object = At(tie.object);
     if (subject.letter == object.letter || tie.kind == TieKind::kHeading) return;
+    // That water surrounds an island goes without saying.
+    if (subject.is_island() || object.is_island()) return;
     Claim claim;
     claim.subject = subject.letter;
     claim.object = object.letter;
