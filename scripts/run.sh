@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, starts the world server (and a roscore where none runs),
 # generates the README's world and keeps it running until Ctrl-C.
-# Usage: scripts/run.sh ["layout instruction" ["environment instruction"]]
+# Usage: scripts/run.sh ["layout instruction" ["environment instruction" [seed]]]
 set -euo pipefail
 export PATH="/usr/bin:${PATH}"
 
@@ -12,6 +12,8 @@ layout=${1:-"A river winds from the north to the south between dense forest in t
  farmland on the right. A road runs from the west to the east, with a small village in the center."}
 environment=${2:-"A sunny autumn afternoon. Nine sheep graze in the lower left, two\
  goblins patrol near the upper right, an eagle circles above, and a wheeled robot waits in the center."}
+
+seed=${3:-$([ $# -eq 0 ] && echo 8 || echo 0)}  # 8: the README's picture; 0: drawn
 
 "$root/scripts/build.sh"
 
@@ -41,7 +43,7 @@ setsid roslaunch latticeworld world.launch >"$log" 2>&1 &
 launch_pid=$!
 
 /usr/bin/python3 "$root/scripts/generate_world.py" --server-pid "$launch_pid" \
-  --layout "$layout" --environment "$environment" || {
+  --layout "$layout" --environment "$environment" --seed "$seed" || {
   echo "the world server's output is in $log" >&2
   exit 1
 }
