@@ -58,6 +58,28 @@ TEST(DecodeLayoutTest, AwayFromBordersTheLetterRules) {
   }
 }
 
+TEST(DecodeLayoutTest, WithoutNoiseAStraightBorderLiesInItsPlaceAndIsAsWideAsAsked) {
+  DecodeOptions options;
+  options.noise_amplitude = 0.0;
+  options.blend_width_m = 16.0;
+  const GridGeometry geometry = GridGeometry::FromCells(512, 256.0);
+  SymbolicLayout upper = Uniform(Vocabulary::kSuburb, 'G'), left = upper;
+  Fill(&upper, {0, 0}, {11, 31}, 'W');
+  Fill(&left, {0, 0}, {31, 11}, 'W');
+  for (const SymbolicLayout& layout : {upper, left}) {
+    const ClassWeights weights = DecodeLayout(layout, geometry, options, 1);
+    int blended = 0;
+    for (int i = 0; i < 512; ++i) {
+      const CellIndex cell = layout.cells(0, 31) == 'W' ? CellIndex{i, 300} : CellIndex{300, i};
+      EXPECT_EQ(weights.DominantAt(cell), LetterAt(layout, geometry, cell)) << i;
+      const float weight = (*weights.Find('W'))[cell];
+      blended += weight > 0.005f && weight < 0.995f;
+    }
+    EXPECT_GE(blended, 24);  // cells of 0.5 m
+    EXPECT_LE(blended, 33);
+  }
+}
+
 TEST(DecodeLayoutTest, ABorderIsBlendedAndChangesWithTheSeed) {
   SymbolicLayout layout = Uniform(Vocabulary::kWild, 'B');
   Fill(&layout, {0, 16}, {31, 31}, 'S');

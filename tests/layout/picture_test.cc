@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <vector>
+
 #include "latticeworld/common/random.h"
 #include "layouts.h"
 
@@ -17,6 +22,28 @@ TEST(LayoutPictureTest, ReadsBackItsOwnPictures) {
       EXPECT_EQ(read->cells, layout.cells);
     }
   }
+}
+
+TEST(LayoutPictureTest, TheMiddleOfACellDecidesAndTheNearestColourIsTaken) {
+  const SymbolicLayout layout = Random(Vocabulary::kSuburb, 9);
+  const int pixels = 5;
+  cv::Mat picture(kLayoutSize * pixels, kLayoutSize * pixels, CV_8UC3, cv::Scalar(0, 0, 0));
+  for (int row = 0; row < kLayoutSize; ++row) {
+    for (int col = 0; col < kLayoutSize; ++col) {
+      const Rgb color = FindClass(layout.vocabulary, layout.cells(row, col))->color;
+      const auto near = [](int value) {
+        return static_cast<unsigned char>(value > 127 ? value - 9 : value + 9);
+      };
+      picture.at<cv::Vec3b>(row * pixels + 2, col * pixels + 2) = {near(color.b), near(color.g),
+                                                                   near(color.r)};
+    }
+  }
+  std::vector<unsigned char> bytes;
+  ASSERT_TRUE(cv::imencode(".png", picture, bytes));
+  const Result<SymbolicLayout> read =
+      FromPng(std::string(bytes.begin(), bytes.end()), Vocabulary::kSuburb);
+  ASSERT_TRUE(read.ok()) << read.status().ToString();
+  EXPECT_EQ(read->cells, layout.cells);
 }
 
 TEST(LayoutPictureTest, WhatIsNoPictureIsRefused) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -107,6 +108,32 @@ TEST(SpawnRulesTest, WalkersAndWheelsFordAndWhalesSwim) {
   EXPECT_TRUE(Check(deep, AgentCategory::kWhale, {0.0, 0.0}).ok());
   EXPECT_TRUE(Check(deep, AgentCategory::kEagle, {0.0, 0.0}).ok());
   EXPECT_TRUE(Check(deep, AgentCategory::kAerialRobot, {0.0, 0.0}).ok());
+}
+
+TEST(SpawnRulesTest, TheWholeBodyIsLookedAtAndNotItsCentreAlone) {
+  // Beyond 10 m from the middle to one side, the ground is another.
+  for (const WorldPoint side : {WorldPoint{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
+    const auto beyond_m = [side](WorldPoint point) {
+      return side.x_m * point.x_m + side.y_m * point.y_m - 10.0;
+    };
+    const auto at = [side](double reach_m) {
+      return WorldPoint{side.x_m * reach_m, side.y_m * reach_m};
+    };
+    TestGround shore = Flat(), shelf = Flat(), foot = Flat();
+    shore.water_at_m = [=](WorldPoint point) { return beyond_m(point) > 0.0 ? 1.0 : NAN; };
+    shelf.height_at_m = [=](WorldPoint point) { return beyond_m(point) > 0.0 ? 2.0 : 0.0; };
+    shelf.water_at_m = [](WorldPoint) { return 3.0; };
+    foot.height_at_m = [=](WorldPoint point) { return std::max(0.0, beyond_m(point)); };
+    const Scene shore_scene = MakeScene(shore), shelf_scene = MakeScene(shelf),
+                foot_scene = MakeScene(foot);
+    constexpr AgentCategory kHorse = AgentCategory::kHorse, kWhale = AgentCategory::kWhale;
+    EXPECT_FALSE(CheckSpawn(shore_scene, kHorse, 3.0, at(8.0)).ok());
+    EXPECT_TRUE(CheckSpawn(shore_scene, kHorse, 3.0, at(5.0)).ok());
+    EXPECT_FALSE(CheckSpawn(shelf_scene, kWhale, 3.0, at(8.0)).ok());
+    EXPECT_TRUE(CheckSpawn(shelf_scene, kWhale, 3.0, at(5.0)).ok());
+    EXPECT_FALSE(CheckSpawn(foot_scene, kHorse, 3.0, at(8.0)).ok());
+    EXPECT_TRUE(CheckSpawn(foot_scene, kHorse, 3.0, at(5.0)).ok());
+  }
 }
 
 TEST(SpawnRulesTest, SlopesAreLimitedByLocomotion) {

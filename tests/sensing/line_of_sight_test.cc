@@ -45,6 +45,16 @@ TEST(LineOfSightTest, ASpikeBetweenTwoSamplesOfTheGroundStillHides) {
   EXPECT_TRUE(HasLineOfSight(scene, {-20, 0.45, 2.5}, {20, 0.45, 2.5}));
 }
 
+TEST(LineOfSightTest, AnEdgeAcrossACellHides) {
+  // The two vertices that a cell's diagonal joins are 4 m high; the line crosses the ground's grid
+  // only at vertices of 0 m.
+  const Scene scene = MakeScene(128, 64.0, [](double x_m, double y_m) {
+    return std::abs(x_m) == 0.25 && x_m == -y_m ? 4.0 : 0.0;
+  });
+  EXPECT_FALSE(HasLineOfSight(scene, {20.25, 20.25, 3.9}, {-20.25, -20.25, 3.9}));
+  EXPECT_TRUE(HasLineOfSight(scene, {20.25, 20.25, 4.1}, {-20.25, -20.25, 4.1}));
+}
+
 TEST(LineOfSightTest, AWallHidesBelowItsTopAndBetweenItsEnds) {
   // 3 m high, from (-8, -1) to (8, 1).
   const Scene scene = WithAssets(Flat(), {MakeBuilding(0, 0, 3.0f, 8.0f, 1.0f, 0.0f)});
@@ -82,6 +92,31 @@ TEST(LineOfSightTest, FarAssetsOfALongSegmentAreFound) {
     const Scene scene = WithAssets(Flat(), {MakeTree(x_m, 0.5f * x_m, 5.0f, 1.0f, 0.2f)});
     EXPECT_FALSE(HasLineOfSight(scene, {-31.5, -15.75, 1}, {31.5, 15.75, 1})) << x_m;
   }
+}
+
+TEST(LineOfSightTest, AssetsAtTheRimHideBesideALargeBuilding) {
+  const Scene scene = WithAssets(Flat(), {MakeBuilding(-10, 0, 3.0f, 10.0f, 8.0f, 0.0f),
+                                          MakeTree(31.0f, 0.0f, 6.0f, 2.0f, 0.5f)});
+  EXPECT_FALSE(HasLineOfSight(scene, {31, -20, 1}, {31, 20, 1}));
+}
+
+TEST(LineOfSightTest, LinesThatGrazeATrunkAreTheSameInBothDirections) {
+  const Scene scene = WithAssets(Flat(), {MakeTree(3.1f, -2.7f, 6.0f, 2.0f, 0.5f)});
+  const Asset& tree = scene.assets[0];
+  const double radius_m = SolidRadius(tree);
+  int hidden = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double angle_rad = 2.0 * M_PI * i / 1000.0;
+    const Vector3d out(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+    const Vector3d along(-out.y(), out.x(), 0.0);
+    const Vector3d touch = Vector3d(tree.x_m, tree.y_m, 1.0) + radius_m * out;
+    const Vector3d from = touch - 7.3 * along, to = touch + 11.9 * along;
+    const bool seen = HasLineOfSight(scene, from, to);
+    EXPECT_EQ(seen, HasLineOfSight(scene, to, from)) << i;
+    hidden += !seen;
+  }
+  EXPECT_GT(hidden, 50);  // rounding decides, so both answers come
+  EXPECT_LT(hidden, 950);
 }
 
 TEST(LineOfSightTest, EndsFarOutsideTheWorldAreLegal) {
