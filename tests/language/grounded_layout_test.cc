@@ -142,6 +142,18 @@ std::vector<Sample> Samples() {
        {Says(Kind::kMostly, 'A'), Runs('W', R::kUpperLeft, R::kLowerRight),
         Says(Kind::kPresent, 'B', {R::kUpperRight, R::kLowerLeft}),
         Runs('R', R::kUpperRight, R::kLowerLeft)}},
+      {"Give me a desert with an oasis.",
+       kSuburb,
+       {Says(Kind::kMostly, 'D'), Says(Kind::kPresent, 'W')}},
+      {"vineyards on the left half",
+       kSuburb,
+       {Says(Kind::kMostly, 'A', {R::kUpperLeft, R::kMiddleLeft, R::kLowerLeft})}},
+      {"coastline along the western edge, town in the east",
+       kSuburb,
+       {Says(Kind::kPresent, 'W', {R::kMiddleLeft}), Says(Kind::kPresent, 'B', {R::kMiddleRight})}},
+      {"forest everywhere except a clearing in the middle",
+       kSuburb,
+       {Says(Kind::kMostly, 'F'), Says(Kind::kMostly, 'G', {R::kCenter})}},
       {"In the center there is a village; around it are fields. Woods lie in all four corners.",
        kSuburb,
        {Says(Kind::kPresent, 'B', {R::kCenter}),
@@ -292,7 +304,9 @@ TEST(GroundedLayoutTest, PutsIslandsIntoTheirWater) {
       EXPECT_EQ(Islands(answer.layout, 'G'), 1) << text << "\n" << ToText(answer.layout);
       EXPECT_TRUE(answer.warnings.empty()) << text;
     }
-    EXPECT_EQ(Islands(Generate("a wooded island in a lake", kSuburb, seed).layout, 'F'), 1);
+    const LayoutAnswer wooded = Generate("a wooded island in a lake", kSuburb, seed);
+    EXPECT_EQ(Islands(wooded.layout, 'F'), 1);
+    EXPECT_TRUE(wooded.warnings.empty());
   }
   const LayoutAnswer dry = Generate("A field and an island.", kSuburb, 1);
   ASSERT_EQ(dry.warnings.size(), 1u);

@@ -9,6 +9,11 @@ const std::vector<ClassWord>& AllClassWords() {
   using Shape = WordShape;
   static const std::vector<ClassWord> words = {
       // clang-format off
+      {"coast", 'W', true, 'W', true, Shape::kMass, 100},
+      {"coastline", 'W', true, 'W', true, Shape::kMass, 100},
+      {"shoreline", 'W', true, 'W', true, Shape::kMass, 100},
+      {"seaside", 'W', true, 'W', true, Shape::kMass, 100},
+      {"waterfall", 'W', false, 'W', false, Shape::kThing, 6},
       {"island", 'G', true, 'B', true, Shape::kThing, 6},
       {"islet", 'G', true, 'B', true, Shape::kThing, 4},
       {"grassy island", 'G', true, 'B', true, Shape::kThing, 6},
@@ -421,7 +426,7 @@ const std::vector<ClassWord>& AllClassWords() {
       {"mudflat", 'D', true, 'R', false, Shape::kMass, 80},
       {"desert land", 'D', true, 'R', false, Shape::kMass, 80},
       {"fallow field", 'D', true, 'R', false, Shape::kMass, 80},
-      {"clearing", 'D', true, 'R', false, Shape::kMass, 80},
+      {"clearing", 'G', true, 'B', true, Shape::kMass, 80},
 
       {"construction site", 'D', true, 'R', false, Shape::kThing, 30},
       {"building site", 'D', true, 'R', false, Shape::kThing, 30},

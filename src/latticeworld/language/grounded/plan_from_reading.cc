@@ -209,7 +209,24 @@ class Planner {
         return;
       }
     }
-    plan_.background = usual;
+    plan_.background = IsDesert() ? 'D' : usual;
+  }
+
+  // "a desert with an oasis": barren land without a place, and no other that spreads, is the land
+  // itself.
+  bool IsDesert() const {
+    bool desert = false;
+    for (const Mention& mention : reading_.mentions) {
+      if (mention.negated || mention.noun->shape != WordShape::kMass) continue;
+      const bool barren = plan_.vocabulary == Vocabulary::kSuburb && mention.letter == 'D' &&
+                          mention.places.empty() && mention.amount != Amount::kLittle &&
+                          mention.texture == Texture::kUnsaid;
+      if (!barren) return false;
+      const std::string_view phrase = mention.noun->phrase;
+      desert = desert || phrase.find("desert") != std::string_view::npos || phrase == "sand" ||
+               phrase == "dune";
+    }
+    return desert;
   }
 
   void Deny(const Mention& mention) {
@@ -235,7 +252,6 @@ class Planner {
     plan_.islands.push_back(
         {mention.letter, std::min(pieces, kMaxIslands),
          mention.amount == Amount::kMuch ? 2 * mention.noun->cells : mention.noun->cells});
-    AddClaim(ClaimKind::kPresent, mention, {});
   }
 
   void WishCourse(const Mention& mention) {
@@ -306,6 +322,13 @@ class Planner {
     wish.texture = mention.texture;
     wish.pieces = mention.number;
     wish.cells = mention.noun->cells;
+    // "vineyards on the left half": many fields fill what is more than a ninth.
+    const bool fills_place =
+        wish.letter == 'A' && plan_.vocabulary == Vocabulary::kSuburb && mention.plural &&
+        wish.pieces == 0 && wish.texture == Texture::kUnsaid && !wish.places.empty() &&
+        std::all_of(wish.places.begin(), wish.places.end(),
+                    [](const Place& place) { return place.regions.size() > 1; });
+    if (fills_place) wish.shape = WordShape::kMass;
     const bool thing = wish.shape == WordShape::kThing;
     if (thing && mention.plural && wish.pieces == 0 && wish.amount != Amount::kMost) {
       // "houses" stand together, "lakes" apart.
@@ -386,11 +409,12 @@ class Planner {
     } else {
       const bool ring = tie.kind == TieKind::kSurrounds && !object.is_line();
       claim.kind = ring ? ClaimKind::kSurrounds : ClaimKind::kAdjacent;
-      const RelationWish wish{claim.kind, claim.subject, claim.object, subject_area, object_area};
+      const RelationWish relation{claim.kind, claim.subject, claim.object, subject_area,
+                                  object_area};
       const bool known =
           std::any_of(plan_.relations.begin(), plan_.relations.end(),
-                      [&](const RelationWish& other) { return IsSame(wish, other); });
-      if (!known) plan_.relations.push_back(wish);
+                      [&](const RelationWish& other) { return IsSame(relation, other); });
+      if (!known) plan_.relations.push_back(relation);
       if (ring && subject_area >= 0) {
         AreaWish& wish = plan_.areas[Index(subject_area)];
         wish.laid_by_relation =
