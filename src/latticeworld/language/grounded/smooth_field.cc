@@ -1,37 +1,17 @@
 #include "latticeworld/language/grounded/smooth_field.h"
 
-#include <cmath>
+#include <algorithm>
 
-#include "latticeworld/common/random.h"
+#include "latticeworld/geomorphology/noise.h"
 #include "latticeworld/layout/symbolic_layout.h"
 
 namespace latticeworld {
-namespace {
-
-double Fade(double t) { return t * t * (3.0 - 2.0 * t); }
-
-double ValueNoise(std::uint64_t seed, double x, double y) {
-  const auto x0 = static_cast<std::int64_t>(std::floor(x));
-  const auto y0 = static_cast<std::int64_t>(std::floor(y));
-  const double u = Fade(x - static_cast<double>(x0));
-  const double v = Fade(y - static_cast<double>(y0));
-  const double top = HashToUnit(seed, x0, y0) * (1 - u) + HashToUnit(seed, x0 + 1, y0) * u;
-  const double low = HashToUnit(seed, x0, y0 + 1) * (1 - u) + HashToUnit(seed, x0 + 1, y0 + 1) * u;
-  return top * (1 - v) + low * v;
-}
-
-}  // namespace
 
 Grid<float> SmoothField(std::uint64_t seed, double wavelength) {
-  const std::uint64_t fine_seed = StreamSeed(seed, "fine octave");
-  Grid<float> field(kLayoutSize, kLayoutSize);
-  for (int row = 0; row < kLayoutSize; ++row) {
-    for (int col = 0; col < kLayoutSize; ++col) {
-      const double coarse = ValueNoise(seed, col / wavelength, row / wavelength);
-      const double fine = ValueNoise(fine_seed, 2.3 * col / wavelength, 2.3 * row / wavelength);
-      field(row, col) = static_cast<float>((2.0 * coarse + fine) / 3.0);
-    }
-  }
+  // One metre stands for one cell.
+  const GridGeometry cells = *GridGeometry::Create(kLayoutSize, 1.0);
+  Grid<float> field = FractalNoise(cells, {wavelength, 2, 0.5}, seed);
+  for (float& value : field) value = std::clamp(0.5f + 0.7f * value, 0.0f, 1.0f);
   return field;
 }
 

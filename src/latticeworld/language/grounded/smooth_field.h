@@ -7,7 +7,7 @@
 
 namespace latticeworld {
 
-// Smooth value noise in [0, 1] over a layout's cells, (32 x 32): two octaves, the larger one with
+// Smooth noise in [0, 1] over a layout's cells, (32 x 32): two octaves, the larger one with
 // the given wavelength [cells].
 Grid<float> SmoothField(std::uint64_t seed, double wavelength);
 
