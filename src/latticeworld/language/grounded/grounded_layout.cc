@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMaxAttempts = 12;
 // Wishes laid in all attempts together: what asks for much is drawn again less often.
-constexpr int kMaxLaidWishes = 96;
+constexpr int kMaxLaidWishes = 64;
 
 int AttemptsFor(const LayoutPlan& plan) {
   const auto wishes = static_cast<int>(plan.areas.size() + plan.courses.size());

@@ -138,7 +138,9 @@ class Synthesis {
       const CellIndex other = CellOf(id);
       const char there = canvas_.at(other);
       if (there == Canvas::kFree) continue;
-      const double distance = std::hypot(other.row - cell.row, other.col - cell.col);
+      const int rows = other.row - cell.row;
+      const int cols = other.col - cell.col;
+      const double distance = std::sqrt(static_cast<double>(rows * rows + cols * cols));
       if (there == near) {
         partner = std::min(partner, distance);
       } else if (!canvas_.locked(other)) {
