@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "generation/test_world.h"
+#include "latticeworld/common/random.h"
 
 namespace latticeworld {
 namespace {
@@ -34,6 +35,41 @@ TEST(AgentsJsonTest, TakesNoAgents) {
   const auto decoded = DecodeAgents(EncodeAgents({}), TestGeometry());
   ASSERT_TRUE(decoded.ok());
   EXPECT_TRUE(decoded->empty());
+}
+
+// A deep value once ended the program when its message was written.
+TEST(AgentsJsonTest, HostileDocumentsEndInAnAnswer) {
+  const std::string good = EncodeAgents(MakeTestWorld()->scene->agents);
+  const std::string deep = std::string(1000000, '[') + std::string(1000000, ']');
+  std::string wide = "[{";
+  for (int i = 0; i < 100000; ++i) wide += "\"k" + std::to_string(i) + "\": 0, ";
+  wide += "\"last\": 0}]";
+  for (const std::string& content : {deep, Replaced(good, "\"sheep_1\"", deep), wide}) {
+    const auto decoded = DecodeAgents(content, TestGeometry());
+    EXPECT_EQ(decoded.status().code(), StatusCode::kDataLoss);
+    EXPECT_LT(decoded.status().message().size(), 1000u);
+  }
+  RandomStream random(1, "damage");
+  for (int i = 0; i < 1000; ++i) {
+    std::string damaged = good;
+    for (int k = random.UniformInt(1, 3); k > 0; --k) {
+      const int at = random.UniformInt(0, static_cast<int>(damaged.size()) - 1);
+      if (random.Chance(0.3)) {
+        damaged.erase(at, random.UniformInt(1, 20));
+      } else {
+        damaged[at] = static_cast<char>(damaged[at] ^ 1 << random.UniformInt(0, 7));
+      }
+    }
+    const auto decoded = DecodeAgents(damaged, TestGeometry());
+    if (decoded.ok()) {
+      for (const AgentStart& agent : *decoded) {
+        ASSERT_TRUE(CanBe(agent.category, agent.state));
+        ASSERT_TRUE(TestGeometry().Contains(agent.position));
+      }
+    } else {
+      ASSERT_EQ(decoded.status().code(), StatusCode::kDataLoss) << i;
+    }
+  }
 }
 
 TEST(AgentsJsonTest, NamesWhatIsWrong) {

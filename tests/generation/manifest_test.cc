@@ -124,5 +124,13 @@ TEST(ManifestTest, SurvivesHostileJson) {
   }
 }
 
+TEST(ManifestTest, ADeepValueEndsInAnAnswer) {
+  const std::string deep = std::string(1000000, '[') + std::string(1000000, ']');
+  const auto decoded = DecodeManifest(Forged("\"world-0123456789ab\"", deep));
+  ASSERT_FALSE(decoded.ok());
+  EXPECT_EQ(decoded.status().code(), StatusCode::kDataLoss);
+  EXPECT_NE(decoded.status().message().find("nested deeper than 8"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace latticeworld

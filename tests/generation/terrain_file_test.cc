@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "generation/test_world.h"
+#include "latticeworld/common/random.h"
 
 namespace latticeworld {
 namespace {
@@ -49,6 +50,56 @@ TEST(TerrainFileTest, IsRefusedWhenItGoesOn) {
   const auto decoded = Decode(*EncodeTerrain(*world->scene->terrain) + "x", *world->scene->terrain);
   ASSERT_FALSE(decoded.ok());
   EXPECT_NE(decoded.status().message().find("after its last grid"), std::string::npos);
+}
+
+TEST(TerrainFileTest, IsRefusedWhenAGridUnpacksToLessOrMoreThanTheWorldHas) {
+  Terrain terrain;
+  const auto geometry = GridGeometry::FromCells(32, 32.0);
+  terrain.ground = HeightField(geometry, Grid<float>(32, 32, 1.0f));
+  terrain.water_level_m = Grid<float>(32, 32, std::nanf(""));
+  terrain.surface = Grid<SurfaceClass>(32, 32, SurfaceClass::kGrass);
+  std::string content = *EncodeTerrain(terrain);
+  ASSERT_TRUE(DecodeTerrain(content, geometry, Vocabulary::kSuburb).ok());
+  for (const int cells : {33, 64}) {
+    content[8] = content[12] = static_cast<char>(cells);  // rows and columns
+    const auto decoded =
+        DecodeTerrain(content, GridGeometry::FromCells(cells, 32.0), Vocabulary::kSuburb);
+    ASSERT_FALSE(decoded.ok());
+    EXPECT_NE(decoded.status().message().find("elevation does not unpack to"), std::string::npos);
+  }
+  Terrain larger = terrain;
+  const auto large = GridGeometry::FromCells(40, 32.0);
+  larger.ground = HeightField(large, Grid<float>(40, 40, 1.0f));
+  larger.water_level_m = Grid<float>(40, 40, std::nanf(""));
+  larger.surface = Grid<SurfaceClass>(40, 40, SurfaceClass::kGrass);
+  content = *EncodeTerrain(larger);
+  content[8] = content[12] = 32;
+  EXPECT_FALSE(DecodeTerrain(content, geometry, Vocabulary::kSuburb).ok());
+}
+
+// Whatever stands in a file, decoding ends in an answer, and in one of the right kind.
+TEST(TerrainFileTest, DamagedFilesAreRefusedOrHoldALegalTerrain) {
+  const auto world = MakeTestWorld();
+  const Terrain& terrain = *world->scene->terrain;
+  const std::string content = *EncodeTerrain(terrain);
+  RandomStream random(1, "damage");
+  for (int i = 0; i < 400; ++i) {
+    std::string damaged = content;
+    for (int k = random.UniformInt(1, 3); k > 0; --k) {
+      const int at = random.UniformInt(0, i % 2 == 0 ? 60 : static_cast<int>(content.size()) - 9);
+      if (random.Chance(0.3)) {
+        damaged.replace(at, 8, 8, static_cast<char>(random.UniformInt(-1, 1)));
+      } else {
+        damaged[at] = static_cast<char>(damaged[at] ^ 1 << random.UniformInt(0, 7));
+      }
+    }
+    const auto decoded = Decode(damaged, terrain);
+    if (decoded.ok()) {
+      for (const float height_m : decoded->ground.height_m()) ASSERT_TRUE(std::isfinite(height_m));
+    } else {
+      ASSERT_EQ(decoded.status().code(), StatusCode::kDataLoss) << i;
+    }
+  }
 }
 
 TEST(TerrainFileTest, IsRefusedForAnotherGeometry) {

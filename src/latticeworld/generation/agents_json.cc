@@ -59,7 +59,7 @@ AgentStart Decode(const jf::Json& json, const GridGeometry& geometry) {
 }
 
 std::vector<AgentStart> DecodeAll(std::string_view content, const GridGeometry& geometry) {
-  const jf::Json json = jf::Json::parse(content);
+  const jf::Json json = jf::Parse(content);
   if (!json.is_array()) throw jf::FieldError("is not an array");
   if (json.size() > kMaxAgents) {
     throw jf::FieldError("has " + std::to_string(json.size()) + " agents; at most " +

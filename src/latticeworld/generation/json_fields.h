@@ -1,6 +1,7 @@
 #ifndef LATTICEWORLD_GENERATION_JSON_FIELDS_H_
 #define LATTICEWORLD_GENERATION_JSON_FIELDS_H_
 
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
@@ -22,6 +23,27 @@ using Json = nlohmann::ordered_json;  // keys keep the order in which they were 
 struct FieldError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+// Parses what anybody may have written. Bounded, because values are shown by recursion, so that
+// depth costs stack, and ordered objects are searched key by key at each new one.
+inline Json Parse(std::string_view content) {
+  constexpr int kMaxDepth = 8;        // the files of a bundle have four levels
+  constexpr int kMaxKeys = 64;        // of one object; they have twelve
+  std::array<int, kMaxDepth> keys{};  // of the object that is open at each level
+  return Json::parse(
+      content.begin(), content.end(), [&keys](int depth, Json::parse_event_t event, const Json&) {
+        const bool starts =
+            event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+        if (starts && depth >= kMaxDepth) {
+          throw FieldError("is nested deeper than " + std::to_string(kMaxDepth));
+        }
+        if (starts) keys[depth] = 0;
+        if (event == Json::parse_event_t::key && ++keys[depth - 1] > kMaxKeys) {
+          throw FieldError("has an object of more than " + std::to_string(kMaxKeys) + " keys");
+        }
+        return true;
+      });
+}
 
 // A value as a message shows it: cut where it is long.
 inline std::string Shown(const Json& value) {

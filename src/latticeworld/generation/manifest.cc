@@ -178,7 +178,7 @@ bool DigestMatches(std::string_view content) {
 }
 
 Result<Manifest> Decode(std::string_view content) {
-  const Json json = Json::parse(content);
+  const Json json = jf::Parse(content);
   if (!json.is_object()) return DataLoss("is not an object");
   const bool has_digest = json.contains("manifest_sha256");
   if (has_digest && !DigestMatches(content)) {
