@@ -66,6 +66,13 @@ void ExpectRulesHold(const Scene& scene) {
     ASSERT_NE(terrain.SurfaceAt(asset.position()), SurfaceClass::kRoad) << NameOf(asset.kind);
     ASSERT_GT(asset.height_m, 0.0f);
     ASSERT_GT(asset.half_length_m, 0.0f);
+    for (int i = 0; i < 8 && IsSolid(asset.kind) && asset.kind != AssetKind::kBuilding; ++i) {
+      const double reach_m = radius_m + kRoadMargin_m, angle_rad = 2.0 * M_PI * i / 8;
+      const WorldPoint rim = {asset.x_m + reach_m * std::cos(angle_rad),
+                              asset.y_m + reach_m * std::sin(angle_rad)};
+      ASSERT_NE(terrain.SurfaceAt(rim), SurfaceClass::kRoad) << NameOf(asset.kind);
+      ASSERT_EQ(terrain.WaterDepthAt(rim), 0.0) << NameOf(asset.kind);
+    }
     if (asset.kind == AssetKind::kBuilding) {
       ASSERT_LE(asset.z_m, terrain.ground.HeightAt(asset.position()) + 0.01);
     } else {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "latticeworld/common/random.h"
 #include "latticeworld/geomorphology/slope.h"
 #include "latticeworld/terrain/components.h"
 #include "latticeworld/terrain/cover.h"
@@ -241,6 +242,74 @@ TEST(TerrainTest, ARiverOnAReliefFallsAlongItsCourse) {
   ASSERT_GT(levels.size(), 250u);
   for (std::size_t i = 1; i < levels.size(); ++i) EXPECT_LT(levels[i], levels[i - 1] + 0.15);
   EXPECT_GT(levels.front() - levels.back(), 25.0);
+}
+
+TEST(TerrainTest, ARiverOnAReliefCutsThroughARidge) {
+  SymbolicLayout layout = testing_layouts::Filled(Vocabulary::kSuburb, 'G');
+  for (int r = 0; r < kLayoutSize; ++r) layout.cells(r, 16) = layout.cells(r, 17) = 'W';
+  Grid<float> height_m = Valley().height_m;
+  for (int r = 0; r < height_m.rows(); ++r) {
+    const double from_ridge = (r - 55) / 6.0;
+    for (int c = 0; c < height_m.cols(); ++c) {
+      height_m(r, c) += static_cast<float>(12.0 * std::exp(-from_ridge * from_ridge));
+    }
+  }
+  const Relief relief = MakeRelief(std::move(height_m));
+  const Terrain terrain = Build(layout, GridGeometry::FromCells(256, 512.0), 6, &relief);
+  double highest_below_m = -1e9;
+  for (int r = 255; r >= 0; --r) {
+    double level_m = -1e9;
+    for (int c = 0; c < 256; ++c) {
+      if (IsWet(terrain, r, c)) level_m = std::max<double>(level_m, terrain.water_level_m(r, c));
+    }
+    if (level_m < -1e8) continue;
+    EXPECT_GT(level_m, highest_below_m - 0.3) << "row " << r;
+    highest_below_m = std::max(highest_below_m, level_m);
+  }
+}
+
+// Median slope of the cells of one class on `layout`, and of the same cells where all is grass.
+std::pair<double, double> SlopesWithAndWithout_deg(const SymbolicLayout& layout,
+                                                   SurfaceClass surface, const Relief& relief) {
+  const auto geometry = GridGeometry::FromCells(256, 512.0);
+  const Terrain with = Build(layout, geometry, 4, &relief);
+  Terrain without = Build(testing_layouts::Filled(Vocabulary::kSuburb, 'G'), geometry, 4, &relief);
+  without.surface = with.surface;
+  return {At(SlopesOfClass_deg(with, surface), 0.5), At(SlopesOfClass_deg(without, surface), 0.5)};
+}
+
+TEST(TerrainTest, RoadsAreSmootherAndBuildingLandLevellerThanTheGroundThatTheyLieOn) {
+  Grid<float> height_m(257, 257);
+  for (int r = 0; r < 257; ++r) {
+    for (int c = 0; c < 257; ++c) {
+      height_m(r, c) = static_cast<float>(0.03 * c + 0.5 * std::sin(0.7 * r) * std::sin(0.6 * c));
+    }
+  }
+  const Relief relief = MakeRelief(std::move(height_m));
+  SymbolicLayout road = testing_layouts::Filled(Vocabulary::kSuburb, 'G');
+  for (int c = 0; c < kLayoutSize; ++c) road.cells(20, c) = 'R';
+  const auto [smooth, rough] = SlopesWithAndWithout_deg(road, SurfaceClass::kRoad, relief);
+  EXPECT_GT(rough, 3.0);
+  EXPECT_LT(smooth, 0.4 * rough);
+  SymbolicLayout village = testing_layouts::Filled(Vocabulary::kSuburb, 'G');
+  testing_layouts::PaintDisc('B', 12, 12, 2.5, &village);
+  const auto [level, given] = SlopesWithAndWithout_deg(village, SurfaceClass::kBuilding, relief);
+  EXPECT_GT(given, 3.0);
+  EXPECT_LT(level, 0.1 * given);
+}
+
+TEST(TerrainTest, WaterIsNowhereOfNegativeDepth) {
+  const Terrain terrain =
+      Build(testing_layouts::RiverAndRoad(), GridGeometry::FromCells(128, 256.0), 3);
+  RandomStream random(3, "points");
+  int wet = 0;
+  for (int i = 0; i < 50000; ++i) {
+    const double x_m = random.Uniform(-128.0, 128.0);
+    const double depth_m = terrain.WaterDepthAt({x_m, random.Uniform(-128.0, 128.0)});
+    ASSERT_GE(depth_m, 0.0);
+    wet += depth_m > 0.0;
+  }
+  EXPECT_GT(wet, 2000);
 }
 
 TEST(TerrainTest, ACancelledBuildEndsWithCancelled) {
