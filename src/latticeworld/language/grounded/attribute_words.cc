@@ -58,9 +58,9 @@ const PhraseTable<AttributeHint>& AttributeWords() {
                              "snow covered", "deep snow",  "snowbound", "frozen"}},
       // Weather
       {Of(Weather::kSunny),
-       {"sunny", "sunshine", "clear sky", "clear skies", "blue sky", "blue skies", "bright sun",
-        "cloudless", "clear weather", "sunlit", "clear day", "fair weather", "sun shines",
-        "sun is shining", "fine weather", "bright day", "sunlight", "good weather"}},
+       {"sunny", "sunshine", "clear", "clear sky", "clear skies", "blue sky", "blue skies",
+        "bright sun", "cloudless", "clear weather", "sunlit", "clear day", "fair weather",
+        "sun shines", "sun is shining", "fine weather", "bright day", "sunlight", "good weather"}},
       {Of(Weather::kCloudy),
        {"cloudy", "overcast", "grey sky", "gray sky", "clouds", "cloud", "gloomy", "grey skies",
         "dull weather", "gray skies", "partly cloudy", "clouded", "leaden sky"}},
