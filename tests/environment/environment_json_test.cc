@@ -204,6 +204,11 @@ TEST(EnvironmentJsonTest, AFloodOfKeysEndsInABoundedAnswer) {
     EXPECT_LE(status.violations().size(), 501u);
     EXPECT_LT(status.message().size(), 100000u);
   }
+  // Twice the same key at each of 80,000 levels: paths to all of them would take gigabytes.
+  std::string deep;
+  while (deep.size() < 900000) deep += "{\"a\":0,\"a\":";
+  deep += "0" + std::string(deep.size() / 11, '}');
+  EXPECT_NE(ParseEnvironment(deep).status().message().find("nested deeper"), std::string::npos);
   // The first 64 keys of an object are kept to be named, and no more.
   EXPECT_LE(ParseEnvironment(flat).status().violations().size(), 80u);
 }

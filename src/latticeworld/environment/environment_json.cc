@@ -83,7 +83,9 @@ class ParseObserver {
   bool NoteKey(std::string key) {
     Container& object = path_.back();
     object.key = std::move(key);
-    if (!object.keys.insert(object.key).second) {
+    // Deeper than legal, the document is refused for that; paths that long would fill the memory.
+    const bool legal_depth = path_.size() <= static_cast<std::size_t>(kMaxDepth);
+    if (!object.keys.insert(object.key).second && legal_depth) {
       violations_->push_back({"duplicate_key", Pointer(),
                               "the key " + Quote(object.key) + " stands twice in one object",
                               Quote(object.key)});
