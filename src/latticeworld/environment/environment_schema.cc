@@ -21,7 +21,7 @@ Json NamesSchema() {
 Json NumberSchema(const Range& range) {
   return {{"type", "number"},
           {"minimum", range.low},
-          {range.half_open ? "exclusiveMaximum" : "maximum", range.high}};
+          {range.high_open ? "exclusiveMaximum" : "maximum", range.high}};
 }
 
 // An object that has exactly these properties.

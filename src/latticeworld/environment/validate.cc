@@ -25,12 +25,8 @@ class Validator {
         {std::move(code), std::move(pointer), std::move(message), std::move(given)});
   }
 
-  void CheckRange(const std::string& pointer, double value, const Range& range) {
-    if (value >= range.low && (range.half_open ? value < range.high : value <= range.high)) return;
-    Add("out_of_range", pointer,
-        "must be from " + FormatDouble(range.low) + (range.half_open ? " to below " : " to ") +
-            FormatDouble(range.high) + ", not " + FormatDouble(value),
-        FormatDouble(value));
+  void CheckRange(std::string pointer, double value, const Range& range) {
+    latticeworld::CheckRange(std::move(pointer), value, range, "", &violations_);
   }
 
   void CheckName(const std::string& pointer, const std::string& name,

@@ -6,26 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "latticeworld/common/range.h"
 #include "latticeworld/common/text.h"
 
 namespace latticeworld {
-namespace {
-
-void CheckRange(const char* name, double value, double low, double high,
-                std::vector<Violation>* violations) {
-  if (value >= low && value <= high) return;
-  violations->push_back({"out_of_range", name,
-                         "must be a number of metres from " + FormatDouble(low) + " to " +
-                             FormatDouble(high) + ", not " + FormatDouble(value),
-                         FormatDouble(value)});
-}
-
-}  // namespace
-
 Result<GridGeometry> GridGeometry::Create(double size_m, double resolution_m) {
   std::vector<Violation> violations;
-  CheckRange("size", size_m, kMinSize_m, kMaxSize_m, &violations);
-  CheckRange("resolution", resolution_m, kMinResolution_m, kMaxResolution_m, &violations);
+  CheckRange("size", size_m, {kMinSize_m, kMaxSize_m}, " m", &violations);
+  CheckRange("resolution", resolution_m, {kMinResolution_m, kMaxResolution_m}, " m", &violations);
   if (violations.empty()) {
     const double cells = std::round(size_m / resolution_m);
     if (cells < kMinCells || cells > kMaxCells) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "latticeworld/common/range.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/mapping/octree_builder.h"
 #include "latticeworld/mapping/voxel_columns.h"
@@ -20,21 +21,12 @@ constexpr double kMinVoxel_m = 0.05;
 constexpr double kMaxVoxel_m = 16.0;
 constexpr double kMaxThickness_m = 100.0;
 
-void CheckRange(const char* name, double value, double low, double high,
-                std::vector<Violation>* violations) {
-  if (value >= low && value <= high) return;
-  violations->push_back({"out_of_range", name,
-                         "must be a number of metres from " + FormatDouble(low) + " to " +
-                             FormatDouble(high) + ", not " + FormatDouble(value),
-                         FormatDouble(value)});
-}
-
 }  // namespace
 
 Status Validate(const OctreeOptions& options, const Scene& scene) {
   std::vector<Violation> violations;
-  CheckRange("resolution_m", options.resolution_m, kMinVoxel_m, kMaxVoxel_m, &violations);
-  CheckRange("thickness_m", options.thickness_m, 0.0, kMaxThickness_m, &violations);
+  CheckRange("resolution_m", options.resolution_m, {kMinVoxel_m, kMaxVoxel_m}, " m", &violations);
+  CheckRange("thickness_m", options.thickness_m, {0.0, kMaxThickness_m}, " m", &violations);
   if (violations.empty()) {
     // Columns bound the memory; octomap's keys bound the height.
     const HeightField& ground = scene.terrain->ground;

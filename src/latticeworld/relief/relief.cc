@@ -4,20 +4,11 @@
 #include <utility>
 
 #include "latticeworld/common/check.h"
-#include "latticeworld/common/text.h"
+#include "latticeworld/common/range.h"
 #include "latticeworld/relief/caption.h"
 
 namespace latticeworld {
 namespace {
-
-void CheckRange(const char* name, double value, double low, double high,
-                std::vector<Violation>* violations) {
-  if (value >= low && value <= high) return;
-  violations->push_back({"out_of_range", name,
-                         "must be a number of metres from " + FormatDouble(low) + " to " +
-                             FormatDouble(high) + ", not " + FormatDouble(value),
-                         FormatDouble(value)});
-}
 
 // Means of 32 x 32 blocks of whole samples, scaled to [0, 1].
 Grid<float> Summarize(const Grid<float>& height_m) {
@@ -50,8 +41,8 @@ Grid<float> Summarize(const Grid<float>& height_m) {
 
 std::vector<Violation> Validate(const HeightMapOptions& options) {
   std::vector<Violation> violations;
-  CheckRange("height_scale", options.height_scale_m, 0.0, 9000.0, &violations);
-  CheckRange("height_offset", options.height_offset_m, -9000.0, 9000.0, &violations);
+  CheckRange("height_scale", options.height_scale_m, {0.0, 9000.0}, " m", &violations);
+  CheckRange("height_offset", options.height_offset_m, {-9000.0, 9000.0}, " m", &violations);
   return violations;
 }
 
