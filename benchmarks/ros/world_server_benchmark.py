@@ -137,6 +137,7 @@ def main():
         print(f"50 agents and a robot, held to real time: factor {factor:.3f}, "
               f"{100 * share:.0f} % of a core with publishing")
         print(f"peak memory of world_server: {peak_memory_mib(pid):.0f} MiB")
+        rospy.Subscriber("/tf", rospy.AnyMsg, lambda message: None, queue_size=100)
         tf = subprocess.run([build / "devel/lib/latticeworld/tf_benchmark"], env=environment,
                             check=True, capture_output=True, text=True)
         print(tf.stdout.strip())
