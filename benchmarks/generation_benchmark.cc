@@ -24,7 +24,8 @@ void BM_GenerateWorld(benchmark::State& state) {
   for (const auto& [name, seconds] : stages) {
     state.counters[name + "_ms"] = 1e3 * seconds / static_cast<double>(state.iterations());
   }
-  const double cells = (request.size_m / request.resolution_m) * (request.size_m / request.resolution_m);
+  const double cells =
+      (request.size_m / request.resolution_m) * (request.size_m / request.resolution_m);
   state.SetItemsProcessed(static_cast<std::int64_t>(cells) * state.iterations());
 }
 BENCHMARK(BM_GenerateWorld)->Arg(128)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);

@@ -26,7 +26,8 @@ const std::vector<octomap::OcTreeKey>& ExampleKeys() {
       const octomap::OcTreeKey first = leaf.getIndexKey();
       for (int x = 0; x < width; ++x) {
         for (int y = 0; y < width; ++y) {
-          for (int z = 0; z < width; ++z) list.emplace_back(first[0] + x, first[1] + y, first[2] + z);
+          for (int z = 0; z < width; ++z)
+            list.emplace_back(first[0] + x, first[1] + y, first[2] + z);
         }
       }
     }

@@ -6,7 +6,7 @@ export PATH="/usr/sbin:/usr/bin:/sbin:/bin:${PATH}"
 
 packages=(
   # building
-  ca-certificates ccache cmake g++ ninja-build pkg-config
+  ca-certificates ccache clang-format cmake g++ ninja-build pkg-config
   # the core
   libbenchmark-dev libeigen3-dev libgtest-dev libode-dev liboctomap-dev libopencv-dev libssl-dev
   libcli11-dev nlohmann-json3-dev zlib1g-dev

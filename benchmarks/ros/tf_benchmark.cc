@@ -66,8 +66,9 @@ int main(int argc, char** argv) {
     stamp();
     for (const auto& transform : transforms) broadcaster.sendTransform(transform);
   });
-  std::printf("1000 transforms at 100 Hz, share of one core: one message a tick %.1f %%, "
-              "one call a transform %.1f %% (%.1f times)\n",
-              100.0 * one_message, 100.0 * one_call_each, one_call_each / one_message);
+  std::printf(
+      "1000 transforms at 100 Hz, share of one core: one message a tick %.1f %%, "
+      "one call a transform %.1f %% (%.1f times)\n",
+      100.0 * one_message, 100.0 * one_call_each, one_call_each / one_message);
   return 0;
 }

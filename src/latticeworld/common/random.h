@@ -37,7 +37,9 @@ class RandomStream {
   }
 
   // All that the next draws depend on, for hashes of a running simulation.
-  std::array<std::uint64_t, 4> state() const { return {state_[0], state_[1], state_[2], state_[3]}; }
+  std::array<std::uint64_t, 4> state() const {
+    return {state_[0], state_[1], state_[2], state_[3]};
+  }
 
  private:
   std::uint64_t state_[4];

@@ -12,10 +12,10 @@ namespace latticeworld {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
-constexpr double kLeastWeight = 0.5;        // of the built-up class under a building
-constexpr double kRoadsideShare = 0.7;      // of the buildings, at most, is put along roads first
+constexpr double kLeastWeight = 0.5;         // of the built-up class under a building
+constexpr double kRoadsideShare = 0.7;       // of the buildings, at most, is put along roads first
 constexpr double kFrontsPerHectare = 200.0;  // places that are tried
-constexpr double kVariation_deg = 10.0;     // of the orientation of buildings away from roads
+constexpr double kVariation_deg = 10.0;      // of the orientation of buildings away from roads
 constexpr double kStorey_m = 3.0;
 
 struct Size {
