@@ -133,7 +133,18 @@ bool GenerationService::OnLoad(latticeworld_msgs::LoadWorld::Request& request,
     response.seed = world->request.seed;
     return Status();
   };
-  response.status = ToRos(load());
+  Status status;
+  try {
+    status = load();
+  } catch (const std::exception& error) {  // the middleware's, and memory that ends
+    status = Internal(error.what());
+  }
+  response.status = ToRos(status);
+  if (status.ok()) {
+    ROS_INFO_STREAM("loaded " << request.name << ": " << response.world_id << " runs");
+  } else {
+    ROS_WARN_STREAM("load_world: " << status.ToString());
+  }
   return true;
 }
 
@@ -147,7 +158,13 @@ GenerationService::Answer GenerationService::Generate(GenerateWorldFields fields
   } catch (const std::exception& error) {  // the middleware's, and memory that ends
     status = Internal(error.what());
   }
-  if (!status.ok()) answer = Answer();
+  if (status.ok()) {
+    ROS_INFO_STREAM("generated " << answer.world_id << " from seed " << answer.seed
+                                 << ": it runs");
+  } else {
+    ROS_WARN_STREAM("generate_world: " << status.ToString());
+    answer = Answer();
+  }
   answer.status = ToRos(status);
   return answer;
 }
@@ -192,6 +209,8 @@ void GenerationService::OnGoal(Action::GoalHandle goal) {
     goal_id_ = goal.getGoalID().id;
   }
   goal.setAccepted();
+  // A cancel that came before goal_id_ was set has found no goal to end.
+  if (goal.getGoalStatus().status == actionlib_msgs::GoalStatus::PREEMPTING) slot_.Cancel();
   goal_thread_ = std::thread(
       [this, goal, moved = std::move(hold)]() mutable { RunGoal(goal, std::move(moved)); });
 }

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <future>
 #include <utility>
+#include <vector>
 
+#include "latticeworld/common/text.h"
 #include "latticeworld_ros/stopwatch.h"
 
 namespace latticeworld {
@@ -19,6 +22,18 @@ constexpr std::chrono::milliseconds kMaxLag(100);
 
 Status NoWorld() {
   return FailedPrecondition("no world is running; call generate_world or load_world first");
+}
+// Not all of a thousand: nobody reads them.
+std::string NamesOf(const WorldState& state) {
+  constexpr std::size_t kMost = 50;
+  if (state.agents.empty()) return "there are no agents";
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min(kMost, state.agents.size()); ++i) {
+    names.push_back(state.agents[i].name);
+  }
+  const std::size_t more = state.agents.size() - names.size();
+  return "there are " + Join(names, ", ") +
+         (more > 0 ? " and " + std::to_string(more) + " more" : "");
 }
 Status Stopped() { return Unavailable("world_server is shutting down"); }
 
@@ -60,12 +75,21 @@ Result<T> SimulationLoop::Call(std::function<Result<T>()> task) {
   // The promise is shared, for the task may outlive this call's stack when the loop stops.
   auto promise = std::make_shared<std::promise<Result<T>>>();
   std::future<Result<T>> answer = promise->get_future();
-  if (!Post([promise, task] { promise->set_value(task()); })) return Stopped();
+  const auto run = [promise, task] {
+    try {
+      promise->set_value(task());
+    } catch (...) {  // the caller's, who asked for it; the loop goes on
+      promise->set_exception(std::current_exception());
+    }
+  };
+  if (!Post(run)) return Stopped();
   promise.reset();
   try {
     return answer.get();
   } catch (const std::future_error&) {  // dropped by Stop
     return Stopped();
+  } catch (const std::exception& error) {  // of the task: memory that ended
+    return Internal(error.what());
   }
 }
 
@@ -91,21 +115,42 @@ Result<SimulationLoop::Agent> SimulationLoop::Spawn(const SpawnRequest& request)
 Result<SimulationLoop::Agent> SimulationLoop::Remove(const std::string& name) {
   return Call<Agent>([this, name]() -> Result<Agent> {
     if (running_.simulator == nullptr) return NoWorld();
-    LW_RETURN_IF_ERROR(running_.simulator->Remove(name));
+    const Status removed = running_.simulator->Remove(name);
+    if (removed.code() == StatusCode::kNotFound) {
+      return NotFound(removed.message() + "; " + NamesOf(*running_.simulator->State()));
+    }
+    LW_RETURN_IF_ERROR(removed);
     Settle();
     return Agent{name, running_.world->id};
   });
 }
 
 void SimulationLoop::Command(const std::string& agent, const VelocityCommand& command) {
-  // Nobody waits: once the loop has stopped there is no robot to drive.
-  (void)Post([this, agent, command] {
-    if (running_.simulator == nullptr) return;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    // Nobody waits: once the loop has stopped there is no robot to drive.
+    if (stopping_) return;
+    const bool on_its_way = !commands_.empty();
+    commands_[agent] = command;
+    if (on_its_way) return;
+    tasks_.push_back([this] { RunCommands(); });
+  }
+  wake_.notify_all();
+}
+
+void SimulationLoop::RunCommands() {
+  std::map<std::string, VelocityCommand> commands;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    commands.swap(commands_);
+  }
+  if (running_.simulator == nullptr) return;
+  for (const auto& [agent, command] : commands) {
     const Status status = running_.simulator->Command(agent, command);
     if (!status.ok()) {
       ROS_WARN_STREAM_THROTTLE(1.0, "cmd_vel of " << agent << ": " << status.ToString());
     }
-  });
+  }
 }
 
 Result<SimulationLoop::Snapshot> SimulationLoop::Inspect(bool hash) {
@@ -159,13 +204,13 @@ Result<SimulationLoop::Snapshot> SimulationLoop::Step(std::uint32_t steps, bool 
 
 Status SimulationLoop::SetPaused(bool paused) {
   return Call<bool>([this, paused]() -> Result<bool> {
+           const bool cut_short = job_.has_value();
            FinishJob(
                Status(StatusCode::kAborted, paused ? "paused meanwhile" : "unpaused meanwhile"));
-           if (paused != paused_) {
-             paused_ = paused;
-             next_due_ = Clock::now();
-             if (paused) Settle();
-           }
+           const bool changed = paused != paused_;
+           paused_ = paused;
+           if (changed) next_due_ = Clock::now();
+           if (paused && (changed || cut_short)) Settle();
            return true;
          })
       .status();
@@ -217,7 +262,8 @@ bool SimulationLoop::WaitUntil(Clock::time_point due) {
       if (tasks_.empty()) return true;
     }
     RunTasks();
-    if (job_) return true;  // lockstep does not wait
+    // Lockstep does not wait, and neither does time for those who ask without end.
+    if (job_ || Clock::now() >= due) return true;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -61,7 +62,8 @@ class SimulationLoop {
   };
   Result<Agent> Spawn(const SpawnRequest& request);
   Result<Agent> Remove(const std::string& name);
-  // Does not block; what comes of it goes to the log.
+  // Does not block; what comes of it goes to the log. Of several commands to one agent between two
+  // steps only the last counts.
   void Command(const std::string& agent, const VelocityCommand& command);
 
   struct Snapshot {
@@ -78,7 +80,7 @@ class SimulationLoop {
   // seed 0: the one that it runs with.
   Result<Snapshot> Reset(std::uint64_t seed);
   // steps: 1 .. kMaxStepsPerCall. Errors: FAILED_PRECONDITION (running, no world), OUT_OF_RANGE,
-  // RESOURCE_EXHAUSTED (another Step is not done), ABORTED (Swap, Reset or Unpause came between).
+  // RESOURCE_EXHAUSTED (another Step is not done), ABORTED (Swap, Reset or SetPaused came between).
   Result<Snapshot> Step(std::uint32_t steps, bool hash);
   Status SetPaused(bool paused);
 
@@ -99,7 +101,8 @@ class SimulationLoop {
 
   void Run();
   void RunTasks();
-  // Waits until `due` and runs tasks meanwhile. False: the loop is to stop.
+  void RunCommands();
+  // Waits until `due` and runs tasks meanwhile, but not for ever. False: the loop is to stop.
   bool WaitUntil(Clock::time_point due);
   void Pace();
   // One fixed step. settled: the last one for a while.
@@ -118,8 +121,9 @@ class SimulationLoop {
 
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::deque<std::function<void()>> tasks_;  // guarded by mutex_
-  bool stopping_ = false;                    // guarded by mutex_
+  std::deque<std::function<void()>> tasks_;          // guarded by mutex_
+  std::map<std::string, VelocityCommand> commands_;  // guarded by mutex_; newest of each agent
+  bool stopping_ = false;                            // guarded by mutex_
   std::thread thread_;
 
   // Of the loop's thread alone.

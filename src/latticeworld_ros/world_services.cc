@@ -1,6 +1,7 @@
 #include "latticeworld_ros/world_services.h"
 
 #include <memory>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -16,6 +17,11 @@ namespace {
 
 Status NoWorld() {
   return FailedPrecondition("no world is running; call generate_world or load_world first");
+}
+
+const WorldMessages& MessagesOf(const PublishedWorld* current) {
+  if (current == nullptr) throw std::runtime_error(NoWorld().message());
+  return current->messages;
 }
 
 }  // namespace
@@ -197,26 +203,26 @@ bool WorldServices::OnUnpause(std_srvs::Trigger::Request&, std_srvs::Trigger::Re
   return true;
 }
 
-// These three types have no status: as octomap_server and map_server do, the call itself fails
-// while there is nothing to give.
+// These three types have no status: as with octomap_server and map_server, the call itself fails
+// while there is nothing to give. roscpp passes the words of an exception on to the caller.
 bool WorldServices::OnOctomapFull(octomap_msgs::GetOctomap::Request&,
                                   octomap_msgs::GetOctomap::Response& response) {
   const std::shared_ptr<const PublishedWorld> current = current_->Get();
-  if (current != nullptr) response.map = *current->messages.octomap_full;
-  return current != nullptr;
+  response.map = *MessagesOf(current.get()).octomap_full;
+  return true;
 }
 
 bool WorldServices::OnOctomapBinary(octomap_msgs::GetOctomap::Request&,
                                     octomap_msgs::GetOctomap::Response& response) {
   const std::shared_ptr<const PublishedWorld> current = current_->Get();
-  if (current != nullptr) response.map = *current->messages.octomap_binary;
-  return current != nullptr;
+  response.map = *MessagesOf(current.get()).octomap_binary;
+  return true;
 }
 
 bool WorldServices::OnStaticMap(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) {
   const std::shared_ptr<const PublishedWorld> current = current_->Get();
-  if (current != nullptr) response.map = *current->messages.map;
-  return current != nullptr;
+  response.map = *MessagesOf(current.get()).map;
+  return true;
 }
 
 }  // namespace latticeworld

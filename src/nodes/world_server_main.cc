@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <exception>
 #include <memory>
+#include <thread>
 #include <utility>
 
 #include "latticeworld/generation/world_generator.h"
@@ -33,8 +34,10 @@ int main(int argc, char** argv) {
     ros::NodeHandle node;
     auto server = std::make_unique<latticeworld::WorldServer>(node, *options, std::move(generator));
     ROS_INFO("ready: call generate_world or load_world");
-    ros::waitForShutdown();
+    // From the first word of it on: taking leave of a master that hangs has no end either.
+    while (!ros::isShuttingDown()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
     const latticeworld::ShutdownGuard guard(std::chrono::milliseconds(1500));
+    ros::waitForShutdown();
     server.reset();
   } catch (const std::exception& error) {
     ROS_FATAL_STREAM("world_server: " << error.what());

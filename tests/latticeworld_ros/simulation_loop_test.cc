@@ -5,8 +5,10 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -20,7 +22,8 @@ constexpr double kStep_s = 0.01;
 class FakeSimulator : public Simulator {
  public:
   explicit FakeSimulator(std::uint64_t seed) : seed_(seed) { options_.step_s = kStep_s; }
-  Status Command(const std::string& agent, const VelocityCommand&) override {
+  Status Command(const std::string& agent, const VelocityCommand& command) override {
+    if (on_command) on_command(command);
     return agent == "robot" ? Status() : NotFound(agent);
   }
   void Step() override {
@@ -35,6 +38,7 @@ class FakeSimulator : public Simulator {
   }
   std::vector<Event> TakeEvents() override { return {}; }
   Result<std::string> Spawn(const SpawnRequest& request) override {
+    if (request.name == "too much") throw std::bad_alloc();
     if (request.name.empty()) return InvalidArgument("no name");
     return request.name;
   }
@@ -47,6 +51,8 @@ class FakeSimulator : public Simulator {
   const Scene& scene() const override { return scene_; }
   const SimulatorOptions& options() const override { return options_; }
   std::uint64_t seed() const override { return seed_; }
+
+  std::function<void(const VelocityCommand&)> on_command;
 
  private:
   Scene scene_;
@@ -185,6 +191,75 @@ TEST_F(SimulationLoopTest, AStepCallEndsWhenItsWorldDoes) {
   caller.join();
   // On a fast machine all its steps may be done by then.
   EXPECT_TRUE(status.ok() || status.code() == StatusCode::kAborted) << status.ToString();
+}
+
+TEST_F(SimulationLoopTest, APauseEndsAStepCallAndShowsWhereItEnded) {
+  Begin();
+  Status status;
+  std::thread caller([&] { status = loop_.Step(kMaxStepsPerCall, false).status(); });
+  recorder_.WaitFor(recorder_.times().size() + 100);
+  ASSERT_TRUE(loop_.SetPaused(true).ok());
+  caller.join();
+  EXPECT_TRUE(status.ok() || status.code() == StatusCode::kAborted) << status.ToString();
+  EXPECT_TRUE(loop_.Inspect(false)->paused);
+}
+
+TEST_F(SimulationLoopTest, OfManyCommandsBetweenTwoStepsTheLastCounts) {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool begun = false, go_on = false;
+  std::vector<double> heard_mps;
+  auto simulator = std::make_unique<FakeSimulator>(3);
+  simulator->on_command = [&](const VelocityCommand& command) {
+    std::unique_lock<std::mutex> lock(mutex);
+    heard_mps.push_back(command.linear_mps.x());
+    begun = true;
+    changed.notify_all();
+    changed.wait(lock, [&] { return go_on; });  // the loop is busy
+  };
+  RunningWorld world{std::make_shared<World>(), std::move(simulator)};
+  ASSERT_TRUE(loop_.Swap(&world).ok());
+  VelocityCommand command;
+  loop_.Command("robot", command);
+  {
+    std::unique_lock<std::mutex> lock(mutex);
+    changed.wait(lock, [&] { return begun; });
+  }
+  for (int i = 1; i <= 100000; ++i) {
+    command.linear_mps.x() = i;
+    loop_.Command("robot", command);
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    go_on = true;
+  }
+  changed.notify_all();
+  ASSERT_TRUE(loop_.Inspect(false).ok());
+  EXPECT_EQ(heard_mps, (std::vector<double>{0.0, 100000.0}));
+}
+
+TEST_F(SimulationLoopTest, TimeGoesOnWhoeverAsksWithoutEnd) {
+  auto simulator = std::make_unique<FakeSimulator>(3);
+  // Each command is followed by the next, so that something is always left to do.
+  simulator->on_command = [this](const VelocityCommand& command) {
+    loop_.Command("robot", command);
+  };
+  RunningWorld world{std::make_shared<World>(), std::move(simulator)};
+  ASSERT_TRUE(loop_.Swap(&world).ok());
+  loop_.Command("robot", VelocityCommand());
+  const auto stepped = loop_.Step(100, false);
+  ASSERT_TRUE(stepped.ok()) << stepped.status().ToString();
+  ASSERT_TRUE(loop_.SetPaused(false).ok());
+  recorder_.WaitFor(recorder_.times().size() + 20);
+  loop_.Stop();
+}
+
+TEST_F(SimulationLoopTest, AnExceptionIsTheCallersAndTheLoopGoesOn) {
+  Begin();
+  SpawnRequest request;
+  request.name = "too much";
+  EXPECT_EQ(loop_.Spawn(request).status().code(), StatusCode::kInternal);
+  EXPECT_TRUE(loop_.Step(2, false).ok());
 }
 
 TEST_F(SimulationLoopTest, StoppedLoopLetsEveryCallerGo) {
