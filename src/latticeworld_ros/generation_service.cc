@@ -159,8 +159,7 @@ GenerationService::Answer GenerationService::Generate(GenerateWorldFields fields
     status = Internal(error.what());
   }
   if (status.ok()) {
-    ROS_INFO_STREAM("generated " << answer.world_id << " from seed " << answer.seed
-                                 << ": it runs");
+    ROS_INFO_STREAM("generated " << answer.world_id << " from seed " << answer.seed << ": it runs");
   } else {
     ROS_WARN_STREAM("generate_world: " << status.ToString());
     answer = Answer();

@@ -10,7 +10,8 @@ namespace latticeworld {
 
 // Ends the process with success when what follows in this scope takes longer than `patience`. The
 // stages of a very large world may hear a cancel only after seconds, and a master that hangs never
-// answers; nobody who presses Ctrl-C waits for that. Nothing is lost, for files are written whole or not at all.
+// answers; nobody who presses Ctrl-C waits for that. Nothing is lost, for files are written whole
+// or not at all.
 class ShutdownGuard {
  public:
   explicit ShutdownGuard(std::chrono::milliseconds patience);
