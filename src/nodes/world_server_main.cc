@@ -19,6 +19,8 @@
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow fails to be written, no more
   ros::init(argc, argv, "world_server");
+  // roscpp hears SIGINT only; without taking leave the master would keep this node's topics.
+  std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
   // This node owns the clock. Said before the first NodeHandle, so that this node keeps it too.
   if (!ros::param::has("/use_sim_time")) ros::param::set("/use_sim_time", true);
 
