@@ -100,8 +100,13 @@ TEST(AgentsJsonTest, NamesWhatIsWrong) {
   }
 }
 
+TEST(AgentsJsonTest, RefusesADocumentTooLongToHoldAgents) {
+  const auto decoded = DecodeAgents("[" + std::string(2 << 20, ' ') + "]", TestGeometry());
+  EXPECT_EQ(decoded.status().code(), StatusCode::kDataLoss);
+}
+
 TEST(AgentsJsonTest, RefusesMoreAgentsThanAWorldMayHave) {
-  std::vector<AgentStart> agents(kMaxAgents + 1);
+  std::vector<AgentStart> agents(kMaxAgentStarts + 1);
   for (std::size_t i = 0; i < agents.size(); ++i) agents[i].name = "sheep_" + std::to_string(i);
   EXPECT_FALSE(DecodeAgents(EncodeAgents(agents), TestGeometry()).ok());
   agents.pop_back();

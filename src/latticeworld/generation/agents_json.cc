@@ -12,6 +12,7 @@ namespace {
 namespace jf = json_fields;
 
 constexpr double kMaxHeightAboveGround_m = 10000.0;
+constexpr std::size_t kMaxBytes = 1 << 20;  // kMaxAgentStarts agents take a third of it
 
 // A graph resource name without slashes: a letter, then letters, digits and underscores.
 bool IsRosName(const std::string& name) {
@@ -59,11 +60,15 @@ AgentStart Decode(const jf::Json& json, const GridGeometry& geometry) {
 }
 
 std::vector<AgentStart> DecodeAll(std::string_view content, const GridGeometry& geometry) {
+  if (content.size() > kMaxBytes) {
+    throw jf::FieldError("is " + std::to_string(content.size()) + " bytes long; at most " +
+                         std::to_string(kMaxBytes) + " are legal");
+  }
   const jf::Json json = jf::Parse(content);
   if (!json.is_array()) throw jf::FieldError("is not an array");
-  if (json.size() > kMaxAgents) {
+  if (json.size() > kMaxAgentStarts) {
     throw jf::FieldError("has " + std::to_string(json.size()) + " agents; at most " +
-                         std::to_string(kMaxAgents) + " are legal");
+                         std::to_string(kMaxAgentStarts) + " are legal");
   }
   std::vector<AgentStart> agents;
   std::set<std::string> names;

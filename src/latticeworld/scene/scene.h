@@ -19,6 +19,9 @@ namespace latticeworld {
 // No world holds more assets than this; larger ones are thinned and say so in a warning.
 inline constexpr int kMaxAssets = 200000;
 
+// Agents of a scene at most: those of the groups and the robot that every world has.
+inline constexpr int kMaxAgentStarts = kMaxAgents + 1;
+
 // Where an agent begins.
 struct AgentStart {
   std::string name;  // unique, legal as a ROS name: "sheep_1"; the first wheeled robot is "robot"
