@@ -75,15 +75,16 @@ Result<T> SimulationLoop::Call(std::function<Result<T>()> task) {
   // The promise is shared, for the task may outlive this call's stack when the loop stops.
   auto promise = std::make_shared<std::promise<Result<T>>>();
   std::future<Result<T>> answer = promise->get_future();
-  const auto run = [promise, task] {
+  // Nothing but the queue may keep the promise while this call waits, else Stop cannot break it.
+  const bool posted = Post([promise, task] {
     try {
       promise->set_value(task());
     } catch (...) {  // the caller's, who asked for it; the loop goes on
       promise->set_exception(std::current_exception());
     }
-  };
-  if (!Post(run)) return Stopped();
+  });
   promise.reset();
+  if (!posted) return Stopped();
   try {
     return answer.get();
   } catch (const std::future_error&) {  // dropped by Stop
