@@ -43,8 +43,9 @@ def colored(layout, vocabulary):
 
 def wait_for_server(server_pid, timeout_s):
     """Waits until the services are there; ends the program when the server died or time ran out."""
-    deadline = time.monotonic() + timeout_s
-    while time.monotonic() < deadline:
+    begin = time.monotonic()
+    told = False
+    while time.monotonic() < begin + timeout_s:
         if server_pid:
             # A child of the shell that called us: gone, or a zombie, means that it ended.
             try:
@@ -53,17 +54,32 @@ def wait_for_server(server_pid, timeout_s):
                         sys.exit("the world server ended before it answered")
             except FileNotFoundError:
                 sys.exit("the world server ended before it answered")
-        if rosgraph.is_master_online() and rosservice.get_service_node("/generate_world"):
-            return
+        try:
+            if rosgraph.is_master_online() and rosservice.get_service_node("/generate_world"):
+                return
+        except rosservice.ROSServiceException:
+            pass  # the master ended in between: it counts as not there
+        if not told and time.monotonic() > begin + 3.0:
+            told = True
+            print(f"waiting for /generate_world at {rosgraph.get_master_uri()} ...", file=sys.stderr)
         time.sleep(0.1)
-    sys.exit(f"no /generate_world service within {timeout_s:.0f} s")
+    sys.exit(f"no /generate_world service at {rosgraph.get_master_uri()} (ROS_MASTER_URI) within "
+             f"{timeout_s:.0f} s; is world_server running?")
+
+
+def seed_number(text):
+    """A seed as the service takes it."""
+    seed = int(text)
+    if not 0 <= seed < 2**64:
+        raise argparse.ArgumentTypeError(f"{text} is not legal; legal is 0 .. {2**64 - 1}")
+    return seed
 
 
 def main():
     parser = argparse.ArgumentParser(description="Generate a world through a running world_server.")
     parser.add_argument("--layout", required=True, help="what the land looks like")
     parser.add_argument("--environment", default="", help="season, weather, time, who lives there")
-    parser.add_argument("--seed", type=int, default=0, help="0: drawn")
+    parser.add_argument("--seed", type=seed_number, default=0, help="0: drawn")
     parser.add_argument("--size", type=float, default=0.0, help="side of the world [m]; 0: default")
     parser.add_argument("--resolution", type=float, default=0.0, help="cell [m]; 0: default")
     parser.add_argument("--server-pid", type=int, default=0, help=argparse.SUPPRESS)
@@ -91,7 +107,7 @@ def main():
         print(f"warning: {warning}")
 
     agents = rospy.wait_for_message("agents", AgentStates, timeout=10.0).agents
-    print(f"\n{len(agents)} agents")
+    print(f"\nagents: {len(agents)}")
     for agent in agents:
         place = agent.pose.position
         print(f"  {agent.name:<20} {agent.behaviour:<12} ({place.x:8.2f}, {place.y:8.2f}, {place.z:7.2f}) m")
@@ -111,4 +127,12 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except KeyboardInterrupt:
+        sys.exit(130)
+    except BrokenPipeError:  # as under `| head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
+    except (rospy.ROSException, rospy.ServiceException, rosgraph.MasterException, OSError) as error:
+        sys.exit(f"world_server does not answer any more: {error}")

@@ -173,7 +173,8 @@ class SimulationTest(WorldTest):
         states = Collector("agents", AgentStates)
         after = states.wait_for(lambda m: True)
         self.assertNotIn("scout", [agent.name for agent in after.agents])
-        self.assert_refused(self.world.remove_agent(name="scout"), Status.NOT_FOUND, "scout")
+        self.assert_refused(self.world.remove_agent(name="scout"), Status.NOT_FOUND, "scout",
+                            after.agents[0].name)
         truth.close()
         states.close()
 

@@ -42,9 +42,9 @@ class Server:
         self.stop()
         rospy.delete_param("/world_server")
 
-    def stop(self):
+    def stop(self, how=signal.SIGINT):
         if self.process.poll() is None:
-            self.process.send_signal(signal.SIGINT)
+            self.process.send_signal(how)
         return self.process.wait(TIMEOUT_S)
 
     def text(self):
@@ -56,6 +56,11 @@ class StartTest(unittest.TestCase):
     def test_without_parameters_it_starts_and_ends(self):
         with Server() as server:
             self.assertEqual(0, server.stop(), server.text())
+
+    def test_it_takes_leave_of_the_master_on_sigterm_too(self):
+        with Server() as server:
+            self.assertEqual(0, server.stop(signal.SIGTERM), server.text())
+            self.assertIsNone(rosservice.get_service_node("/generate_world"))
 
     def test_the_shipped_parameters_are_the_full_list_and_legal(self):
         parameters = yaml.safe_load(DEFAULTS.read_text(encoding="utf-8"))
@@ -88,7 +93,7 @@ class StartTest(unittest.TestCase):
                            world.step()):
                 self.assertEqual(Status.FAILED_PRECONDITION, answer.status.code)
                 self.assertIn("generate_world", answer.status.message)
-            with self.assertRaises(rospy.ServiceException):
+            with self.assertRaisesRegex(rospy.ServiceException, "generate_world"):
                 service("static_map", GetMap)()
             self.assertEqual(Status.OK, world.list_worlds().status.code)
             # The clock runs all the same: who waits for it is not stuck.
