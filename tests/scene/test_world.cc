@@ -8,33 +8,9 @@
 #include <utility>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/terrain/cover.h"
 
 namespace latticeworld {
-namespace {
-
-SurfaceClass SurfaceOf(Vocabulary vocabulary, char letter) {
-  const bool suburb = vocabulary == Vocabulary::kSuburb;
-  switch (letter) {
-    case 'A':
-      return SurfaceClass::kFarmland;
-    case 'B':
-      return suburb ? SurfaceClass::kBuilding : SurfaceClass::kGrass;
-    case 'D':
-      return SurfaceClass::kBarren;
-    case 'F':
-      return SurfaceClass::kForestFloor;
-    case 'R':
-      return suburb ? SurfaceClass::kRoad : SurfaceClass::kRock;
-    case 'S':
-      return SurfaceClass::kSnow;
-    case 'W':
-      return SurfaceClass::kWaterBed;
-    default:
-      return SurfaceClass::kGrass;
-  }
-}
-
-}  // namespace
 
 std::shared_ptr<const Terrain> MakeTerrain(const TestGround& ground) {
   const GridGeometry geometry = GridGeometry::FromCells(ground.cells, ground.size_m);
@@ -51,7 +27,7 @@ std::shared_ptr<const Terrain> MakeTerrain(const TestGround& ground) {
         if (ground.letter_at(geometry.CenterOf({row, col})) != letter) continue;
         weight(row, col) = 1.0f;
         occurs = true;
-        terrain->surface(row, col) = SurfaceOf(ground.vocabulary, letter);
+        terrain->surface(row, col) = internal::SurfaceOf(ground.vocabulary, letter);
       }
     }
     if (occurs) terrain->weights.classes.push_back({letter, std::move(weight)});
