@@ -49,6 +49,7 @@ add_message_files(FILES
   AgentEvent.msg
   AgentState.msg
   AgentStates.msg
+  ClaimOutcome.msg
   Environment.msg
   GenerationProgress.msg
   Layout.msg

@@ -9,7 +9,9 @@ packages=(
   ca-certificates ccache clang-format cmake g++ ninja-build pkg-config
   # the core
   libbenchmark-dev libeigen3-dev libgtest-dev libode-dev liboctomap-dev libopencv-dev libssl-dev
-  libcli11-dev nlohmann-json3-dev zlib1g-dev
+  libcli11-dev libcurl4-openssl-dev nlohmann-json3-dev zlib1g-dev
+  # testing the language back ends against real peers
+  nodejs npm openssl python3-numpy
   # ROS: building
   catkin ros-message-generation ros-message-runtime
   libactionlib-dev libactionlib-msgs-dev libdiagnostic-msgs-dev libgeometry-msgs-dev

@@ -6,18 +6,25 @@
 #include "latticeworld/common/text.h"
 
 namespace latticeworld {
+namespace {
 
-diagnostic_msgs::DiagnosticArray ToDiagnostics(const LoopStatistics& statistics) {
-  using diagnostic_msgs::DiagnosticStatus;
+using diagnostic_msgs::DiagnosticStatus;
+
+DiagnosticStatus Named(const char* name) {
   DiagnosticStatus status;
-  status.name = "world_server: simulation";
+  status.name = name;
   status.hardware_id = "latticeworld";
-  const auto add = [&](const char* key, const std::string& value) {
-    status.values.emplace_back();
-    status.values.back().key = key;
-    status.values.back().value = value;
-  };
+  return status;
+}
 
+void Add(const char* key, const std::string& value, DiagnosticStatus* status) {
+  status->values.emplace_back();
+  status->values.back().key = key;
+  status->values.back().value = value;
+}
+
+DiagnosticStatus OfSimulation(const LoopStatistics& statistics) {
+  DiagnosticStatus status = Named("world_server: simulation");
   if (statistics.simulator == nullptr) {
     status.level = DiagnosticStatus::WARN;
     status.message = "no world is running";
@@ -25,18 +32,48 @@ diagnostic_msgs::DiagnosticArray ToDiagnostics(const LoopStatistics& statistics)
     status.level = DiagnosticStatus::OK;
     status.message = statistics.paused ? "paused" : "running";
     const std::shared_ptr<const WorldState> state = statistics.simulator->State();
-    add("world", statistics.world_id);
-    add("agents", std::to_string(state->agents.size()));
-    add("contacts", std::to_string(state->contacts));
-    add("step", std::to_string(state->step));
+    Add("world", statistics.world_id, &status);
+    Add("agents", std::to_string(state->agents.size()), &status);
+    Add("contacts", std::to_string(state->contacts), &status);
+    Add("step", std::to_string(state->step), &status);
   }
-  add("real-time factor", FormatDouble(statistics.real_time_factor));
-  add("mean step time [s]", FormatDouble(statistics.mean_step_s));
-  add("longest step time [s]", FormatDouble(statistics.max_step_s));
+  Add("real-time factor", FormatDouble(statistics.real_time_factor), &status);
+  Add("mean step time [s]", FormatDouble(statistics.mean_step_s), &status);
+  Add("longest step time [s]", FormatDouble(statistics.max_step_s), &status);
+  return status;
+}
 
+DiagnosticStatus OfLanguage(const OpenAiClient* server) {
+  DiagnosticStatus status = Named("world_server: language");
+  status.level = DiagnosticStatus::OK;
+  if (server == nullptr) {
+    status.message = "embedded only; remote_url is not set";
+    return status;
+  }
+  const ServerStatistics statistics = server->statistics();
+  status.message = statistics.requests == 0 ? "not asked yet" : "the last request went well";
+  if (!statistics.last_error.empty()) {
+    status.level = DiagnosticStatus::WARN;
+    status.message = statistics.last_error;
+  }
+  Add("requests", std::to_string(statistics.requests), &status);
+  Add("failures", std::to_string(statistics.failures), &status);
+  Add("retries", std::to_string(statistics.retries), &status);
+  Add("prompt tokens", std::to_string(statistics.prompt_tokens), &status);
+  Add("completion tokens", std::to_string(statistics.completion_tokens), &status);
+  Add("last time to first token [s]", FormatDouble(statistics.last_first_token_s), &status);
+  Add("last time of an answer [s]", FormatDouble(statistics.last_total_s), &status);
+  return status;
+}
+
+}  // namespace
+
+diagnostic_msgs::DiagnosticArray ToDiagnostics(const LoopStatistics& statistics,
+                                               const OpenAiClient* server) {
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp = statistics.now;
-  array.status.push_back(std::move(status));
+  array.status.push_back(OfSimulation(statistics));
+  array.status.push_back(OfLanguage(server));
   return array;
 }
 

@@ -3,12 +3,16 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 
+#include "latticeworld/language/chat/openai_client.h"
 #include "latticeworld_ros/simulation_listener.h"
 
 namespace latticeworld {
 
-// One entry, "world_server: simulation". Warns while no world runs.
-diagnostic_msgs::DiagnosticArray ToDiagnostics(const LoopStatistics& statistics);
+// Two entries. "world_server: simulation" warns while no world runs; "world_server: language" tells
+// what went to the language server and came back, and warns while its last request failed. server:
+// nullptr where there is none.
+diagnostic_msgs::DiagnosticArray ToDiagnostics(const LoopStatistics& statistics,
+                                               const OpenAiClient* server);
 
 }  // namespace latticeworld
 

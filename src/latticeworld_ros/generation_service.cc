@@ -17,7 +17,9 @@
 namespace latticeworld {
 namespace {
 
+// Reports that come sooner and say less than this are dropped.
 constexpr double kLeastReportPeriod_s = 0.05;
+constexpr double kLeastReportStep = 0.25;  // of the fraction
 
 // The calling thread, and those that it makes, step back behind the simulation's where there are
 // too few cores: a world may take a little longer to make, the clock must not stall.
@@ -42,6 +44,8 @@ latticeworld_msgs::GenerateWorldTaskResult ToResult(
   result.vocabulary = answer.vocabulary;
   result.environment = answer.environment;
   result.generator = answer.generator;
+  result.fidelity = answer.fidelity;
+  result.not_understood = answer.not_understood;
   result.warnings = answer.warnings;
   result.stages = answer.stages;
   return result;
@@ -87,14 +91,17 @@ std::unique_ptr<GenerationSlot::Hold> GenerationService::TakeSlot(ReportProgress
     Stopwatch watch;
     std::string stage;
     double last_report_s = 0.0;
+    double last_fraction = 0.0;
   };
   auto throttle = std::make_shared<Throttle>();
   return slot_.Take([this, throttle, also_report](std::string_view stage, double fraction) {
     const std::lock_guard<std::mutex> lock(throttle->mutex);
     const double elapsed_s = throttle->watch.seconds();
-    if (stage == throttle->stage && elapsed_s - throttle->last_report_s < kLeastReportPeriod_s) {
+    if (stage == throttle->stage && elapsed_s - throttle->last_report_s < kLeastReportPeriod_s &&
+        fraction - throttle->last_fraction < kLeastReportStep) {
       return;
     }
+    throttle->last_fraction = fraction;
     throttle->stage = std::string(stage);
     throttle->last_report_s = elapsed_s;
     latticeworld_msgs::GenerationProgress message;
@@ -182,6 +189,8 @@ Status GenerationService::GenerateInto(GenerateWorldFields fields, const Progres
   answer->vocabulary = std::string(NameOf(world->layout.vocabulary));
   answer->environment = ToJson(world->environment);
   answer->generator = world->request.generator;
+  answer->fidelity = ToRos(world->fidelity.claims);
+  answer->not_understood = world->fidelity.not_understood;
   answer->warnings = world->warnings;
   answer->stages = ToRos(stages);
   return Status();

@@ -10,6 +10,7 @@
 #include <latticeworld/AgentEvent.h>
 #include <latticeworld/AgentState.h>
 #include <latticeworld/AgentStates.h>
+#include <latticeworld/ClaimOutcome.h>
 #include <latticeworld/Environment.h>
 #include <latticeworld/GenerateWorld.h>
 #include <latticeworld/GenerateWorldTaskAction.h>

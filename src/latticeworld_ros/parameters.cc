@@ -42,11 +42,27 @@ bool Read(XmlRpcValue value, std::vector<std::string>* out) {
   return true;
 }
 
+bool Read(XmlRpcValue value, std::size_t* out) {
+  int number = 0;
+  if (!Read(std::move(value), &number) || number < 0) return false;
+  *out = static_cast<std::size_t>(number);
+  return true;
+}
+bool Read(XmlRpcValue value, ChatDialect* out) {
+  std::string name;
+  if (!Read(std::move(value), &name)) return false;
+  const auto dialect = FromName<ChatDialect>(name);
+  if (dialect) *out = *dialect;
+  return dialect.has_value();
+}
+
 const char* TypeName(const double&) { return "a number"; }
 const char* TypeName(const int&) { return "a whole number"; }
 const char* TypeName(const bool&) { return "true or false"; }
 const char* TypeName(const std::string&) { return "a text"; }
 const char* TypeName(const std::vector<std::string>&) { return "a list of texts"; }
+const char* TypeName(const std::size_t&) { return "a whole number of at least 0"; }
+std::string TypeName(const ChatDialect&) { return "one of " + LegalNames<ChatDialect>(); }
 
 struct Parameter {
   std::function<bool(const XmlRpcValue&)> read;
@@ -71,6 +87,23 @@ std::map<std::string, Parameter> BindAll(WorldServerOptions* options) {
       {"marker_terrain_cells", Bind(&options->marker_terrain_cells)},
       {"marker_max_assets", Bind(&options->marker_max_assets)},
       {"generator", Bind(&options->generator)},
+      {"remote_url", Bind(&options->remote.server.url)},
+      {"remote_model", Bind(&options->remote.server.model)},
+      {"remote_dialect", Bind(&options->remote.server.dialect)},
+      {"remote_sees", Bind(&options->remote.server.sees)},
+      {"remote_api_key_variable", Bind(&options->remote.server.api_key_variable)},
+      {"remote_ca_file", Bind(&options->remote.server.ca_file)},
+      {"remote_connect_timeout", Bind(&options->remote.server.connect_timeout_s)},
+      {"remote_first_token_timeout", Bind(&options->remote.server.first_token_timeout_s)},
+      {"remote_total_timeout", Bind(&options->remote.server.total_timeout_s)},
+      {"remote_max_retries", Bind(&options->remote.server.max_retries)},
+      {"remote_backoff", Bind(&options->remote.server.backoff_s)},
+      {"remote_max_answer_bytes", Bind(&options->remote.server.max_answer_bytes)},
+      {"remote_repair_turns", Bind(&options->remote.model.repair_turns)},
+      {"remote_temperature", Bind(&options->remote.model.temperature)},
+      {"remote_layout_max_tokens", Bind(&options->remote.model.layout_max_tokens)},
+      {"remote_environment_max_tokens", Bind(&options->remote.model.environment_max_tokens)},
+      {"remote_fallback", Bind(&options->remote.fallback)},
       {"worlds_directory", Bind(&options->worlds_directory)},
       {"visual_directories", Bind(&options->visual_directories)},
       {"octomap_resolution", Bind(&options->octomap_resolution_m)},
@@ -84,8 +117,7 @@ std::map<std::string, Parameter> BindAll(WorldServerOptions* options) {
 
 }  // namespace
 
-Result<WorldServerOptions> OptionsFromParameters(const XmlRpcValue& parameters,
-                                                 const std::vector<std::string>& generators) {
+Result<WorldServerOptions> OptionsFromParameters(const XmlRpcValue& parameters) {
   WorldServerOptions options;
   const std::map<std::string, Parameter> known = BindAll(&options);
   std::vector<Violation> violations;
@@ -108,7 +140,7 @@ Result<WorldServerOptions> OptionsFromParameters(const XmlRpcValue& parameters,
     violations.push_back({"wrong_type", "", "the parameters are no dictionary", given.toXml()});
   }
 
-  for (Violation& violation : Validate(options, generators)) {
+  for (Violation& violation : Validate(options)) {
     violations.push_back(std::move(violation));
   }
   if (!violations.empty()) {

@@ -15,8 +15,7 @@ namespace latticeworld {
 // The options that a node's private parameters say: a struct of name to value, or an invalid value
 // for none at all. Absent ones keep their defaults. Errors: INVALID_ARGUMENT naming every unknown
 // name, every wrong type and every value out of range.
-Result<WorldServerOptions> OptionsFromParameters(const XmlRpc::XmlRpcValue& parameters,
-                                                 const std::vector<std::string>& generators);
+Result<WorldServerOptions> OptionsFromParameters(const XmlRpc::XmlRpcValue& parameters);
 
 // "~" and "~/..." below the home directory, where there is one.
 std::filesystem::path ExpandHome(const std::string& path);

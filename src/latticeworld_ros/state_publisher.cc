@@ -9,6 +9,7 @@
 #include <boost/make_shared.hpp>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "latticeworld_ros/agent_conversion.h"
 #include "latticeworld_ros/agent_markers.h"
@@ -24,8 +25,10 @@ std::uint64_t TicksPer(double rate_hz, double step_s) {
 }  // namespace
 
 StatePublisher::StatePublisher(ros::NodeHandle node, const WorldServerOptions& options,
-                               RobotTopics* robots)
+                               RobotTopics* robots,
+                               std::shared_ptr<const OpenAiClient> language_server)
     : robots_(robots),
+      language_server_(std::move(language_server)),
       ticks_per_clock_(TicksPer(options.clock_rate_hz, options.simulator.step_s)),
       ticks_per_state_(TicksPer(options.state_rate_hz, options.simulator.step_s)),
       ticks_per_markers_(TicksPer(options.marker_rate_hz, options.simulator.step_s)),
@@ -58,7 +61,7 @@ void StatePublisher::OnBegin() { map_from_odom_.clear(); }
 void StatePublisher::OnStatistics(const LoopStatistics& statistics) {
   // The clock first: what is published below carries this stamp.
   PublishClock(statistics.now);
-  diagnostics_.publish(ToDiagnostics(statistics));
+  diagnostics_.publish(ToDiagnostics(statistics, language_server_.get()));
 }
 
 void StatePublisher::PublishClock(ros::Time now) {

@@ -6,9 +6,11 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "latticeworld/language/chat/openai_client.h"
 #include "latticeworld_ros/robot_topics.h"
 #include "latticeworld_ros/simulation_listener.h"
 #include "latticeworld_ros/world_server_options.h"
@@ -20,7 +22,9 @@ namespace latticeworld {
 // and diagnostics. Everything but the constructor runs on the simulation loop's thread.
 class StatePublisher : public SimulationListener {
  public:
-  StatePublisher(ros::NodeHandle node, const WorldServerOptions& options, RobotTopics* robots);
+  // language_server: for diagnostics; nullptr: there is none.
+  StatePublisher(ros::NodeHandle node, const WorldServerOptions& options, RobotTopics* robots,
+                 std::shared_ptr<const OpenAiClient> language_server);
 
   void OnTick(const Tick& tick) override;
   void OnStandstill(ros::Time now) override;
@@ -34,6 +38,7 @@ class StatePublisher : public SimulationListener {
   void PublishMarkers(const Tick& tick, const WorldState& state);
 
   RobotTopics* const robots_;
+  const std::shared_ptr<const OpenAiClient> language_server_;
   const std::uint64_t ticks_per_clock_;
   const std::uint64_t ticks_per_state_;
   const std::uint64_t ticks_per_markers_;

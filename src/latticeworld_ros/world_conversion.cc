@@ -43,6 +43,19 @@ latticeworld_msgs::Environment ToEnvironment(const World& world) {
   return message;
 }
 
+std::vector<latticeworld_msgs::ClaimOutcome> ToRos(const std::vector<ClaimOutcome>& claims) {
+  std::vector<latticeworld_msgs::ClaimOutcome> messages(claims.size());
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    messages[i].part = std::string(NameOf(claims[i].part));
+    messages[i].kind = claims[i].kind;
+    messages[i].words = claims[i].words;
+    messages[i].satisfied = claims[i].satisfied;
+    messages[i].distance = claims[i].distance;
+    messages[i].explanation = claims[i].explanation;
+  }
+  return messages;
+}
+
 std::vector<latticeworld_msgs::StageTime> ToRos(const std::vector<StageTime>& stages) {
   std::vector<latticeworld_msgs::StageTime> messages(stages.size());
   for (std::size_t i = 0; i < stages.size(); ++i) {

@@ -16,6 +16,7 @@ latticeworld_msgs::WorldInfo ToInfo(const World& world);
 latticeworld_msgs::Layout ToLayout(const World& world);
 latticeworld_msgs::Environment ToEnvironment(const World& world);
 std::vector<latticeworld_msgs::StageTime> ToRos(const std::vector<StageTime>& stages);
+std::vector<latticeworld_msgs::ClaimOutcome> ToRos(const std::vector<ClaimOutcome>& claims);
 
 // Most points that one query_terrain may ask for.
 inline constexpr std::size_t kMaxTerrainPoints = 1000000;

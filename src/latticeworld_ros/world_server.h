@@ -4,7 +4,7 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
-#include "latticeworld/generation/world_generator.h"
+#include "latticeworld/generation/language_backends.h"
 #include "latticeworld_ros/current_world.h"
 #include "latticeworld_ros/generation_service.h"
 #include "latticeworld_ros/map_publisher.h"
@@ -27,7 +27,7 @@ namespace latticeworld {
 class WorldServer {
  public:
   // options: valid.
-  WorldServer(ros::NodeHandle node, const WorldServerOptions& options, WorldGenerator generator);
+  WorldServer(ros::NodeHandle node, const WorldServerOptions& options, LanguageBackends backends);
   ~WorldServer();
 
  private:

@@ -2,13 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "latticeworld/common/text.h"
 
 namespace latticeworld {
 
-std::vector<Violation> Validate(const WorldServerOptions& options,
-                                const std::vector<std::string>& generators) {
+namespace {
+
+// The violations of the core's options, under the names of the parameters.
+std::vector<Violation> ValidateRemote(const RemoteBackendOptions& options) {
+  std::vector<Violation> violations = Validate(options);
+  for (Violation& violation : violations) {
+    std::string& name = violation.pointer;
+    if (name.size() > 2 && name.compare(name.size() - 2, 2, "_s") == 0)
+      name.resize(name.size() - 2);
+    name = "remote_" + name;
+  }
+  return violations;
+}
+
+}  // namespace
+
+std::vector<Violation> Validate(const WorldServerOptions& options) {
   std::vector<Violation> violations = Validate(options.simulator);
   const auto refuse = [&](const char* name, const std::string& given, const std::string& legal) {
     violations.push_back({"out_of_range", name, given + " is not legal; legal is " + legal, given});
@@ -35,8 +51,13 @@ std::vector<Violation> Validate(const WorldServerOptions& options,
   check_range("robot_max_slope", options.robot.max_slope_rad, 0.01, 1.5);
   check_range("robot_max_step", options.robot.max_step_m, 0.0, 10.0);
   check_range("robot_max_fording_depth", options.robot.max_fording_depth_m, 0.0, 10.0);
-  if (std::find(generators.begin(), generators.end(), options.generator) == generators.end()) {
-    refuse("generator", Quote(options.generator), Join(generators, ", "));
+  const bool remote = options.remote.is_wanted();
+  if (options.generator != "grounded" && !(remote && options.generator == "remote")) {
+    refuse("generator", Quote(options.generator),
+           remote ? "grounded or remote" : "grounded (and remote where remote_url is set)");
+  }
+  for (Violation& violation : ValidateRemote(options.remote)) {
+    violations.push_back(std::move(violation));
   }
   if (options.worlds_directory.empty()) refuse("worlds_directory", "\"\"", "a directory");
   for (const std::string& directory : options.visual_directories) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "latticeworld/common/status.h"
+#include "latticeworld/generation/language_backends.h"
 #include "latticeworld/mapping/traversability.h"
 #include "latticeworld/simulation/simulator.h"
 
@@ -26,7 +27,8 @@ struct WorldServerOptions {
   int marker_max_assets = 20000;   // [0, 200000]: assets of world/markers
 
   // Worlds.
-  std::string generator = "grounded";
+  std::string generator = "grounded";  // "grounded", or "remote" where remote.server.url is set
+  RemoteBackendOptions remote;
   std::string worlds_directory = "~/.ros/latticeworld/worlds";
   std::vector<std::string> visual_directories = {"~/.ros/latticeworld/visuals"};
 
@@ -36,9 +38,8 @@ struct WorldServerOptions {
   RobotLimits robot;                  // for map and the traversability layer
 };
 
-// Every violation, each with its parameter's name. generators: the legal ones.
-std::vector<Violation> Validate(const WorldServerOptions& options,
-                                const std::vector<std::string>& generators);
+// Every violation, each with its parameter's name.
+std::vector<Violation> Validate(const WorldServerOptions& options);
 
 }  // namespace latticeworld
 

@@ -78,6 +78,8 @@ bool WorldServices::OnGet(latticeworld_msgs::GetWorld::Request&,
   response.layout = ToText(world.layout);
   response.environment = ToJson(world.environment);
   response.environment_schema = EnvironmentSchema();
+  response.fidelity = ToRos(world.fidelity.claims);
+  response.not_understood = world.fidelity.not_understood;
   response.warnings = world.warnings;
   response.stages = ToRos(world.stages);
   response.step = snapshot->step;

@@ -11,7 +11,7 @@
 #include <thread>
 #include <utility>
 
-#include "latticeworld/generation/world_generator.h"
+#include "latticeworld/generation/language_backends.h"
 #include "latticeworld_ros/parameters.h"
 #include "latticeworld_ros/shutdown_guard.h"
 #include "latticeworld_ros/world_server.h"
@@ -24,17 +24,21 @@ int main(int argc, char** argv) {
   // This node owns the clock. Said before the first NodeHandle, so that this node keeps it too.
   if (!ros::param::has("/use_sim_time")) ros::param::set("/use_sim_time", true);
 
-  latticeworld::WorldGenerator generator = latticeworld::MakeDefaultWorldGenerator();
   XmlRpc::XmlRpcValue parameters;
   (void)ros::param::get(ros::this_node::getName(), parameters);  // none at all is legal
-  const auto options = latticeworld::OptionsFromParameters(parameters, generator.backend_names());
+  const auto options = latticeworld::OptionsFromParameters(parameters);
   if (!options.ok()) {
     ROS_FATAL_STREAM(options.status().ToString());
     return EXIT_FAILURE;
   }
+  auto backends = latticeworld::MakeLanguageBackends(options->remote);
+  if (!backends.ok()) {
+    ROS_FATAL_STREAM(backends.status().ToString());
+    return EXIT_FAILURE;
+  }
   try {
     ros::NodeHandle node;
-    auto server = std::make_unique<latticeworld::WorldServer>(node, *options, std::move(generator));
+    auto server = std::make_unique<latticeworld::WorldServer>(node, *options, *std::move(backends));
     ROS_INFO("ready: call generate_world or load_world");
     // From the first word of it on: taking leave of a master that hangs has no end either.
     while (!ros::isShuttingDown()) std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -7,13 +7,14 @@
 #include <iostream>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "latticeworld/common/files.h"
-#include "latticeworld/common/text.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/world_generator.h"
 #include "tools/arguments.h"
 #include "tools/interrupt.h"
+#include "tools/language_arguments.h"
 #include "tools/progress_display.h"
 #include "tools/world_summary.h"
 
@@ -64,7 +65,9 @@ Status Generate(const CLI::App& command) {
   std::filesystem::path target = *ValueOf(command, "--out");
   if (target.empty()) return InvalidArgument("--out: is empty; give the directory to be made");
   if (!target.has_filename()) target = target.parent_path();  // a trailing slash
-  WorldGenerator generator = MakeDefaultWorldGenerator();
+  LW_ASSIGN_OR_RETURN(LanguageBackends backends, MakeLanguageBackends(command));
+  const std::string default_backend = backends.server != nullptr ? "remote" : "grounded";
+  WorldGenerator generator(std::move(backends.by_name), default_backend);
   LW_RETURN_IF_ERROR(generator.Validate(request));
   LW_RETURN_IF_ERROR(CheckTarget(target));
 
@@ -105,9 +108,7 @@ void AddGenerateCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--height-offset", "METRES",
                  "Height of a black pixel of the height map, -9000 to 9000 [0].");
   AddValueOption(command, "--vocabulary", "NAME", "suburb or wild. Without it the words decide.");
-  AddValueOption(
-      command, "--generator", "NAME",
-      "Who reads the words: " + Join(MakeDefaultWorldGenerator().backend_names(), ", ") + ".");
+  AddLanguageOptions(command);
   AddValueOption(command, "--seed", "N",
                  "The same request and seed give the same world. 0 or none: one is drawn and "
                  "shown.");

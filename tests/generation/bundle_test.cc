@@ -67,10 +67,10 @@ class BundleTest : public ::testing::Test {
 
 TEST_F(BundleTest, HasExactlyTheFilesOfTheFormat) {
   const std::vector<std::string> expected = {
-      "agents.json",   "assets.csv",    "environment.json", "height.png",
-      "layout.txt",    "map.pgm",       "map.yaml",         "preview.png",
-      "terrain.bin",   "visual",        "water.png",        "weights/F.png",
-      "weights/G.png", "weights/W.png", "world.bt",         "world.json"};
+      "agents.json",   "assets.csv", "environment.json", "fidelity.json", "height.png",
+      "layout.txt",    "map.pgm",    "map.yaml",         "preview.png",   "replies.json",
+      "terrain.bin",   "visual",     "water.png",        "weights/F.png", "weights/G.png",
+      "weights/W.png", "world.bt",   "world.json"};
   EXPECT_EQ(FilesBelow(bundle_), expected);
   EXPECT_EQ(directory_.Entries(), std::vector<std::string>{"lake"});
 }

@@ -166,16 +166,30 @@ void ExpectSameRequest(const GenerationRequest& a, const GenerationRequest& b) {
   EXPECT_EQ(a.resolution_m, b.resolution_m);
 }
 
-void ExpectSameClaims(const std::vector<Claim>& a, const std::vector<Claim>& b) {
+void ExpectSameFidelity(const FidelityReport& a, const FidelityReport& b) {
+  EXPECT_EQ(a.not_understood, b.not_understood);
+  ASSERT_EQ(a.claims.size(), b.claims.size());
+  for (std::size_t i = 0; i < a.claims.size(); ++i) {
+    EXPECT_EQ(a.claims[i].part, b.claims[i].part);
+    EXPECT_EQ(a.claims[i].kind, b.claims[i].kind);
+    EXPECT_EQ(a.claims[i].words, b.claims[i].words);
+    EXPECT_EQ(a.claims[i].satisfied, b.claims[i].satisfied);
+    EXPECT_EQ(a.claims[i].distance, b.claims[i].distance);
+    EXPECT_EQ(a.claims[i].explanation, b.claims[i].explanation);
+  }
+}
+
+void ExpectSameReplies(const std::vector<ModelReply>& a, const std::vector<ModelReply>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
-    EXPECT_EQ(a[i].kind, b[i].kind);
-    EXPECT_EQ(a[i].subject, b[i].subject);
-    EXPECT_EQ(a[i].object, b[i].object);
-    EXPECT_EQ(a[i].regions, b[i].regions);
-    EXPECT_EQ(a[i].from, b[i].from);
-    EXPECT_EQ(a[i].to, b[i].to);
-    EXPECT_EQ(a[i].words, b[i].words);
+    EXPECT_EQ(a[i].purpose, b[i].purpose);
+    EXPECT_EQ(a[i].model, b[i].model);
+    EXPECT_EQ(a[i].text, b[i].text);
+    EXPECT_EQ(a[i].finish_reason, b[i].finish_reason);
+    EXPECT_EQ(a[i].prompt_tokens, b[i].prompt_tokens);
+    EXPECT_EQ(a[i].completion_tokens, b[i].completion_tokens);
+    EXPECT_EQ(a[i].retries, b[i].retries);
+    EXPECT_EQ(a[i].seconds, b[i].seconds);
   }
 }
 
@@ -206,14 +220,14 @@ std::shared_ptr<World> MakeTestWorld() {
                        {0.1, -0.2, 0.0}, {0.6, 0.0, 0.8}, 0.7, 0.2};
   scene->agents = MakeAgents();
   world->scene = scene;
-  world->claims = {{ClaimKind::kPresent,
-                    'F',
-                    '\0',
-                    {Region::kUpperLeft, Region::kUpper},
-                    Region::kAnywhere,
-                    Region::kAnywhere,
-                    "A wood in the upper left"},
-                   {ClaimKind::kAdjacent, 'F', 'W', {}, Region::kUpper, Region::kLower, "by"}};
+  world->fidelity.claims = {
+      {InstructionPart::kLayout, "present", "A wood in the upper left", true, 0.0, "it is there"},
+      {InstructionPart::kEnvironment, "coarse", "autumn", false, 1.0 / 3.0,
+       "season is \"summer\""}};
+  world->fidelity.not_understood = {"Königssee"};
+  world->replies = {
+      {"layout", "a model", "FFF\nGGG <think>\xF0\x9F\x8C\xB2", "length", 700, 2048, 1, 0.1},
+      {"environment", "a model", "{}", "stop", 0, 0, 0, 1.0 / 7.0}};
   world->warnings = {"not understood: \"Königssee\"", "a second one"};
   world->stages = {{"relief", 0.001}, {"layout", 1.0 / 3.0}};
   world->id = ContentId(world->layout, *scene);
@@ -240,7 +254,8 @@ void ExpectSameWorld(const World& a, const World& b) {
   EXPECT_EQ(a.scene->index.largest_solid_radius_m(), b.scene->index.largest_solid_radius_m());
   ExpectSameAtmosphere(a.scene->atmosphere, b.scene->atmosphere);
   ExpectSameAgents(a.scene->agents, b.scene->agents);
-  ExpectSameClaims(a.claims, b.claims);
+  ExpectSameFidelity(a.fidelity, b.fidelity);
+  ExpectSameReplies(a.replies, b.replies);
   EXPECT_EQ(a.warnings, b.warnings);
 }
 

@@ -39,9 +39,7 @@ class FakeLayoutGenerator : public LayoutGenerator {
     for (int row = 20; row < 30; ++row) {
       for (int col = 20; col < 30; ++col) answer.layout.cells(row, col) = 'W';
     }
-    Claim claim;
-    claim.subject = 'F';
-    answer.claims = {claim};
+    answer.replies = {{"layout", "fake", "FFFF", "stop", 1, 2, 0, 0.5}};
     answer.warnings = {"from layout"};
     return answer;
   }
@@ -63,6 +61,7 @@ class FakeEnvironmentGenerator : public EnvironmentGenerator {
     answer.environment.fine = DeriveFineAttributes(answer.environment.coarse);
     answer.environment.agents = {
         {AgentCategory::kSheep, 2, AgentState::kGrazing, Region::kUpperLeft}};
+    answer.replies = {{"environment", "fake", "{}", "stop", 1, 2, 0, 0.5}};
     answer.warnings = {"from environment"};
     return answer;
   }
@@ -144,7 +143,9 @@ TEST(WorldGeneratorTest, HandsOnTextsAndCollectsAnswers) {
   EXPECT_TRUE(log.environment_had_layout);
   EXPECT_FALSE(log.layout_had_relief);
   EXPECT_EQ((*world)->layout.cells(25, 25), 'W');
-  EXPECT_EQ((*world)->claims.size(), 1u);
+  ASSERT_EQ((*world)->replies.size(), 2u);  // layout first
+  EXPECT_EQ((*world)->replies[0].purpose, "layout");
+  EXPECT_EQ((*world)->replies[1].purpose, "environment");
   EXPECT_EQ((*world)->environment.coarse.season, Season::kAutumn);
   ASSERT_GE((*world)->warnings.size(), 2u);
   EXPECT_EQ((*world)->warnings[0], "from layout");

@@ -8,10 +8,8 @@
 namespace latticeworld {
 namespace {
 
-const std::vector<std::string> kGenerators = {"grounded"};
-
 TEST(ParametersTest, NoneAtAllGivesTheDefaults) {
-  const auto options = OptionsFromParameters(XmlRpc::XmlRpcValue(), kGenerators);
+  const auto options = OptionsFromParameters(XmlRpc::XmlRpcValue());
   ASSERT_TRUE(options.ok()) << options.status().ToString();
   EXPECT_DOUBLE_EQ(options->simulator.step_s, 0.01);
 }
@@ -24,7 +22,7 @@ TEST(ParametersTest, GivenOnesAreTaken) {
   parameters["worlds_directory"] = std::string("/srv/worlds");
   parameters["visual_directories"][0] = std::string("/srv/pictures");
   parameters["robot_max_slope"] = 0.3;
-  const auto options = OptionsFromParameters(parameters, kGenerators);
+  const auto options = OptionsFromParameters(parameters);
   ASSERT_TRUE(options.ok()) << options.status().ToString();
   EXPECT_EQ(options->real_time_factor, 0.0);
   EXPECT_EQ(options->simulator.step_s, 0.005);
@@ -40,7 +38,7 @@ TEST(ParametersTest, EverythingWrongIsNamedAtOnce) {
   parameters["step"] = std::string("fast");
   parameters["clock_rate"] = -3;
   parameters["generator"] = std::string("oracle");
-  const auto options = OptionsFromParameters(parameters, kGenerators);
+  const auto options = OptionsFromParameters(parameters);
   ASSERT_FALSE(options.ok());
   EXPECT_EQ(options.status().violations().size(), 4u);
   for (const char* word : {"setp", "step", "clock_rate", "-3", "oracle", "grounded"}) {
@@ -57,10 +55,58 @@ TEST(ParametersTest, EveryNumberRefusesWhatIsNoNumber) {
                                std::numeric_limits<double>::infinity()}) {
       XmlRpc::XmlRpcValue parameters;
       parameters[name] = value;
-      const auto options = OptionsFromParameters(parameters, kGenerators);
+      const auto options = OptionsFromParameters(parameters);
       ASSERT_FALSE(options.ok()) << name << " = " << value;
       EXPECT_EQ(options.status().violations().size(), 1u) << options.status().ToString();
     }
+  }
+}
+
+XmlRpc::XmlRpcValue WithServer() {
+  XmlRpc::XmlRpcValue parameters;
+  parameters["remote_url"] = std::string("http://127.0.0.1:8080/v1");
+  return parameters;
+}
+
+TEST(ParametersTest, AServerMakesRemoteALegalGenerator) {
+  XmlRpc::XmlRpcValue parameters = WithServer();
+  parameters["generator"] = std::string("remote");
+  parameters["remote_dialect"] = std::string("llama.cpp");
+  parameters["remote_total_timeout"] = 30;
+  parameters["remote_max_answer_bytes"] = 4096;
+  parameters["remote_fallback"] = true;
+  const auto options = OptionsFromParameters(parameters);
+  ASSERT_TRUE(options.ok()) << options.status().ToString();
+  EXPECT_EQ(options->remote.server.dialect, ChatDialect::kLlamaCpp);
+  EXPECT_EQ(options->remote.server.total_timeout_s, 30.0);
+  EXPECT_EQ(options->remote.server.max_answer_bytes, 4096u);
+  EXPECT_TRUE(options->remote.fallback);
+
+  XmlRpc::XmlRpcValue alone;
+  alone["generator"] = std::string("remote");
+  const auto refused = OptionsFromParameters(alone);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.status().message().find("remote_url"), std::string::npos);
+}
+
+TEST(ParametersTest, ServerParametersOutOfRangeAreNamedAsTheyAreWritten) {
+  for (const char* name :
+       {"remote_connect_timeout", "remote_first_token_timeout", "remote_total_timeout",
+        "remote_max_retries", "remote_backoff", "remote_max_answer_bytes", "remote_repair_turns",
+        "remote_temperature", "remote_layout_max_tokens", "remote_environment_max_tokens"}) {
+    XmlRpc::XmlRpcValue parameters = WithServer();
+    parameters[name] = 2000000000;
+    const auto options = OptionsFromParameters(parameters);
+    ASSERT_FALSE(options.ok()) << name;
+    ASSERT_EQ(options.status().violations().size(), 1u) << options.status().ToString();
+    EXPECT_EQ(options.status().violations()[0].pointer, name);
+  }
+  for (const char* name : {"remote_url", "remote_dialect"}) {
+    XmlRpc::XmlRpcValue parameters = WithServer();
+    parameters[name] = std::string("gopher://hole");
+    const auto options = OptionsFromParameters(parameters);
+    ASSERT_FALSE(options.ok()) << name;
+    EXPECT_EQ(options.status().violations()[0].pointer, name);
   }
 }
 

@@ -42,21 +42,5 @@ TEST(MeasuresTest, ComponentsTouchAtCornersToo) {
   EXPECT_TRUE(ComponentsOf(layout, 'S').empty());
 }
 
-TEST(MeasuresTest, AdjacencyIsAShareOfTheSubject) {
-  SymbolicLayout layout = Uniform(Vocabulary::kWild, 'B');
-  Fill(&layout, {0, 0}, {0, 3}, 'W');
-  layout.cells(1, 4) = 'R';  // diagonal to the fourth water cell
-  EXPECT_DOUBLE_EQ(AdjacencyOf(layout, 'W', 'R'), 0.25);
-  EXPECT_DOUBLE_EQ(AdjacencyOf(layout, 'R', 'W'), 1.0);
-  EXPECT_DOUBLE_EQ(AdjacencyOf(layout, 'S', 'W'), 0.0);
-}
-
-TEST(MeasuresTest, DominantIsTheLargestShare) {
-  SymbolicLayout layout = Uniform(Vocabulary::kSuburb, 'G');
-  Fill(&layout, {0, 0}, {9, 6}, 'A');
-  EXPECT_EQ(DominantIn(layout, Region::kUpperLeft), 'A');
-  EXPECT_EQ(DominantIn(layout, Region::kAnywhere), 'G');
-}
-
 }  // namespace
 }  // namespace latticeworld

@@ -4,12 +4,10 @@
 import os
 import pathlib
 import signal
-import subprocess
 import tempfile
 import threading
 import unittest
 
-import roslib.packages
 import rospkg
 import rospy
 import rosservice
@@ -18,38 +16,10 @@ from nav_msgs.srv import GetMap
 from rosgraph_msgs.msg import Clock
 
 from latticeworld.msg import GenerationProgress, Status
+from server_process import Server
 from world_client import TIMEOUT_S, Collector, World, run, service, wait_until
 
-WORLD_SERVER = roslib.packages.find_node("latticeworld", "world_server")[0]
 DEFAULTS = pathlib.Path(rospkg.RosPack().get_path("latticeworld"), "launch_cfg/world_server.yaml")
-
-
-class Server:
-    """A world_server process of our own with these private parameters."""
-
-    def __init__(self, **parameters):
-        rospy.set_param("/world_server", parameters)
-        self.output = tempfile.TemporaryFile(mode="w+")
-        self.process = subprocess.Popen([WORLD_SERVER], stdout=self.output,
-                                        stderr=subprocess.STDOUT)
-
-    def __enter__(self):
-        wait_until(lambda: rosservice.get_service_node("/generate_world") or
-                   self.process.poll() is not None, "world_server is ready")
-        return self
-
-    def __exit__(self, *_):
-        self.stop()
-        rospy.delete_param("/world_server")
-
-    def stop(self, how=signal.SIGINT):
-        if self.process.poll() is None:
-            self.process.send_signal(how)
-        return self.process.wait(TIMEOUT_S)
-
-    def text(self):
-        self.output.seek(0)
-        return self.output.read()
 
 
 class StartTest(unittest.TestCase):

@@ -44,7 +44,9 @@ TEST_F(CommandLineTest, TellsItsCommandsAndTheirOptions) {
         "--vocabulary", "--generator", "grounded", "--seed", "--size", "--resolution", "--out",
         "@FILE"}},
       {"show", {"DIR"}},
-      {"picture", {"DIR", "--out", "--width", "--view"}}};
+      {"picture", {"DIR", "--out", "--width", "--view"}},
+      {"score", {"DIR", "--symbols", "--benchmark", "--part", "--misses", "--remote-url"}},
+      {"rebuild", {"DIR", "--out"}}};
   for (const auto& [command, words] : commands) {
     const ProgramRun run = RunProgram({command, "--help"});
     EXPECT_EQ(run.exit_status, 0);
@@ -70,9 +72,10 @@ TEST_F(CommandLineTest, TellsItsVersion) {
 }
 
 TEST_F(CommandLineTest, RefusesWhatIsNoCommand) {
-  ExpectUsageError({}, {"generate, show and picture"});
-  ExpectUsageError({"grow"}, {"grow", "generate, show and picture"});
-  ExpectUsageError({"--frobnicate"}, {"--frobnicate", "generate, show and picture"});
+  ExpectUsageError({}, {"generate, show, picture, score and rebuild"});
+  ExpectUsageError({"grow"}, {"grow", "generate, show, picture, score and rebuild"});
+  ExpectUsageError({"--frobnicate"},
+                   {"--frobnicate", "generate, show, picture, score and rebuild"});
 }
 
 TEST_F(CommandLineTest, RefusesUnusableOptions) {

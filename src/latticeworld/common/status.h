@@ -26,6 +26,7 @@ enum class StatusCode : std::uint8_t {
   kInternal = 13,
   kUnavailable = 14,
   kDataLoss = 15,
+  kUnauthenticated = 16,
 };
 
 // "INVALID_ARGUMENT" and so on.

@@ -16,8 +16,10 @@ namespace latticeworld {
 // id, same bits in every grid, whatever back ends this program has and however it would decode the
 // layout today.
 //
-// read back   layout.txt, environment.json, assets.csv, agents.json, visual (the request's picture,
-//             where there is one), terrain.bin (every grid of the terrain, see terrain_file.h)
+// read back   layout.txt, environment.json, fidelity.json (claims of the words, measured),
+//             replies.json (what a language model answered), assets.csv, agents.json, visual (the
+//             request's picture, where there is one), terrain.bin (every grid of the terrain, see
+//             terrain_file.h)
 // others'     height.png, water.png (16 bit), weights/<letter>.png (8 bit), map.pgm and map.yaml
 //             (map_server), world.bt (OctoMap), preview.png; loading checks their digests only
 //

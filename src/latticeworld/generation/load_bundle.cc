@@ -11,6 +11,8 @@
 #include "latticeworld/generation/assets_csv.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/bundle_files.h"
+#include "latticeworld/generation/fidelity_json.h"
+#include "latticeworld/generation/replies_json.h"
 #include "latticeworld/generation/terrain_file.h"
 #include "latticeworld/generation/world_id.h"
 
@@ -33,9 +35,10 @@ Status CheckRequest(const GenerationRequest& request) {
 // Every file that the world needs is listed, once, and nothing else is: names never come from the
 // manifest unchecked, so that none can point outside the bundle.
 Status CheckFileList(const Manifest& manifest) {
-  std::set<std::string> legal = {kLayoutFile, kEnvironmentFile, kTerrainFile, kAssetsFile,
-                                 kAgentsFile, kHeightFile,      kWaterFile,   kMapPictureFile,
-                                 kMapFile,    kOctreeFile,      kPreviewFile};
+  std::set<std::string> legal = {kLayoutFile,  kEnvironmentFile, kFidelityFile, kRepliesFile,
+                                 kTerrainFile, kAssetsFile,      kAgentsFile,   kHeightFile,
+                                 kWaterFile,   kMapPictureFile,  kMapFile,      kOctreeFile,
+                                 kPreviewFile};
   if (manifest.request.visual_kind != VisualKind::kNone) legal.insert(kVisualFile);
   std::set<std::string> missing = legal;
   for (const LayoutClass& entry : ClassesOf(*FromName<Vocabulary>(manifest.request.vocabulary))) {
@@ -71,11 +74,13 @@ Result<std::string> ReadVerified(const fs::path& directory, const BundleFile& fi
 
 // The files that a world is read back from. The others are checked and forgotten.
 struct Contents {
-  std::string layout, environment, terrain, assets, agents, visual;
+  std::string layout, environment, fidelity, replies, terrain, assets, agents, visual;
 
   std::string* Find(std::string_view name) {
     if (name == kLayoutFile) return &layout;
     if (name == kEnvironmentFile) return &environment;
+    if (name == kFidelityFile) return &fidelity;
+    if (name == kRepliesFile) return &replies;
     if (name == kTerrainFile) return &terrain;
     if (name == kAssetsFile) return &assets;
     if (name == kAgentsFile) return &agents;
@@ -125,6 +130,10 @@ Result<std::shared_ptr<const World>> Load(const fs::path& directory) {
   if (!layout.ok()) return Damaged(kLayoutFile, layout.status());
   auto environment = ParseEnvironment(contents.environment);
   if (!environment.ok()) return Damaged(kEnvironmentFile, environment.status());
+  auto fidelity = DecodeFidelity(contents.fidelity);
+  if (!fidelity.ok()) return Damaged(kFidelityFile, fidelity.status());
+  auto replies = DecodeReplies(contents.replies);
+  if (!replies.ok()) return Damaged(kRepliesFile, replies.status());
   LW_ASSIGN_OR_RETURN(auto scene, ParseScene(contents, manifest, *environment));
 
   const std::string id = ContentId(*layout, *scene);
@@ -139,7 +148,8 @@ Result<std::shared_ptr<const World>> Load(const fs::path& directory) {
   world->layout = *std::move(layout);
   world->environment = *std::move(environment);
   world->scene = std::move(scene);
-  world->claims = std::move(manifest.claims);
+  world->fidelity = *std::move(fidelity);
+  world->replies = *std::move(replies);
   world->warnings = std::move(manifest.warnings);
   world->stages = std::move(manifest.stages);
   return std::shared_ptr<const World>(std::move(world));

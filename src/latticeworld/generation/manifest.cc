@@ -88,41 +88,6 @@ Atmosphere DecodeAtmosphere(const Json& json) {
   return atmosphere;
 }
 
-Json Encode(const Claim& claim) {
-  Json regions = Json::array();
-  for (const Region region : claim.regions) regions.push_back(NameOf(region));
-  return {{"kind", NameOf(claim.kind)},
-          {"subject", std::string(1, claim.subject)},
-          {"object", claim.object == '\0' ? std::string() : std::string(1, claim.object)},
-          {"regions", std::move(regions)},
-          {"from", NameOf(claim.from)},
-          {"to", NameOf(claim.to)},
-          {"words", claim.words}};
-}
-
-char DecodeLetter(const Json& json, const char* key, Vocabulary vocabulary) {
-  const std::string text = jf::Text(json, key);
-  if (text.size() != 1 || FindClass(vocabulary, text[0]) == nullptr) {
-    jf::Fail(key, json[key], "one of the letters " + std::string(LegalLetters(vocabulary)));
-  }
-  return text[0];
-}
-
-Claim DecodeClaim(const Json& json, Vocabulary vocabulary) {
-  jf::ExpectKeys(json, {"kind", "subject", "object", "regions", "from", "to", "words"});
-  Claim claim;
-  claim.kind = jf::Named<ClaimKind>(json, "kind");
-  claim.subject = DecodeLetter(json, "subject", vocabulary);
-  if (!jf::Text(json, "object").empty()) claim.object = DecodeLetter(json, "object", vocabulary);
-  for (const Json& name : jf::Array(json, "regions")) {
-    claim.regions.push_back(jf::Named<Region>(Json{{"region", name}}, "region"));
-  }
-  claim.from = jf::Named<Region>(json, "from");
-  claim.to = jf::Named<Region>(json, "to");
-  claim.words = jf::Text(json, "words");
-  return claim;
-}
-
 Json Encode(const BundleFile& file) {
   return {{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}};
 }
@@ -134,12 +99,11 @@ BundleFile DecodeFile(const Json& json) {
 
 Manifest DecodeFields(const Json& json) {
   jf::ExpectKeys(json, {"format_version", "world_id", "request", "height_png", "water_png",
-                        "octree_resolution_m", "atmosphere", "claims", "warnings", "stages",
-                        "files", "manifest_sha256"});
+                        "octree_resolution_m", "atmosphere", "warnings", "stages", "files",
+                        "manifest_sha256"});
   Manifest manifest;
   manifest.world_id = jf::Text(json, "world_id");
   manifest.request = DecodeRequest(json["request"]);
-  const Vocabulary vocabulary = *FromName<Vocabulary>(manifest.request.vocabulary);
   jf::ExpectKeys(json["height_png"], {"scale_m", "offset_m"});
   manifest.height_png_scale_m = jf::Number(json["height_png"], "scale_m", 0.0);
   manifest.height_png_offset_m = jf::Number(json["height_png"], "offset_m");
@@ -147,9 +111,6 @@ Manifest DecodeFields(const Json& json) {
   manifest.water_png_scale_m = jf::Number(json["water_png"], "scale_m", 0.0);
   manifest.octree_resolution_m = jf::Number(json, "octree_resolution_m", 0.0);
   manifest.atmosphere = DecodeAtmosphere(json["atmosphere"]);
-  for (const Json& claim : jf::Array(json, "claims")) {
-    manifest.claims.push_back(DecodeClaim(claim, vocabulary));
-  }
   for (const Json& warning : jf::Array(json, "warnings")) {
     manifest.warnings.push_back(jf::Text(Json{{"warning", warning}}, "warning"));
   }
@@ -205,12 +166,10 @@ std::string EncodeManifest(const Manifest& manifest) {
       {"water_png", {{"scale_m", manifest.water_png_scale_m}}},
       {"octree_resolution_m", manifest.octree_resolution_m},
       {"atmosphere", Encode(manifest.atmosphere)},
-      {"claims", Json::array()},
       {"warnings", manifest.warnings},
       {"stages", Json::array()},
       {"files", Json::array()},
       {"manifest_sha256", std::string(kDigestDigits, '0')}};
-  for (const Claim& claim : manifest.claims) json["claims"].push_back(Encode(claim));
   for (const StageTime& stage : manifest.stages) {
     json["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
   }

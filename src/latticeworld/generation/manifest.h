@@ -12,7 +12,7 @@
 
 namespace latticeworld {
 
-inline constexpr int kBundleFormatVersion = 1;
+inline constexpr int kBundleFormatVersion = 2;
 
 // One file of a bundle besides the manifest itself.
 struct BundleFile {
@@ -30,7 +30,6 @@ struct Manifest {
   double water_png_scale_m = 0.0;
   double octree_resolution_m = 0.0;
   Atmosphere atmosphere;
-  std::vector<Claim> claims;
   std::vector<std::string> warnings;
   std::vector<StageTime> stages;
   std::vector<BundleFile> files;  // in the order in which they were written

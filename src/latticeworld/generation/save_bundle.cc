@@ -12,7 +12,9 @@
 #include "latticeworld/generation/assets_csv.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/bundle_files.h"
+#include "latticeworld/generation/fidelity_json.h"
 #include "latticeworld/generation/raster_files.h"
+#include "latticeworld/generation/replies_json.h"
 #include "latticeworld/generation/terrain_file.h"
 #include "latticeworld/mapping/octree.h"
 #include "latticeworld/mapping/traversability.h"
@@ -50,6 +52,8 @@ class BundleWriter {
 Status AddSources(const World& world, BundleWriter* writer) {
   LW_RETURN_IF_ERROR(writer->Add(kLayoutFile, ToText(world.layout)));
   LW_RETURN_IF_ERROR(writer->Add(kEnvironmentFile, ToJson(world.environment)));
+  LW_RETURN_IF_ERROR(writer->Add(kFidelityFile, EncodeFidelity(world.fidelity)));
+  LW_RETURN_IF_ERROR(writer->Add(kRepliesFile, EncodeReplies(world.replies)));
   LW_RETURN_IF_ERROR(writer->Add(kTerrainFile, EncodeTerrain(*world.scene->terrain)));
   LW_RETURN_IF_ERROR(writer->Add(kAssetsFile, EncodeAssets(world.scene->assets)));
   LW_RETURN_IF_ERROR(writer->Add(kAgentsFile, EncodeAgents(world.scene->agents)));
@@ -124,7 +128,6 @@ Status Save(const World& world, const fs::path& target) {
   manifest.world_id = world.id;
   manifest.request = world.request;
   manifest.atmosphere = world.scene->atmosphere;
-  manifest.claims = world.claims;
   manifest.warnings = world.warnings;
   manifest.stages = world.stages;
 

@@ -10,8 +10,9 @@
 
 #include "latticeworld/common/enum_names.h"
 #include "latticeworld/environment/environment_config.h"
+#include "latticeworld/generation/fidelity.h"
 #include "latticeworld/geometry/grid_geometry.h"
-#include "latticeworld/layout/claims.h"
+#include "latticeworld/language/generator.h"
 #include "latticeworld/layout/symbolic_layout.h"
 #include "latticeworld/relief/relief.h"
 #include "latticeworld/scene/scene.h"
@@ -35,7 +36,7 @@ struct GenerationRequest {
   std::string visual;           // bytes of the picture, at most kMaxVisualBytes
   HeightMapOptions height_map;  // of a height map; without one it is not looked at
   std::string vocabulary;  // "": chosen from the text, "wild" for a picture alone; "suburb", "wild"
-  std::string generator;   // "": "grounded"
+  std::string generator;   // language back end; "": the default one
   std::uint64_t seed = 0;  // never 0 here: callers draw one for a user who gave none
   double size_m = 512.0;
   double resolution_m = 0.5;
@@ -53,7 +54,8 @@ struct World {
   SymbolicLayout layout;
   EnvironmentConfig environment;
   std::shared_ptr<const Scene> scene;
-  std::vector<Claim> claims;
+  FidelityReport fidelity;          // how well it matches the words
+  std::vector<ModelReply> replies;  // what a language model answered; empty: none was asked
   std::vector<std::string> warnings;
   std::vector<StageTime> stages;  // in order: relief, layout, environment, terrain, scene
 };

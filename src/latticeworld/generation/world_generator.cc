@@ -135,7 +135,7 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
     return backend->layout->Generate(layout_request, progress);
   }));
   world->layout = std::move(layout.layout);
-  world->claims = std::move(layout.claims);
+  world->replies = std::move(layout.replies);
   add_warnings(std::move(layout.warnings));
 
   LW_ASSIGN_OR_RETURN(EnvironmentAnswer environment, stages.Run("environment", [&] {
@@ -143,11 +143,16 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
     environment_request.instruction = request.environment_instruction;
     environment_request.relief = relief_pointer;
     environment_request.layout = &world->layout;
+    environment_request.size_m = request.size_m;
     environment_request.seed = StreamSeed(request.seed, "environment");
     return backend->environment->Generate(environment_request, progress);
   }));
   world->environment = std::move(environment.environment);
+  for (ModelReply& reply : environment.replies) world->replies.push_back(std::move(reply));
   add_warnings(std::move(environment.warnings));
+  world->fidelity = AssessFidelity(request.layout_instruction, request.environment_instruction,
+                                   world->layout, world->environment);
+  add_warnings(WarningsOf(world->fidelity));
 
   LW_ASSIGN_OR_RETURN(Terrain terrain, stages.Run("terrain", [&] {
     TerrainRequest terrain_request;

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "latticeworld/common/result.h"
 #include "latticeworld/language/tokens.h"
 #include "latticeworld/layout/vocabulary.h"
 
@@ -41,11 +42,16 @@ struct ClassWordMatch {
   bool plural = false;
 };
 
-// The longest class phrase that starts at tokens[at]; its last word may be a plural.
+// The longest class phrase that starts at tokens[at]; its first or last word may be a plural.
 ClassWordMatch MatchClassWord(const std::vector<Token>& tokens, std::size_t at);
 
-// The whole table.
+// The whole table: data/class_words.txt.
 const std::vector<ClassWord>& AllClassWords();
+std::string_view ClassWordFile();
+
+// Reads a file like data/class_words.txt, which says its own form. INVALID_ARGUMENT names every
+// line that is wrong. The words view `text`, which must outlive them.
+Result<std::vector<ClassWord>> ReadClassWords(std::string_view text);
 
 }  // namespace latticeworld
 

@@ -9,7 +9,6 @@
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
 #include "latticeworld/environment/environment_config.h"
-#include "latticeworld/layout/claims.h"
 #include "latticeworld/layout/symbolic_layout.h"
 #include "latticeworld/relief/relief.h"
 
@@ -24,10 +23,23 @@ struct LayoutRequest {
   std::uint64_t seed = 0;
 };
 
+// One answer of a language model, as it came: enough to read the same layout or environment from it
+// again without the model.
+struct ModelReply {
+  std::string purpose;  // "layout", "environment"
+  std::string model;    // as its server names it
+  std::string text;
+  std::string finish_reason;
+  int prompt_tokens = 0;  // 0: not said
+  int completion_tokens = 0;
+  int retries = 0;
+  double seconds = 0.0;
+};
+
 struct LayoutAnswer {
   SymbolicLayout layout;
-  std::vector<Claim> claims;          // what was understood
   std::vector<std::string> warnings;  // each quotes the words it is about
+  std::vector<ModelReply> replies;    // in order, refused ones too; empty: no model was asked
 };
 
 // LLM_L: text (and relief) to the symbolic layout.
@@ -43,12 +55,14 @@ struct EnvironmentRequest {
   std::string instruction;  // x_C: may be empty, then the environment follows from the layout
   const Relief* relief = nullptr;
   const SymbolicLayout* layout = nullptr;  // never null
+  double size_m = 512.0;                   // side of the world
   std::uint64_t seed = 0;
 };
 
 struct EnvironmentAnswer {
   EnvironmentConfig environment;  // valid
   std::vector<std::string> warnings;
+  std::vector<ModelReply> replies;
 };
 
 // LLM_C: text (and relief) and layout to the environment configuration.

@@ -19,12 +19,17 @@ struct Token {
   std::size_t end = 0;
 };
 
-// Words, numbers, commas (also brackets, colons and dashes: the small pauses) and stops (also
-// semicolons and line breaks) of valid UTF-8; linear in its length. Bytes outside ASCII are
-// letters, but for the usual typographic punctuation and spaces. "isn't" is read as "is" "not".
+// Words, numbers, commas (also brackets, colons, dashes and "=": the small pauses) and stops (also
+// semicolons, line breaks, bullets and the numbers of a list: "1. ", "2) ", "(b) ") of valid UTF-8;
+// linear in its length. Bytes outside ASCII are letters, but for the usual typographic punctuation
+// and spaces. Read as the words that they stand for: "isn't" (is not), "%" (percent), "1/3" and the
+// signs of fractions (one third), "3rd" (third), "&" (and), "w/" (with), "w/o" (without), "->"
+// (to),
+// "~5" (about 5), "N.W." (nw); such words share the bytes of the sign.
 std::vector<Token> Tokenize(std::string_view text);
 
-// The singular of a regular English plural ("ponds", "bushes", "cities"), or the word as it is.
+// The singular of an English plural ("ponds", "bushes", "cities", "leaves", "oxen"), or the word as
+// it is.
 std::string Singular(std::string_view word);
 
 // The words of tokens [first, last), single spaces between them.

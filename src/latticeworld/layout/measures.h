@@ -12,17 +12,10 @@ namespace latticeworld {
 double ShareIn(const SymbolicLayout& layout, char letter, Region region);
 
 struct LayoutComponent {
-  std::vector<CellIndex> cells;
+  std::vector<CellIndex> cells;  // in row-major order
 };
 // 8-connected pieces of one letter, largest first (ties: the first cell in row-major order).
 std::vector<LayoutComponent> ComponentsOf(const SymbolicLayout& layout, char letter);
-
-// Share of the letter's cells that have a cell of `other` among their 8 neighbours, in [0, 1];
-// 0 when the letter does not occur.
-double AdjacencyOf(const SymbolicLayout& layout, char letter, char other);
-
-// The letter with most cells in the region (ties: alphabetical).
-char DominantIn(const SymbolicLayout& layout, Region region);
 
 }  // namespace latticeworld
 

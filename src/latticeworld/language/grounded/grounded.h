@@ -2,15 +2,36 @@
 #define LATTICEWORLD_LANGUAGE_GROUNDED_GROUNDED_H_
 
 #include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "latticeworld/environment/environment_claims.h"
 #include "latticeworld/language/generator.h"
+#include "latticeworld/layout/claims.h"
 
 namespace latticeworld {
 
 // The embedded default: no model, no network. Instruction -> claims -> a layout that satisfies
-// them.
+// them -> self-check.
 std::unique_ptr<LayoutGenerator> MakeGroundedLayoutGenerator();
 std::unique_ptr<EnvironmentGenerator> MakeGroundedEnvironmentGenerator();
+
+// What a layout instruction says, whoever lays it out: any back end's answer is measured by it.
+struct LayoutReading {
+  std::vector<Claim> claims;
+  std::vector<std::string> not_understood;  // words, as they stand in the instruction
+};
+LayoutReading ReadLayoutInstruction(std::string_view instruction, Vocabulary vocabulary);
+
+// What an environment instruction says. Places that features of the land name ("by the lake") are
+// claimed only where the layout is given.
+struct EnvironmentReading {
+  std::vector<EnvironmentClaim> claims;
+  std::vector<std::string> not_understood;  // words, as they stand in the instruction
+};
+EnvironmentReading ReadEnvironmentInstruction(std::string_view instruction,
+                                              const SymbolicLayout* layout = nullptr);
 
 }  // namespace latticeworld
 

@@ -1,31 +1,41 @@
 #include <algorithm>
-#include <limits>
+#include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/grounded.h"
-#include "latticeworld/language/grounded/layout_parser.h"
-#include "latticeworld/language/grounded/layout_synthesis.h"
-#include "latticeworld/language/grounded/relief_conflicts.h"
+#include "latticeworld/language/grounded/reading/layout_parser.h"
+#include "latticeworld/language/grounded/synthesis/layout_from_relief.h"
+#include "latticeworld/language/grounded/synthesis/layout_synthesis.h"
+#include "latticeworld/language/grounded/synthesis/relief_conflicts.h"
 
 namespace latticeworld {
 namespace {
 
-constexpr int kMaxAttempts = 12;
-// Wishes laid in all attempts together: what asks for much is drawn again less often.
-constexpr int kMaxLaidWishes = 64;
-
-int AttemptsFor(const LayoutPlan& plan) {
-  const auto wishes = static_cast<int>(plan.areas.size() + plan.courses.size());
-  return std::clamp(kMaxLaidWishes / std::max(1, wishes), 2, kMaxAttempts);
+// A warning for each claim that the layout does not meet.
+void AppendUnsatisfied(const std::vector<Claim>& claims, const SymbolicLayout& layout,
+                       std::vector<std::string>* warnings) {
+  for (const Claim& claim : claims) {
+    const ClaimMeasure measure = Measure(claim, layout);
+    if (measure.holds) continue;
+    warnings->push_back("not satisfied: " + Quote(claim.words) + ": " + measure.explanation);
+  }
 }
 
-double TotalDistance(const std::vector<Claim>& claims, const SymbolicLayout& layout) {
-  double total = 0.0;
-  for (const Claim& claim : claims) total += Measure(claim, layout).distance;
-  return total;
+void AppendNotUnderstood(const std::vector<std::string>& words,
+                         std::vector<std::string>* warnings) {
+  constexpr std::size_t kMaxQuoted = 20;
+  for (std::size_t i = 0; i < std::min(words.size(), kMaxQuoted); ++i) {
+    warnings->push_back("not understood: " + Quote(words[i]));
+  }
+  if (words.size() > kMaxQuoted) {
+    warnings->push_back("not understood: " + std::to_string(words.size() - kMaxQuoted) +
+                        " further pieces of the text");
+  }
 }
 
 class GroundedLayoutGenerator final : public LayoutGenerator {
@@ -35,40 +45,24 @@ class GroundedLayoutGenerator final : public LayoutGenerator {
   Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress) override {
     LW_RETURN_IF_ERROR(Validate(request));
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
+    progress.Report("layout", 0.0);
     LayoutPlan plan = ParseLayoutInstruction(request.instruction, request.vocabulary);
+    LW_RETURN_IF_ERROR(progress.CheckCancelled());
     LayoutAnswer answer;
+    answer.warnings = std::move(plan.warnings);
+    AppendNotUnderstood(plan.not_understood, &answer.warnings);
     if (plan.claims.empty() && request.relief != nullptr) {
       answer.layout = LayoutFromRelief(request.vocabulary, *request.relief, request.seed);
-      answer.warnings = std::move(plan.warnings);
       return answer;
     }
-    // Lay out and measure; where a claim fails, draw again and keep the best.
-    double best = std::numeric_limits<double>::infinity();
-    const int attempts = AttemptsFor(plan);
-    for (int attempt = 0; attempt < attempts && best > 0.0; ++attempt) {
-      LW_RETURN_IF_ERROR(progress.CheckCancelled());
-      progress.Report("layout", static_cast<double>(attempt) / attempts);
-      SymbolicLayout layout = SynthesizeLayout(
-          plan, request.relief, request.seed + static_cast<std::uint64_t>(attempt) * 0x9E3779B9u);
-      const double distance = TotalDistance(plan.claims, layout);
-      if (distance >= best) continue;
-      best = distance;
-      answer.layout = std::move(layout);
-    }
-    answer.warnings = std::move(plan.warnings);
-    for (const Claim& claim : plan.claims) {
-      const ClaimMeasure measure = Measure(claim, answer.layout);
-      if (measure.holds) continue;
-      answer.warnings.push_back("not satisfied: " + Quote(claim.words) + ": " +
-                                measure.explanation);
-    }
+    answer.layout = SynthesizeLayout(plan, request.relief, request.seed);
+    AppendUnsatisfied(plan.claims, answer.layout, &answer.warnings);
     if (request.relief != nullptr) {
       for (std::string& conflict :
            ReliefConflicts(plan.claims, request.vocabulary, *request.relief)) {
         answer.warnings.push_back(std::move(conflict));
       }
     }
-    answer.claims = std::move(plan.claims);
     return answer;
   }
 };
@@ -77,6 +71,11 @@ class GroundedLayoutGenerator final : public LayoutGenerator {
 
 std::unique_ptr<LayoutGenerator> MakeGroundedLayoutGenerator() {
   return std::make_unique<GroundedLayoutGenerator>();
+}
+
+LayoutReading ReadLayoutInstruction(std::string_view instruction, Vocabulary vocabulary) {
+  LayoutPlan plan = ParseLayoutInstruction(instruction, vocabulary);
+  return {std::move(plan.claims), std::move(plan.not_understood)};
 }
 
 }  // namespace latticeworld

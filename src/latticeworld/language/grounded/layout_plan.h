@@ -1,68 +1,117 @@
 #ifndef LATTICEWORLD_LANGUAGE_GROUNDED_LAYOUT_PLAN_H_
 #define LATTICEWORLD_LANGUAGE_GROUNDED_LAYOUT_PLAN_H_
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "latticeworld/language/class_words.h"
-#include "latticeworld/language/grounded/places.h"
 #include "latticeworld/layout/claims.h"
 #include "latticeworld/layout/vocabulary.h"
+#include "latticeworld/layout/zone.h"
 
 namespace latticeworld {
 
-enum class Amount { kUnsaid, kMost, kMuch, kLittle };
+// How a thing lies on the land.
+enum class FeatureForm {
+  kSpread,  // fills what it is given: forest, farmland
+  kPatch,   // compact and countable: lake, village, grove
+  kLine,    // runs: river, road
+};
+
 enum class Texture { kUnsaid, kScattered, kClustered };
 
-// Something that covers cells: "a dense forest in the upper left", "three small ponds".
-struct AreaWish {
+// A course ends or passes at a zone, or at a feature (an index into LayoutPlan::features).
+struct Waypoint {
+  Zone zone;
+  int feature = -1;  // -1: the zone counts
+  bool said = true;  // false: supposed, for want of words
+};
+
+// One thing of the land as the words have it: "three small ponds in the northern half", "a winding
+// river from the north to the village". Everything said of one thing in several sentences is
+// gathered here.
+struct PlannedFeature {
   char letter = '?';
-  WordShape shape = WordShape::kMass;
-  std::vector<Place> places;  // empty: anywhere
-  Amount amount = Amount::kUnsaid;
+  FeatureForm form = FeatureForm::kSpread;
+  std::vector<Zone> zones;  // where: a share of it in each ("in the north and the south", "in the
+                            // corners"); empty: anywhere
+  int pieces = 0;           // said to be so many; 0: not said
+  int pieces_least = 0;     // as the words have it ("several": 3 ..); 0: nothing said of them
+  int pieces_most = 0;      // 0: nothing said, or no bound
+  int cells = 40;           // natural size of one piece
+  std::optional<double> share;        // said to cover so much of its zones (all together): 0 .. 1
+  std::optional<double> share_least;  // what a reader takes for the share that was said; also
+  std::optional<double> share_most;   // alone: "vast" is at least 0.08
+  bool confined = false;              // nowhere but in its zones: "only in the north"
+  bool dominant = false;              // "mostly", "covers": more than any other class in its zones
+  bool fills_rest = false;            // "the rest is": whatever nothing else takes
   Texture texture = Texture::kUnsaid;
-  int pieces = 0;                 // 0: not said
-  int cells = 40;                 // usual size of one piece
-  bool laid_by_relation = false;  // "surrounded by forest": the ring is all of it
-};
+  std::optional<ClaimShape> shape;
 
-// Something that runs: "a winding river from the north to the lower right".
-struct CourseWish {
-  char letter = '?';
-  Region from = Region::kAnywhere;  // kAnywhere: not said
-  Region to = Region::kAnywhere;
-  std::vector<Region> through;
-  double meander = 1.0;  // 0 straight, 1 gentle, 2 winding
+  // Lines only.
+  std::optional<Waypoint> from;
+  std::optional<Waypoint> to;
+  std::vector<Waypoint> via;  // in the order said
+  std::optional<Zone> along;  // keeps to it from end to end: "along the southern edge"
+  double meander = 1.0;       // 0 straight, 1 gentle, 2 winding
   bool wide = false;
-  bool hugs_edge = false;  // "along the southern edge"
+
+  std::string words;
 };
 
-// What ties two wishes together.
-struct RelationWish {
-  ClaimKind kind = ClaimKind::kAdjacent;  // kAdjacent or kSurrounds
-  char subject = '?';
-  char object = '?';
-  int subject_area = -1;  // index into areas; -1: a course
-  int object_area = -1;
+// What ties features together.
+enum class RelationKind {
+  kAdjacent,   // subject touches object
+  kNear,       // subject within a few cells of object
+  kApart,      // subject keeps away from object
+  kSurrounds,  // subject all around object
+  kWithin,     // subject lies in object: an island, a clearing, a village in the forest
+  kBothSides,  // subject on both sides of object
+  kBetween,    // subject between object and second_object
+  kDirection,  // subject lies toward heading from object
+  kMoreThan,   // subject covers more than object
+  kAlong,      // subject, line or row of patches, follows object
+  kThrough,    // subject, a line, runs through object
+  kCrosses,    // two lines
+  kParallel,   // two lines
+  kConnects,   // subject, a line, from object to second_object
 };
 
-// Land within the largest water.
-struct IslandWish {
+struct PlannedRelation {
+  RelationKind kind = RelationKind::kAdjacent;
+  int subject = -1;  // indices into LayoutPlan::features
+  int object = -1;
+  int second_object = -1;  // kBetween, kConnects
+  Claim::Heading heading;  // kDirection
+  double steps = 0.0;      // kAdjacent, kNear, kApart: the gap that the words allow; 0: not said
+  std::string words;
+};
+
+// Features that follow each other: "from north to south: snow, then rock, then forest".
+struct PlannedOrder {
+  std::vector<int> features;  // indices into LayoutPlan::features
+  Claim::Heading heading;
+  std::string words;
+};
+
+// A class that shall not be in a zone.
+struct PlannedAbsence {
   char letter = '?';
-  int pieces = 1;
-  int cells = 6;
+  Zone zone;
+  std::string words;
 };
 
 // What an instruction asks for, ready to be laid out.
 struct LayoutPlan {
   Vocabulary vocabulary = Vocabulary::kSuburb;
-  std::vector<AreaWish> areas;
-  std::vector<CourseWish> courses;
-  std::vector<RelationWish> relations;
-  std::vector<IslandWish> islands;
-  char background = '\0';  // '\0': not said
-  std::vector<Claim> claims;
-  std::vector<std::string> warnings;
+  std::vector<PlannedFeature> features;  // in the order of the words
+  std::vector<PlannedRelation> relations;
+  std::vector<PlannedOrder> orders;
+  std::vector<PlannedAbsence> absences;
+  char background = '\0';     // what nothing else takes; always a letter of the vocabulary
+  std::vector<Claim> claims;  // what the layout is measured by
+  std::vector<std::string> not_understood;  // words, as they stand in the instruction
+  std::vector<std::string> warnings;        // each quotes the words it is about
 };
 
 }  // namespace latticeworld

@@ -1,0 +1,53 @@
+#ifndef LATTICEWORLD_GENERATION_FIDELITY_H_
+#define LATTICEWORLD_GENERATION_FIDELITY_H_
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latticeworld/common/enum_names.h"
+#include "latticeworld/environment/environment_config.h"
+#include "latticeworld/layout/symbolic_layout.h"
+
+namespace latticeworld {
+
+enum class InstructionPart : std::uint8_t { kLayout, kEnvironment };
+
+constexpr std::array<EnumName<InstructionPart>, 2> EnumNames(InstructionPart) {
+  return {{{InstructionPart::kLayout, "layout"}, {InstructionPart::kEnvironment, "environment"}}};
+}
+
+// One claim of an instruction, measured.
+struct ClaimOutcome {
+  InstructionPart part = InstructionPart::kLayout;
+  std::string kind;   // "present", "course", ... of ClaimKind or EnvironmentClaimKind
+  std::string words;  // of the instruction
+  bool satisfied = false;
+  double distance = 0.0;    // how far the world is from the claim: 0 when satisfied, up to 1
+  std::string explanation;  // "forest covers 41 % of upper left; at least 1.5 % is asked"
+};
+
+// How well a world matches the words that it was made from.
+struct FidelityReport {
+  std::vector<ClaimOutcome> claims;         // in the order of the words, layout first
+  std::vector<std::string> not_understood;  // words, as they stand in the instructions
+
+  int satisfied() const;
+};
+
+// Reads both instructions and measures layout and environment by what they say, whichever back end
+// made them.
+FidelityReport AssessFidelity(std::string_view layout_instruction,
+                              std::string_view environment_instruction,
+                              const SymbolicLayout& layout, const EnvironmentConfig& environment);
+
+// The same of a layout alone.
+FidelityReport AssessLayoutFidelity(std::string_view instruction, const SymbolicLayout& layout);
+
+// A line a claim that is not satisfied and one for the words that were not understood.
+std::vector<std::string> WarningsOf(const FidelityReport& report);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_GENERATION_FIDELITY_H_

@@ -1,0 +1,60 @@
+#include "latticeworld/generation/replies_json.h"
+
+#include <exception>
+#include <limits>
+#include <utility>
+
+#include "latticeworld/generation/json_fields.h"
+
+namespace latticeworld {
+namespace {
+
+namespace jf = json_fields;
+using jf::Json;
+
+ModelReply DecodeReply(const Json& json) {
+  constexpr int kMost = std::numeric_limits<int>::max();
+  jf::ExpectKeys(json, {"purpose", "model", "text", "finish_reason", "prompt_tokens",
+                        "completion_tokens", "retries", "seconds"});
+  ModelReply reply;
+  reply.purpose = jf::Text(json, "purpose");
+  reply.model = jf::Text(json, "model");
+  reply.text = jf::Text(json, "text");
+  reply.finish_reason = jf::Text(json, "finish_reason");
+  reply.prompt_tokens = static_cast<int>(jf::Integer(json, "prompt_tokens", 0, kMost));
+  reply.completion_tokens = static_cast<int>(jf::Integer(json, "completion_tokens", 0, kMost));
+  reply.retries = static_cast<int>(jf::Integer(json, "retries", 0, kMost));
+  reply.seconds = jf::Number(json, "seconds", 0.0);
+  return reply;
+}
+
+}  // namespace
+
+std::string EncodeReplies(const std::vector<ModelReply>& replies) {
+  Json json = Json::array();
+  for (const ModelReply& reply : replies) {
+    json.push_back({{"purpose", reply.purpose},
+                    {"model", reply.model},
+                    {"text", reply.text},
+                    {"finish_reason", reply.finish_reason},
+                    {"prompt_tokens", reply.prompt_tokens},
+                    {"completion_tokens", reply.completion_tokens},
+                    {"retries", reply.retries},
+                    {"seconds", reply.seconds}});
+  }
+  return jf::Dump(json);
+}
+
+Result<std::vector<ModelReply>> DecodeReplies(std::string_view content) {
+  try {
+    const Json json = jf::Parse(content);
+    if (!json.is_array()) return DataLoss("it is not an array");
+    std::vector<ModelReply> replies;
+    for (const Json& reply : json) replies.push_back(DecodeReply(reply));
+    return replies;
+  } catch (const std::exception& error) {  // JSON
+    return DataLoss(error.what());
+  }
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,75 @@
+#ifndef LATTICEWORLD_LANGUAGE_CHAT_CHAT_SERVER_H_
+#define LATTICEWORLD_LANGUAGE_CHAT_CHAT_SERVER_H_
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latticeworld/common/progress.h"
+#include "latticeworld/common/result.h"
+
+namespace latticeworld {
+
+enum class ChatRole : std::uint8_t { kSystem, kUser, kAssistant };
+
+struct ChatMessage {
+  ChatRole role = ChatRole::kUser;
+  std::string text;       // UTF-8
+  std::string image_png;  // bytes of a PNG that goes with the text; empty: none
+};
+
+// The form that an answer must have, in every language in which a server may ask for it. A server
+// uses the one that its dialect knows; empty members: the form cannot be said in that language.
+struct AnswerForm {
+  std::string name;         // [a-z_]+, for servers that want one
+  std::string gbnf;         // llama.cpp grammar of the whole answer
+  std::string regex;        // of the whole answer
+  std::string json_schema;  // draft 2020-12; an answer in this form is one JSON value
+};
+
+struct ChatRequest {
+  std::vector<ChatMessage> messages;
+  AnswerForm form;
+  int max_tokens = 2048;
+  double temperature = 0.7;
+  std::uint64_t seed = 0;
+};
+
+struct ChatReply {
+  std::string text;           // the answer without what the server marks as thinking
+  std::string finish_reason;  // "stop", "length", ...; "cut": the listener wanted no more
+  std::string model;          // as the server names it
+  int prompt_tokens = 0;      // 0: not said
+  int completion_tokens = 0;
+  int retries = 0;
+  double first_token_s = 0.0;  // from the last try's start
+  double total_s = 0.0;        // with all tries and waits between them
+};
+
+// The answer so far, each time more of it has come; false: enough, cut it short. When a connection
+// breaks in the middle, the answer may be asked for once more: the text then starts anew, and so is
+// shorter than what was heard last.
+using AnswerListener = std::function<bool(std::string_view text_so_far)>;
+
+// Something that one can talk to: an HTTP server, a recording, a fake.
+class ChatServer {
+ public:
+  virtual ~ChatServer() = default;
+  // Whether it looks at images.
+  virtual bool sees() const = 0;
+  // One answer. The listener (empty: nobody listens) is called in the calling thread. Errors:
+  // CANCELLED at once when progress is cancelled; DEADLINE_EXCEEDED (a timeout, each with words of
+  // its own, or the server's own HTTP 408, 504); UNAVAILABLE (nobody there, not to be trusted,
+  // busy, out of quota, or gave up after retries); UNAUTHENTICATED and PERMISSION_DENIED (the key);
+  // NOT_FOUND (model or path, or the server has moved); INVALID_ARGUMENT (the server refused the
+  // request, or its model to answer); RESOURCE_EXHAUSTED (answer too long); INTERNAL (the server
+  // failed, or speaks no HTTP) and DATA_LOSS (the answer makes no sense). Never carries the key.
+  virtual Result<ChatReply> Complete(const ChatRequest& request, const AnswerListener& listener,
+                                     const Progress& progress) = 0;
+};
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_CHAT_CHAT_SERVER_H_

@@ -1,0 +1,15 @@
+#ifndef LATTICEWORLD_LANGUAGE_CHAT_MODEL_LIST_H_
+#define LATTICEWORLD_LANGUAGE_CHAT_MODEL_LIST_H_
+
+#include <string>
+#include <string_view>
+
+namespace latticeworld {
+
+// The first name in the answer to GET /models: {"data": [{"id": ...}]}, or
+// {"models": [{"name": ...}]} of servers that speak Ollama's own tongue there. "": there is none.
+std::string FirstModel(std::string_view list);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_CHAT_MODEL_LIST_H_

@@ -1,0 +1,199 @@
+// Reading about agents: where agents are.
+
+#include <algorithm>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/environment/agent_discourse.h"
+
+namespace latticeworld {
+namespace internal {
+
+std::size_t AgentReader::ReadPlace() {
+  if (const std::size_t facing = RoleAt(Role::kFacing, at_); facing > 0) {
+    // "facing north" says no place.
+    std::size_t next = at_ + facing;
+    while (noted_.IsAnyWord(next, {"to", "the", "towards", "toward", "due"})) ++next;
+    const PlaceMatch heading = next < tokens_.size() ? MatchPlace(tokens_, next) : PlaceMatch{};
+    if (heading.tokens > 0 && !noted_.IsAnyWord(at_ + facing, {"in", "on", "at"})) {
+      const std::size_t tokens = next + heading.tokens - at_;
+      Known(tokens);
+      return words_.states.LengthAt(tokens_, at_) > 0 ? 0 : tokens;
+    }
+  }
+  const std::size_t in = RoleAt(Role::kIn, at_);
+  const std::size_t near = RoleAt(Role::kNear, at_);
+  std::size_t preposition = std::max(in, near);
+  // A longer phrase of another kind ("in the air", "on the hunt") is none of a place.
+  if (words_.states.LengthAt(tokens_, at_) > preposition) return 0;
+  std::size_t next = at_ + preposition;
+  bool each = false;
+  // "guards the village", "circling the lake": the object is the place.
+  const bool object = preposition == 0 && verb_end_ == at_;
+  while (noted_.IsAnyWord(
+      next, {"the", "a", "an", "its", "their", "this", "each", "every", "all", "our", "that"})) {
+    // "all four corners" and "the left" are MatchPlace's own.
+    if (MatchPlace(tokens_, next).tokens > 1) break;
+    each = each || noted_.IsAnyWord(next, {"each", "every"});
+    ++next;
+  }
+  if (next >= tokens_.size() || noted_.IsPause(next)) return 0;
+  if (noted_.IsAnyWord(next, {"each", "every"})) each = true;
+  PlaceMatch place = MatchPlace(tokens_, next);
+  const bool heading = preposition == 0 && clause_open_ && IsHeading(next);
+  if (preposition == 0 && !object && !heading && !IsBarePlace(place, next)) place = {};
+  if (place.tokens > 0 && noted_.IsAnyWord(next, {"each", "every"})) each = true;
+  std::size_t end = next + place.tokens;
+  std::optional<FeaturePlace> feature;
+  if (preposition > 0 || place.tokens > 0 || object || heading) {
+    feature = ReadFeature(&end, near > in, place, next);
+  }
+  if (place.tokens == 0 && !feature.has_value()) return 0;
+  const bool negated = noted_.notes[next].negated;
+  const std::vector<std::size_t> owners = Owners();
+  const bool fronted = IsFronted(end);
+  if (owners.empty() && !fronted && !AgentsAhead(end)) return 0;
+  noted_.Mark(at_, end, &TokenNote::place);
+  // "no goblins in the north": nobody is there.
+  if (negated || (absent_here_ && owners.empty())) return end - at_;
+  SetPlace(place.places, feature, each, fronted ? std::vector<std::size_t>{} : owners, end);
+  return end - at_;
+}
+
+bool AgentReader::IsHeading(std::size_t at) const {
+  const std::size_t feature = words_.features.LengthAt(tokens_, at);
+  return feature > 0 && at + feature < tokens_.size() &&
+         tokens_[at + feature].kind == TokenKind::kComma && tokens_[at + feature].text != "," &&
+         words_.species.LengthAt(tokens_, at) == 0;
+}
+
+std::vector<std::size_t> AgentReader::Owners() const {
+  std::vector<std::size_t> owners = subject_;
+  if (owners.empty() && (corrected_ || ContinuesPrevious())) owners = previous_;
+  if (object_ != kNone) owners.push_back(object_);
+  return owners;
+}
+
+bool AgentReader::ContinuesPrevious() const {
+  return !previous_.empty() && at_ > 0 && noted_.IsWord(at_ - 1, "all");
+}
+
+bool AgentReader::IsBarePlace(const PlaceMatch& place, std::size_t at) const {
+  if (place.tokens == 0) return false;
+  const std::size_t end = at + place.tokens;
+  if (place.tokens == 1 && noted_.IsAnyWord(at, {"left", "right", "top", "bottom", "middle", "mid",
+                                                 "heart", "midst", "sides", "border", "rim"})) {
+    return noted_.IsPause(end) && !subject_.empty();
+  }
+  if (noted_.IsPause(end) || place.tokens > 1) return true;
+  return EndsNounPhrase(end) || ReadCount(noted_, words_, end).tokens > 0 ||
+         words_.features.LengthAt(tokens_, end) > 0;
+}
+
+std::optional<FeaturePlace> AgentReader::ReadFeature(std::size_t* end, bool near,
+                                                     const PlaceMatch& place,
+                                                     std::size_t place_at) const {
+  std::size_t at = *end;
+  bool relative = false;
+  if (place.tokens > 0) {
+    // "north of the lake"; "the northern lake" only narrows it down.
+    if (noted_.IsWord(at, "of")) {
+      relative = true;
+      ++at;
+    } else if (RoleAt(Role::kIn, at) > 0 || RoleAt(Role::kNear, at) > 0) {
+      const std::size_t in = RoleAt(Role::kIn, at);
+      const std::size_t beside = RoleAt(Role::kNear, at);
+      near = beside > in;
+      at += std::max(in, beside);
+    }
+  }
+  bool outside = false;
+  for (int i = 0; i < 4 && at < tokens_.size(); ++i) {
+    if (noted_.IsPause(at)) return {};
+    const auto match = words_.features.At(tokens_, at);
+    if (match.tokens > 0) {
+      const FeatureWord& word = *match.rows.front();
+      FeaturePlace feature{word.name, word.suburb, word.wild, near || outside, {}};
+      at += match.tokens;
+      if (noted_.IsAnyWord(at, {"edge", "border", "margin", "shore", "side", "fringe", "bank",
+                                "rim", "edges", "outskirts"})) {
+        feature.near = true;
+        ++at;
+      }
+      if (match.tokens > 1 && noted_.IsAnyWord(at - 1, {"edge", "margin", "border"})) {
+        feature.near = true;
+      }
+      if (relative && place.places.size() == 1) {
+        // "in the north of the forest" is inside, "north of the lake" is not.
+        const bool inside = place_at > 0 && noted_.IsWord(place_at - 1, "the");
+        feature.near = !inside;
+        feature.on = HeadingOf(place.places.front().main);
+      }
+      *end = at;
+      return feature;
+    }
+    if (noted_.IsAnyWord(at, {"edge", "edges", "shore", "shores", "bank", "banks", "fringe", "rim",
+                              "border", "foot", "outskirts", "margin"})) {
+      outside = true;
+    } else if (words_.species.LengthAt(tokens_, at) > 0 || RoleAt(Role::kIn, at) > 0) {
+      return {};
+    }
+    ++at;
+  }
+  return {};
+}
+
+bool AgentReader::IsFronted(std::size_t end) const {
+  if (!clause_open_) return false;
+  std::size_t at = end;
+  if (at < tokens_.size() && tokens_[at].kind == TokenKind::kComma) ++at;
+  for (std::size_t i = at; i < at + kPhraseTokens && !noted_.IsPause(i); ++i) {
+    if (words_.species.LengthAt(tokens_, i) > 0 || ReadCount(noted_, words_, i).tokens > 0) {
+      return true;
+    }
+    if (RoleAt(Role::kIn, i) > 0 || RoleAt(Role::kNear, i) > 0 || noted_.IsWord(i, "and")) {
+      return false;
+    }
+  }
+  return false;
+}
+
+void AgentReader::SetPlace(const std::vector<Place>& places,
+                           const std::optional<FeaturePlace>& feature, bool each,
+                           const std::vector<std::size_t>& owners, std::size_t end) {
+  if (owners.empty()) {
+    if (clause_open_) {
+      lead_places_.clear();
+      lead_feature_.reset();
+      lead_each_ = false;
+      subject_.clear();
+    }
+    lead_places_.insert(lead_places_.end(), places.begin(), places.end());
+    if (feature.has_value()) lead_feature_ = feature;
+    lead_each_ = lead_each_ || each;
+    lead_set_ = true;
+    return;
+  }
+  const bool also = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"and", "or"});
+  for (const std::size_t index : owners) {
+    AgentWish& wish = groups_[index].wish;
+    const bool fresh = placed_sentence_ != sentence_ + 1 || placed_ != index;
+    if (corrected_ || (fresh && groups_[index].sentence != sentence_)) {
+      wish.places.clear();
+      wish.feature.reset();
+    }
+    if (wish.places.empty() || also) {
+      wish.places.insert(wish.places.end(), places.begin(), places.end());
+    }
+    if (feature.has_value() && !wish.feature.has_value()) wish.feature = feature;
+    wish.each = wish.each || each;
+    Extend(index, tokens_[end - 1].end);
+    placed_ = index;
+  }
+  placed_sentence_ = sentence_ + 1;
+  joined_ = false;
+  split_state_ = false;
+}
+
+}  // namespace internal
+
+}  // namespace latticeworld

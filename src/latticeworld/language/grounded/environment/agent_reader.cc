@@ -1,0 +1,230 @@
+// Reading about agents: the walk over sentences and clauses, and what is left in the end.
+
+#include "latticeworld/language/grounded/environment/agent_reader.h"
+
+#include <algorithm>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/environment/agent_discourse.h"
+
+namespace latticeworld {
+namespace internal {
+namespace {
+
+constexpr std::size_t kMaxWords = 200;     // bytes kept of the words of one group
+constexpr std::size_t kNobodyTokens = 12;  // what else a "nobody" denies
+
+}  // namespace
+
+void AgentReader::Run() {
+  BeginSentence();
+  while (at_ < tokens_.size()) {
+    if (tokens_[at_].kind == TokenKind::kStop) {
+      EndSentence();
+      ++at_;
+      BeginSentence();
+    } else if (tokens_[at_].kind == TokenKind::kComma) {
+      EndPhrase();
+      ++at_;
+    } else {
+      at_ += Step();
+    }
+  }
+  EndSentence();
+  Finish();
+}
+
+std::size_t AgentReader::Step() {
+  if (noted_.notes[at_].ignored || noted_.notes[at_].measure) return 1;
+  if (const std::size_t nobody = RoleAt(Role::kNobody, at_); nobody > 0) return ReadNobody(nobody);
+  if (const std::size_t likeness = RoleAt(Role::kBeforeSpecies, at_); likeness > 0) {
+    // "the statue of a knight" is no knight.
+    const std::size_t noun =
+        words_.species.LengthAt(tokens_, at_ + likeness < tokens_.size() ? at_ + likeness : at_);
+    if (at_ + likeness < tokens_.size() && noun > 0) {
+      noted_.Mark(at_, at_ + likeness + noun, &TokenNote::agent);
+      return likeness + noun;
+    }
+  }
+  if (const std::size_t said = RoleAt(Role::kCorrection, at_); said > 0) {
+    if (!IsPlainBetter(said)) {
+      corrected_ = true;
+      Known(said);
+      return said;
+    }
+  }
+  if (const std::size_t tokens = ReadReference(); tokens > 0) return tokens;
+  if (const std::size_t tokens = ReadNounPhrase(); tokens > 0) {
+    clause_open_ = false;
+    return tokens;
+  }
+  if (const std::size_t tokens = ReadPlace(); tokens > 0) return tokens;
+  if (const std::size_t tokens = ReadState(); tokens > 0) {
+    clause_open_ = false;
+    return tokens;
+  }
+  if (noted_.IsWord(at_, "and")) {
+    joined_ = true;
+    clause_open_ = true;
+  }
+  if (noted_.IsWord(at_, "with") && !subject_.empty()) joined_ = true;
+  if (RoleAt(Role::kBut, at_) > 0 && !noted_.IsAnyWord(at_, {"with", "by", "for"})) EndClause();
+  return 1;
+}
+
+void AgentReader::Known(std::size_t tokens) {
+  for (std::size_t i = at_; i < at_ + tokens && i < noted_.size(); ++i) {
+    noted_.notes[i].known = true;
+  }
+}
+
+std::size_t AgentReader::ReadNobody(std::size_t tokens) {
+  // "no life" denies all; "no one but a shepherd" is denied by the shepherd later on.
+  EnvironmentClaim claim;
+  claim.kind = EnvironmentClaimKind::kNoAgents;
+  claim.words = std::string(noted_.Text(at_, at_ + tokens));
+  heard_.absences.push_back(std::move(claim));
+  noted_.Mark(at_, at_ + tokens, &TokenNote::agent);
+  // "not a soul, man or beast"
+  const std::size_t first = at_ + tokens;
+  for (std::size_t i = first; i < first + kNobodyTokens && !noted_.IsEnd(i); ++i) {
+    if (RoleAt(Role::kBut, i) > 0 || ReadCount(noted_, words_, i).tokens > 0 ||
+        noted_.IsAnyWord(i, {"except", "save", "apart", "besides"})) {
+      break;
+    }
+    noted_.notes[i].negated = true;
+  }
+  return tokens;
+}
+
+void AgentReader::BeginSentence() {
+  clause_open_ = true;
+  // "... instead" at a sentence's end turns all of it into a correction.
+  for (std::size_t i = at_; !noted_.IsEnd(i); ++i) {
+    if (noted_.IsWord(i, "instead") && !noted_.IsWord(i + 1, "of") && !groups_.empty()) {
+      corrected_ = true;
+    }
+  }
+  // "No, six."
+  if (at_ < tokens_.size() && noted_.IsAnyWord(at_, {"no", "nope", "wait"}) &&
+      at_ + 1 < tokens_.size() && tokens_[at_ + 1].kind == TokenKind::kComma) {
+    corrected_ = true;
+  }
+}
+
+void AgentReader::EndPhrase() {
+  absent_here_ = false;
+  pending_ = {};
+  joined_ = false;
+  paused_ = true;
+  acted_ = false;
+  state_before_.reset();
+  phrase_begin_ = kNone;
+  clause_open_ = true;
+  object_ = kNone;
+  // "three goblins - no, four"
+  if (at_ + 2 < tokens_.size() && noted_.IsAnyWord(at_ + 1, {"no", "nope"}) &&
+      (tokens_[at_ + 2].kind == TokenKind::kComma ||
+       ReadCount(noted_, words_, at_ + 2).tokens > 0) &&
+      !groups_.empty() && ReadCount(noted_, words_, at_ + 1).tokens == 0 &&
+      RoleAt(Role::kNot, at_ + 1) < 2) {
+    corrected_ = true;
+  }
+}
+
+void AgentReader::EndClause() {
+  absent_here_ = false;
+  pending_ = {};
+  joined_ = false;
+  acted_ = false;
+  state_before_.reset();
+  phrase_begin_ = kNone;
+  clause_open_ = true;
+  new_clause_ = true;
+  object_ = kNone;
+}
+
+void AgentReader::EndSentence() {
+  EndPhrase();
+  DropAnnouncedTotal();
+  paused_ = false;
+  if (!subject_.empty()) previous_ = subject_;
+  subject_.clear();
+  lead_places_.clear();
+  lead_feature_.reset();
+  lead_each_ = false;
+  lead_set_ = false;
+  corrected_ = false;
+  told_since_correction_ = false;
+  new_clause_ = false;
+  split_state_ = false;
+  ++sentence_;
+}
+
+void AgentReader::DropAnnouncedTotal() {
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    Group& total = groups_[i];
+    if (total.sentence != sentence_ || total.removed || total.wish.categories.size() < 2) continue;
+    if (!total.wish.counted) continue;
+    int sum = 0;
+    for (std::size_t j = i + 1; j < groups_.size(); ++j) {
+      if (!groups_[j].removed && groups_[j].wish.categories.size() == 1) {
+        sum += groups_[j].wish.quantity;
+      }
+    }
+    if (sum == 0 || sum > total.wish.quantity) continue;
+    total.removed = true;
+    if (total.wish.categories.size() == EnumNames(AgentCategory{}).size()) {
+      EnvironmentClaim claim;
+      claim.kind = EnvironmentClaimKind::kTotalAgents;
+      claim.least_quantity = std::min(total.wish.least, kMaxAgents);
+      claim.most_quantity = std::max(claim.least_quantity, std::min(total.wish.most, kMaxAgents));
+      claim.words = WordsOf(total);
+      heard_.absences.push_back(std::move(claim));
+    }
+  }
+}
+
+void AgentReader::Extend(std::size_t index, std::size_t end) {
+  groups_[index].end = std::max(groups_[index].end, end);
+}
+
+std::string AgentReader::WordsOf(const Group& group) const {
+  std::string_view words = noted_.instruction.substr(
+      group.begin, std::min(group.end - std::min(group.end, group.begin), kMaxWords));
+  // No half of a character at the cut.
+  while (words.size() == kMaxWords && !words.empty() &&
+         (static_cast<unsigned char>(words.back()) & 0x80u) != 0) {
+    words.remove_suffix(1);
+  }
+  return std::string(words);
+}
+
+void AgentReader::Finish() {
+  for (Group& group : groups_) {
+    if (group.removed || group.wish.quantity < 1) continue;
+    group.wish.words = WordsOf(group);
+    heard_.agents.push_back(std::move(group.wish));
+  }
+  // Who is named is not absent: "nobody but a shepherd".
+  auto& absences = heard_.absences;
+  absences.erase(std::remove_if(absences.begin(), absences.end(),
+                                [&](const EnvironmentClaim& claim) { return IsDenied(claim); }),
+                 absences.end());
+}
+
+bool AgentReader::IsDenied(const EnvironmentClaim& claim) const {
+  if (claim.kind != EnvironmentClaimKind::kNoAgents) return false;
+  return std::any_of(heard_.agents.begin(), heard_.agents.end(), [&](const AgentWish& wish) {
+    return claim.categories.empty() || std::find(claim.categories.begin(), claim.categories.end(),
+                                                 wish.categories.front()) != claim.categories.end();
+  });
+}
+
+}  // namespace internal
+
+void ReadAgents(const EnvironmentWords& words, NotedTokens* noted, HeardEnvironment* heard) {
+  internal::AgentReader(words, noted, heard).Run();
+}
+
+}  // namespace latticeworld

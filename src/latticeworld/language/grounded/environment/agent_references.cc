@@ -1,0 +1,174 @@
+// Reading about agents: words that go back to groups named before.
+
+#include <algorithm>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/environment/agent_discourse.h"
+
+namespace latticeworld {
+namespace internal {
+
+std::size_t AgentReader::ReadReference() {
+  if (groups_.empty() || noted_.notes[at_].negated) return 0;
+  if (const std::size_t half = RoleAt(Role::kHalf, at_); half > 0) {
+    Group* whole = Last();
+    if (whole == nullptr) return 0;
+    noted_.Mark(at_, at_ + half, &TokenNote::agent);
+    // The second half is what the first one left.
+    const bool second = rest_ == last_ && halved_ == last_;
+    Split({}, second ? whole->wish.quantity : (whole->wish.quantity + 1) / 2, half);
+    halved_ = rest_;
+    return half + RenamePart(at_ + half);
+  }
+  if (const std::size_t some = RoleAt(Role::kSomeOfThem, at_); some > 0) {
+    Group* whole = Last();
+    if (whole == nullptr) return 0;
+    noted_.Mark(at_, at_ + some, &TokenNote::agent);
+    const bool most = noted_.IsAnyWord(at_, {"most", "many"});
+    const int quantity = whole->wish.quantity;
+    Split({}, most ? (quantity * 2 + 2) / 3 : (quantity + 2) / 3, some);
+    return some;
+  }
+  if (const std::size_t again = ReadAnotherGroup(); again > 0) return again;
+  // "Goblins? None, please."
+  if (noted_.IsWord(at_, "none") && noted_.IsPause(at_ + 1) && last_ != kNone &&
+      words_.assets.LengthAt(tokens_, at_ > 0 ? at_ - 1 : at_) == 0) {
+    groups_[last_].removed = true;
+    Known(1);
+    return 1;
+  }
+  const std::size_t others = RoleAt(Role::kOthers, at_);
+  if (others > 0) {
+    // "the remaining five" counts along; "the other horses" is read as a noun phrase.
+    const Count count =
+        at_ + others < tokens_.size() ? ReadCount(noted_, words_, at_ + others) : Count{};
+    const std::size_t next = at_ + others + count.tokens;
+    const bool noun = next < tokens_.size() && words_.species.LengthAt(tokens_, next) > 0;
+    if (!noun && EndsNounPhrase(next)) {
+      noted_.Mark(at_, next, &TokenNote::agent);
+      TakeRest(count);
+      return others + count.tokens;
+    }
+  }
+  const std::size_t they = RoleAt(Role::kThey, at_);
+  const bool it = noted_.IsWord(at_, "it") && previous_.size() == 1 && at_ + 1 < tokens_.size() &&
+                  words_.states.LengthAt(tokens_, at_ + 1) > 0 &&
+                  words_.coarse.LengthAt(tokens_, at_ + 1) == 0;
+  if (they > 0 || it) {
+    const std::size_t tokens = std::max<std::size_t>(they, 1);
+    Known(tokens);
+    // As an object ("chase them") a pronoun changes nothing.
+    if (subject_.empty()) subject_ = previous_;
+    return tokens;
+  }
+  return 0;
+}
+
+std::size_t AgentReader::ReadAnotherGroup() {
+  const std::size_t more = RoleAt(Role::kMore, at_);
+  if (more == 0 || last_ == kNone || at_ + more >= tokens_.size()) return 0;
+  const std::size_t pack_at = at_ + more;
+  // "another in the west"
+  if (noted_.IsAnyWord(at_, {"another", "one", "yet"}) && EndsNounPhrase(pack_at) &&
+      !noted_.IsPause(pack_at)) {
+    noted_.Mark(at_, pack_at, &TokenNote::agent);
+    AddLike(last_, {1, 1, 1, more}, more);
+    return more;
+  }
+  const Count pack = ReadCollective(noted_, words_, pack_at);
+  if (pack.tokens == 0 || words_.species.LengthAt(tokens_, pack_at) > 0 ||
+      noted_.IsWord(pack_at + 1, "of")) {
+    return 0;
+  }
+  noted_.Mark(at_, pack_at + 1, &TokenNote::agent);
+  AddLike(last_, pack, more + 1);
+  return more + 1;
+}
+
+void AgentReader::AddLike(std::size_t model, const Count& count, std::size_t tokens) {
+  Group group = groups_[model];
+  group.wish.places.clear();
+  group.wish.feature.reset();
+  group.wish.each = false;
+  group.begin = tokens_[at_].begin;
+  group.end = tokens_[at_ + tokens - 1].end;
+  group.removed = false;
+  group.sentence = sentence_;
+  SetCount(count, &group);
+  ApplyLead(&group);
+  split_state_ = true;  // its state is only that of the others so far
+  groups_.push_back(std::move(group));
+  subject_ = {groups_.size() - 1};
+  previous_ = subject_;
+  last_ = groups_.size() - 1;
+}
+
+std::size_t AgentReader::RenamePart(std::size_t at) {
+  const std::size_t first = at;
+  while (noted_.IsAnyWord(at, {"are", "is", "should", "be", "being", "must"})) ++at;
+  if (noted_.IsPause(at) || part_ == kNone) return 0;
+  const auto match = words_.species.At(tokens_, at);
+  if (match.tokens == 0 || IsVerbHere(at, true)) return 0;
+  AgentWish& part = groups_[part_].wish;
+  part.categories = match.rows.front()->categories;
+  part.exact = match.rows.front()->exact;
+  part.name = JoinWords(tokens_, at, at + match.tokens);
+  groups_[part_].end = tokens_[at + match.tokens - 1].end;
+  noted_.Mark(at, at + match.tokens, &TokenNote::agent);
+  return at + match.tokens - first;
+}
+
+void AgentReader::Split(const Count& count, int quantity, std::size_t tokens) {
+  const std::size_t whole = last_;
+  if (whole == kNone) return;
+  quantity = std::max(1, quantity);
+  Group part = groups_[whole];
+  Group& rest = groups_[whole];
+  part.wish.quantity = quantity;
+  part.wish.least = count.tokens > 0 ? count.least : quantity;
+  part.wish.most = count.tokens > 0 ? count.most : quantity;
+  if (part.wish.least > quantity || part.wish.most < quantity) {
+    part.wish.least = part.wish.most = quantity;
+  }
+  if (!rest.wish.counted && count.tokens == 0) {
+    part.wish.least = std::min(quantity, std::max(1, rest.wish.least / 3));
+    part.wish.most = std::max(part.wish.quantity, rest.wish.most);
+  }
+  part.begin = tokens_[at_].begin;
+  part.end = tokens_[std::min(at_ + tokens, tokens_.size()) - 1].end;
+  part.sentence = sentence_;
+  part.removed = false;
+  rest.wish.quantity -= quantity;
+  rest.wish.least = std::max(0, rest.wish.least - part.wish.most);
+  rest.wish.most = std::max(rest.wish.quantity, rest.wish.most - part.wish.least);
+  if (rest.wish.quantity <= 0) rest.removed = true;
+  split_state_ = true;
+  rest_ = whole;
+  groups_.push_back(std::move(part));
+  subject_ = {groups_.size() - 1};
+  previous_ = subject_;
+  part_ = groups_.size() - 1;
+}
+
+void AgentReader::TakeRest(const Count& count) {
+  const std::size_t rest = rest_ != kNone ? rest_ : last_;
+  if (rest == kNone) return;
+  Group& group = groups_[rest];
+  if (count.tokens > 0) {
+    group.wish.least = count.least;
+    group.wish.quantity = count.value;
+    group.wish.most = count.most;
+  }
+  if (group.wish.quantity <= 0) return;
+  group.removed = false;
+  subject_ = {rest};
+  previous_ = subject_;
+}
+
+Group* AgentReader::Last() {
+  return last_ == kNone || groups_[last_].wish.quantity < 2 ? nullptr : &groups_[last_];
+}
+
+}  // namespace internal
+
+}  // namespace latticeworld

@@ -1,0 +1,134 @@
+// Reading about agents: what agents do.
+
+#include <algorithm>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/environment/agent_discourse.h"
+
+namespace latticeworld {
+namespace internal {
+namespace {
+
+bool IsGeneral(AgentState state) {
+  return state == AgentState::kIdle || state == AgentState::kPatrolling;
+}
+bool IsAgainst(AgentState state) {
+  return state == AgentState::kPursuing || state == AgentState::kAttacking;
+}
+
+}  // namespace
+
+std::size_t AgentReader::ReadState() {
+  const auto match = words_.states.At(tokens_, at_);
+  if (match.tokens == 0) return 0;
+  const AgentState state = match.rows.front()->state;
+  const std::size_t end = at_ + match.tokens;
+  const bool noun_next = NounFollows(end);
+  const bool noun_ahead = noun_next || AgentsAhead(end);
+  // "a storm", "the charge": after an article it is a noun, unless agents follow.
+  if (at_ > 0 && noted_.IsAnyWord(at_ - 1, {"a", "an", "the", "this"}) && !noun_next &&
+      match.tokens == 1 && !IsParticiple(at_)) {
+    return 0;
+  }
+  if (subject_.empty() && !noun_ahead && !(corrected_ && !previous_.empty())) return 0;
+  if (noted_.notes[at_].negated) {
+    noted_.Mark(at_, end, &TokenNote::agent);
+    return match.tokens;
+  }
+  const bool by = noted_.IsWord(end, "by") && !IsDoing(at_) && AgentsAfterBy(end + 1) &&
+                  (IsParticiple(at_) || Passive());
+  const bool after_subject = !subject_.empty() && at_ == SubjectEnd();
+  const bool adjective = noun_next && !(after_subject && Takes(state)) &&
+                         (pending_.tokens > 0 || IsParticiple(at_) || subject_.empty()) &&
+                         !IsFinite(at_);
+  if (by || adjective || (subject_.empty() && noun_ahead)) {
+    state_before_ = state;
+    phrase_begin_ = std::min(phrase_begin_, tokens_[at_].begin);
+    noted_.Mark(at_, end, &TokenNote::agent);
+    if (by) subject_.clear();
+    return match.tokens;
+  }
+  std::vector<std::size_t> owners = subject_;
+  if (owners.empty() && corrected_) owners = previous_;
+  // "goblins chase sheep grazing in the south"
+  if (object_ != kNone && object_end_ == at_ && IsParticiple(at_)) {
+    owners = {object_};
+    subject_ = owners;
+    object_ = kNone;
+  }
+  for (const std::size_t index : owners) {
+    SetState(index, state, match.tokens > 1 || noted_.IsWord(at_, "motionless"));
+    Extend(index, tokens_[end - 1].end);
+  }
+  noted_.Mark(at_, end, &TokenNote::agent);
+  acted_ = Takes(state);
+  verb_end_ = end;
+  acted_on_ = sentence_ + 1;
+  joined_ = false;
+  paused_ = false;
+  split_state_ = false;
+  return match.tokens;
+}
+
+bool AgentReader::AgentsAfterBy(std::size_t at) const {
+  for (std::size_t i = at; i < at + kPhraseTokens && !noted_.IsPause(i); ++i) {
+    if (words_.species.LengthAt(tokens_, i) > 0) return true;
+    if (words_.features.LengthAt(tokens_, i) > 0) return false;
+  }
+  return false;
+}
+
+bool AgentReader::Takes(AgentState state) {
+  return IsAgainst(state) || state == AgentState::kPatrolling;
+}
+
+bool AgentReader::Passive() const {
+  return at_ > 0 && noted_.IsAnyWord(at_ - 1, {"is", "are", "being", "was", "were"});
+}
+
+bool AgentReader::IsFinite(std::size_t at) const {
+  return at > 0 && noted_.IsAnyWord(at - 1, {"is", "are", "they", "that", "who", "which"});
+}
+
+std::size_t AgentReader::SubjectEnd() const {
+  std::size_t at = at_;
+  while (at > 0 && noted_.IsAnyWord(at - 1, {"is", "are", "who", "that", "which", "were"})) --at;
+  return at > 0 && noted_.notes[at - 1].agent ? at_ : kNone;
+}
+
+void AgentReader::SetState(std::size_t index, AgentState state, bool outright) {
+  std::optional<AgentState>& said = groups_[index].wish.state;
+  const bool weaker = said.has_value() && !IsGeneral(*said) && !corrected_ && !split_state_;
+  const bool same_kind = said.has_value() && *said == AgentState::kPatrolling &&
+                         state == AgentState::kIdle && !corrected_ && !split_state_ && !outright;
+  const bool later = acted_on_ != sentence_ + 1 && groups_[index].sentence != sentence_;
+  if ((weaker || same_kind) && !later) return;
+  said = state;
+}
+
+bool AgentReader::NounFollows(std::size_t at) const {
+  for (std::size_t i = at; i < at + 2 && !noted_.IsPause(i); ++i) {
+    if (noted_.notes[i].negated) return false;
+    if (words_.species.LengthAt(tokens_, i) > 0 && !IsVerbHere(i, false)) return true;
+    if (RoleAt(Role::kIn, i) > 0 || RoleAt(Role::kNear, i) > 0 ||
+        noted_.IsAnyWord(i, {"the", "a", "an", "and", "or"}) ||
+        ReadCount(noted_, words_, i).tokens > 0) {
+      return false;
+    }
+  }
+  return false;
+}
+
+bool AgentReader::AgentsAhead(std::size_t at) const {
+  for (std::size_t i = at; i < at + 12 && !noted_.IsEnd(i); ++i) {
+    if (!noted_.notes[i].negated && words_.species.LengthAt(tokens_, i) > 0 &&
+        !IsVerbHere(i, i > 0 && ReadCount(noted_, words_, i - 1).tokens > 0)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace internal
+
+}  // namespace latticeworld

@@ -1,0 +1,24 @@
+#ifndef LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_ATTRIBUTE_FITTING_H_
+#define LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_ATTRIBUTE_FITTING_H_
+
+#include <string>
+#include <vector>
+
+#include "latticeworld/environment/environment_config.h"
+#include "latticeworld/language/grounded/environment/heard_environment.h"
+#include "latticeworld/layout/symbolic_layout.h"
+
+namespace latticeworld {
+
+// The coarse attributes that were heard; the others follow from the layout, from each other, and
+// from the season that the wished variants need.
+CoarseAttributes FitCoarse(const HeardEnvironment& heard, const SymbolicLayout& layout);
+
+// The fine attributes that follow from the coarse ones, with the wishes put into them. A variant
+// that the season does not allow is left out with a warning.
+FineAttributes FitFine(const std::vector<FineWish>& wishes, const CoarseAttributes& coarse,
+                       std::vector<std::string>* warnings);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_ATTRIBUTE_FITTING_H_

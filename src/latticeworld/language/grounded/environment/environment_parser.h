@@ -1,0 +1,16 @@
+#ifndef LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_ENVIRONMENT_PARSER_H_
+#define LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_ENVIRONMENT_PARSER_H_
+
+#include <string_view>
+
+#include "latticeworld/language/grounded/environment/heard_environment.h"
+
+namespace latticeworld {
+
+// What an environment instruction says. Any UTF-8 text gives a reading; what it cannot read is kept
+// in not_understood.
+HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_ENVIRONMENT_PARSER_H_

@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "latticeworld/common/check.h"
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/environment/agent_fitting.h"
+#include "latticeworld/language/grounded/environment/attribute_fitting.h"
+#include "latticeworld/language/grounded/environment/claims_of_heard.h"
+#include "latticeworld/language/grounded/environment/environment_parser.h"
+#include "latticeworld/language/grounded/grounded.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr std::size_t kMaxNotUnderstood = 20;  // warnings; the others are only counted
+
+void WarnOfUnknown(const std::vector<std::string>& not_understood,
+                   std::vector<std::string>* warnings) {
+  for (std::size_t i = 0; i < std::min(kMaxNotUnderstood, not_understood.size()); ++i) {
+    warnings->push_back("not understood: " + Quote(not_understood[i]));
+  }
+  if (not_understood.size() > kMaxNotUnderstood) {
+    warnings->push_back(
+        "not understood: " + std::to_string(not_understood.size() - kMaxNotUnderstood) +
+        " more phrases");
+  }
+}
+
+// Self-check: a claim that does not hold is told, unless a warning quotes its words already.
+void WarnOfUnmet(const std::vector<EnvironmentClaim>& claims, const EnvironmentConfig& environment,
+                 std::vector<std::string>* warnings) {
+  for (const EnvironmentClaim& claim : claims) {
+    const EnvironmentClaimMeasure measure = Measure(claim, environment);
+    if (measure.holds) continue;
+    const std::string words = Quote(claim.words);
+    const bool told = std::any_of(
+        warnings->begin(), warnings->end(),
+        [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
+    if (!told) warnings->push_back(words + ": not met: " + measure.explanation);
+  }
+}
+
+class GroundedEnvironmentGenerator final : public EnvironmentGenerator {
+ public:
+  std::string_view name() const override { return "grounded"; }
+
+  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request,
+                                     const Progress& progress) override {
+    LW_RETURN_IF_ERROR(latticeworld::Validate(request));
+    LW_RETURN_IF_ERROR(progress.CheckCancelled());
+    HeardEnvironment heard = ParseEnvironmentInstruction(request.instruction);
+    EnvironmentAnswer answer;
+    answer.warnings = heard.warnings;
+    EnvironmentConfig& environment = answer.environment;
+    environment.coarse = FitCoarse(heard, *request.layout);
+    environment.fine = FitFine(heard.fine, environment.coarse, &answer.warnings);
+    environment.agents = FitAgents(heard.agents, *request.layout, request.size_m, &answer.warnings);
+    WarnOfUnmet(ClaimsOf(heard, request.layout), environment, &answer.warnings);
+    WarnOfUnknown(heard.not_understood, &answer.warnings);
+    LW_CHECK(latticeworld::Validate(environment).empty(), "the grounded environment must be valid");
+    return answer;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<EnvironmentGenerator> MakeGroundedEnvironmentGenerator() {
+  return std::make_unique<GroundedEnvironmentGenerator>();
+}
+
+EnvironmentReading ReadEnvironmentInstruction(std::string_view instruction,
+                                              const SymbolicLayout* layout) {
+  HeardEnvironment heard = ParseEnvironmentInstruction(instruction);
+  return {ClaimsOf(heard, layout), std::move(heard.not_understood)};
+}
+
+}  // namespace latticeworld

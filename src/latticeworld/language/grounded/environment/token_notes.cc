@@ -1,0 +1,120 @@
+#include "latticeworld/language/grounded/environment/token_notes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "latticeworld/language/numbers.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr std::size_t kLongestScope = 16;  // tokens that one negation reaches
+
+// Follows the words from which a negation reaches on, and where it ends.
+class ScopeMarker {
+ public:
+  ScopeMarker(const EnvironmentWords& words, NotedTokens* noted)
+      : words_(words), tokens_(noted->tokens), noted_(noted) {}
+
+  void Run() {
+    for (std::size_t at = 0; at < tokens_.size();) at += Step(at);
+  }
+
+ private:
+  std::size_t Role(enum Role role, std::size_t at) const {
+    return words_.RoleAt(role, tokens_, at);
+  }
+
+  std::size_t Step(std::size_t at) {
+    if (tokens_[at].kind == TokenKind::kComma || tokens_[at].kind == TokenKind::kStop) return 1;
+    const std::size_t ignored = Role(Role::kIgnored, at);
+    const std::size_t negator = Role(Role::kNot, at);
+    // "no more than", "no wait" and "nobody" are no negations of what follows.
+    const std::size_t other =
+        std::max({Role(Role::kAtLeast, at), Role(Role::kAtMost, at), Role(Role::kCorrection, at),
+                  Role(Role::kNobody, at), Role(Role::kSomeOfThem, at)});
+    const std::size_t function =
+        std::max({Role(Role::kFunction, at), Role(Role::kBut, at), other, Role(Role::kMore, at),
+                  Role(Role::kAbout, at), Role(Role::kExactly, at), Role(Role::kNear, at),
+                  Role(Role::kIn, at), Role(Role::kMoreThan, at), Role(Role::kFewerThan, at),
+                  Role(Role::kOthers, at), Role(Role::kThey, at), Role(Role::kBeforeSpecies, at)});
+    for (std::size_t i = 0; i < function; ++i) noted_->notes[at + i].known = true;
+    if (ignored > negator && ignored >= other) {
+      noted_->Mark(at, at + ignored, &TokenNote::ignored);
+      return ignored;
+    }
+    if (negator == 0 || other > negator) return std::max<std::size_t>(1, other);
+    for (std::size_t i = 0; i < negator; ++i) noted_->notes[at + i].known = true;
+    MarkScope(at, at + negator);
+    return negator;
+  }
+
+  void MarkScope(std::size_t negator, std::size_t first) {
+    const std::string& word = tokens_[negator].text;
+    const bool joins_by_and = word != "no" && word != "not" && word != "never";
+    int content = 0;
+    for (std::size_t at = first; !noted_->IsEnd(at) && at < first + kLongestScope; ++at) {
+      if (tokens_[at].kind == TokenKind::kComma) {
+        if (content == 0 || !ListGoesOn(at + 1)) return;
+        continue;
+      }
+      if (Role(Role::kBut, at) > 0 && !noted_->IsWord(at, "for")) return;
+      if (noted_->IsWord(at, "and") && (!joins_by_and || !IsBare(at + 1))) return;
+      const bool determiner = noted_->IsAnyWord(at, {"a", "an", "the", "it", "they", "there"});
+      const bool after_or =
+          at > first && (noted_->IsWord(at - 1, "or") || noted_->IsWord(at - 1, "nor"));
+      if (content > 0 && !after_or) {
+        if (determiner || IsPreposition(at) || MatchNumber(tokens_, at).tokens > 0) return;
+      }
+      noted_->notes[at].negated = true;
+      if (Role(Role::kFunction, at) == 0 && !determiner) ++content;
+    }
+  }
+
+  bool IsPreposition(std::size_t at) const {
+    return Role(Role::kIn, at) > 0 || Role(Role::kNear, at) > 0 ||
+           noted_->IsAnyWord(at, {"during", "after", "before"});
+  }
+
+  // "no rain, fog or snow": the list ends with "or".
+  bool ListGoesOn(std::size_t at) const {
+    for (const std::size_t last = at + kLongestScope; at < last && !noted_->IsEnd(at); ++at) {
+      if (noted_->IsAnyWord(at, {"or", "nor", "included", "either"})) return true;
+      if (noted_->IsAnyWord(at, {"and", "a", "an", "the", "is", "are", "it"}) ||
+          IsPreposition(at) || Role(Role::kNot, at) > 0 || Role(Role::kBut, at) > 0 ||
+          MatchNumber(tokens_, at).tokens > 0) {
+        return false;
+      }
+    }
+    return false;
+  }
+
+  // "without goblins and wolves": another bare noun.
+  bool IsBare(std::size_t at) const {
+    return !noted_->IsPause(at) && MatchNumber(tokens_, at).tokens == 0 &&
+           words_.quantities.LengthAt(tokens_, at) == 0 && Role(Role::kFunction, at) == 0;
+  }
+
+  const EnvironmentWords& words_;
+  const std::vector<Token>& tokens_;
+  NotedTokens* noted_;
+};
+
+}  // namespace
+
+std::string_view NotedTokens::Text(std::size_t first, std::size_t last) const {
+  if (first >= last || last > tokens.size()) return {};
+  return instruction.substr(tokens[first].begin, tokens[last - 1].end - tokens[first].begin);
+}
+
+NotedTokens NoteScopes(std::string_view instruction, std::vector<Token> tokens,
+                       const EnvironmentWords& words) {
+  NotedTokens noted;
+  noted.instruction = instruction;
+  noted.tokens = std::move(tokens);
+  noted.notes.resize(noted.tokens.size());
+  ScopeMarker(words, &noted).Run();
+  return noted;
+}
+
+}  // namespace latticeworld

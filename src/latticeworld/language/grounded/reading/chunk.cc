@@ -1,0 +1,474 @@
+#include "latticeworld/language/grounded/reading/chunk.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace latticeworld {
+namespace {
+
+constexpr std::size_t kMaxPhraseLexemes = 14;  // before the head of a noun phrase
+constexpr int kMaxUnknown = 4;                 // of them that no list knows
+
+std::optional<ClaimShape> ShapeOf(Sense sense) {
+  switch (sense) {
+    case Sense::kRound:
+      return ClaimShape::kRound;
+    case Sense::kElongated:
+      return ClaimShape::kElongated;
+    case Sense::kBent:
+      return ClaimShape::kBent;
+    case Sense::kRing:
+      return ClaimShape::kRing;
+    case Sense::kStraight:
+      return ClaimShape::kStraight;
+    case Sense::kWinding:
+      return ClaimShape::kWinding;
+    case Sense::kGridded:
+      return ClaimShape::kGridded;
+    default:
+      return std::nullopt;
+  }
+}
+
+// Whether the lexeme tells a quality; it is added then.
+bool AddQuality(const Lexeme& lexeme, Qualities* said) {
+  switch (lexeme.kind) {
+    case LexemeKind::kCount:
+      said->count = lexeme.count;
+      break;
+    case LexemeKind::kShare:
+      said->share = lexeme.share;
+      said->mostly = said->mostly || lexeme.share.mostly;
+      break;
+    case LexemeKind::kSize:
+      said->size *= lexeme.size.factor;
+      said->least_share = std::max(said->least_share, lexeme.size.least_share);
+      said->width *= lexeme.size.width;
+      break;
+    case LexemeKind::kAxis:
+      said->axis = lexeme.axis;
+      break;
+    case LexemeKind::kSense:
+      if (const auto shape = ShapeOf(lexeme.sense); shape.has_value()) {
+        said->shape = shape;
+        break;
+      }
+      switch (lexeme.sense) {
+        case Sense::kScattered:
+          said->texture = Texture::kScattered;
+          break;
+        case Sense::kClustered:
+          said->texture = Texture::kClustered;
+          break;
+        case Sense::kSparse:
+        case Sense::kLittle:
+          said->little = true;
+          break;
+        case Sense::kMuch:
+          said->much = true;
+          break;
+        case Sense::kFew:
+          said->few = true;
+          break;
+        case Sense::kSeveral:
+          said->group = true;
+          break;
+        case Sense::kMany:
+          said->count = CountMatch{4, CountMatch::kUnbounded, 1};
+          break;
+        case Sense::kSingle:
+          said->count = CountMatch{1, 1, 1};
+          break;
+        case Sense::kMostly:
+          said->mostly = true;
+          break;
+        case Sense::kParallelEach:
+          said->parallel = true;
+          break;
+        case Sense::kHorizontal:
+          said->axis = AxisMatch{{-1, 0}, {1, 0}, 1};
+          break;
+        case Sense::kVertical:
+          said->axis = AxisMatch{{0, -1}, {0, 1}, 1};
+          break;
+        case Sense::kAbsent:
+          said->none = true;
+          break;
+        case Sense::kAtMost:
+          said->at_most = true;
+          break;
+        case Sense::kDense:
+        case Sense::kSquare:
+          break;
+        default:
+          return false;
+      }
+      break;
+    default:
+      return false;
+  }
+  said->any = true;
+  return true;
+}
+
+std::optional<Head> PronounOf(Sense sense) {
+  switch (sense) {
+    case Sense::kIt:
+      return Head::kIt;
+    case Sense::kThey:
+      return Head::kThey;
+    case Sense::kBoth:
+      return Head::kBoth;
+    case Sense::kFormer:
+      return Head::kFormer;
+    case Sense::kLatter:
+      return Head::kLatter;
+    case Sense::kOne:
+      return Head::kOne;
+    case Sense::kOther:
+      return Head::kOther;
+    case Sense::kFirst:
+      return Head::kFirst;
+    case Sense::kMap:
+      return Head::kMap;
+    case Sense::kRest:
+      return Head::kRest;
+    default:
+      return std::nullopt;
+  }
+}
+
+class Chunker {
+ public:
+  explicit Chunker(const std::vector<Token>& tokens)
+      : tokens_(tokens), lexemes_(LexLayout(tokens)) {}
+
+  Chunks Read() {
+    for (std::size_t i = 0; i + 1 < lexemes_.size(); ++i) {
+      // "round the lake": around it.
+      const bool around = lexemes_[i].Is(Sense::kRound) &&
+                          tokens_[lexemes_[i].first].text == "round" &&
+                          (SenseAt(i + 1, Sense::kDefinite) || SenseAt(i + 1, Sense::kIt) ||
+                           SenseAt(i + 1, Sense::kBoth) || SenseAt(i + 1, Sense::kThey));
+      if (around) lexemes_[i].sense = Sense::kSurrounds;
+    }
+    while (at_ < lexemes_.size()) {
+      if (!ReadNounPhrase() && !ReadQualities()) ReadOther();
+    }
+    return std::move(chunks_);
+  }
+
+ private:
+  const Lexeme* LexemeAt(std::size_t at) const {
+    return at < lexemes_.size() ? &lexemes_[at] : nullptr;
+  }
+  bool IsNounAt(std::size_t at) const {
+    return at < lexemes_.size() && lexemes_[at].kind == LexemeKind::kNoun;
+  }
+  bool SenseAt(std::size_t at, Sense sense) const {
+    return at < lexemes_.size() && lexemes_[at].Is(sense);
+  }
+
+  void Emit(Chunk chunk, std::size_t first, std::size_t last) {
+    chunk.first_token = lexemes_[first].first;
+    chunk.begin = tokens_[lexemes_[first].first].begin;
+    chunk.end = tokens_[lexemes_[last - 1].last - 1].end;
+    chunks_.chunks.push_back(std::move(chunk));
+    at_ = last;
+  }
+  void AddUnread(std::size_t at) {
+    chunks_.unread.emplace_back(tokens_[lexemes_[at].first].begin,
+                                tokens_[lexemes_[at].last - 1].end);
+  }
+
+  // A place right before a noun tells which: "the northern lake". Not after a preposition, where it
+  // stands for itself: "in the north forest, in the south fields".
+  bool IsAdjectivePlace(std::size_t at) const {
+    if (at > 0) {
+      const Lexeme& before = lexemes_[at - 1];
+      if (before.kind == LexemeKind::kSense &&
+          (before.sense == Sense::kIn || before.sense == Sense::kFrom ||
+           before.sense == Sense::kTo || before.sense == Sense::kThrough ||
+           before.sense == Sense::kAlong || before.sense == Sense::kCrosses)) {
+        return false;
+      }
+    }
+    std::size_t next = at + 1;
+    while (next < lexemes_.size() && (lexemes_[next].kind == LexemeKind::kSize ||
+                                      lexemes_[next].kind == LexemeKind::kCount)) {
+      ++next;
+    }
+    // "the northern lake", "the southern one"
+    const bool one = SenseAt(next, Sense::kOne) && tokens_[lexemes_[next].first].text == "one";
+    return (IsNounAt(next) || one) && lexemes_[at].places.size() == 1 && !IsExtent(lexemes_[at]);
+  }
+  // "the northern half", "top third", "NW corner": these stand for themselves.
+  bool IsExtent(const Lexeme& place) const {
+    for (std::size_t i = place.first; i < place.last; ++i) {
+      for (const std::string_view word : {"half", "third", "quarter", "corner", "edge", "side",
+                                          "part", "halves", "thirds", "border", "margin", "of"}) {
+        if (tokens_[i].text == word) return true;
+      }
+    }
+    return false;
+  }
+
+  // Reads modifiers up to a head; false, and nothing read, where none follows.
+  bool ReadNounPhrase() {
+    NounPhrase phrase;
+    std::vector<std::size_t> unknown;
+    std::size_t at = at_;
+    bool said_something = false;
+    for (; at < lexemes_.size() && at < at_ + kMaxPhraseLexemes; ++at) {
+      const Lexeme& lexeme = lexemes_[at];
+      if (lexeme.kind == LexemeKind::kNoun) {
+        TakeHead(at, &phrase, unknown);
+        return true;
+      }
+      if (IsOneAlone(at) && unknown.empty()) {
+        EmitPronoun(Head::kOne, at, std::move(phrase));
+        return true;
+      }
+      if (lexeme.kind == LexemeKind::kUnknown) {
+        if (static_cast<int>(unknown.size()) >= kMaxUnknown) return false;
+        unknown.push_back(at);
+        continue;
+      }
+      if (lexeme.kind == LexemeKind::kPlace) {
+        if (!IsAdjectivePlace(at)) return false;
+        phrase.places = lexeme.places;
+        continue;
+      }
+      if (lexeme.kind == LexemeKind::kSense) {
+        if (const auto pronoun = PronounOf(lexeme.sense); pronoun.has_value()) {
+          // "one of the lakes", "the other lake", "both lakes": the noun is the head.
+          const bool before_noun = lexeme.sense != Sense::kIt && lexeme.sense != Sense::kThey &&
+                                   lexeme.sense != Sense::kMap && lexeme.sense != Sense::kRest &&
+                                   NounSoon(at + 1);
+          // "country lane"
+          if (lexeme.sense == Sense::kMap && IsNounAt(at + 1) &&
+              tokens_[lexeme.first].text == "country") {
+            continue;
+          }
+          if (!unknown.empty() || phrase.qualities.axis.has_value()) return false;
+          if (before_noun) {
+            phrase.head = *pronoun;
+            if (lexeme.sense == Sense::kOne) phrase.qualities.count = CountMatch{1, 1, 1};
+            continue;
+          }
+          EmitPronoun(*pronoun, at, std::move(phrase));
+          return true;
+        }
+        if (AddModifier(lexeme, &phrase)) {
+          said_something = true;
+          continue;
+        }
+        if (lexeme.sense == Sense::kFunction) continue;
+        if (lexeme.sense == Sense::kOfPlace && (said_something || AfterShore(at))) continue;
+        // "six separate trees", "the shore of the lake"
+        if (lexeme.sense == Sense::kBetween && tokens_[lexeme.first].text == "separate" &&
+            said_something) {
+          phrase.qualities.texture = Texture::kScattered;
+          continue;
+        }
+        if (lexeme.sense == Sense::kShore) {
+          if (SenseAt(at + 1, Sense::kOfPlace) && NounSoon(at + 2)) continue;
+          if (!unknown.empty()) return false;
+          EmitPronoun(Head::kShore, at, std::move(phrase));
+          return true;
+        }
+        // "a long, narrow lake": no further than one comma between qualities.
+        return false;
+      }
+      if (lexeme.kind == LexemeKind::kComma && said_something && at > at_ && IsComma(at) &&
+          QualityAt(at - 1) && QualityAt(at + 1) && NounSoon(at + 1)) {
+        continue;
+      }
+      if (!AddQuality(lexeme, &phrase.qualities)) return false;
+      said_something = true;
+    }
+    return false;
+  }
+
+  // "one in the north", "one by the lake": one of what was named.
+  bool IsOneAlone(std::size_t at) const {
+    const Lexeme& lexeme = lexemes_[at];
+    if (lexeme.kind != LexemeKind::kCount || lexeme.last != lexeme.first + 1 ||
+        tokens_[lexeme.first].text != "one" || at + 1 >= lexemes_.size()) {
+      return false;
+    }
+    const Lexeme& next = lexemes_[at + 1];
+    if (next.kind == LexemeKind::kPlace) return !IsAdjectivePlace(at + 1);
+    if (next.kind == LexemeKind::kDirection) return true;
+    if (next.kind != LexemeKind::kSense) return false;
+    switch (next.sense) {
+      case Sense::kIn:
+      case Sense::kTo:
+      case Sense::kFrom:
+      case Sense::kBe:
+      case Sense::kStands:
+      case Sense::kRuns:
+      case Sense::kNear:
+      case Sense::kNextTo:
+      case Sense::kWith:
+      case Sense::kWithin:
+      case Sense::kAlong:
+        return true;
+      default:
+        return false;
+    }
+  }
+
+  void EmitPronoun(Head head, std::size_t at, NounPhrase phrase) {
+    phrase.head = head;
+    phrase.noun = nullptr;
+    Chunk chunk;
+    chunk.kind = ChunkKind::kNounPhrase;
+    chunk.phrase = std::move(phrase);
+    Emit(std::move(chunk), at_, at + 1);
+  }
+  bool AfterShore(std::size_t at) const { return at > 0 && SenseAt(at - 1, Sense::kShore); }
+
+  bool IsComma(std::size_t at) const { return tokens_[lexemes_[at].first].text == ","; }
+  bool QualityAt(std::size_t at) const {
+    Qualities scratch;
+    return at < lexemes_.size() && lexemes_[at].kind != LexemeKind::kCount &&
+           lexemes_[at].kind != LexemeKind::kShare && lexemes_[at].kind != LexemeKind::kAxis &&
+           AddQuality(lexemes_[at], &scratch);
+  }
+  // A noun with nothing but qualities before it.
+  bool NounSoon(std::size_t at) const {
+    for (std::size_t i = at; i < std::min(lexemes_.size(), at + 4); ++i) {
+      if (IsNounAt(i)) return true;
+      Qualities scratch;
+      const bool skip = lexemes_[i].Is(Sense::kOfPlace) || lexemes_[i].Is(Sense::kDefinite) ||
+                        AddQuality(lexemes_[i], &scratch);
+      if (!skip) return false;
+    }
+    return false;
+  }
+
+  bool AddModifier(const Lexeme& lexeme, NounPhrase* phrase) const {
+    switch (lexeme.sense) {
+      case Sense::kDefinite:
+      case Sense::kIts:
+        phrase->definite = phrase->definite || lexeme.sense == Sense::kDefinite;
+        return true;
+      case Sense::kIndefinite:
+        phrase->indefinite = true;
+        return true;
+      case Sense::kAnother:
+        phrase->another = true;
+        return true;
+      case Sense::kAll:
+        phrase->each = true;
+        return true;
+      case Sense::kNo:
+        phrase->negated = true;
+        return true;
+      case Sense::kMoreThan:
+        phrase->qualities.more = true;
+        return true;
+      case Sense::kLessThan:
+        phrase->qualities.less = true;
+        return true;
+      case Sense::kRiverside:
+      case Sense::kLakeside:
+      case Sense::kRoadside:
+        phrase->qualities.beside = lexeme.sense;
+        return true;
+      default:
+        return AddQuality(lexeme, &phrase->qualities);
+    }
+  }
+
+  // The last of several nouns in a row is the thing, those before it its kind: "mountain lake".
+  void TakeHead(std::size_t at, NounPhrase* phrase, const std::vector<std::size_t>& unknown) {
+    std::size_t last = at + 1;
+    while (IsNounAt(last) && !lexemes_[last - 1].plural) ++last;
+    // "a field of wheat": what it is made of.
+    if (SenseAt(last, Sense::kOfPlace) && IsNounAt(last + 1) &&
+        (lexemes_[last - 1].noun->suburb == lexemes_[last + 1].noun->suburb ||
+         lexemes_[last - 1].noun->shape == WordShape::kMass)) {
+      phrase->plural = lexemes_[last - 1].plural;
+      last += 2;
+    }
+    const Lexeme& head = lexemes_[last - 1];
+    phrase->noun = head.noun;
+    phrase->plural = phrase->plural || head.plural;
+    for (const std::size_t i : unknown) AddUnread(i);
+    Chunk chunk;
+    chunk.kind = ChunkKind::kNounPhrase;
+    chunk.phrase = std::move(*phrase);
+    Emit(std::move(chunk), at_, last);
+  }
+
+  bool ReadQualities() {
+    Chunk chunk;
+    chunk.kind = ChunkKind::kQualities;
+    std::size_t last = at_;
+    for (std::size_t at = at_; at < lexemes_.size(); ++at) {
+      if (lexemes_[at].kind == LexemeKind::kAxis) break;
+      if (AddQuality(lexemes_[at], &chunk.qualities)) {
+        last = at + 1;
+      } else if (!lexemes_[at].Is(Sense::kFunction) && !lexemes_[at].Is(Sense::kIndefinite) &&
+                 !lexemes_[at].Is(Sense::kDefinite)) {
+        break;
+      }
+    }
+    if (last == at_) return false;
+    Emit(std::move(chunk), at_, last);
+    return true;
+  }
+
+  void ReadOther() {
+    const Lexeme& lexeme = lexemes_[at_];
+    Chunk chunk;
+    switch (lexeme.kind) {
+      case LexemeKind::kPlace:
+        chunk.kind = ChunkKind::kPlace;
+        break;
+      case LexemeKind::kDirection:
+        chunk.kind = ChunkKind::kDirection;
+        break;
+      case LexemeKind::kAxis:
+        chunk.kind = ChunkKind::kAxis;
+        break;
+      case LexemeKind::kComma:
+        chunk.kind = ChunkKind::kComma;
+        break;
+      case LexemeKind::kStop:
+        chunk.kind = ChunkKind::kStop;
+        break;
+      case LexemeKind::kUnknown:
+        chunk.kind = ChunkKind::kUnknown;
+        AddUnread(at_);
+        break;
+      default:
+        chunk.kind = ChunkKind::kSense;
+        break;
+    }
+    const bool skipped = chunk.kind == ChunkKind::kUnknown ||
+                         (chunk.kind == ChunkKind::kSense &&
+                          (lexeme.sense == Sense::kFunction || lexeme.sense == Sense::kDefinite ||
+                           lexeme.sense == Sense::kIndefinite || lexeme.sense == Sense::kIts ||
+                           lexeme.sense == Sense::kOfPlace || lexeme.sense == Sense::kAll));
+    if (skipped) {
+      ++at_;
+      return;
+    }
+    chunk.lexeme = lexeme;
+    Emit(std::move(chunk), at_, at_ + 1);
+  }
+
+  const std::vector<Token>& tokens_;
+  std::vector<Lexeme> lexemes_;
+  std::size_t at_ = 0;
+  Chunks chunks_;
+};
+
+}  // namespace
+
+Chunks ChunkLayout(const std::vector<Token>& tokens) { return Chunker(tokens).Read(); }
+
+}  // namespace latticeworld

@@ -1,0 +1,223 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "latticeworld/language/grounded/reading/clause_reader.h"
+#include "latticeworld/language/grounded/reading/place_phrases.h"
+
+namespace latticeworld {
+// Ends and turning points of a line.
+bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
+  if (!frame_.has_value() || !frame_->expecting || !frame_->objects.empty()) return false;
+  const Sense sense = frame_->sense;
+  const Chunk& chunk = chunks_[at_];
+  const std::string words = d_.Words(chunk.begin, chunk.end);
+  const bool end = sense == Sense::kFrom || sense == Sense::kTo || sense == Sense::kConnects;
+  const bool between = sense == Sense::kThrough || sense == Sense::kCrosses ||
+                       sense == Sense::kPast || sense == Sense::kAlong || sense == Sense::kIn;
+  if (!end && !between) return false;
+  Waypoint waypoint;
+  waypoint.zone = end ? EndZoneOf(zones.front(), words) : zones.front();
+  const int line = LineOf(frame_->subjects);
+  if (end && line >= 0) {
+    for (const int index : frame_->subjects) {
+      if (!IsLine(index)) continue;
+      PlannedFeature& feature = d_.feature(index);
+      const bool first =
+          sense == Sense::kFrom || (sense == Sense::kConnects && !feature.from.has_value());
+      (first ? feature.from : feature.to) = waypoint;
+      d_.Extend(index, chunk.end);
+    }
+    if (sense == Sense::kConnects && !d_.feature(line).to.has_value()) return true;
+    frame_.reset();
+    return true;
+  }
+  if (end && (frame_->fronted || frame_->subjects.empty())) {
+    (sense == Sense::kFrom ? from_ : to_) = waypoint;
+    frame_.reset();
+    // "From north to south: snow, rock, forest."
+    if (from_.has_value() && to_.has_value()) {
+      const Heading a = HeadingOf(RegionOf(from_->zone));
+      const Heading b = HeadingOf(RegionOf(to_->zone));
+      std::size_t next = SkipVerbs(at_ + 1);
+      if (IsKind(next, ChunkKind::kComma)) next = SkipVerbs(next + 1);
+      const bool line_next = IsThing(next) && chunks_[next].phrase.noun->shape == WordShape::kLine;
+      if (IsOppositeHeading(a, b) && (traveling_ || !line_next)) {
+        from_.reset();
+        to_.reset();
+        BeginOrder(b);
+      }
+    } else if (traveling_ && sense == Sense::kFrom && !IsSense(at_ + 1, Sense::kTo)) {
+      const Heading a = HeadingOf(RegionOf(from_->zone));
+      from_.reset();
+      BeginOrder({-a.east, -a.south});
+    } else if (traveling_ && sense == Sense::kTo && !from_.has_value()) {
+      const Heading b = HeadingOf(RegionOf(to_->zone));
+      to_.reset();
+      BeginOrder(b);
+    }
+    return true;
+  }
+  if (end) {
+    // A belt that runs: "a strip of forest from the north to the south".
+    const int index = frame_->subjects.empty() ? -1 : frame_->subjects.back();
+    if (index < 0) return false;
+    PlannedFeature& feature = d_.feature(index);
+    const bool pair = sense == Sense::kFrom && IsSense(at_ + 1, Sense::kTo);
+    const bool second = sense == Sense::kTo && feature.from.has_value();
+    if (!pair && !second) {
+      frame_.reset();
+      Attach(zones, false, chunk);
+      return true;
+    }
+    if (frame_->subjects.size() > 1 && !verb_said_) {
+      // "snow, rock and forest from north to south"
+      if (pair) {
+        from_ = waypoint;
+        frame_.reset();
+        return true;
+      }
+    }
+    (pair ? feature.from : feature.to) = waypoint;
+    if (second && feature.form != FeatureForm::kLine) {
+      feature.form = FeatureForm::kLine;
+      feature.wide = true;
+    }
+    d_.Extend(index, chunk.end);
+    frame_.reset();
+    return true;
+  }
+  if (line < 0) return false;
+  PlannedFeature& feature = d_.feature(line);
+  if (sense == Sense::kAlong) {
+    feature.along = AlongZone(zones.front());
+  } else if (sense == Sense::kIn || (sense == Sense::kCrosses && !feature.from.has_value())) {
+    return false;
+  } else {
+    for (const Zone& zone : zones) {
+      Waypoint via;
+      via.zone = zone;
+      feature.via.push_back(std::move(via));
+    }
+  }
+  d_.Extend(line, chunk.end);
+  frame_.reset();
+  return true;
+}
+
+void ClauseReader::ReadAxis(const Chunk& chunk) {
+  const AxisMatch& axis = chunk.lexeme.axis;
+  Waypoint from;
+  from.zone = RimZoneOf(axis.from);
+  Waypoint to;
+  to.zone = RimZoneOf(axis.to);
+  if (frame_.has_value() && frame_->objects.empty()) {
+    if (frame_->fronted) {
+      frame_.reset();
+    } else {
+      CloseFrame();
+    }
+  }
+  const int line = LineOf(subjects_);
+  if (line >= 0) {
+    const std::vector<int> lines = subjects_;
+    for (int index : lines) {
+      if (!IsLine(index)) continue;
+      // "two roads, north-south and east-west"
+      if (d_.feature(index).from.has_value() && d_.feature(index).pieces > 1) {
+        index = d_.SplitOff(index);
+        subjects_.push_back(index);
+      }
+      d_.feature(index).from = from;
+      d_.feature(index).to = to;
+      d_.Extend(index, chunk.end);
+    }
+    return;
+  }
+  if (subjects_.size() >= 2 && !verb_said_) {
+    order_ = subjects_;
+    order_begin_ = d_.thing(subjects_.front()).begin;
+    ordering_ = true;
+    order_heading_ = axis.to;
+    return;
+  }
+  if (!subjects_.empty() && verb_said_) {
+    const int index = subjects_.back();
+    d_.feature(index).from = from;
+    d_.feature(index).to = to;
+    if (d_.feature(index).form == FeatureForm::kSpread) {
+      d_.feature(index).form = FeatureForm::kLine;
+      d_.feature(index).wide = true;
+    }
+    return;
+  }
+  std::size_t next = SkipVerbs(at_ + 1);
+  if (IsKind(next, ChunkKind::kComma)) next = SkipVerbs(next + 1);
+  const bool line_next = IsThing(next) && chunks_[next].phrase.noun->shape == WordShape::kLine;
+  if (line_next && !traveling_) {
+    from_ = from;
+    to_ = to;
+  } else {
+    BeginOrder(axis.to);
+  }
+}
+
+void ClauseReader::BeginOrder(Heading heading) {
+  if (ordering_) return;
+  ordering_ = true;
+  order_heading_ = heading;
+  order_.clear();
+  order_begin_ = at_ < chunks_.size() ? chunks_[at_].begin : 0;
+}
+
+// The ordered things lie in bands one after the other, where no place of their own was said.
+void ClauseReader::FinishOrder() {
+  if (!ordering_) return;
+  ordering_ = false;
+  std::vector<int> features;
+  for (const int index : order_) {
+    if (!d_.thing(index).dropped) features.push_back(index);
+  }
+  order_.clear();
+  if (features.size() < 2) return;
+  PlannedOrder order;
+  order.features = features;
+  order.heading = {order_heading_.east, order_heading_.south};
+  order.words = d_.Words(std::min(order_begin_, d_.thing(features.front()).begin),
+                         d_.thing(features.back()).end);
+  d_.plan().orders.push_back(std::move(order));
+  const double count = static_cast<double>(features.size());
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    PlannedFeature& feature = d_.feature(features[i]);
+    if (!feature.zones.empty() && !d_.thing(features[i]).zones_from_lead) continue;
+    const bool ends = i == 0 || i + 1 == features.size();
+    Heading side = order_heading_;
+    if (i == 0) side = {-side.east, -side.south};
+    if (ends && features.size() <= 3) {
+      feature.zones = {ZoneOf(side)};
+      continue;
+    }
+    double low = static_cast<double>(i) / count;
+    double high = static_cast<double>(i + 1) / count;
+    const bool backwards = order_heading_.east < 0 || order_heading_.south < 0;
+    if (backwards) {
+      low = 1.0 - low - 1.0 / count;
+      high = low + 1.0 / count;
+    }
+    Zone zone;
+    zone.name = "band " + std::to_string(i + 1) + " of " + std::to_string(features.size());
+    UnitBox box;
+    if (order_heading_.south != 0) {
+      box.v_min = low;
+      box.v_max = high;
+    }
+    if (order_heading_.east != 0) {
+      box.u_min = low;
+      box.u_max = high;
+    }
+    zone.boxes = {box};
+    feature.zones = {zone};
+  }
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,177 @@
+#include <string>
+#include <utility>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/reading/clause_reader.h"
+
+namespace latticeworld {
+// qualities
+
+void ClauseReader::ReadDirection(const Chunk& chunk) {
+  Frame frame;
+  frame.is_direction = true;
+  frame.heading = chunk.lexeme.heading;
+  frame.use = chunk.lexeme.use;
+  frame.of_it = chunk.lexeme.of_it;
+  Open(std::move(frame));
+}
+
+void ClauseReader::OpenSense(Sense sense, bool of_it) {
+  Frame frame;
+  frame.sense = sense;
+  frame.of_it = of_it || sense == Sense::kWithinIt;
+  Open(std::move(frame));
+}
+
+void ClauseReader::Open(Frame frame) {
+  const Sense sense = frame.sense;
+  // "Coming down from the north we left the snow, crossed scree, ...": things as they are passed.
+  if (ordering_ && !IsKind(at_ + 1, ChunkKind::kPlace)) return;
+  const std::string words = ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[at_].end));
+  if (sense == Sense::kFrom && subjects_.empty() && words.find(" down from") != std::string::npos) {
+    traveling_ = true;
+  }
+  // "separates the town from the fields", "connects the lake with the village"
+  const bool second = (sense == Sense::kFrom || sense == Sense::kTo || sense == Sense::kWith) &&
+                      frame_.has_value() && WantsTwo(frame_->sense) &&
+                      frame_->objects.size() == 1 && IsPhrase(at_ + 1);
+  if (second) {
+    frame_->expecting = true;
+    return;
+  }
+  frame.negated = not_next_ && !IsCourse(sense);
+  not_next_ = false;
+  // "Link them by a footpath": what does it comes last.
+  if (sense == Sense::kNear && frame_.has_value() && frame_->fronted && WantsTwo(frame_->sense) &&
+      !frame_->objects.empty()) {
+    frame_->expecting = false;
+    return;
+  }
+  const bool was_fronted = frame_.has_value() && frame_->fronted;
+  const std::vector<int> nearest =
+      frame_.has_value() && !was_fronted && !frame_->objects.empty() && at_ > 0 && IsPhrase(at_ - 1)
+          ? std::vector<int>{frame_->objects.back()}
+          : std::vector<int>();
+  if (frame_.has_value() && WantsTwo(frame_->sense) && frame_->objects.size() == 1 &&
+      !was_fronted) {
+    paused_ = std::move(frame_);
+    frame_.reset();
+  } else {
+    CloseFrame();
+  }
+  const bool after_break = at_ == sentence_start_ || IsKind(at_ - 1, ChunkKind::kComma) ||
+                           IsSense(at_ - 1, Sense::kAnd) || IsSense(at_ - 1, Sense::kThen) ||
+                           IsSense(at_ - 1, Sense::kBut) || IsSense(at_ - 1, Sense::kBreak) ||
+                           (IsSense(at_ - 1, Sense::kIn) && at_ > 1 &&
+                            (IsKind(at_ - 2, ChunkKind::kComma) || IsSense(at_ - 2, Sense::kAnd) ||
+                             at_ - 1 == sentence_start_));
+  const bool leads = Fronts(at_);
+  const bool may_lead =
+      leads || frame.of_it || IsCourse(sense) || sense == Sense::kBetween || !IsPhrase(at_ + 1);
+  if (subjects_.empty() && !may_lead) {
+    absences_.clear();
+    return;  // "the player starts in a field": the field is what is spoken of
+  }
+  const bool fronted = subjects_.empty() || (after_break && leads);
+  if (fronted) {
+    if (!subjects_.empty()) BeginClause();
+    frame.fronted = true;
+    if (frame.of_it) {
+      frame.objects = Own(frame, {});
+      frame.expecting = false;
+    }
+    // "no trees near the lake": it is not that there are none.
+    if (!absences_.empty() && !frame.of_it) {
+      for (std::size_t i = absences_.size(); i-- > 0;) {
+        if (absences_[i] + 1 == d_.plan().absences.size()) d_.TakeBackDenial();
+      }
+      absences_.clear();
+    }
+    frame_ = std::move(frame);
+    return;
+  }
+  frame.subjects = subjects_;
+  if (words.substr(0, 5) == "touch") frame.steps = 1.0;
+  if (IsCourse(sense) || sense == Sense::kBetween) {
+    const int near_line = LineOf(nearest);
+    const int line = LineOf(subjects_);
+    if (IsCourse(sense) && line < 0 && near_line >= 0) {
+      d_.SetTopic(subjects_);
+      subjects_ = nearest;
+      frame.subjects = nearest;
+    } else if (line >= 0 && (list_has_and_ ? false : subjects_.size() > 1)) {
+      frame.subjects = {line};
+    }
+  } else if (IsParticiple(sense) && !nearest.empty()) {
+    d_.SetTopic(subjects_);
+    frame.subjects = nearest;
+    subjects_ = nearest;
+  } else if (words.find(" in turn") != std::string::npos && d_.LastMentioned() >= 0) {
+    frame.subjects = {d_.LastMentioned()};
+  } else if (!verb_said_ && subjects_.size() > 1 && !IsParticiple(sense) &&
+             sense != Sense::kConnectedBy && sense != Sense::kSeparatedBy) {
+    frame.subjects = {subjects_.back()};
+  }
+  open_list_ = false;
+  if (frame.of_it) {
+    frame.objects = Own(frame, frame.subjects);
+    frame.expecting = false;
+    if (!frame.objects.empty()) {
+      for (const int subject : frame.subjects) Assert(frame, subject, &d_);
+    }
+  }
+  frame_ = std::move(frame);
+}
+
+// What "its" means; banks and shores are those of water.
+std::vector<int> ClauseReader::Own(const Frame& frame, const std::vector<int>& subjects) const {
+  const std::string words = ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[at_].end));
+  const bool shore =
+      words.find("bank") != std::string::npos || words.find("shore") != std::string::npos;
+  for (int i = d_.size() - 1; i >= 0 && frame.is_direction && shore; --i) {
+    if (!d_.thing(i).dropped && d_.feature(i).letter == 'W') return {i};
+  }
+  return d_.Antecedent(subjects, false);
+}
+
+// A relation without an object is to what was spoken of: "with houses on both sides".
+void ClauseReader::CloseFrame() {
+  if (!frame_.has_value()) return;
+  Frame frame = std::move(*frame_);
+  frame_.reset();
+  if (frame.fronted) {
+    // "Next to the lake. ...": of what was spoken of before.
+    return;
+  }
+  if (!frame.objects.empty()) {
+    if (WantsTwo(frame.sense) && frame.objects.size() == 1) {
+      for (const int subject : frame.subjects) Assert(frame, subject, &d_);
+    }
+    return;
+  }
+  if (frame.sense == Sense::kCrosses && frame.subjects.size() >= 1 && frame.expecting &&
+      LineOf(frame.subjects) >= 0 &&
+      (frame.subjects.size() > 1 || d_.feature(frame.subjects[0]).pieces > 1)) {
+    AssertEachOther(frame, &d_);
+    return;
+  }
+  if (!MayLackObject(frame.sense) || frame.subjects.empty()) return;
+  if (frame.sense == Sense::kBetween) {
+    frame.objects = d_.LastTwo(frame.subjects);
+    if (frame.objects.size() < 2) return;
+  } else {
+    frame.objects = d_.Antecedent(frame.subjects, false);
+  }
+  if (frame.objects.empty()) return;
+  for (const int subject : frame.subjects) {
+    // "desert all around"
+    PlannedFeature& feature = d_.feature(subject);
+    if (frame.sense == Sense::kSurrounds && feature.form == FeatureForm::kSpread &&
+        feature.zones.empty()) {
+      feature.dominant = true;
+    }
+    Assert(frame, subject, &d_);
+  }
+}
+
+}  // namespace latticeworld

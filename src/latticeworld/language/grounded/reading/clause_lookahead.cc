@@ -1,0 +1,124 @@
+#include <algorithm>
+
+#include "latticeworld/language/grounded/reading/clause_reader.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr std::size_t kMaxListLookAhead = 16;  // chunks
+
+}  // namespace
+
+bool ClauseReader::IsKind(std::size_t at, ChunkKind kind) const {
+  return at < chunks_.size() && chunks_[at].kind == kind;
+}
+
+bool ClauseReader::IsSense(std::size_t at, Sense sense) const {
+  return at < chunks_.size() && chunks_[at].Is(sense);
+}
+
+bool ClauseReader::IsPhrase(std::size_t at) const { return IsKind(at, ChunkKind::kNounPhrase); }
+
+bool ClauseReader::IsThing(std::size_t at) const {
+  return IsPhrase(at) && chunks_[at].phrase.noun != nullptr;
+}
+
+bool ClauseReader::EndsAt(std::size_t at) const {
+  return at >= chunks_.size() || chunks_[at].kind == ChunkKind::kStop;
+}
+
+std::size_t ClauseReader::SkipVerbs(std::size_t at) const {
+  for (; at < chunks_.size(); ++at) {
+    const Chunk& chunk = chunks_[at];
+    if (chunk.kind != ChunkKind::kSense) break;
+    const Sense sense = chunk.lexeme.sense;
+    const bool verb = sense == Sense::kBe || sense == Sense::kStands || sense == Sense::kExists ||
+                      sense == Sense::kRuns || sense == Sense::kWinds || sense == Sense::kHas ||
+                      sense == Sense::kCoveredBy || sense == Sense::kDominates ||
+                      sense == Sense::kMostly || sense == Sense::kEntirely ||
+                      sense == Sense::kNothingElse || sense == Sense::kDominatedBy ||
+                      sense == Sense::kThen || sense == Sense::kNot;
+    if (!verb) break;
+  }
+  return at;
+}
+
+// Whether the words from `at` name a thing before the phrase ends: it is what stands there.
+bool ClauseReader::ThingFollows(std::size_t at, bool over_comma) const {
+  at = SkipVerbs(at);
+  if (over_comma && IsKind(at, ChunkKind::kComma)) {
+    at = SkipVerbs(at + 1);
+    // "behind the hotels, further to the east, runs a road"
+    std::size_t place = at;
+    if (IsSense(place, Sense::kTo) || IsSense(place, Sense::kIn)) ++place;
+    if (IsKind(place, ChunkKind::kPlace) && IsKind(place + 1, ChunkKind::kComma)) {
+      at = SkipVerbs(place + 2);
+    }
+  }
+  if (IsKind(at, ChunkKind::kQualities) && IsThing(at + 1)) ++at;
+  return IsThing(at) || (IsPhrase(at) && (chunks_[at].phrase.head == Head::kOther ||
+                                          chunks_[at].phrase.head == Head::kOne));
+}
+
+// Whether the relation at `at` comes before its subject: "next to the lake lies a village".
+bool ClauseReader::Fronts(std::size_t at) const {
+  const Chunk& relation = chunks_[at];
+  std::size_t next = at + 1;
+  const bool of_it = relation.lexeme.of_it || relation.Is(Sense::kWithinIt);
+  if (!of_it) {
+    if (!IsPhrase(next) && !IsKind(next, ChunkKind::kPlace)) return false;
+    ++next;
+    if (relation.Is(Sense::kBetween) && IsSense(next, Sense::kAnd) && IsPhrase(next + 1)) next += 2;
+    while (IsKind(next, ChunkKind::kPlace)) ++next;
+  }
+  if (IsPhrase(next) && chunks_[next].phrase.head == Head::kMap) next = next + 1;
+  // "cornfields and, next to the motorway, a service station"
+  const bool aside = at >= 2 && IsKind(at - 1, ChunkKind::kComma) && IsSense(at - 2, Sense::kAnd);
+  return ThingFollows(next, at == sentence_start_ || aside);
+}
+
+// How many things stand in the list that begins at `at`; 1: no list.
+std::size_t ClauseReader::ListLength(std::size_t at) const {
+  std::size_t length = 0;
+  const std::size_t limit = std::min(chunks_.size(), at + kMaxListLookAhead);
+  while (at < limit && IsThing(at)) {
+    ++length;
+    ++at;
+    const bool comma = IsKind(at, ChunkKind::kComma);
+    if (comma) ++at;
+    const bool joined = IsSense(at, Sense::kAnd) || IsSense(at, Sense::kOr);
+    if (joined) ++at;
+    if (!comma && !joined) break;
+  }
+  return length;
+}
+
+// A list of things with "and" in it, none with a place or a verb of its own.
+bool ClauseReader::IsBareList(std::size_t at) const {
+  const std::size_t limit = std::min(chunks_.size(), at + kMaxListLookAhead);
+  while (at < limit && IsThing(at)) {
+    ++at;
+    if (EndsAt(at)) return true;
+    if (IsKind(at, ChunkKind::kComma)) {
+      ++at;
+      if (IsSense(at, Sense::kAnd)) ++at;
+      continue;
+    }
+    if (IsSense(at, Sense::kAnd) || IsSense(at, Sense::kOr)) {
+      ++at;
+      if (IsThing(at) && (EndsAt(at + 1) || IsKind(at + 1, ChunkKind::kComma))) return true;
+      continue;
+    }
+    return false;
+  }
+  return false;
+}
+
+int ClauseReader::LineOf(const std::vector<int>& indices) const {
+  for (std::size_t i = indices.size(); i-- > 0;) {
+    if (IsLine(indices[i])) return indices[i];
+  }
+  return -1;
+}
+
+}  // namespace latticeworld

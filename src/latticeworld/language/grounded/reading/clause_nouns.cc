@@ -1,0 +1,331 @@
+#include <algorithm>
+#include <utility>
+
+#include "latticeworld/language/grounded/reading/clause_reader.h"
+#include "latticeworld/language/grounded/reading/place_phrases.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr double kCoveringShare = 0.5;  // "the northern half is forest": at least
+
+}  // namespace
+
+void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
+  const NounPhrase& phrase = chunk.phrase;
+  const bool zero = phrase.qualities.count.has_value() && phrase.qualities.count->most == 0;
+  const bool denied = phrase.negated || zero || (negating_ && phrase.noun != nullptr) ||
+                      (not_next_ && phrase.noun != nullptr);
+  if (skip_next_ && phrase.noun != nullptr) {
+    skip_next_ = false;
+    return;
+  }
+  if (phrase.head == Head::kMap) {
+    ReadMap(chunk);
+    return;
+  }
+  if (phrase.head == Head::kRest) {
+    ReadRest(chunk);
+    return;
+  }
+  // "half of it is forest": of the map.
+  if (phrase.head == Head::kIt && phrase.qualities.share.has_value()) {
+    ReadMap(chunk);
+    return;
+  }
+  // "copses: four of them"
+  if (phrase.head == Head::kThey && phrase.qualities.count.has_value()) {
+    std::vector<int> about = subjects_;
+    if (about.empty()) about = d_.Antecedent({}, true);
+    if (about.size() == 1) {
+      d_.Describe(phrase.qualities, about[0]);
+      d_.Extend(about[0], chunk.end);
+      if (subjects_.empty()) subjects_ = about;
+      return;
+    }
+  }
+  if (denied && phrase.noun != nullptr) {
+    not_next_ = false;
+    // "not a lake but a river"
+    if (!phrase.negated && !zero && !negating_ && IsSense(at_ + 1, Sense::kBut)) return;
+    ReadAbsence(chunk);
+    return;
+  }
+  if (correcting_ && phrase.noun != nullptr) {
+    const int last = !subjects_.empty() ? subjects_.back() : d_.size() - 1;
+    if (last >= 0 && phrase.qualities.count.has_value() &&
+        phrase.noun->LetterIn(d_.plan().vocabulary) == d_.feature(last).letter) {
+      correcting_ = false;
+      d_.Describe(phrase.qualities, last);
+      return;
+    }
+  }
+  const int before = d_.size();
+  const std::vector<int> found = Refer(chunk);
+  const bool is_new = d_.size() > before;
+  if (found.empty()) {
+    if (frame_.has_value() && frame_->expecting) frame_->expecting = false;
+    return;
+  }
+  for (const int index : found) d_.Extend(index, chunk.end);
+  if (comparing_) {
+    const int other = found.back();
+    Frame frame;
+    frame.sense = comparing_less_ ? Sense::kSmallerThan : Sense::kOutweighs;
+    frame.objects = {other};
+    if (!subjects_.empty()) Assert(frame, subjects_.back(), &d_);
+    comparing_ = false;
+    return;
+  }
+  if (frame_.has_value() && frame_->expecting) {
+    TakeObjects(found);
+  } else {
+    TakeSubjects(found, is_new, chunk);
+  }
+  if (correcting_) correcting_ = false;
+}
+
+void ClauseReader::ReadMap(const Chunk& chunk) {
+  const Qualities& said = chunk.phrase.qualities;
+  if (comparing_ && !subjects_.empty()) {
+    // "more water than land"
+    PlannedFeature& feature = d_.feature(subjects_.back());
+    feature.share = comparing_less_ ? 0.4 : 0.58;
+    (comparing_less_ ? feature.share_most : feature.share_least) = 0.5;
+    comparing_ = false;
+    return;
+  }
+  if (frame_.has_value() && frame_->expecting && frame_->objects.empty()) {
+    // "forest covers half of the map", "a river crosses the map"
+    for (const int index : frame_->subjects) {
+      if (frame_->sense != Sense::kCovers && frame_->sense != Sense::kDominates) continue;
+      if (said.any && said.share.has_value()) {
+        d_.Describe(said, index);
+      } else {
+        d_.feature(index).dominant = true;
+      }
+      d_.Extend(index, chunk.end);
+    }
+    if (!IsCourse(frame_->sense)) frame_.reset();
+    return;
+  }
+  if (frame_.has_value() && frame_->fronted) return;  // "south of it everything is forest"
+  if (!subjects_.empty() && said.share.has_value()) {
+    for (const int index : subjects_) d_.Describe(said, index);
+    return;
+  }
+  if (!subjects_.empty() && open_list_ && !verb_said_) return;
+  if (!subjects_.empty()) BeginClause();
+  map_is_subject_ = true;
+  map_share_ = said.share;
+  mostly_next_ = mostly_next_ || said.mostly;
+  // "everything forest": no verb between them.
+  if (IsThing(at_ + 1)) cover_next_ = true;
+}
+
+void ClauseReader::ReadRest(const Chunk& chunk) {
+  std::size_t next = SkipVerbs(at_ + 1);
+  if (IsKind(next, ChunkKind::kComma)) next = SkipVerbs(next + 1);
+  if (IsSense(next, Sense::kIn) || IsSense(next, Sense::kTo)) ++next;
+  if (IsPhrase(next) && chunks_[next].phrase.head == Head::kMap) next = SkipVerbs(next + 1);
+  if (IsKind(next, ChunkKind::kQualities)) ++next;
+  const bool is_last = !subjects_.empty() && IsKind(at_ + 1, ChunkKind::kComma);
+  if (IsThing(next) && !chunks_[next].phrase.negated && !is_last) {
+    BeginClause();
+    lead_ = Lead();
+    rest_next_ = true;
+    return;
+  }
+  for (const int index : subjects_) {
+    d_.feature(index).fills_rest = true;
+    d_.Extend(index, chunk.end);
+  }
+  if (frame_.has_value() && frame_->objects.empty()) frame_.reset();
+}
+
+void ClauseReader::ReadAbsence(const Chunk& chunk) {
+  const char letter = chunk.phrase.noun->LetterIn(d_.plan().vocabulary);
+  if (letter == '\0') return;
+  if (frame_.has_value() && !frame_->objects.empty()) CloseFrame();
+  d_.SetTopic(subjects_);
+  subjects_.clear();
+  open_list_ = false;
+  if (!negating_) absences_.clear();
+  negating_ = true;
+  std::vector<Zone> zones = ZonesOf(chunk.phrase.places);
+  if (zones.empty() && !lead_.empty()) zones = lead_.zones;
+  Deny(letter, zones, chunk);
+}
+
+void ClauseReader::Deny(char letter, const std::vector<Zone>& zones, const Chunk& chunk) {
+  const auto add = [&](const Zone& zone) {
+    PlannedAbsence absence;
+    absence.letter = letter;
+    absence.zone = zone;
+    absence.words = d_.Words(chunk.begin, chunk.end);
+    absences_.push_back(d_.plan().absences.size());
+    d_.Deny(std::move(absence));
+  };
+  if (d_.plan().absences.size() > 64) return;
+  if (zones.empty()) add(Zone());
+  for (const Zone& zone : zones) add(zone);
+}
+
+void ClauseReader::TakeObjects(const std::vector<int>& found) {
+  Frame& frame = *frame_;
+  for (const int index : found) {
+    frame.objects.push_back(index);
+    if (frame.fronted) continue;
+    if (WantsTwo(frame.sense) && frame.objects.size() < 2 && found.size() == 1) continue;
+    if (frame.sense == Sense::kSeparatedBy || frame.sense == Sense::kConnectedBy) {
+      if (!frame.subjects.empty()) Assert(frame, frame.subjects.back(), &d_);
+      continue;
+    }
+    if (WantsTwo(frame.sense) && index != found.back()) continue;
+    for (const int subject : frame.subjects) Assert(frame, subject, &d_);
+  }
+  if (frame.sense == Sense::kOutside) {
+    for (const int subject : frame.subjects) d_.AddZones(subject, {*FindZone("edges")});
+  }
+  const bool wants_more = WantsTwo(frame.sense) && frame.objects.size() < 2 &&
+                          (IsSense(at_ + 1, Sense::kAnd) || IsSense(at_ + 1, Sense::kFrom) ||
+                           IsSense(at_ + 1, Sense::kTo) || IsSense(at_ + 1, Sense::kWith) ||
+                           IsKind(at_ + 1, ChunkKind::kPlace) || IsSense(at_ + 1, Sense::kIn));
+  // "between the two lakes": one phrase, two pieces.
+  if (WantsTwo(frame.sense) && frame.objects.size() == 1 && !wants_more && !frame.fronted &&
+      (!IsSense(at_ + 1, Sense::kWhich) && !IsKind(at_ + 1, ChunkKind::kComma))) {
+    for (const int subject : frame.subjects) Assert(frame, subject, &d_);
+  }
+  frame.expecting = false;
+  for (const int index : frame.subjects) {
+    if (index < d_.size() && at_ < chunks_.size()) d_.Extend(index, chunks_[at_].end);
+  }
+}
+
+void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, const Chunk& chunk) {
+  const NounPhrase& phrase = chunk.phrase;
+  if (ordering_) {
+    for (const int index : found) {
+      if (!IsLine(index) && std::find(order_.begin(), order_.end(), index) == order_.end()) {
+        order_.push_back(index);
+      }
+    }
+  }
+  const bool fronted = frame_.has_value() && frame_->fronted;
+  if (joining_ && !fronted) {
+    subjects_.insert(subjects_.end(), found.begin(), found.end());
+  } else {
+    if (!fronted) {
+      if (!subjects_.empty()) BeginClause();
+    } else {
+      d_.SetTopic(subjects_);
+    }
+    subjects_ = found;
+    list_has_and_ = false;
+  }
+  joining_ = false;
+  open_list_ = true;
+  absences_.clear();
+  negating_ = false;
+  for (const int index : found) {
+    PlannedFeature& feature = d_.feature(index);
+    if (rest_next_) feature.fills_rest = true;
+    if (only_next_ && !IsLine(index)) {
+      feature.dominant = true;
+      feature.share_least = std::max(feature.share_least.value_or(0.0), 0.6);
+    }
+    if (mostly_next_) feature.dominant = true;
+    if (!lead_.empty() && !excepting_) {
+      if (is_new || feature.zones.empty()) {
+        if (feature.zones.empty()) {
+          d_.AddZones(index, lead_.zones);
+          d_.thing(index).zones_from_lead = true;
+        }
+        if (is_new && d_.thing(index).sentence == d_.sentence()) {
+          d_.thing(index).begin = std::min(d_.thing(index).begin, lead_.begin);
+        }
+      }
+      lead_.used = true;
+    } else if (!lead_.empty() && excepting_) {
+      d_.AddZones(index, lead_.zones);
+    }
+    const bool bare_extent = !lead_.empty() && lead_.is_subject && lead_.extent && is_new;
+    if (cover_next_ || bare_extent) Cover(index, chunk);
+    if (map_share_.has_value() && !IsLine(index)) {
+      Qualities said;
+      said.share = map_share_;
+      said.any = true;
+      d_.Describe(said, index);
+    }
+    if (IsLine(index) && lead_.along && !lead_.empty() && is_new) {
+      feature.along = AlongZone(lead_.zones.front());
+      feature.zones.clear();
+    }
+    if (IsLine(index)) {
+      if (from_.has_value()) d_.feature(index).from = from_;
+      if (to_.has_value()) d_.feature(index).to = to_;
+    }
+    if (host_ >= 0 && hosted_ < 0) {
+      hosted_ = index;
+      host_relations_ = d_.plan().relations.size();
+    }
+  }
+  if (LineOf(found) >= 0) {
+    from_.reset();
+    to_.reset();
+  }
+  rest_next_ = mostly_next_ = only_next_ = false;
+  if (sharing_ > 0) --sharing_;
+  if (sharing_ == 0) map_share_.reset();
+  if (fronted) {
+    frame_->subjects = found;
+    const bool two_at_once = WantsTwo(frame_->sense);
+    Frame each = *frame_;
+    for (const int subject : found) {
+      if (two_at_once) {
+        Assert(*frame_, subject, &d_);
+        continue;
+      }
+      for (const int object : frame_->objects) {
+        each.objects = {object};
+        Assert(each, subject, &d_);
+      }
+    }
+    frame_.reset();
+  }
+  excepting_ = false;
+  if (phrase.qualities.parallel && found.size() == 1 && IsLine(found[0])) {
+    Frame frame;
+    frame.sense = Sense::kParallelEach;
+    frame.subjects = found;
+    const int pieces = d_.feature(found[0]).pieces;
+    if (pieces == 0) d_.feature(found[0]).pieces = 2;
+    const int before = d_.size();
+    AssertEachOther(frame, &d_);
+    if (d_.size() > before) subjects_.push_back(d_.size() - 1);
+    list_has_and_ = true;
+  }
+  if (phrase.qualities.more || phrase.qualities.less) {
+    comparing_less_ = phrase.qualities.less;
+    std::size_t next = at_ + 1;
+    if (IsSense(next, Sense::kBe)) ++next;
+    comparing_ = IsSense(next, Sense::kThan);
+  }
+}
+
+// "the northern half is forest": it has more than anything else there, and half of it at least
+// where it is all that is named.
+void ClauseReader::Cover(int index, const Chunk& chunk) {
+  PlannedFeature& feature = d_.feature(index);
+  const bool counted = chunk.phrase.qualities.count.has_value() || feature.pieces > 1;
+  if (IsLine(index) || counted) return;
+  if (feature.form != FeatureForm::kSpread && chunk.phrase.indefinite) return;
+  if (feature.share.has_value() || map_share_.has_value()) return;
+  if (ListLength(at_) > 1 || (list_has_and_ && subjects_.size() > 1)) return;
+  feature.dominant = true;
+  if (!lead_.empty() && lead_.extent) {
+    feature.share_least = std::max(feature.share_least.value_or(0.0), kCoveringShare);
+  }
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,261 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/reading/clause_reader.h"
+#include "latticeworld/language/grounded/reading/place_phrases.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr double kCoveringShare = 0.5;  // "forest covers the northern half": at least
+
+}  // namespace
+
+void ClauseReader::ReadPlace(const Chunk& chunk) {
+  const std::vector<Zone> zones = ZonesOf(chunk.lexeme.places);
+  const std::string words = d_.Words(chunk.begin, chunk.end);
+  const bool extent = chunk.lexeme.whole || SaysExtent(words);
+  if (SaysAnywhere(chunk.lexeme.places)) {
+    // "forest everywhere", "no water anywhere", "houses all over"
+    for (const int index : subjects_) {
+      PlannedFeature& feature = d_.feature(index);
+      if (IsLine(index)) continue;
+      if (feature.form == FeatureForm::kSpread && feature.texture == Texture::kUnsaid) {
+        feature.dominant = true;
+      } else if (feature.form == FeatureForm::kPatch) {
+        feature.texture = Texture::kScattered;
+      }
+      d_.Extend(index, chunk.end);
+    }
+    if (subjects_.empty() && absences_.empty() && ThingFollows(at_ + 1, true)) mostly_next_ = true;
+    if (frame_.has_value() && frame_->objects.empty() && !frame_->fronted) frame_.reset();
+    return;
+  }
+  last_zones_ = zones;
+  // "the settlement (west)": of what stands right before it.
+  if (chunk.begin > 0 && d_.instruction()[chunk.begin - 1] == '(' && at_ >= 2 && IsThing(at_ - 2) &&
+      d_.size() > 0) {
+    const int last = d_.LastMentioned();
+    if (last >= 0) {
+      d_.AddZones(last, zones);
+      d_.Extend(last, chunk.end);
+    }
+    return;
+  }
+  if (excepting_ && !ThingFollows(at_ + 1, false) && !subjects_.empty()) {
+    // "forest everywhere except in the south"
+    for (const int index : subjects_) Deny(d_.feature(index).letter, zones, chunk);
+    Lead_(zones, chunk);
+    return;
+  }
+  if (not_next_) {
+    not_next_ = false;
+    if (!subjects_.empty()) Deny(d_.feature(subjects_.back()).letter, zones, chunk);
+    absences_.clear();
+    if (frame_.has_value() && frame_->objects.empty()) frame_.reset();
+    return;
+  }
+  if (correcting_ && !ThingFollows(at_ + 1, false)) {
+    correcting_ = false;
+    const int last = !subjects_.empty() ? subjects_.back() : d_.size() - 1;
+    if (last >= 0) {
+      d_.feature(last).zones.clear();
+      d_.thing(last).zones_from_lead = false;
+      d_.AddZones(last, zones);
+      return;
+    }
+  }
+  if (TakeEndZone(zones)) return;
+  // "From the lake in the north-east flows a stream": the lake is there.
+  const bool of_object =
+      frame_.has_value() && frame_->fronted && !frame_->objects.empty() && at_ > 0 &&
+      (IsPhrase(at_ - 1) || (IsSense(at_ - 1, Sense::kIn) && at_ > 1 && IsPhrase(at_ - 2)));
+  if (of_object) {
+    const int object = frame_->objects.back();
+    if (d_.feature(object).zones.empty() && !IsLine(object)) d_.AddZones(object, zones);
+    d_.Extend(object, chunk.end);
+    return;
+  }
+  // "behind the hotels, further to the east, runs a road"
+  const Heading side = HeadingOf(RegionOf(zones.front()));
+  if (frame_.has_value() && frame_->fronted && !frame_->objects.empty() &&
+      (frame_->sense == Sense::kBehind || frame_->sense == Sense::kBeyond) &&
+      (side.east != 0 || side.south != 0)) {
+    frame_->is_direction = true;
+    frame_->heading = side;
+    return;
+  }
+  if (frame_.has_value() && frame_->expecting && frame_->objects.empty() && !frame_->fronted) {
+    const Sense sense = frame_->sense;
+    const bool covers = sense == Sense::kCovers || sense == Sense::kDominates;
+    const bool away = sense == Sense::kAway || frame_->negated;
+    for (const int index : frame_->subjects) {
+      if (covers) {
+        d_.feature(index).dominant = true;
+        if (extent && d_.feature(index).form != FeatureForm::kLine) {
+          d_.feature(index).share_least =
+              std::max(d_.feature(index).share_least.value_or(0.0), kCoveringShare);
+        }
+      }
+      if (away) Deny(d_.feature(index).letter, zones, chunk);
+    }
+    if (away) {
+      frame_.reset();
+      absences_.clear();
+      return;
+    }
+    if (covers || !IsCourse(sense)) frame_.reset();
+    if (frame_.has_value()) frame_.reset();
+    Attach(zones, extent, chunk);
+    return;
+  }
+  const bool nothing_yet = subjects_.empty() && absences_.empty();
+  const bool after_break =
+      at_ > 0 && (IsKind(at_ - 1, ChunkKind::kComma) || IsSense(at_ - 1, Sense::kAnd) ||
+                  IsSense(at_ - 1, Sense::kThen) ||
+                  (IsSense(at_ - 1, Sense::kIn) && at_ > 1 &&
+                   (IsKind(at_ - 2, ChunkKind::kComma) || IsSense(at_ - 2, Sense::kAnd) ||
+                    IsSense(at_ - 2, Sense::kThen))));
+  const bool leads = nothing_yet || (after_break && ThingFollows(at_ + 1, false));
+  if (leads) {
+    const bool joins =
+        nothing_yet && !lead_.empty() && !lead_.used && at_ > 0 &&
+        (IsSense(at_ - 1, Sense::kAnd) || (at_ > 1 && IsSense(at_ - 2, Sense::kAnd)));
+    if (joins) {
+      for (const Zone& zone : zones) lead_.zones.push_back(zone);
+      return;
+    }
+    if (!nothing_yet) BeginClause();
+    if (frame_.has_value() && frame_->fronted && frame_->objects.empty()) frame_.reset();
+    Lead_(zones, chunk);
+    return;
+  }
+  Attach(zones, extent, chunk);
+}
+
+void ClauseReader::Lead_(const std::vector<Zone>& zones, const Chunk& chunk) {
+  lead_ = Lead();
+  lead_.zones = zones;
+  lead_.is_subject = at_ == 0 || !chunks_[at_ - 1].Is(Sense::kIn);
+  lead_.extent = chunk.lexeme.whole || SaysExtent(d_.Words(chunk.begin, chunk.end));
+  lead_.along = at_ > 0 && chunks_[at_ - 1].Is(Sense::kAlong);
+  lead_.begin = chunk.begin;
+}
+
+void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chunk& chunk) {
+  if (subjects_.empty()) {
+    // "no houses in the east"
+    if (!absences_.empty()) {
+      std::vector<PlannedAbsence>& absences = d_.plan().absences;
+      const std::vector<std::size_t> about = absences_;
+      for (const std::size_t i : about) {
+        absences[i].zone = zones.front();
+        absences[i].words += " " + d_.Words(chunk.begin, chunk.end);
+        for (std::size_t z = 1; z < zones.size(); ++z) {
+          PlannedAbsence more = absences[i];
+          more.zone = zones[z];
+          d_.Deny(std::move(more));
+        }
+      }
+      return;
+    }
+    Lead_(zones, chunk);
+    return;
+  }
+  std::vector<int> owners = subjects_;
+  // "a forest and a lake in the north" share the place; "a lake, a village in the center" do not.
+  if (owners.size() > 1 && !list_has_and_) owners = {owners.back()};
+  // "a village next to a lake in the east": the lake is there, and so is the village by it.
+  const bool by_object = frame_.has_value() && !frame_->fronted && !frame_->objects.empty() &&
+                         !IsKind(at_ - 1, ChunkKind::kComma) && !IsCourse(frame_->sense);
+  if (by_object) {
+    const int object = frame_->objects.back();
+    const bool fresh = d_.feature(object).zones.empty() && !IsLine(object);
+    const bool together = !WantsTwo(frame_->sense) && LineOf(owners) < 0;
+    if (!together && !IsLine(object)) {
+      if (fresh) d_.AddZones(object, zones);
+      d_.Extend(object, chunk.end);
+      return;
+    }
+    if (fresh) owners.push_back(object);
+    owners.erase(std::remove_if(owners.begin(), owners.end(),
+                                [&](int index) {
+                                  return index != object && !d_.feature(index).zones.empty();
+                                }),
+                 owners.end());
+  } else if (frame_.has_value() && !frame_->objects.empty() && IsCourse(frame_->sense) &&
+             !IsKind(at_ - 1, ChunkKind::kComma)) {
+    // "leads to the town in the upper right", "cutting through a forest in the centre"
+    const int object = frame_->objects.back();
+    if (!IsLine(object)) {
+      if (d_.feature(object).zones.empty()) d_.AddZones(object, zones);
+      d_.Extend(object, chunk.end);
+      return;
+    }
+  }
+  // The rest has no place of its own beside what has one.
+  if (owners.size() > 1) {
+    owners.erase(std::remove_if(owners.begin(), owners.end(),
+                                [&](int index) { return d_.feature(index).fills_rest; }),
+                 owners.end());
+  }
+  for (const int index : owners) {
+    PlannedFeature& feature = d_.feature(index);
+    Thing& thing = d_.thing(index);
+    if (thing.zones_from_lead) feature.zones.clear();
+    thing.zones_from_lead = false;
+    if (thing.sentence != d_.sentence() && !feature.zones.empty() && verb_said_) {
+      // Said again of the same thing: the later sentence wins.
+      if (!(feature.zones == zones)) {
+        d_.plan().warnings.push_back(
+            Quote(d_.Words(thing.begin, thing.end)) +
+            " is moved by what is said later: " + Quote(d_.Words(chunk.begin, chunk.end)));
+      }
+      feature.zones.clear();
+    }
+    const bool line_with_course =
+        IsLine(index) && (feature.from.has_value() || feature.to.has_value());
+    if (line_with_course) {
+      for (const Zone& zone : zones) {
+        Waypoint via;
+        via.zone = zone;
+        feature.via.push_back(std::move(via));
+      }
+    } else {
+      d_.AddZones(index, zones);
+    }
+    if (confining_) feature.confined = true;
+    const bool fills = extent && feature.pieces_least == 0 && feature.texture == Texture::kUnsaid &&
+                       !feature.share.has_value() && owners.size() == 1 && !confining_ &&
+                       (feature.form == FeatureForm::kSpread || (feature.letter == 'A'));
+    if (fills) {
+      // "vineyards on the left half": as many as fill it.
+      feature.dominant = true;
+      feature.form = FeatureForm::kSpread;
+      feature.pieces = 0;
+    }
+    d_.Extend(index, chunk.end);
+  }
+  confining_ = false;
+  open_list_ = false;
+}
+
+// "a lake on the left and on the other side a village"
+void ClauseReader::ReadOtherSide(const Chunk& chunk) {
+  for (int i = d_.size() - 1; i >= 0; --i) {
+    if (d_.thing(i).dropped || d_.feature(i).zones.size() != 1) continue;
+    const Heading there = HeadingOf(RegionOf(d_.feature(i).zones.front()));
+    if (there.east == 0 && there.south == 0) continue;
+    Chunk place = chunk;
+    place.kind = ChunkKind::kPlace;
+    Place opposite = PlaceOf(RegionOf(Heading{-there.east, -there.south}));
+    opposite.zone = ZoneOf(Heading{-there.east, -there.south});
+    place.lexeme.places = {std::move(opposite)};
+    ReadPlace(place);
+    return;
+  }
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,83 @@
+#include "latticeworld/language/grounded/reading/clause_reader.h"
+
+namespace latticeworld {
+void ClauseReader::ReadQualities(const Chunk& chunk) {
+  const Qualities& said = chunk.qualities;
+  // "1. a lake", "2) a village": numbers of a list.
+  const bool numbers_line = at_ == sentence_start_ && said.count.has_value() && !said.share &&
+                            (IsKind(at_ + 1, ChunkKind::kComma) || EndsAt(at_ + 1));
+  if (numbers_line) return;
+  if (correcting_ && said.count.has_value()) {
+    correcting_ = false;
+    int last = !subjects_.empty() ? subjects_.back() : d_.size() - 1;
+    while (last > 0 && d_.feature(last).pieces == 0 && subjects_.empty()) --last;
+    if (last >= 0) d_.Describe(said, last);
+    return;
+  }
+  if (said.none) {
+    // "trees: none"
+    std::vector<int> gone = subjects_;
+    if (at_ > 0 && IsThing(at_ - 1) && d_.LastMentioned() >= 0) gone = {d_.LastMentioned()};
+    std::size_t place = at_ + 1;
+    if (IsSense(place, Sense::kIn)) ++place;
+    if (IsKind(place, ChunkKind::kPlace)) {
+      // "snow: none in the lower half": there is some elsewhere.
+      not_next_ = true;
+      return;
+    }
+    for (const int index : gone) {
+      if (d_.thing(index).sentence != d_.sentence()) continue;
+      Chunk about = chunk;
+      about.begin = d_.thing(index).begin;
+      Deny(d_.feature(index).letter, d_.feature(index).zones, about);
+      d_.Drop(index);
+    }
+    subjects_.clear();
+    open_list_ = false;
+    return;
+  }
+  std::size_t next = at_ + 1;
+  if (subjects_.empty() || IsSense(next, Sense::kCoveredBy) || IsSense(next, Sense::kDominatedBy)) {
+    if (said.share.has_value() && said.share->mostly && !said.share->fraction) {
+      mostly_next_ = true;
+    } else if (said.share.has_value()) {
+      map_share_ = said.share;
+    }
+    if (said.mostly) mostly_next_ = true;
+    // "all three in the eastern half"
+    const bool refers = subjects_.empty() && said.count.has_value() &&
+                        (IsKind(next, ChunkKind::kPlace) || IsSense(next, Sense::kIn));
+    if (refers) subjects_ = d_.Antecedent({}, /*many=*/true);
+    if (subjects_.empty() || refers) return;
+  }
+  std::vector<int> about = subjects_;
+  if (frame_.has_value() && !frame_->fronted && !frame_->objects.empty() && IsPhrase(at_ - 1)) {
+    about = {frame_->objects.back()};
+  } else if (about.size() > 1 && !list_has_and_ && !verb_said_) {
+    about = {about.back()};
+  }
+  if (frame_.has_value() && frame_->expecting && frame_->objects.empty() &&
+      (frame_->sense == Sense::kCovers || frame_->sense == Sense::kDominates)) {
+    about = frame_->subjects;
+    frame_.reset();
+  }
+  if (not_next_) {
+    not_next_ = false;
+    return;
+  }
+  const bool mostly_place = (said.mostly || (said.share && said.share->mostly)) &&
+                            (IsKind(next, ChunkKind::kPlace) || IsSense(next, Sense::kIn));
+  if (mostly_place) return;  // "mostly in the north" says no more than "in the north"
+  for (const int index : about) {
+    d_.Describe(said, index);
+    d_.Extend(index, chunk.end);
+  }
+  if (said.parallel && !about.empty() && LineOf(about) >= 0) {
+    Frame frame;
+    frame.sense = Sense::kParallelEach;
+    frame.subjects = about;
+    AssertEachOther(frame, &d_);
+  }
+}
+
+}  // namespace latticeworld

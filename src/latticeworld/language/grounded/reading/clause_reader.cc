@@ -1,0 +1,178 @@
+#include "latticeworld/language/grounded/reading/clause_reader.h"
+
+namespace latticeworld {
+void ClauseReader::Read() {
+  sentence_start_ = 0;
+  for (at_ = 0; at_ < chunks_.size(); ++at_) ReadChunk(chunks_[at_]);
+  EndSentence();
+}
+
+void ClauseReader::ReadChunk(const Chunk& chunk) {
+  switch (chunk.kind) {
+    case ChunkKind::kNounPhrase:
+      ReadNounPhrase(chunk);
+      break;
+    case ChunkKind::kPlace:
+      ReadPlace(chunk);
+      break;
+    case ChunkKind::kDirection:
+      ReadDirection(chunk);
+      break;
+    case ChunkKind::kAxis:
+      ReadAxis(chunk);
+      break;
+    case ChunkKind::kQualities:
+      ReadQualities(chunk);
+      break;
+    case ChunkKind::kSense:
+      ReadSense(chunk);
+      break;
+    case ChunkKind::kComma:
+      ReadComma();
+      break;
+    case ChunkKind::kStop:
+      EndSentence();
+      sentence_start_ = at_ + 1;
+      break;
+    case ChunkKind::kUnknown:
+      break;
+  }
+}
+
+// What was spoken of is the topic; something new may come.
+void ClauseReader::BeginClause() {
+  CloseFrame();
+  EndHost();
+  d_.SetTopic(subjects_);
+  subjects_.clear();
+  open_list_ = false;
+  list_has_and_ = false;
+  joining_ = false;
+  verb_said_ = false;
+  absences_.clear();
+  comparing_ = false;
+}
+
+void ClauseReader::EndSentence() {
+  BeginClause();
+  FinishOrder();
+  paused_.reset();
+  lead_ = Lead();
+  map_is_subject_ = false;
+  map_share_.reset();
+  sharing_ = 0;
+  cover_next_ = mostly_next_ = only_next_ = rest_next_ = skip_next_ = not_next_ = false;
+  negating_ = excepting_ = confining_ = correcting_ = traveling_ = false;
+  from_.reset();
+  to_.reset();
+  last_zones_.clear();
+  d_.NextSentence();
+  sentence_first_feature_ = d_.size();
+}
+
+// "a forest with a lake": nothing more was said of the lake than that the forest has it.
+void ClauseReader::EndHost() {
+  if (host_ >= 0 && hosted_ >= 0 && d_.plan().relations.size() == host_relations_ &&
+      (d_.feature(hosted_).zones.empty() || d_.thing(hosted_).zones_from_lead)) {
+    Frame frame;
+    frame.sense = Sense::kHas;
+    frame.objects = {hosted_};
+    Assert(frame, host_, &d_);
+  }
+  host_ = hosted_ = -1;
+}
+
+void ClauseReader::ReadComma() {
+  // Brackets around a place part nothing.
+  if (IsSense(at_ + 1, Sense::kWhich)) return;
+  const char mark = d_.instruction()[chunks_[at_].begin];
+  if (mark == '(' && IsKind(at_ + 1, ChunkKind::kPlace)) return;
+  if (mark == ')' && at_ >= 2 && IsKind(at_ - 1, ChunkKind::kPlace) &&
+      IsKind(at_ - 2, ChunkKind::kComma) && !IsPhrase(at_ + 1)) {
+    return;
+  }
+  negating_ = negating_ && IsThing(at_ + 1) && ListLength(at_ + 1) >= 1 &&
+              (IsBareList(at_ + 1) || EndsAt(at_ + 2)) && !chunks_[at_ + 1].phrase.indefinite &&
+              !chunks_[at_ + 1].phrase.qualities.count;
+  not_next_ = skip_next_ = false;
+  if (ordering_ || negating_) return;
+  if (IsPhrase(at_ + 1)) {
+    const bool list = frame_.has_value() && !frame_->fronted && !frame_->objects.empty() &&
+                      TakesList(frame_->sense) && IsBareList(at_ + 1);
+    if (list) {
+      frame_->expecting = true;
+      return;
+    }
+    if (frame_.has_value() && frame_->expecting && frame_->objects.empty()) return;
+    if (frame_.has_value() && frame_->fronted) {
+      frame_->expecting = false;
+      return;
+    }
+    if (open_list_ && !verb_said_ && !frame_.has_value() && IsThing(at_ + 1)) {
+      joining_ = true;
+      return;
+    }
+    if (subjects_.empty() && absences_.empty()) return;
+    BeginClause();
+    return;
+  }
+  if (frame_.has_value() && !frame_->objects.empty() && !frame_->fronted &&
+      !(WantsTwo(frame_->sense) && frame_->objects.size() < 2)) {
+    CloseFrame();
+  }
+}
+
+void ClauseReader::ReadAnd(bool is_or) {
+  const std::size_t next = at_ + 1;
+  if (negating_) {
+    const bool bare = IsThing(next) && !chunks_[next].phrase.indefinite &&
+                      !chunks_[next].phrase.definite &&
+                      !chunks_[next].phrase.qualities.count.has_value();
+    negating_ = is_or || bare;
+    if (negating_) return;
+  }
+  if (ordering_) return;
+  if (comparing_) return;
+  if (IsPhrase(next)) {
+    if (frame_.has_value() && frame_->expecting && frame_->objects.empty()) return;
+    if (paused_.has_value()) {
+      CloseFrame();
+      frame_ = std::move(paused_);
+      paused_.reset();
+      frame_->expecting = true;
+      return;
+    }
+    if (frame_.has_value() && !frame_->objects.empty()) {
+      if (WantsTwo(frame_->sense) && frame_->objects.size() < 2) {
+        frame_->expecting = true;
+        return;
+      }
+      const bool goes_on =
+          EndsAt(next + 1) || IsKind(next + 1, ChunkKind::kComma) || IsSense(next + 1, Sense::kAnd);
+      if (frame_->fronted || (goes_on && (TakesList(frame_->sense) || IsPhrase(next)))) {
+        frame_->expecting = true;
+        return;
+      }
+      BeginClause();
+      return;
+    }
+    // "forest, and a lake at the southern edge": the lake alone.
+    const bool afterthought =
+        at_ > 0 && IsKind(at_ - 1, ChunkKind::kComma) && subjects_.size() == 1;
+    if (open_list_ && IsThing(next) && !afterthought) {
+      joining_ = true;
+      list_has_and_ = true;
+      return;
+    }
+    if (IsPhrase(next) && !subjects_.empty()) BeginClause();
+    return;
+  }
+  // "a lake in the north and in the south a village"
+  if (IsKind(next, ChunkKind::kPlace) || IsSense(next, Sense::kIn)) return;
+  if (frame_.has_value() && !frame_->objects.empty() &&
+      !(WantsTwo(frame_->sense) && frame_->objects.size() < 2)) {
+    CloseFrame();
+  }
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,146 @@
+#ifndef LATTICEWORLD_LANGUAGE_GROUNDED_READING_CLAUSE_READER_H_
+#define LATTICEWORLD_LANGUAGE_GROUNDED_READING_CLAUSE_READER_H_
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "latticeworld/language/grounded/reading/chunk.h"
+#include "latticeworld/language/grounded/reading/discourse.h"
+#include "latticeworld/language/grounded/reading/frame.h"
+
+namespace latticeworld {
+
+// Reads the chunks of an instruction clause by clause and tells the discourse what they say: which
+// thing words are about (its subjects), where a clause is set (its lead: "In the north ..."), what
+// it relates (its frame), what it denies, corrects and orders. One pass; looks a few chunks ahead.
+class ClauseReader {
+ public:
+  ClauseReader(const std::vector<Chunk>& chunks, Discourse* discourse)
+      : chunks_(chunks), d_(*discourse) {}
+
+  void Read();
+
+ private:
+  // "In the north there is ...", "The left half is ...".
+  struct Lead {
+    std::vector<Zone> zones;
+    bool is_subject = false;  // no preposition before it
+    bool extent = false;      // "half", "third": all of it is meant
+    bool along = false;
+    bool used = false;
+    std::size_t begin = 0;
+    bool empty() const { return zones.empty(); }
+  };
+
+  void ReadChunk(const Chunk& chunk);
+  void ReadNounPhrase(const Chunk& chunk);
+  void ReadPlace(const Chunk& chunk);
+  void ReadDirection(const Chunk& chunk);
+  void ReadAxis(const Chunk& chunk);
+  void ReadQualities(const Chunk& chunk);
+  void ReadSense(const Chunk& chunk);
+  void ReadComma();
+  void ReadAnd(bool is_or);
+
+  // Noun phrases.
+  void ReadMap(const Chunk& chunk);
+  void ReadRest(const Chunk& chunk);
+  void ReadAbsence(const Chunk& chunk);
+  std::vector<int> Refer(const Chunk& chunk);
+  void Place_(int index, const Chunk& chunk);
+  void TakeSubjects(const std::vector<int>& found, bool is_new, const Chunk& chunk);
+  void TakeObjects(const std::vector<int>& found);
+  void Cover(int index, const Chunk& chunk);
+  void Island(int index);
+  void Beside(int index, Sense beside);
+
+  // Places.
+  void Attach(const std::vector<Zone>& zones, bool extent, const Chunk& chunk);
+  void Lead_(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool TakeEndZone(const std::vector<Zone>& zones);
+  void Deny(char letter, const std::vector<Zone>& zones, const Chunk& chunk);
+
+  // Frames.
+  void ReadOtherSide(const Chunk& chunk);
+  void ReadInsideRing();
+  void ReadBridge(const Chunk& chunk);
+  std::vector<int> Own(const Frame& frame, const std::vector<int>& subjects) const;
+  void Open(Frame frame);
+  void OpenSense(Sense sense, bool of_it);
+  void CloseFrame();
+  bool Fronts(std::size_t at) const;
+  int LineOf(const std::vector<int>& indices) const;
+
+  // Clauses.
+  void BeginClause();
+  void EndSentence();
+  void EndHost();
+  void FinishOrder();
+  void BeginOrder(Heading heading);
+
+  // What lies ahead.
+  const Chunk* ChunkAt(std::size_t at) const {
+    return at < chunks_.size() ? &chunks_[at] : nullptr;
+  }
+  bool IsThing(std::size_t at) const;   // a noun phrase that names a class
+  bool IsPhrase(std::size_t at) const;  // any noun phrase
+  bool IsSense(std::size_t at, Sense sense) const;
+  bool IsKind(std::size_t at, ChunkKind kind) const;
+  bool EndsAt(std::size_t at) const;  // the sentence or the instruction
+  bool ThingFollows(std::size_t at, bool over_comma) const;
+  bool IsBareList(std::size_t at) const;  // "fields, meadows and woods" with nothing of their own
+  std::size_t SkipVerbs(std::size_t at) const;
+  std::size_t ListLength(std::size_t at) const;
+
+  bool IsLine(int index) const { return d_.feature(index).form == FeatureForm::kLine; }
+  int LastSubject() const { return subjects_.empty() ? -1 : subjects_.back(); }
+
+  const std::vector<Chunk>& chunks_;
+  Discourse& d_;
+  std::size_t at_ = 0;
+
+  std::vector<int> subjects_;
+  bool open_list_ = false;  // a noun phrase may still join the subjects
+  bool list_has_and_ = false;
+  bool joining_ = false;  // the next one does
+  bool verb_said_ = false;
+  std::optional<Frame> frame_;
+  std::optional<Frame> paused_;  // waits for its second object: "between X, which ..., and Y"
+  Lead lead_;
+  bool map_is_subject_ = false;
+  std::optional<ShareMatch> map_share_;
+  std::size_t sharing_ = 0;  // things that are still to take map_share_, each of them
+  bool cover_next_ = false;
+  bool mostly_next_ = false;
+  bool only_next_ = false;  // "nothing but"
+  bool rest_next_ = false;
+  bool skip_next_ = false;  // "instead of"
+  bool not_next_ = false;
+  bool negating_ = false;  // a list of what is denied goes on
+  bool excepting_ = false;
+  bool confining_ = false;  // "only in"
+  bool correcting_ = false;
+  bool comparing_ = false;  // "more forest than"
+  bool comparing_less_ = false;
+  std::vector<std::size_t> absences_;  // of this clause: a place belongs to them
+  std::vector<Zone> last_zones_;
+  std::optional<Waypoint> from_;  // of a line that is to come
+  std::optional<Waypoint> to_;
+  bool ordering_ = false;
+  Heading order_heading_;
+  std::vector<int> order_;
+  std::size_t order_begin_ = 0;
+  bool traveling_ = false;
+  int first_ = -1;  // "the first lake", which no words before it named
+  int split_ = -1;  // what is left of it is "the other"
+  int host_ = -1;   // "a forest with ..."
+  int hosted_ = -1;
+  std::size_t host_relations_ = 0;
+  std::size_t sentence_start_ = 0;  // chunk
+  int sentence_first_feature_ = 0;
+};
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_GROUNDED_READING_CLAUSE_READER_H_

@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <utility>
+
+#include "latticeworld/language/grounded/reading/clause_reader.h"
+#include "latticeworld/language/grounded/reading/place_phrases.h"
+
+namespace latticeworld {
+std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
+  const NounPhrase& phrase = chunk.phrase;
+  std::vector<int> about = subjects_;
+  if (frame_.has_value()) {
+    about.insert(about.end(), frame_->subjects.begin(), frame_->subjects.end());
+  }
+  if (phrase.noun == nullptr) {
+    switch (phrase.head) {
+      case Head::kIt:
+        return d_.Antecedent(about, /*many=*/false);
+      case Head::kThey:
+        return d_.Antecedent(about, /*many=*/true);
+      case Head::kBoth: {
+        const std::vector<int> many = d_.Antecedent(about, /*many=*/true);
+        return many.size() >= 2 ? many : d_.LastTwo(about);
+      }
+      case Head::kFormer:
+      case Head::kLatter: {
+        std::vector<int> two = d_.LastTwo({});
+        if (two.size() < 2) return two;
+        // "The former is in the east, the latter in the west": the order of being introduced.
+        std::sort(two.begin(), two.end());
+        return {phrase.head == Head::kFormer ? two[0] : two[1]};
+      }
+      case Head::kFirst: {
+        const std::vector<int> two = d_.LastTwo({});
+        return two.empty() ? two : std::vector<int>{two[0]};
+      }
+      case Head::kOne:
+      case Head::kOther: {
+        const int model = d_.LastMentioned();
+        if (!phrase.places.empty() && model >= 0) {
+          // "the northern lake and the southern one"
+          NounPhrase like = phrase;
+          like.head = Head::kThing;
+          like.noun = d_.thing(model).noun;
+          const std::vector<int> known = d_.Find(like, about);
+          if (!known.empty()) return known;
+          const int created = d_.Create(like, chunk.begin, chunk.end);
+          return created < 0 ? std::vector<int>() : std::vector<int>{created};
+        }
+        for (int i = d_.size() - 1; i >= 0 && i >= d_.size() - 8; --i) {
+          if (d_.thing(i).dropped) continue;
+          const bool several = d_.feature(i).pieces > 1;
+          if (phrase.head == Head::kOne && several) {
+            split_ = i;
+            return {d_.SplitOff(i)};
+          }
+        }
+        if (split_ >= 0) return {std::exchange(split_, -1)};
+        // "The first lake is round, the second is long": there are two of them.
+        if (phrase.head == Head::kOther && first_ >= 0 && first_ < d_.size()) {
+          NounPhrase like;
+          like.noun = d_.thing(first_).noun;
+          first_ = -1;
+          const int created = d_.Create(like, chunk.begin, chunk.end);
+          return created < 0 ? std::vector<int>() : std::vector<int>{created};
+        }
+        // The one that no clause since has told of.
+        std::vector<int> two = d_.LastTwo({});
+        for (const int index : two) {
+          if (std::find(about.begin(), about.end(), index) == about.end() &&
+              d_.feature(index).zones.empty()) {
+            return {index};
+          }
+        }
+        const std::vector<int> before = d_.Antecedent(about, false);
+        return before;
+      }
+      case Head::kShore: {
+        for (int i = d_.size() - 1; i >= 0; --i) {
+          if (d_.feature(i).letter == 'W' && !d_.thing(i).dropped) return {i};
+        }
+        return {};
+      }
+      default:
+        return {};
+    }
+  }
+  const bool counted = phrase.qualities.count.has_value();
+  const bool single =
+      counted && phrase.qualities.count->least == 1 && phrase.qualities.count->most == 1;
+  const std::vector<int> known = d_.Find(phrase, about);
+  const bool points_back = phrase.definite || phrase.head == Head::kBoth ||
+                           phrase.head == Head::kFirst || phrase.head == Head::kOther;
+  if (!known.empty() && !phrase.another && !rest_next_) {
+    const int last = known.back();
+    // "Two roads meet. One road runs ..., the other ..."
+    if (single && d_.feature(last).pieces > 1 && !phrase.indefinite) {
+      split_ = last;
+      return {d_.SplitOff(last)};
+    }
+    if (phrase.head == Head::kOther && split_ >= 0) return {std::exchange(split_, -1)};
+    if (points_back && !(counted && single)) {
+      if (!chunk.phrase.qualities.count.has_value()) {
+        for (const int index : known) d_.Describe(phrase.qualities, index);
+      }
+      for (const int index : known) d_.Mention(index);
+      return known;
+    }
+    // "surrounded by grass" of what the map is made of anyway.
+    const bool bare =
+        !phrase.indefinite && !counted && !phrase.qualities.any && phrase.places.empty();
+    const bool ground = d_.feature(last).dominant || d_.feature(last).fills_rest;
+    const bool as_object = frame_.has_value() && frame_->expecting;
+    const bool same_name = d_.thing(last).noun == phrase.noun ||
+                           EndsWithWord(d_.thing(last).noun->phrase, phrase.noun->phrase);
+    if (bare && as_object && (ground || same_name)) return {last};
+    // "Forest in the west. ... Forest also ...", "1 pond, pond not at the edge": the same word
+    // without an article takes up what was said before.
+    const bool bare_name = !phrase.indefinite && !counted && phrase.places.empty() && same_name &&
+                           lead_.empty() && !ordering_;
+    const bool same_share = !phrase.qualities.share.has_value() ||
+                            (d_.feature(last).share.has_value() &&
+                             *d_.feature(last).share == phrase.qualities.share->value);
+    const bool spread = phrase.noun->shape == WordShape::kMass;
+    const bool same_map_share =
+        !map_share_.has_value() ||
+        (d_.feature(last).share.has_value() && *d_.feature(last).share == map_share_->value);
+    if (bare_name && same_share && same_map_share && (spread || d_.feature(last).zones.empty())) {
+      if (!phrase.qualities.share.has_value()) d_.Describe(phrase.qualities, last);
+      d_.Mention(last);
+      return {last};
+    }
+    // "water: winding brook"
+    if (last == LastSubject() && IsKind(at_ - 1, ChunkKind::kComma) && at_ >= 2 &&
+        IsThing(at_ - 2) && d_.feature(last).zones.empty()) {
+      d_.Drop(last);
+      subjects_.clear();
+      open_list_ = joining_ = false;
+    }
+  }
+  const int created = d_.Create(phrase, chunk.begin, chunk.end);
+  if (created < 0) return {};
+  if (phrase.head == Head::kFirst) first_ = created;
+  if (d_.thing(created).is_island) Island(created);
+  const Sense beside =
+      phrase.qualities.beside != Sense::kNone ? phrase.qualities.beside : BesideOf(*phrase.noun);
+  if (beside != Sense::kNone && d_.feature(created).letter != 'W') Beside(created, beside);
+  return {created};
+}
+
+// Land that lies in water; in the lake that was spoken of.
+void ClauseReader::Island(int index) {
+  for (int i = index - 1; i >= 0; --i) {
+    if (d_.feature(i).letter != 'W' || d_.thing(i).dropped || IsLine(i)) continue;
+    PlannedRelation relation;
+    relation.kind = RelationKind::kWithin;
+    relation.subject = index;
+    relation.object = i;
+    d_.Relate(std::move(relation));
+    return;
+  }
+}
+
+// "a riverside village": by the river that was spoken of, or one of its own.
+void ClauseReader::Beside(int index, Sense beside) {
+  const char letter = beside == Sense::kRoadside ? 'R' : 'W';
+  if (beside == Sense::kRoadside && d_.plan().vocabulary == Vocabulary::kWild) return;
+  const FeatureForm form = beside == Sense::kLakeside ? FeatureForm::kPatch : FeatureForm::kLine;
+  int other = d_.Latest(letter, form);
+  if (other < 0 && letter == 'W') other = d_.Latest(letter, FeatureForm::kSpread);
+  if (other < 0) {
+    const std::vector<Token> words = Tokenize(beside == Sense::kLakeside    ? "lake"
+                                              : beside == Sense::kRiverside ? "river"
+                                                                            : "road");
+    NounPhrase phrase;
+    phrase.noun = MatchClassWord(words, 0).word;
+    if (phrase.noun == nullptr) return;
+    other = d_.Create(phrase, d_.thing(index).begin, d_.thing(index).end);
+  }
+  if (other < 0) return;
+  PlannedRelation relation;
+  relation.kind = RelationKind::kAdjacent;
+  relation.subject = index;
+  relation.object = other;
+  relation.steps = 2.0;
+  d_.Relate(std::move(relation));
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,387 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "latticeworld/language/grounded/reading/clause_reader.h"
+#include "latticeworld/language/grounded/reading/place_phrases.h"
+
+namespace latticeworld {
+void ClauseReader::ReadSense(const Chunk& chunk) {
+  const Sense sense = chunk.lexeme.sense;
+  switch (sense) {
+    case Sense::kAnd:
+      ReadAnd(/*is_or=*/false);
+      break;
+    case Sense::kOr:
+      ReadAnd(/*is_or=*/true);
+      break;
+    case Sense::kBut:
+    case Sense::kBreak:
+      negating_ = false;
+      if (IsPhrase(at_ + 1) || IsKind(at_ + 1, ChunkKind::kPlace) || IsSense(at_ + 1, Sense::kIn) ||
+          IsSense(at_ + 1, Sense::kExists)) {
+        if (!(IsSense(at_ + 1, Sense::kIn) && !ThingFollows(at_ + 3, false))) {
+          BeginClause();
+          if (!(IsPhrase(at_ + 1) && chunks_[at_ + 1].phrase.negated)) lead_ = Lead();
+        }
+      }
+      break;
+    case Sense::kThen:
+      negating_ = false;
+      if (!ordering_ && IsPhrase(at_ + 1) && !subjects_.empty()) BeginClause();
+      break;
+    case Sense::kExists:
+      if (IsKind(at_ + 1, ChunkKind::kQualities) && chunks_[at_ + 1].qualities.none) break;
+      if (!subjects_.empty()) BeginClause();
+      negating_ = false;
+      break;
+    case Sense::kBe:
+    case Sense::kStands:
+      verb_said_ = true;
+      if (subjects_.empty() && absences_.empty() &&
+          ((!lead_.empty() && lead_.is_subject && sense == Sense::kBe) ||
+           (map_is_subject_ && sense == Sense::kBe))) {
+        cover_next_ = true;
+      }
+      if (frame_.has_value() && frame_->fronted && !frame_->objects.empty()) {
+        frame_->expecting = false;
+      }
+      break;
+    case Sense::kWith:
+    case Sense::kHas: {
+      if (frame_.has_value() && !frame_->fronted && WantsTwo(frame_->sense) &&
+          frame_->objects.size() == 1 && IsPhrase(at_ + 1)) {
+        frame_->expecting = true;  // "connects the lake with the village"
+        break;
+      }
+      if (frame_.has_value() && frame_->sense == Sense::kConnects && frame_->expecting &&
+          !frame_->subjects.empty() && IsKind(at_ + 1, ChunkKind::kPlace)) {
+        break;  // "connects the north with the south"
+      }
+      verb_said_ = false;
+      int host = LastSubject();
+      if (sense == Sense::kWith && frame_.has_value() && !frame_->fronted &&
+          !frame_->objects.empty() && IsPhrase(at_ - 1)) {
+        host = frame_->objects.back();
+      }
+      if (frame_.has_value() && frame_->fronted && !frame_->objects.empty()) {
+        frame_->expecting = false;
+        break;
+      }
+      if (!subjects_.empty() || !absences_.empty()) BeginClause();
+      d_.SetTopic(host >= 0 ? std::vector<int>{host} : std::vector<int>());
+      if (host >= 0 && !IsLine(host)) host_ = host;
+      lead_.used = true;
+      break;
+    }
+    case Sense::kWhere:
+      if (!last_zones_.empty() && IsKind(at_ - 1, ChunkKind::kComma) && at_ >= 2 &&
+          IsKind(at_ - 2, ChunkKind::kPlace)) {
+        BeginClause();
+        lead_ = Lead();
+        lead_.zones = last_zones_;
+        lead_.begin = chunk.begin;
+      }
+      break;
+    case Sense::kWhich:
+      if (frame_.has_value() && !frame_->objects.empty()) {
+        const int nearest = frame_->objects.back();
+        if (WantsTwo(frame_->sense) && frame_->objects.size() < 2) {
+          paused_ = std::move(frame_);
+          frame_.reset();
+        }
+        CloseFrame();
+        d_.SetTopic(subjects_);
+        subjects_ = {nearest};
+        open_list_ = false;
+      } else if (subjects_.size() > 1) {
+        d_.SetTopic(subjects_);
+        subjects_ = {subjects_.back()};
+      }
+      if (excepting_ && !lead_.empty()) {
+        subjects_.clear();
+        lead_.is_subject = true;
+        lead_.extent = true;
+      }
+      break;
+    case Sense::kNo:
+      break;
+    case Sense::kNot:
+      not_next_ = true;
+      break;
+    case Sense::kNothingElse:
+      only_next_ = ThingFollows(at_ + 1, false) || IsThing(at_ + 1);
+      if (IsKind(at_ + 1, ChunkKind::kPlace) || IsSense(at_ + 1, Sense::kIn)) {
+        confining_ = true;
+      } else if (at_ > 0 && IsKind(at_ - 1, ChunkKind::kPlace)) {
+        for (const int index : subjects_) d_.feature(index).confined = true;
+      } else if (!only_next_ && !subjects_.empty() &&
+                 (EndsAt(at_ + 1) || IsKind(at_ + 1, ChunkKind::kComma))) {
+        for (const int index : subjects_) {
+          if (!IsLine(index)) d_.feature(index).dominant = true;
+        }
+      }
+      break;
+    case Sense::kOnly:
+      confining_ = true;
+      break;
+    case Sense::kExcept:
+      excepting_ = true;
+      negating_ = false;
+      if (IsThing(at_ + 1)) {
+        BeginClause();
+        excepting_ = true;
+        map_share_.reset();
+        cover_next_ = false;
+      }
+      break;
+    case Sense::kInsteadOf:
+      skip_next_ = true;
+      break;
+    case Sense::kCorrection:
+      correcting_ = true;
+      negating_ = false;
+      break;
+    case Sense::kScratch: {
+      CloseFrame();
+      subjects_.clear();
+      int first = sentence_first_feature_;
+      if (first >= d_.size()) first = d_.size() - 1;
+      for (int i = std::max(0, first); i < d_.size(); ++i) d_.Drop(i);
+      break;
+    }
+    case Sense::kMostly:
+      mostly_next_ = true;
+      break;
+    case Sense::kEntirely:
+      if (!subjects_.empty() && !ThingFollows(at_ + 1, false)) {
+        for (const int index : subjects_) {
+          PlannedFeature& feature = d_.feature(index);
+          if (feature.form == FeatureForm::kSpread && feature.texture == Texture::kUnsaid) {
+            feature.dominant = true;
+          } else if (feature.form == FeatureForm::kPatch) {
+            feature.texture = Texture::kScattered;
+          }
+        }
+      } else {
+        mostly_next_ = true;
+      }
+      break;
+    case Sense::kCoveredBy:
+    case Sense::kDominatedBy:
+      verb_said_ = true;
+      if (subjects_.empty()) {
+        cover_next_ = true;
+        if (sense == Sense::kDominatedBy) mostly_next_ = true;
+      } else {
+        const int host = LastSubject();
+        BeginClause();
+        host_ = IsLine(host) ? -1 : host;
+      }
+      break;
+    case Sense::kTreeless:
+    case Sense::kRoadless:
+    case Sense::kWaterless:
+    case Sense::kUnbuilt:
+    case Sense::kUnfarmed:
+    case Sense::kSnowless: {
+      const bool wild = d_.plan().vocabulary == Vocabulary::kWild;
+      const char letter = sense == Sense::kTreeless    ? 'F'
+                          : sense == Sense::kWaterless ? 'W'
+                          : sense == Sense::kRoadless  ? (wild ? '\0' : 'R')
+                          : sense == Sense::kUnbuilt   ? (wild ? '\0' : 'B')
+                          : sense == Sense::kUnfarmed  ? (wild ? '\0' : 'A')
+                                                       : (wild ? 'S' : '\0');
+      if (letter != '\0') {
+        const std::vector<std::size_t> focus = absences_;
+        Deny(letter, lead_.zones, chunk);
+        absences_ = focus;
+      }
+      break;
+    }
+    case Sense::kTravel: {
+      traveling_ = true;
+      const std::string words = d_.Words(chunk.begin, chunk.end);
+      const bool from = EndsWithWord(words, "from") && IsKind(at_ + 1, ChunkKind::kPlace);
+      if (from && subjects_.empty()) OpenSense(Sense::kFrom, false);
+      break;
+    }
+    case Sense::kRuns:
+    case Sense::kWinds: {
+      verb_said_ = true;
+      if (frame_.has_value() && frame_->fronted && !frame_->objects.empty()) {
+        frame_->expecting = false;
+      }
+      // "a village by a river running from ...": said of the river.
+      if (frame_.has_value() && !frame_->fronted && !frame_->objects.empty() &&
+          LineOf(subjects_) < 0 && IsLine(frame_->objects.back())) {
+        const int line = frame_->objects.back();
+        CloseFrame();
+        d_.SetTopic(subjects_);
+        subjects_ = {line};
+      }
+      if (sense == Sense::kWinds) {
+        const int line = LineOf(subjects_);
+        if (line >= 0) {
+          d_.feature(line).meander = 2.2;
+          d_.feature(line).shape = ClaimShape::kWinding;
+        }
+      }
+      break;
+    }
+    case Sense::kDiagonal: {
+      const int line = LineOf(subjects_);
+      if (line >= 0 && !d_.feature(line).from.has_value()) {
+        Waypoint from;
+        from.zone = RimZoneOf({-1, -1});
+        from.said = false;
+        Waypoint to;
+        to.zone = RimZoneOf({1, 1});
+        to.said = false;
+        d_.feature(line).from = from;
+        d_.feature(line).to = to;
+      }
+      break;
+    }
+    case Sense::kFromThere: {
+      const int line = LineOf(subjects_);
+      if (line >= 0) {
+        const std::vector<int> origin = d_.Antecedent(subjects_, false);
+        Frame frame;
+        frame.sense = Sense::kFrom;
+        frame.subjects = {line};
+        frame.objects = origin;
+        if (!origin.empty()) Assert(frame, line, &d_);
+      }
+      break;
+    }
+    case Sense::kCrossEachOther:
+    case Sense::kParallelEach: {
+      Frame frame;
+      frame.sense = sense;
+      frame.subjects = subjects_;
+      AssertEachOther(frame, &d_);
+      break;
+    }
+    case Sense::kHalfEach: {
+      // The things that follow, or were named, share it evenly.
+      const std::size_t count = std::max<std::size_t>(ListLength(at_ + 1), 2);
+      if (subjects_.size() >= 2) {
+        for (const int index : subjects_) {
+          const double share = 1.0 / static_cast<double>(subjects_.size());
+          d_.feature(index).share = share;
+          d_.feature(index).share_least = share - 0.1;
+          d_.feature(index).share_most = share + 0.1;
+        }
+      } else if (IsThing(at_ + 1)) {
+        double left = 1.0;
+        for (const PlannedFeature& feature : d_.plan().features) {
+          left -= feature.share.value_or(0.0);
+        }
+        ShareMatch share;
+        share.value = std::max(0.05, left / static_cast<double>(count));
+        share.least = share.value - 0.1;
+        share.most = share.value + 0.1;
+        share.fraction = true;
+        map_share_ = share;
+        sharing_ = count;
+      }
+      break;
+    }
+    case Sense::kThan:
+      if (!subjects_.empty()) comparing_ = true;
+      break;
+    case Sense::kOtherSide:
+      ReadOtherSide(chunk);
+      break;
+    case Sense::kBridge:
+      ReadBridge(chunk);
+      break;
+    case Sense::kOutsideRing:
+      if (ThingFollows(at_ + 1, true)) {
+        if (!subjects_.empty()) BeginClause();
+        lead_ = Lead();
+        rest_next_ = true;
+      } else {
+        for (const int index : subjects_) {
+          if (!IsLine(index)) d_.feature(index).fills_rest = true;
+        }
+      }
+      break;
+    case Sense::kInsideRing:
+      ReadInsideRing();
+      break;
+    case Sense::kRest:
+    case Sense::kMap:
+    case Sense::kFunction:
+    case Sense::kNone:
+    case Sense::kAtMost:
+    case Sense::kAtLeast:
+    case Sense::kBands:
+    case Sense::kLand:
+    case Sense::kNoOther:
+      if (sense == Sense::kNoOther && IsThing(at_ + 1)) skip_next_ = true;
+      if (sense == Sense::kLand && comparing_ && !subjects_.empty()) {
+        d_.feature(subjects_.back()).share = 0.58;
+        d_.feature(subjects_.back()).share_least = 0.5;
+        d_.feature(subjects_.back()).share_most = 1.0;
+        comparing_ = false;
+      }
+      break;
+    case Sense::kIn:
+      if (IsPhrase(at_ + 1) || IsKind(at_ + 1, ChunkKind::kPlace) ||
+          IsKind(at_ + 1, ChunkKind::kDirection)) {
+        if (IsPhrase(at_ + 1)) OpenSense(sense, false);
+      }
+      break;
+    default:
+      OpenSense(sense, chunk.lexeme.of_it);
+      break;
+  }
+}
+
+// A bridge takes a road over the river that was spoken of, or that comes.
+void ClauseReader::ReadBridge(const Chunk& chunk) {
+  if (d_.plan().vocabulary == Vocabulary::kWild) return;
+  int road = d_.Latest('R', FeatureForm::kLine);
+  const int river = d_.Latest('W', FeatureForm::kLine);
+  const bool road_comes = IsThing(at_ + 1) && chunks_[at_ + 1].phrase.noun->suburb == 'R';
+  if (road < 0 && !road_comes) {
+    const std::vector<Token> word = Tokenize("road");
+    NounPhrase phrase;
+    phrase.noun = MatchClassWord(word, 0).word;
+    if (phrase.noun != nullptr) road = d_.Create(phrase, chunk.begin, chunk.end);
+  }
+  if (road < 0) return;
+  CloseFrame();
+  if (subjects_.empty()) subjects_ = {road};
+  if (river < 0) return;
+  PlannedRelation relation;
+  relation.kind = RelationKind::kCrosses;
+  relation.subject = road;
+  relation.object = river;
+  d_.Relate(std::move(relation));
+}
+
+// "Inside the loop: grass": the ring that was spoken of goes round what comes.
+void ClauseReader::ReadInsideRing() {
+  for (int i = d_.size() - 1; i >= 0; --i) {
+    const bool ring = d_.feature(i).shape == ClaimShape::kRing;
+    if (d_.thing(i).dropped || !ring) continue;
+    Frame frame;
+    frame.sense = Sense::kSurroundedBy;
+    frame.objects = {i};
+    frame.expecting = false;
+    if (ThingFollows(at_ + 1, true)) {
+      if (!subjects_.empty()) BeginClause();
+      CloseFrame();
+      frame.fronted = true;
+      frame_ = std::move(frame);
+    } else {
+      for (const int subject : subjects_) Assert(frame, subject, &d_);
+    }
+    return;
+  }
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,241 @@
+#include "latticeworld/language/grounded/reading/lexeme.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
+namespace latticeworld {
+namespace {
+
+bool IsWord(const std::vector<Token>& tokens, std::size_t at,
+            std::initializer_list<std::string_view> words) {
+  return at < tokens.size() && tokens[at].kind == TokenKind::kWord &&
+         std::find(words.begin(), words.end(), tokens[at].text) != words.end();
+}
+
+// The words for a part of a thing's border, after a heading: "the northern shore of".
+std::size_t SkipSideWord(const std::vector<Token>& tokens, std::size_t at) {
+  return IsWord(tokens, at,
+                {"side", "shore", "shores", "bank", "banks", "edge", "end", "coast", "flank",
+                 "border", "rim", "waterfront", "tip", "fringe"})
+             ? 1
+             : 0;
+}
+
+// "north of the lake", "to its west", "on the southern shore of it".
+bool LexDirection(const std::vector<Token>& tokens, std::size_t at, Lexeme* lexeme) {
+  const bool own = IsWord(tokens, at, {"its", "their"});
+  const HeadingMatch match = MatchHeading(tokens, at + (own ? 1 : 0));
+  if (match.tokens == 0) return false;
+  std::size_t next = at + (own ? 1 : 0) + match.tokens;
+  const bool said_side = tokens[next - 1].kind == TokenKind::kWord &&
+                         SkipSideWord(tokens, next - 1) > 0 && match.tokens > 1;
+  const std::size_t side = SkipSideWord(tokens, next);
+  next += side;
+  const bool at_side = side > 0 || said_side;
+  const bool after_in = at > 0 && IsWord(tokens, at - 1, {"in", "at"});
+  if (own) {
+    // "its northern half" is the map's, or its owner's: a place.
+    if (IsWord(tokens, next, {"half", "third", "quarter", "part", "corner", "parts"})) return false;
+    lexeme->of_it = true;
+    lexeme->use = at_side ? DirectionUse::kAtSide : DirectionUse::kBeyond;
+  } else {
+    // "on the right bank": of the water that was spoken of
+    const bool bank = at_side && IsWord(tokens, next - 1, {"bank", "banks", "shore", "shores"});
+    if (bank && !IsWord(tokens, next, {"of", "from"})) {
+      lexeme->kind = LexemeKind::kDirection;
+      lexeme->heading = match.heading;
+      lexeme->use = DirectionUse::kAtSide;
+      lexeme->of_it = true;
+      lexeme->last = next;
+      return true;
+    }
+    if (!IsWord(tokens, next, {"of", "from"})) return false;
+    if (IsWord(tokens, next, {"from"}) && !IsWord(tokens, next + 1, {"the", "it", "there"})) {
+      return false;
+    }
+    const std::size_t object =
+        next + 1 + (IsWord(tokens, next + 1, {"the", "this", "that"}) ? 1 : 0);
+    if (MatchPlace(tokens, object).tokens > 0) return false;
+    ++next;
+    lexeme->use = at_side    ? DirectionUse::kAtSide
+                  : after_in ? DirectionUse::kInside
+                             : DirectionUse::kBeyond;
+  }
+  lexeme->kind = LexemeKind::kDirection;
+  lexeme->heading = match.heading;
+  lexeme->last = next;
+  return true;
+}
+
+// "wooded", "rocky" and the like name a class where no noun follows that does.
+std::string_view ClassOfAdjective(std::string_view word) {
+  constexpr std::pair<std::string_view, std::string_view> kAdjectives[] = {
+      {"wooded", "forest"},      {"forested", "forest"},
+      {"tree", "forest"},        {"grassy", "grassland"},
+      {"rocky", "rock"},         {"stony", "rock"},
+      {"snowy", "snow"},         {"icy", "ice"},
+      {"frozen", "ice"},         {"sandy", "sand"},
+      {"urban", "town"},         {"residential", "houses"},
+      {"suburban", "houses"},    {"agricultural", "farmland"},
+      {"farmed", "farmland"},    {"cultivated", "farmland"},
+      {"barren", "barren land"}, {"bushy", "bush"},
+      {"arable", "farmland"},    {"flooded", "water"},
+      {"drowned", "water"},      {"built", "houses"},
+      {"inhabited", "houses"},   {"paved", "road"},
+      {"snowbound", "snow"},     {"submerged", "water"},
+      {"underwater", "water"},
+  };
+  for (const auto& [adjective, noun] : kAdjectives) {
+    if (word == adjective) return noun;
+  }
+  return {};
+}
+
+class Lexer {
+ public:
+  explicit Lexer(const std::vector<Token>& tokens) : tokens_(tokens) {}
+
+  Lexeme Read(std::size_t at) {
+    Lexeme lexeme;
+    lexeme.first = at;
+    lexeme.last = at + 1;
+    if (tokens_[at].kind == TokenKind::kComma || tokens_[at].kind == TokenKind::kStop) {
+      lexeme.kind = tokens_[at].kind == TokenKind::kComma ? LexemeKind::kComma : LexemeKind::kStop;
+      return lexeme;
+    }
+    if (LexDirection(tokens_, at, &lexeme)) return lexeme;
+    ReadNoun(&lexeme);
+    // "built up", but not "built up area"
+    if (length_ == 0 && IsWord(tokens_, at, {"built"}) && IsWord(tokens_, at + 1, {"up"})) {
+      ReadAdjective(&lexeme);
+      lexeme.last = at + 2;
+      length_ = 0;
+      return lexeme;
+    }
+    if (!OwnBorder(at)) ReadPlace(&lexeme);
+    ReadQuantity(&lexeme);
+    ReadSense(&lexeme);
+    if (length_ == 0) ReadAdjective(&lexeme);
+    lexeme.last = at + std::max<std::size_t>(length_, 1);
+    length_ = 0;
+    return lexeme;
+  }
+
+ private:
+  // "its edge" is that of a thing.
+  bool OwnBorder(std::size_t at) const {
+    return IsWord(tokens_, at, {"its", "their"}) &&
+           IsWord(tokens_, at + 1, {"edge", "edges", "border", "rim", "margin", "fringe"});
+  }
+
+  bool Take(std::size_t tokens, LexemeKind kind, Lexeme* lexeme) {
+    if (tokens <= length_) return false;
+    length_ = tokens;
+    lexeme->kind = kind;
+    return true;
+  }
+
+  void ReadNoun(Lexeme* lexeme) {
+    const ClassWordMatch match = MatchClassWord(tokens_, lexeme->first);
+    if (match.word == nullptr) return;
+    // "village centre; woods W": of notes without articles the centre is the map's.
+    const std::size_t at = lexeme->first;
+    const std::size_t end = at + match.tokens;
+    const bool note = match.tokens > 1 && IsWord(tokens_, end - 1, {"centre", "center"}) &&
+                      (at == 0 || tokens_[at - 1].kind != TokenKind::kWord) &&
+                      (end == tokens_.size() || tokens_[end].kind != TokenKind::kWord);
+    if (note) {
+      const std::vector<Token> words(tokens_.begin() + static_cast<std::ptrdiff_t>(at),
+                                     tokens_.begin() + static_cast<std::ptrdiff_t>(end - 1));
+      const ClassWordMatch shorter = MatchClassWord(words, 0);
+      if (shorter.word != nullptr && shorter.tokens == words.size() &&
+          Take(shorter.tokens, LexemeKind::kNoun, lexeme)) {
+        lexeme->noun = shorter.word;
+        lexeme->plural = shorter.plural;
+        return;
+      }
+    }
+    if (!Take(match.tokens, LexemeKind::kNoun, lexeme)) return;
+    lexeme->noun = match.word;
+    lexeme->plural = match.plural;
+  }
+
+  void ReadPlace(Lexeme* lexeme) {
+    const std::size_t at = lexeme->first;
+    if (AxisMatch axis = MatchAxis(tokens_, at); Take(axis.tokens, LexemeKind::kAxis, lexeme)) {
+      lexeme->axis = axis;
+      return;
+    }
+    std::string_view before;
+    if (at > 0 && tokens_[at - 1].kind == TokenKind::kWord) before = tokens_[at - 1].text;
+    PlaceMatch match =
+        before.empty() ? MatchPlace(tokens_, at) : MatchPlaceAfter(before, tokens_, at);
+    if (match.tokens == 0 || match.places.empty()) return;
+    if (match.of_other) {
+      // "in the middle of the forest": the sense of these words tells.
+      return;
+    }
+    if (Take(match.tokens, LexemeKind::kPlace, lexeme)) {
+      lexeme->places = std::move(match.places);
+      lexeme->whole = match.whole;
+    }
+  }
+
+  void ReadQuantity(Lexeme* lexeme) {
+    const std::size_t at = lexeme->first;
+    if (ShareMatch share = MatchShare(tokens_, at);
+        Take(share.tokens, LexemeKind::kShare, lexeme)) {
+      lexeme->share = std::move(share);
+    }
+    if (const CountMatch count = MatchCount(tokens_, at);
+        Take(count.tokens, LexemeKind::kCount, lexeme)) {
+      lexeme->count = count;
+    }
+    if (const SizeMatch size = MatchSize(tokens_, at);
+        Take(size.tokens, LexemeKind::kSize, lexeme)) {
+      lexeme->size = size;
+    }
+  }
+
+  void ReadSense(Lexeme* lexeme) {
+    SenseMatch match = MatchSense(tokens_, lexeme->first);
+    // "in the middle of the map" is a place after "in".
+    if (match.tokens > 2) {
+      const PlaceMatch place = MatchPlace(tokens_, lexeme->first + 1);
+      if (!place.of_other && place.tokens + 1 > match.tokens) match = {Sense::kIn, 1};
+    }
+    if (!Take(match.tokens, LexemeKind::kSense, lexeme)) return;
+    lexeme->sense = match.sense;
+    for (std::size_t i = lexeme->first; i < lexeme->first + match.tokens; ++i) {
+      lexeme->of_it = lexeme->of_it || IsWord(tokens_, i, {"its", "their", "whose"});
+    }
+  }
+
+  void ReadAdjective(Lexeme* lexeme) {
+    const std::string_view phrase = ClassOfAdjective(tokens_[lexeme->first].text);
+    if (phrase.empty()) return;
+    const std::vector<Token> words = Tokenize(phrase);
+    const ClassWordMatch match = MatchClassWord(words, 0);
+    if (match.word == nullptr) return;
+    Take(1, LexemeKind::kNoun, lexeme);
+    lexeme->noun = match.word;
+  }
+
+  const std::vector<Token>& tokens_;
+  std::size_t length_ = 0;  // tokens of the longest reading so far
+};
+
+}  // namespace
+
+std::vector<Lexeme> LexLayout(const std::vector<Token>& tokens) {
+  std::vector<Lexeme> lexemes;
+  Lexer lexer(tokens);
+  for (std::size_t at = 0; at < tokens.size();) {
+    lexemes.push_back(lexer.Read(at));
+    at = lexemes.back().last;
+  }
+  return lexemes;
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,102 @@
+#include "latticeworld/language/grounded/reading/settle_plan.h"
+
+#include <algorithm>
+#include <string>
+
+#include "latticeworld/common/text.h"
+
+namespace latticeworld {
+namespace {
+
+bool IsDenied(const LayoutPlan& plan, char letter) {
+  return std::any_of(plan.absences.begin(), plan.absences.end(),
+                     [&](const PlannedAbsence& absence) {
+                       return absence.letter == letter && absence.zone.is_anywhere();
+                     });
+}
+
+bool IsAsked(const LayoutPlan& plan, char letter) {
+  return std::any_of(plan.features.begin(), plan.features.end(),
+                     [&](const PlannedFeature& feature) { return feature.letter == letter; });
+}
+
+// What covers land without having been asked for: grass first, then whatever else is not denied
+// and not asked for in some place of its own.
+char OpenGround(const LayoutPlan& plan) {
+  const std::string_view order = plan.vocabulary == Vocabulary::kSuburb ? "GADF" : "BFRS";
+  for (const char letter : order) {
+    if (!IsDenied(plan, letter)) return letter;
+  }
+  return order.front();
+}
+
+// "a desert with an oasis": what holds the rest and is the only land that spreads.
+char Host(const LayoutPlan& plan) {
+  char host = '\0';
+  for (const PlannedRelation& relation : plan.relations) {
+    if (relation.kind != RelationKind::kWithin) continue;
+    const PlannedFeature& land = plan.features[static_cast<std::size_t>(relation.object)];
+    if (land.form == FeatureForm::kSpread && land.letter != 'W' && land.zones.empty() &&
+        !land.share.has_value() && land.texture == Texture::kUnsaid) {
+      host = land.letter;
+    }
+  }
+  for (const PlannedFeature& feature : plan.features) {
+    if (feature.form == FeatureForm::kSpread && feature.letter != host) return '\0';
+  }
+  return host;
+}
+
+char Background(const LayoutPlan& plan) {
+  for (const PlannedFeature& feature : plan.features) {
+    if (feature.fills_rest && feature.form != FeatureForm::kLine) return feature.letter;
+  }
+  // What covers most of the whole map is what everything else lies on.
+  for (const PlannedFeature& feature : plan.features) {
+    if (feature.dominant && feature.zones.empty() && feature.form != FeatureForm::kLine) {
+      return feature.letter;
+    }
+  }
+  if (const char host = Host(plan); host != '\0') return host;
+  const char usual = OpenGround(plan);
+  for (const PlannedRelation& relation : plan.relations) {
+    if (relation.kind != RelationKind::kMoreThan) continue;
+    const auto at = [&](int index) -> const PlannedFeature& {
+      return plan.features[static_cast<std::size_t>(index)];
+    };
+    if (at(relation.object).letter == usual && at(relation.subject).form != FeatureForm::kLine) {
+      return at(relation.subject).letter;
+    }
+  }
+  // What is bounded above cannot be what is left over.
+  const bool bounded =
+      std::any_of(plan.features.begin(), plan.features.end(), [&](const PlannedFeature& feature) {
+        return feature.letter == usual && feature.share_most.value_or(1.0) < 0.7;
+      });
+  if (!bounded) return usual;
+  const std::string_view order = plan.vocabulary == Vocabulary::kSuburb ? "GADF" : "BFRS";
+  for (const char letter : order) {
+    if (!IsDenied(plan, letter) && !IsAsked(plan, letter)) return letter;
+  }
+  return usual;
+}
+
+// Shares are said of the whole map and laid in a feature's zones.
+void SettleShares(LayoutPlan* plan) {
+  for (PlannedFeature& feature : plan->features) {
+    if (!feature.share.has_value() || feature.zones.empty()) continue;
+    LayoutMask covered;
+    for (const Zone& zone : feature.zones) covered = covered | MaskOf(zone);
+    const double area = covered.count() / static_cast<double>(kLayoutSize * kLayoutSize);
+    if (area > 0.0) feature.share = std::min(1.0, *feature.share / area);
+  }
+}
+
+}  // namespace
+
+void SettlePlan(LayoutPlan* plan) {
+  SettleShares(plan);
+  plan->background = Background(*plan);
+}
+
+}  // namespace latticeworld

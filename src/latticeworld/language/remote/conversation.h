@@ -1,0 +1,38 @@
+#ifndef LATTICEWORLD_LANGUAGE_REMOTE_CONVERSATION_H_
+#define LATTICEWORLD_LANGUAGE_REMOTE_CONVERSATION_H_
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latticeworld/common/progress.h"
+#include "latticeworld/common/status.h"
+#include "latticeworld/language/chat/chat_server.h"
+#include "latticeworld/language/generator.h"
+
+namespace latticeworld {
+
+// A question to a model, and how its answers are judged.
+struct Question {
+  std::string_view purpose;  // "layout", "environment"
+  ChatRequest first;         // of the first turn; its seed is the request's
+  int repair_turns = 0;
+  std::function<AnswerListener()> make_listener;  // one for each turn
+  // Whether an answer can be used; it is kept by whoever asks. INVALID_ARGUMENT with violations.
+  std::function<Status(std::string_view answer)> read;
+  // What is said to the model about an answer with these violations.
+  std::function<std::string(const std::vector<Violation>&)> repair_text;
+};
+
+// Asks, and asks again with all that was wrong with the last answer, until an answer can be used or
+// the turns are used up. The model sees the question, its last answer and what was wrong with that
+// (older ones are left out, so that what is sent stays bounded). Each repair has a seed of its own,
+// drawn from the first. replies: every answer as it was read, appended in order.
+// Errors: those of the server; CANCELLED; DATA_LOSS with the violations of the last answer.
+Status Ask(ChatServer* server, Question question, const Progress& progress,
+           std::vector<ModelReply>* replies);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_REMOTE_CONVERSATION_H_

@@ -1,0 +1,50 @@
+#ifndef LATTICEWORLD_LANGUAGE_REMOTE_REMOTE_H_
+#define LATTICEWORLD_LANGUAGE_REMOTE_REMOTE_H_
+
+#include <memory>
+#include <vector>
+
+#include "latticeworld/common/status.h"
+#include "latticeworld/language/chat/chat_server.h"
+#include "latticeworld/language/generator.h"
+
+namespace latticeworld {
+
+// How a model is asked.
+struct RemoteOptions {
+  int repair_turns = 2;               // times that violations go back to the model; 0 .. 8
+  double temperature = 0.7;           // 0 .. 2
+  int layout_max_tokens = 2048;       // of one answer, thinking included; 64 .. 65536
+  int environment_max_tokens = 4096;  // the same
+};
+std::vector<Violation> Validate(const RemoteOptions& options);
+
+// Generators over any chat server: prompts (prompts/*.txt), the form of the answer, strict reading
+// of whatever comes, repair. A server may be shared; each call asks it at most 1 + repair_turns
+// times, and the model's replies come with the answer. Progress reports the rows of a layout as
+// they arrive; a layout that cannot become legal is cut short and repaired. options: valid.
+// Errors: as ChatServer (INVALID_ARGUMENT may mean that the server refused what it was sent), and
+// DATA_LOSS with every violation of the last answer when no turn repaired it.
+std::unique_ptr<LayoutGenerator> MakeRemoteLayoutGenerator(std::shared_ptr<ChatServer> server,
+                                                           const RemoteOptions& options);
+std::unique_ptr<EnvironmentGenerator> MakeRemoteEnvironmentGenerator(
+    std::shared_ptr<ChatServer> server, const RemoteOptions& options);
+
+// A server that gives recorded replies, each purpose's in their order, so that a world can be made
+// again without its model: generators over it, with at least as many repair turns as were recorded,
+// give the same answers byte for byte. Errors of Complete: OUT_OF_RANGE when more is asked than was
+// recorded; CANCELLED.
+std::shared_ptr<ChatServer> MakeReplayServer(std::vector<ModelReply> replies);
+
+// Asks the first generator; whatever its server failed of (UNAVAILABLE, DEADLINE_EXCEEDED,
+// UNAUTHENTICATED, DATA_LOSS, INVALID_ARGUMENT of the server, ...), the second answers, with a
+// first warning that says why. A request that is invalid itself is refused with INVALID_ARGUMENT
+// before either is asked, and CANCELLED is passed on. name() is that of the first.
+std::unique_ptr<LayoutGenerator> MakeFallbackLayoutGenerator(
+    std::unique_ptr<LayoutGenerator> first, std::unique_ptr<LayoutGenerator> second);
+std::unique_ptr<EnvironmentGenerator> MakeFallbackEnvironmentGenerator(
+    std::unique_ptr<EnvironmentGenerator> first, std::unique_ptr<EnvironmentGenerator> second);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_REMOTE_REMOTE_H_

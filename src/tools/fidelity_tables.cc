@@ -1,0 +1,62 @@
+#include "tools/fidelity_tables.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <ostream>
+#include <string>
+
+#include "latticeworld/common/text.h"
+
+namespace latticeworld::tools {
+namespace {
+
+// "0.972", "-" for nothing of nothing.
+std::string Share(int satisfied, int total) {
+  if (total == 0) return "-";
+  char text[16];
+  std::snprintf(text, sizeof(text), "%.3f", static_cast<double>(satisfied) / total);
+  return text;
+}
+
+void PrintRow(const std::string& name, int satisfied, int total, std::ostream* out) {
+  char line[96];
+  std::snprintf(line, sizeof(line), "  %-16s %5d of %5d   %s\n", name.c_str(), satisfied, total,
+                Share(satisfied, total).c_str());
+  *out << line;
+}
+
+}  // namespace
+
+void PrintReport(const FidelityReport& report, std::ostream* out) {
+  for (const ClaimOutcome& claim : report.claims) {
+    *out << (claim.satisfied ? "  yes  " : "  NO   ") << NameOf(claim.part) << " " << claim.kind
+         << ": " << Quote(claim.words) << "\n"
+         << "       " << claim.explanation << "\n";
+  }
+  for (const std::string& words : report.not_understood) {
+    *out << "  not understood: " << Quote(words) << "\n";
+  }
+  PrintRow("satisfied", report.satisfied(), static_cast<int>(report.claims.size()), out);
+}
+
+void PrintScore(std::string_view title, const FidelityScore& score, std::ostream* out) {
+  *out << title << "\n";
+  for (const auto& [kind, count] : score.by_kind) {
+    PrintRow(kind, count.satisfied, count.total, out);
+  }
+  const FidelityScore::Count all = score.all();
+  PrintRow("all claims", all.satisfied, all.total, out);
+  PrintRow("valid answers", score.answered, score.items, out);
+  char line[64];
+  std::snprintf(line, sizeof(line), "  median time      %.1f ms\n", 1000.0 * score.median_s);
+  *out << line;
+}
+
+void PrintMisses(const FidelityScore& score, std::ostream* out) {
+  for (const FidelityScore::Miss& miss : score.misses) {
+    *out << "  " << miss.id << " " << miss.kind << ": " << Quote(miss.words) << "\n"
+         << "       " << miss.explanation << "\n";
+  }
+}
+
+}  // namespace latticeworld::tools

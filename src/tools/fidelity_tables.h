@@ -1,0 +1,22 @@
+#ifndef LATTICEWORLD_TOOLS_FIDELITY_TABLES_H_
+#define LATTICEWORLD_TOOLS_FIDELITY_TABLES_H_
+
+#include <iosfwd>
+#include <string_view>
+
+#include "latticeworld/generation/fidelity.h"
+#include "latticeworld/generation/fidelity_benchmark.h"
+
+namespace latticeworld::tools {
+
+// A line a claim, the words that were not understood, and the sum.
+void PrintReport(const FidelityReport& report, std::ostream* out);
+
+// A line a kind of claim, and the sum. title: "layout, development part".
+void PrintScore(std::string_view title, const FidelityScore& score, std::ostream* out);
+// A line a claim that is not satisfied.
+void PrintMisses(const FidelityScore& score, std::ostream* out);
+
+}  // namespace latticeworld::tools
+
+#endif  // LATTICEWORLD_TOOLS_FIDELITY_TABLES_H_

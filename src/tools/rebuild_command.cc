@@ -1,0 +1,53 @@
+#include "tools/rebuild_command.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <iostream>
+#include <string>
+
+#include "latticeworld/generation/bundle.h"
+#include "latticeworld/generation/rebuild.h"
+#include "tools/arguments.h"
+#include "tools/interrupt.h"
+#include "tools/progress_display.h"
+
+namespace latticeworld::tools {
+namespace {
+
+Status Rebuild(const CLI::App& command) {
+  LW_ASSIGN_OR_RETURN(const auto recorded, LoadBundle(*ValueOf(command, "DIR")));
+  ProgressDisplay display;
+  Progress progress(
+      [&display](std::string_view stage, double fraction) { display.Show(stage, fraction); });
+  const CancelOnInterrupt cancel_on_interrupt(&progress);
+  const auto rebuilt = RebuildWorld(*recorded, progress);
+  display.Clear();
+  if (!rebuilt.ok()) return rebuilt.status();
+  if ((*rebuilt)->id != recorded->id) {
+    return FailedPrecondition("the bundle holds " + recorded->id + ", but this program makes " +
+                              (*rebuilt)->id + " of its request and replies");
+  }
+  std::cout << recorded->id << ": made again, the same, from " << recorded->replies.size()
+            << " recorded replies\n";
+  if (const auto out = ValueOf(command, "--out")) return SaveBundle(**rebuilt, *out);
+  return Status();
+}
+
+}  // namespace
+
+void AddRebuildCommand(CLI::App* app, int* exit_status) {
+  CLI::App* command = app->add_subcommand(
+      "rebuild",
+      "Makes a bundle's world again from its request and its model's recorded replies, without the "
+      "model, and says whether it is the same.");
+  AddValueOption(command, "DIR", "DIR", "The bundle.");
+  command->get_option("DIR")->required();
+  AddValueOption(command, "--out", "DIR", "Saves it there as a bundle of its own.");
+  command->callback([command, exit_status] {
+    const Status status = Rebuild(*command);
+    if (!status.ok()) *exit_status = ReportFailure("rebuild", status);
+  });
+}
+
+}  // namespace latticeworld::tools

@@ -1,0 +1,124 @@
+#include "tools/score_command.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "latticeworld/common/files.h"
+#include "latticeworld/common/text.h"
+#include "latticeworld/generation/bundle.h"
+#include "latticeworld/generation/fidelity.h"
+#include "latticeworld/generation/fidelity_benchmark.h"
+#include "tools/arguments.h"
+#include "tools/fidelity_tables.h"
+#include "tools/interrupt.h"
+#include "tools/language_arguments.h"
+#include "tools/progress_display.h"
+
+namespace latticeworld::tools {
+namespace {
+
+constexpr std::size_t kMaxLayoutBytes = 64u << 10;
+
+Status ScoreBundle(const std::string& directory) {
+  LW_ASSIGN_OR_RETURN(const auto world, LoadBundle(directory));
+  PrintReport(
+      AssessFidelity(world->request.layout_instruction, world->request.environment_instruction,
+                     world->layout, world->environment),
+      &std::cout);
+  return Status();
+}
+
+// A layout of any origin against the words that asked for it.
+Status ScoreSymbols(const CLI::App& command) {
+  ArgumentReader arguments(&command);
+  arguments.RequireBeside("--symbols", "--layout");
+  const std::string named = arguments.Choice("--vocabulary", {"suburb", "wild"}, "");
+  LW_RETURN_IF_ERROR(arguments.status());
+  LW_ASSIGN_OR_RETURN(const std::string instruction, TextOf(command, "--layout"));
+  LW_RETURN_IF_ERROR(ValidateText("--layout", instruction, kMaxInstructionBytes));
+  const Vocabulary vocabulary =
+      named.empty() ? ChooseVocabulary(instruction) : *FromName<Vocabulary>(named);
+  const auto text = ReadFile(*ValueOf(command, "--symbols"), kMaxLayoutBytes);
+  if (!text.ok()) return text.status().WithContext("--symbols");
+  const auto layout = ParseLayout(*text, vocabulary);
+  if (!layout.ok()) return layout.status();
+  PrintReport(AssessLayoutFidelity(instruction, *layout), &std::cout);
+  return Status();
+}
+
+Status ScoreBenchmark(const CLI::App& command) {
+  ArgumentReader arguments(&command);
+  const std::string part_name = arguments.Choice("--part", {"development", "test"}, "development");
+  const std::uint64_t seed = arguments.Unsigned("--seed", 1);
+  LW_RETURN_IF_ERROR(arguments.status());
+  LW_ASSIGN_OR_RETURN(LanguageBackends backends, MakeLanguageBackends(command));
+  const std::string generator =
+      ValueOf(command, "--generator").value_or(backends.server != nullptr ? "remote" : "grounded");
+  const auto backend = backends.by_name.find(generator);
+  if (backend == backends.by_name.end()) {
+    return InvalidArgument("--generator: must be grounded, or remote beside --remote-url, not " +
+                           Quote(generator));
+  }
+  const BenchmarkPart part = *FromName<BenchmarkPart>(part_name);
+  LW_ASSIGN_OR_RETURN(const FidelityBenchmark benchmark,
+                      ReadFidelityBenchmark(*ValueOf(command, "--benchmark"), part));
+
+  ProgressDisplay display;
+  Progress progress(
+      [&display](std::string_view stage, double fraction) { display.Show(stage, fraction); });
+  const CancelOnInterrupt cancel_on_interrupt(&progress);
+  auto layouts = ScoreLayouts(benchmark.layouts, seed, backend->second.layout.get(), progress);
+  auto environments = layouts.ok() ? ScoreEnvironments(benchmark.environments, seed,
+                                                       backend->second.environment.get(), progress)
+                                   : layouts.status();
+  display.Clear();
+  if (!environments.ok()) return environments.status();
+  const std::string ending = ", " + part_name + " part, by " + generator;
+  const bool misses = command.count("--misses") > 0;
+  PrintScore("layout instructions" + ending, *layouts, &std::cout);
+  if (misses) PrintMisses(*layouts, &std::cout);
+  PrintScore("environment instructions" + ending, *environments, &std::cout);
+  if (misses) PrintMisses(*environments, &std::cout);
+  return Status();
+}
+
+Status Score(const CLI::App& command) {
+  const auto bundle = ValueOf(command, "DIR");
+  const bool symbols = ValueOf(command, "--symbols").has_value();
+  const bool benchmark = ValueOf(command, "--benchmark").has_value();
+  if (bundle.has_value() + symbols + benchmark != 1) {
+    return InvalidArgument("give one of a bundle, --symbols and --benchmark");
+  }
+  if (bundle) return ScoreBundle(*bundle);
+  return symbols ? ScoreSymbols(command) : ScoreBenchmark(command);
+}
+
+}  // namespace
+
+void AddScoreCommand(CLI::App* app, int* exit_status) {
+  CLI::App* command = app->add_subcommand(
+      "score", "Says how well a bundle, a layout or a back end matches the words.");
+  AddValueOption(command, "DIR", "DIR", "A bundle: measured by its own instructions.");
+  AddValueOption(command, "--symbols", "FILE",
+                 "A layout, 32 lines of 32 letters: measured by the words of --layout.");
+  AddValueOption(command, "--layout", "TEXT", "Those words; @FILE reads them from a file.");
+  AddValueOption(command, "--vocabulary", "NAME", "suburb or wild. Without it the words decide.");
+  AddValueOption(command, "--benchmark", "DIR",
+                 "A benchmark, such as benchmarks/fidelity: a back end answers its instructions, "
+                 "and the claims written down for them are measured.");
+  AddValueOption(command, "--part", "NAME", "development or test [development].");
+  AddValueOption(command, "--seed", "N", "What the answers are drawn from [1].");
+  command->add_flag("--misses", "Also lists every claim that is not satisfied.");
+  AddLanguageOptions(command);
+  command->callback([command, exit_status] {
+    const Status status = Score(*command);
+    if (!status.ok()) *exit_status = ReportFailure("score", status);
+  });
+}
+
+}  // namespace latticeworld::tools

@@ -1,0 +1,163 @@
+#include "latticeworld/generation/fidelity_benchmark.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+
+#include "generation/test_world.h"
+
+namespace latticeworld {
+namespace {
+
+namespace fs = std::filesystem;
+
+void Write(const fs::path& file, const std::string& content) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << content;
+}
+
+constexpr char kLayouts[] = R"([
+  {"id": "a", "vocabulary": "suburb", "voice": "plain", "instruction": "Only forest.", "claims": [
+    {"kind": "dominant", "subject": "F", "words": "Only forest"},
+    {"kind": "present", "subject": "W", "zone": "upper left", "words": "forest"}]},
+  {"id": "b", "vocabulary": "wild", "voice": "plain", "instruction": "Only snow.", "claims": [
+    {"kind": "dominant", "subject": "S"}]}])";
+constexpr char kEnvironments[] = R"([
+  {"id": "c", "layout": "meadow", "vocabulary": "suburb", "voice": "plain",
+   "instruction": "winter", "claims": [
+    {"kind": "coarse", "attribute": "season", "values": ["winter"]},
+    {"kind": "agents", "category": "sheep", "least_quantity": 1}]}])";
+
+class FidelityBenchmarkTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string meadow;
+    for (int row = 0; row < kLayoutSize; ++row) meadow += std::string(kLayoutSize, 'G') + "\n";
+    Write(directory_.path() / "layouts" / "meadow.txt", meadow);
+    Write(directory_.path() / "layout_test.json", kLayouts);
+    Write(directory_.path() / "environment_test.json", kEnvironments);
+  }
+
+  // After `file` was rewritten, reading is refused in words that hold all of `needed`.
+  void ExpectRefused(const std::string& file, const std::string& content,
+                     const std::vector<std::string>& needed) {
+    Write(directory_.path() / file, content);
+    const auto read = ReadFidelityBenchmark(directory_.path(), BenchmarkPart::kTest);
+    ASSERT_FALSE(read.ok()) << content;
+    EXPECT_EQ(read.status().code(), StatusCode::kInvalidArgument);
+    for (const std::string& words : needed) {
+      EXPECT_NE(read.status().message().find(words), std::string::npos)
+          << words << " | " << read.status().message();
+    }
+    SetUp();
+  }
+
+  TemporaryDirectory directory_;
+};
+
+// Answers every layout with forest, but refuses the wild.
+class ForestGenerator : public LayoutGenerator {
+ public:
+  std::string_view name() const override { return "forest"; }
+  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress&) override {
+    if (request.vocabulary == Vocabulary::kWild) return Unavailable("nobody there");
+    LayoutAnswer answer;
+    answer.layout = {request.vocabulary, Grid<char>(kLayoutSize, kLayoutSize, 'F')};
+    return answer;
+  }
+};
+
+class WinterGenerator : public EnvironmentGenerator {
+ public:
+  std::string_view name() const override { return "winter"; }
+  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request, const Progress&) override {
+    EXPECT_EQ(request.layout->cells(0, 0), 'G');
+    EnvironmentAnswer answer;
+    answer.environment.coarse.season = Season::kWinter;
+    answer.environment.fine = DeriveFineAttributes(answer.environment.coarse);
+    return answer;
+  }
+};
+
+TEST_F(FidelityBenchmarkTest, CountsPerKindWhatTheItemsClaim) {
+  const auto benchmark = ReadFidelityBenchmark(directory_.path(), BenchmarkPart::kTest);
+  ASSERT_TRUE(benchmark.ok()) << benchmark.status().ToString();
+  ForestGenerator forest;
+  const auto score = ScoreLayouts(benchmark->layouts, 1, &forest, Progress());
+  ASSERT_TRUE(score.ok());
+  EXPECT_EQ(score->items, 2);
+  EXPECT_EQ(score->answered, 1);
+  EXPECT_EQ(score->by_kind.at("dominant").satisfied, 1);
+  EXPECT_EQ(score->by_kind.at("dominant").total, 2);  // no answer satisfies nothing
+  EXPECT_EQ(score->by_kind.at("present").satisfied, 0);
+  EXPECT_EQ(score->all().satisfied, 1);
+  EXPECT_EQ(score->all().total, 3);
+  ASSERT_EQ(score->misses.size(), 2u);
+  EXPECT_EQ(score->misses[0].id, "a");
+  EXPECT_NE(score->misses[1].explanation.find("nobody there"), std::string::npos);
+
+  WinterGenerator winter;
+  const auto environments = ScoreEnvironments(benchmark->environments, 1, &winter, Progress());
+  ASSERT_TRUE(environments.ok());
+  EXPECT_EQ(environments->by_kind.at("coarse").satisfied, 1);
+  EXPECT_EQ(environments->by_kind.at("agents").satisfied, 0);
+}
+
+TEST_F(FidelityBenchmarkTest, EndsWhenItIsCancelled) {
+  const auto benchmark = ReadFidelityBenchmark(directory_.path(), BenchmarkPart::kTest);
+  ForestGenerator forest;
+  Progress progress;
+  progress.Cancel();
+  const auto score = ScoreLayouts(benchmark->layouts, 1, &forest, progress);
+  EXPECT_EQ(score.status().code(), StatusCode::kCancelled);
+}
+
+TEST_F(FidelityBenchmarkTest, NamesTheFileAndTheItemThatAreWrong) {
+  const std::string layouts = kLayouts;
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string forged = layouts;
+    return forged.replace(forged.find(from), from.size(), to);
+  };
+  ExpectRefused("layout_test.json", "{", {"layout_test.json"});
+  ExpectRefused("layout_test.json", "{}", {"layout_test.json", "array"});
+  ExpectRefused("layout_test.json", with("\"b\"", "\"a\""), {"twice", "a"});
+  ExpectRefused("layout_test.json", with("\"subject\": \"F\"", "\"subject\": \"S\""), {"a: "});
+  ExpectRefused("layout_test.json", with("upper left", "over there"), {"a: ", "over there"});
+  ExpectRefused("layout_test.json", with("\"voice\"", "\"tone\""), {"voice"});
+  ExpectRefused("environment_test.json",
+                R"([{"id": "c", "layout": "../x", "vocabulary": "suburb", "voice": "",
+                     "instruction": "", "claims": []}])",
+                {"../x"});
+  ExpectRefused("layouts/meadow.txt", "GGG\n", {"meadow"});
+}
+
+TEST_F(FidelityBenchmarkTest, TheBenchmarkThatIsShippedIsReadAndLargeEnough) {
+  std::size_t layouts = 0, environments = 0, test_layouts = 0, test_environments = 0;
+  std::set<std::string> ids;
+  for (const auto& entry : EnumNames(BenchmarkPart{})) {
+    const auto part = ReadFidelityBenchmark(LATTICEWORLD_FIDELITY_BENCHMARK, entry.value);
+    ASSERT_TRUE(part.ok()) << part.status().ToString();
+    layouts += part->layouts.size();
+    environments += part->environments.size();
+    if (entry.value == BenchmarkPart::kTest) {
+      test_layouts = part->layouts.size();
+      test_environments = part->environments.size();
+    }
+    for (const LayoutItem& item : part->layouts) {
+      EXPECT_TRUE(ids.insert(item.id).second) << item.id;
+      EXPECT_FALSE(item.claims.empty()) << item.id;
+    }
+    for (const EnvironmentItem& item : part->environments) {
+      EXPECT_TRUE(ids.insert(item.id).second) << item.id;
+      EXPECT_FALSE(item.claims.empty()) << item.id;
+    }
+  }
+  EXPECT_GE(layouts, 120u);
+  EXPECT_GE(environments, 60u);
+  EXPECT_NEAR(static_cast<double>(test_layouts) / layouts, 0.25, 0.03);
+  EXPECT_NEAR(static_cast<double>(test_environments) / environments, 0.25, 0.03);
+}
+
+}  // namespace
+}  // namespace latticeworld

@@ -1,0 +1,118 @@
+#include "latticeworld/generation/fidelity.h"
+
+#include <gtest/gtest.h>
+
+#include "generation/test_world.h"
+#include "latticeworld/generation/fidelity_json.h"
+#include "latticeworld/generation/replies_json.h"
+
+namespace latticeworld {
+namespace {
+
+SymbolicLayout Uniform(char letter) {
+  return {Vocabulary::kSuburb, Grid<char>(kLayoutSize, kLayoutSize, letter)};
+}
+
+EnvironmentConfig Autumn() {
+  EnvironmentConfig environment;
+  environment.coarse.season = Season::kAutumn;
+  environment.fine = DeriveFineAttributes(environment.coarse);
+  return environment;
+}
+
+TEST(FidelityTest, MeasuresWhatTheWordsSayAndNotWhoAnswered) {
+  const std::string layout = "The map is mostly forest. A lake lies in the center.";
+  const FidelityReport forest = AssessFidelity(layout, "autumn", Uniform('F'), Autumn());
+  ASSERT_GE(forest.claims.size(), 3u);
+  bool dominance = false, lake = false, season = false;
+  for (const ClaimOutcome& claim : forest.claims) {
+    EXPECT_EQ(claim.satisfied, claim.distance == 0.0);
+    EXPECT_FALSE(claim.words.empty());
+    EXPECT_FALSE(claim.explanation.empty());
+    if (claim.part == InstructionPart::kEnvironment) {
+      season = season || claim.satisfied;
+    } else {
+      EXPECT_NE(layout.find(claim.words), std::string::npos) << claim.words;
+      dominance = dominance || (claim.kind == "dominant" && claim.satisfied);
+      lake = lake || (claim.words.find("lake") != std::string::npos && !claim.satisfied);
+    }
+  }
+  EXPECT_TRUE(dominance);
+  EXPECT_TRUE(lake);
+  EXPECT_TRUE(season);
+  EXPECT_LT(forest.satisfied(), static_cast<int>(forest.claims.size()));
+}
+
+TEST(FidelityTest, WarnsOfEveryMissAndOfWhatWasNotUnderstood) {
+  const FidelityReport report = AssessFidelity("A lake in the north and a zorblax.",
+                                               "a herd of quxes", Uniform('G'), Autumn());
+  const std::vector<std::string> warnings = WarningsOf(report);
+  ASSERT_GE(warnings.size(), 2u);
+  EXPECT_EQ(warnings.front().rfind("not satisfied: ", 0), 0u) << warnings.front();
+  EXPECT_EQ(warnings.back().rfind("not understood: ", 0), 0u) << warnings.back();
+  EXPECT_NE(warnings.back().find("zorblax"), std::string::npos) << warnings.back();
+  EXPECT_NE(warnings.back().find("quxes"), std::string::npos) << warnings.back();
+}
+
+TEST(FidelityTest, SaysNothingOfNoWords) {
+  const FidelityReport report = AssessFidelity("", "", Uniform('G'), Autumn());
+  EXPECT_TRUE(report.claims.empty());
+  EXPECT_TRUE(report.not_understood.empty());
+  EXPECT_TRUE(WarningsOf(report).empty());
+}
+
+TEST(FidelityJsonTest, IsReadBackAsWritten) {
+  const FidelityReport report = MakeTestWorld()->fidelity;
+  const auto decoded = DecodeFidelity(EncodeFidelity(report));
+  ASSERT_TRUE(decoded.ok()) << decoded.status().ToString();
+  EXPECT_EQ(EncodeFidelity(*decoded), EncodeFidelity(report));
+  EXPECT_EQ(decoded->claims.size(), report.claims.size());
+  EXPECT_EQ(decoded->claims[1].distance, report.claims[1].distance);
+}
+
+// content with the first `from` replaced.
+std::string Forged(std::string content, const std::string& from, const std::string& to) {
+  const std::size_t at = content.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return content.replace(at, from.size(), to);
+}
+
+TEST(FidelityJsonTest, RefusesWhatIsNoReport) {
+  const std::string content = EncodeFidelity(MakeTestWorld()->fidelity);
+  for (const std::string& forged :
+       {Forged(content, "\"satisfied\": 1", "\"satisfied\": 2"),
+        Forged(content, "\"layout\"", "\"terrain\""), Forged(content, "\"kind\"", "\"sort\""),
+        Forged(content, "\"satisfied\": true", "\"satisfied\": 1"),
+        Forged(content, "\"distance\": 0.0", "\"distance\": 7"), std::string("[]"),
+        std::string("{"), content.substr(0, content.size() / 2)}) {
+    const auto decoded = DecodeFidelity(forged);
+    ASSERT_FALSE(decoded.ok()) << forged;
+    EXPECT_EQ(decoded.status().code(), StatusCode::kDataLoss);
+  }
+}
+
+TEST(RepliesJsonTest, AreReadBackAsWritten) {
+  const std::vector<ModelReply> replies = MakeTestWorld()->replies;
+  const auto decoded = DecodeReplies(EncodeReplies(replies));
+  ASSERT_TRUE(decoded.ok()) << decoded.status().ToString();
+  ASSERT_EQ(decoded->size(), replies.size());
+  EXPECT_EQ((*decoded)[0].text, replies[0].text);
+  EXPECT_EQ((*decoded)[1].seconds, replies[1].seconds);
+  EXPECT_TRUE(DecodeReplies("[]")->empty());
+}
+
+TEST(RepliesJsonTest, RefusesWhatIsNoRecording) {
+  const std::string content = EncodeReplies(MakeTestWorld()->replies);
+  for (const std::string& forged :
+       {Forged(content, "\"text\"", "\"txet\""),
+        Forged(content, "\"retries\": 1", "\"retries\": -1"),
+        Forged(content, "\"prompt_tokens\": 700", "\"prompt_tokens\": \"700\""), std::string("{}"),
+        std::string("[1]")}) {
+    const auto decoded = DecodeReplies(forged);
+    ASSERT_FALSE(decoded.ok()) << forged;
+    EXPECT_EQ(decoded.status().code(), StatusCode::kDataLoss);
+  }
+}
+
+}  // namespace
+}  // namespace latticeworld

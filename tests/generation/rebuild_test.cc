@@ -1,0 +1,125 @@
+#include "latticeworld/generation/rebuild.h"
+
+#include <gtest/gtest.h>
+
+#include "generation/test_world.h"
+#include "latticeworld/generation/bundle.h"
+#include "latticeworld/generation/language_backends.h"
+#include "latticeworld/generation/world_generator.h"
+
+namespace latticeworld {
+namespace {
+
+GenerationRequest Request(const std::string& generator) {
+  GenerationRequest request;
+  request.layout_instruction = "A lake in the north.";
+  request.environment_instruction = "Two sheep graze.";
+  request.vocabulary = "suburb";
+  request.generator = generator;
+  request.seed = 7;
+  request.size_m = 64.0;
+  request.resolution_m = 1.0;
+  return request;
+}
+
+// What a model could have said: a refused layout, a legal one, an environment.
+std::vector<ModelReply> Replies() {
+  std::string layout;
+  for (int row = 0; row < kLayoutSize; ++row) {
+    layout += row < 10 ? std::string(kLayoutSize, 'W') : std::string(kLayoutSize, 'G');
+    layout += '\n';
+  }
+  EnvironmentConfig environment;
+  environment.fine = DeriveFineAttributes(environment.coarse);
+  environment.agents = {{AgentCategory::kSheep, 2, AgentState::kGrazing, Region::kLower}};
+  return {{"layout", "m", "I cannot draw.", "stop", 0, 0, 0, 0.1},
+          {"layout", "m", layout, "stop", 0, 0, 0, 0.1},
+          {"environment", "m", ToJson(environment), "stop", 0, 0, 0, 0.1}};
+}
+
+std::shared_ptr<const World> Generate(std::vector<ModelReply> replies, const std::string& by) {
+  LanguageBackends backends = MakeReplayBackends(std::move(replies));
+  WorldGenerator generator(std::move(backends.by_name), "grounded");
+  auto world = generator.Generate(Request(by), Progress());
+  EXPECT_TRUE(world.ok()) << world.status().ToString();
+  return *world;
+}
+
+TEST(RebuildTest, AWorldOfAModelIsMadeAgainWithoutTheModel) {
+  const auto world = Generate(Replies(), "remote");
+  ASSERT_EQ(world->replies.size(), 3u);
+  EXPECT_EQ(world->layout.cells(0, 0), 'W');
+  const TemporaryDirectory directory;
+  ASSERT_TRUE(SaveBundle(*world, directory.path() / "lake").ok());
+  const auto loaded = LoadBundle(directory.path() / "lake");
+  ASSERT_TRUE(loaded.ok()) << loaded.status().ToString();
+  const auto rebuilt = RebuildWorld(**loaded, Progress());
+  ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
+  ExpectSameWorld(*world, **rebuilt);
+}
+
+TEST(RebuildTest, OtherRepliesMakeAnotherWorld) {
+  std::vector<ModelReply> replies = Replies();
+  replies[1].text[0] = 'F';
+  EXPECT_NE(Generate(Replies(), "remote")->id, Generate(replies, "remote")->id);
+}
+
+TEST(RebuildTest, AWorldThatTheFallbackMadeIsMadeAgain) {
+  const auto world = Generate({}, "remote");
+  EXPECT_TRUE(world->replies.empty());
+  EXPECT_EQ(world->id, Generate({}, "grounded")->id);
+  const auto rebuilt = RebuildWorld(*world, Progress());
+  ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
+  ExpectSameWorld(*world, **rebuilt);
+}
+
+TEST(LanguageBackendsTest, RemoteIsThereOnlyWhereItIsWanted) {
+  RemoteBackendOptions options;
+  auto embedded = MakeLanguageBackends(options);
+  ASSERT_TRUE(embedded.ok());
+  EXPECT_EQ(embedded->by_name.size(), 1u);
+  EXPECT_EQ(embedded->server, nullptr);
+  options.server.url = "http://127.0.0.1:9/v1";
+  auto both = MakeLanguageBackends(options);
+  ASSERT_TRUE(both.ok()) << both.status().ToString();
+  EXPECT_EQ(both->by_name.count("remote"), 1u);
+  ASSERT_NE(both->server, nullptr);
+  EXPECT_EQ(both->server->statistics().requests, 0u);
+}
+
+TEST(LanguageBackendsTest, EveryIllegalOptionIsNamedAtOnce) {
+  RemoteBackendOptions options;
+  options.server.url = "ftp://example.org";
+  options.server.total_timeout_s = -1.0;
+  options.model.repair_turns = 99;
+  const auto backends = MakeLanguageBackends(options);
+  ASSERT_FALSE(backends.ok());
+  EXPECT_EQ(backends.status().code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(backends.status().violations().size(), 3u) << backends.status().ToString();
+}
+
+// Nobody listens on the discard port: what a setting makes of a server that cannot be had.
+TEST(LanguageBackendsTest, AServerThatCannotBeHadIsAnErrorOrTheGroundedBackEnd) {
+  RemoteBackendOptions options;
+  options.server.url = "http://127.0.0.1:9/v1";
+  options.server.model = "m";
+  options.server.max_retries = 0;
+  for (const bool fallback : {false, true}) {
+    options.fallback = fallback;
+    LanguageBackends backends = *MakeLanguageBackends(options);
+    WorldGenerator generator(std::move(backends.by_name), "remote");
+    const auto world = generator.Generate(Request(""), Progress());
+    if (!fallback) {
+      ASSERT_FALSE(world.ok());
+      EXPECT_EQ(world.status().code(), StatusCode::kUnavailable) << world.status().ToString();
+      continue;
+    }
+    ASSERT_TRUE(world.ok()) << world.status().ToString();
+    EXPECT_EQ((*world)->id, Generate({}, "grounded")->id);
+    ASSERT_FALSE((*world)->warnings.empty());
+    EXPECT_NE((*world)->warnings[0].find("grounded"), std::string::npos) << (*world)->warnings[0];
+  }
+}
+
+}  // namespace
+}  // namespace latticeworld

@@ -1,0 +1,447 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "latticeworld/common/random.h"
+#include "latticeworld/language/generator.h"
+#include "latticeworld/language/grounded/reading/claims_of_plan.h"
+#include "latticeworld/language/grounded/reading/layout_parser.h"
+#include "latticeworld/language/grounded/reading/sense.h"
+#include "latticeworld/layout/vocabulary.h"
+
+namespace latticeworld {
+namespace {
+
+const Vocabulary kSuburb = Vocabulary::kSuburb;
+const Vocabulary kWild = Vocabulary::kWild;
+
+std::string HeadingName(Claim::Heading heading) {
+  std::string name;
+  if (heading.south != 0) name += heading.south < 0 ? "N" : "S";
+  if (heading.east != 0) name += heading.east < 0 ? "W" : "E";
+  return name;
+}
+
+// "adjacent B W", "present F@upper left", "course W northern edge>southern edge", "order SRF>S",
+// "direction B W N", "absent R@eastern third", "count W 3..3", "shape R ring".
+std::string Show(const Claim& claim) {
+  std::string text(NameOf(claim.kind));
+  text += ' ';
+  if (claim.kind == ClaimKind::kOrder) {
+    return text + claim.sequence + ">" + HeadingName(claim.heading);
+  }
+  text += claim.subject;
+  if (claim.object != '\0') text += std::string(" ") + claim.object;
+  if (claim.second_object != '\0') text += std::string(" ") + claim.second_object;
+  if (claim.kind == ClaimKind::kCourse) text += " " + claim.from.name + ">" + claim.to.name;
+  if (claim.kind == ClaimKind::kDirection) text += " " + HeadingName(claim.heading);
+  if (claim.kind == ClaimKind::kShape) text += " " + std::string(NameOf(claim.shape));
+  if (claim.kind == ClaimKind::kCount) {
+    text += " " + std::to_string(static_cast<int>(claim.least)) + "..";
+    if (claim.most != Claim::kUnsaid) text += std::to_string(static_cast<int>(claim.most));
+  }
+  if (!claim.zone.is_anywhere()) text += "@" + claim.zone.name;
+  return text;
+}
+
+std::vector<std::string> Claims(const LayoutPlan& plan) {
+  std::vector<std::string> shown;
+  for (const Claim& claim : plan.claims) shown.push_back(Show(claim));
+  return shown;
+}
+
+std::string Listed(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += "\n  " + line;
+  return text;
+}
+
+struct Sample {
+  std::string instruction;
+  Vocabulary vocabulary;
+  std::vector<std::string> claims;      // each must be read
+  std::vector<std::string> wrong = {};  // none may be
+};
+
+void PrintTo(const Sample& sample, std::ostream* os) { *os << sample.instruction; }
+
+std::vector<Sample> Samples() {
+  return {
+      // Places.
+      {"A forest in the north-west.", kSuburb, {"present F@upper left"}},
+      {"woods W, lake E", kSuburb, {"present F@western third", "present W@eastern third"}},
+      {"In the upper left there is a lake and in the lower right a town.",
+       kSuburb,
+       {"present W@upper left", "present B@lower right"}},
+      {"Forest and farmland in the west, a village in the east",
+       kSuburb,
+       {"present F@western third", "present A@western third", "present B@eastern third"},
+       {"present F@eastern third"}},
+      {"a lake, a village in the center", kSuburb, {"present B@center"}, {"present W@center"}},
+      {"Woods lie in all four corners.",
+       kSuburb,
+       {"present F@north-west corner", "present F@south-east corner"}},
+      {"upper left: town. lower right: lake.",
+       kSuburb,
+       {"present B@upper left", "present W@lower right"}},
+      {"The northern lake is large.", kSuburb, {"present W@northern third", "amount W"}},
+      {"DESERT AT THE TOP, FARMLAND IN THE MIDDLE, OCEAN AT THE BOTTOM",
+       kSuburb,
+       {"present D@northern third", "present A@middle rows", "present W@southern third"}},
+      {"in the background mountains, in the foreground a lake",
+       kWild,
+       {"present R@northern third", "present W@southern third"}},
+      // Extents.
+      {"The northern half is forest.",
+       kSuburb,
+       {"dominant F@northern half", "amount F@northern half"}},
+      {"Farmland covers the southern half", kSuburb, {"dominant A@southern half"}},
+      {"half of the map is forest", kSuburb, {"amount F"}, {"dominant F"}},
+      {"Forest takes up a third of the map and the rest is grassland.",
+       kSuburb,
+       {"amount F", "rest G"}},
+      {"30 % water, 20 % forest", kSuburb, {"amount W", "amount F"}},
+      {"mostly meadow with a pond in the middle", kSuburb, {"dominant G", "present W@center"}},
+      {"the left half is woodland and the right half is cropland",
+       kSuburb,
+       {"dominant F@western half", "dominant A@eastern half"},
+       {"dominant A@western half"}},
+      {"Everything is grassland, except for a small pond at the top right.",
+       kSuburb,
+       {"dominant G", "present W@upper right"}},
+      {"forest everywhere except in the south", kSuburb, {"dominant F", "absent F@southern third"}},
+      // Counts.
+      {"three lakes", kSuburb, {"count W 3..3"}},
+      {"several ponds", kSuburb, {"count W 3.."}},
+      {"a lake", kSuburb, {"present W"}, {"count W 1..1"}},
+      {"a single lake", kSuburb, {"count W 1..1"}},
+      {"copses: four of them", kSuburb, {"count F 4..4"}},
+      {"two villages, one in the north and one in the south",
+       kSuburb,
+       {"count B 2..2", "present B@northern third", "present B@southern third"}},
+      // Shapes.
+      {"a round lake", kSuburb, {"shape W round"}},
+      {"a lake shaped like a ring", kSuburb, {"shape W ring"}},
+      {"A crescent-shaped forest lies in the east.", kSuburb, {"shape F bent"}},
+      {"a straight road from west to east",
+       kSuburb,
+       {"shape R straight", "course R western edge>eastern edge"}},
+      {"scattered houses", kSuburb, {"scattered B"}},
+      // Courses.
+      {"A river winds from the north to the south.",
+       kSuburb,
+       {"course W northern edge>southern edge", "shape W winding"}},
+      {"a road from the lower left to the upper right",
+       kSuburb,
+       {"course R south-west corner>north-east corner"}},
+      {"A river enters in the north-west and leaves in the south-east.",
+       kSuburb,
+       {"course W north-west corner>south-east corner"}},
+      {"From the north to the south runs a river.",
+       kSuburb,
+       {"course W northern edge>southern edge"}},
+      {"a creek flows from the upper left to the lower right through woodland",
+       kWild,
+       {"course W north-west corner>south-east corner", "through W F"}},
+      {"a north-south road", kSuburb, {"course R northern edge>southern edge"}},
+      {"Along the southern edge runs a road.", kSuburb, {"along R@southern edge"}},
+      {"A river crosses the map from west to east and a road crosses it from north to south.",
+       kSuburb,
+       {"course W western edge>eastern edge", "course R northern edge>southern edge",
+        "crosses R W"}},
+      {"A town and a lake. A road connects the town with the lake.", kSuburb, {"connects R B W"}},
+      {"two parallel streets from the left edge to the right edge",
+       kSuburb,
+       {"parallel R R", "course R western edge>eastern edge"}},
+      {"The forest is cut in two by a road.", kSuburb, {"through R F"}},
+      // Relations.
+      {"A village next to a lake.", kSuburb, {"adjacent B W"}},
+      {"next to the lake lies a village", kSuburb, {"adjacent B W"}},
+      {"A lake in the middle of the map is surrounded by forest.",
+       kSuburb,
+       {"present W@center", "surrounds F W"},
+       {"surrounds W F"}},
+      {"In the center there is a village; around it are fields.", kSuburb, {"surrounds A B"}},
+      {"houses on both sides of the river", kSuburb, {"both_sides B W"}},
+      {"a river with houses on both sides", kSuburb, {"both_sides B W"}},
+      {"The river is flanked by trees", kSuburb, {"both_sides F W"}},
+      {"A forest with a lake in it.", kSuburb, {"within W F"}},
+      {"a clearing in the forest", kSuburb, {"within G F"}},
+      {"an island in the lake", kSuburb, {"within G W"}},
+      {"a meadow sprinkled with ponds", kSuburb, {"within W G", "scattered W"}},
+      {"A village north of the lake.", kSuburb, {"direction B W N"}},
+      {"north of the lake there is a village", kSuburb, {"direction B W N"}},
+      {"a lake with a village to its west", kSuburb, {"direction B W W"}},
+      {"Behind the village lies a forest.", kSuburb, {"direction F B N"}},
+      {"a forest between a lake and a village", kSuburb, {"between F W B"}},
+      {"Between the village and the lake lies a forest.", kSuburb, {"between F B W"}},
+      {"A stream separates the forest from the fields.", kSuburb, {"between W F A"}},
+      {"The village is far away from the lake.", kSuburb, {"apart B W"}},
+      {"More forest than farmland, please.", kSuburb, {"more_than F A"}},
+      {"less water than forest", kSuburb, {"more_than F W"}},
+      {"Houses line the road.", kSuburb, {"along B R"}},
+      {"a road lined with trees", kSuburb, {"along F R"}},
+      {"a riverside village", kSuburb, {"adjacent B W"}},
+      {"Forest fringed with fields", kSuburb, {"adjacent A F"}},
+      // Order.
+      {"From north to south: snow, then rock, then forest",
+       kWild,
+       {"order SRF>S", "present S@northern third", "present F@southern third"}},
+      {"West to east the country climbs: water, then scrub, then timber.", kWild, {"order WBF>E"}},
+      // Denial.
+      {"No roads.", kSuburb, {"absent R"}},
+      {"without any buildings or trees", kSuburb, {"absent B", "absent F"}},
+      {"no houses in the east", kSuburb, {"absent B@eastern third"}, {"absent B"}},
+      {"a treeless plain", kSuburb, {"absent F", "present G"}},
+      {"no roads and a lake", kSuburb, {"absent R", "present W"}, {"absent W"}},
+      {"settlement: none", kSuburb, {"absent B"}},
+      {"snow only in the upper right corner", kWild, {"located S@north-east corner"}},
+      {"not a lake but a river", kSuburb, {"present W"}},
+      // Discourse.
+      {"There is a lake and there is a town. The former is in the east, the latter in the west.",
+       kSuburb,
+       {"present W@eastern third", "present B@western third"}},
+      {"Two lakes in the south, no wait, make it three.", kSuburb, {"count W 3..3"}},
+      {"A lake in the north. A village lies next to it.", kSuburb, {"adjacent B W"}},
+      {"A town in the south-west, and a forest north of the town.", kSuburb, {"direction F B N"}},
+      {"A road leads from the village to the lake; both are in the south.",
+       kSuburb,
+       {"connects R B W"}},
+      {"instead of a lake, a village in the north",
+       kSuburb,
+       {"present B@northern third"},
+       {"present W"}},
+      {"the rest is farmland. a lake in the middle.", kSuburb, {"rest A", "present W@center"}},
+      {"Lake in the north, fields everywhere else", kSuburb, {"rest A"}},
+      {"vilage in teh top rigth corner", kSuburb, {"present B@north-east corner"}},
+  };
+}
+
+class ReadingSamples : public testing::TestWithParam<Sample> {};
+
+TEST_P(ReadingSamples, ReadsTheClaims) {
+  const Sample& sample = GetParam();
+  const std::vector<std::string> claims =
+      Claims(ParseLayoutInstruction(sample.instruction, sample.vocabulary));
+  for (const std::string& claim : sample.claims) {
+    EXPECT_NE(std::find(claims.begin(), claims.end(), claim), claims.end())
+        << claim << " is not among" << Listed(claims);
+  }
+  for (const std::string& claim : sample.wrong) {
+    EXPECT_EQ(std::find(claims.begin(), claims.end(), claim), claims.end())
+        << claim << " is among" << Listed(claims);
+  }
+}
+
+// Letter case tells nothing.
+TEST_P(ReadingSamples, ReadsTheSameInCapitals) {
+  const Sample& sample = GetParam();
+  std::string capitals = sample.instruction;
+  for (char& c : capitals) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  EXPECT_EQ(Claims(ParseLayoutInstruction(sample.instruction, sample.vocabulary)),
+            Claims(ParseLayoutInstruction(capitals, sample.vocabulary)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Voices, ReadingSamples, testing::ValuesIn(Samples()));
+
+const LayoutPlan Read(const std::string& instruction, Vocabulary vocabulary = kSuburb) {
+  return ParseLayoutInstruction(instruction, vocabulary);
+}
+
+TEST(ReadingTest, SensesAreAllKnownAndSaidOnce) {
+  EXPECT_EQ(Listed(CheckSenses(SenseFile())), "");
+  EXPECT_NE(Listed(CheckSenses("nonsense: a")), "");
+  EXPECT_NE(Listed(CheckSenses("and: plus | plus")), "");
+  EXPECT_NE(Listed(CheckSenses("and: plus |")), "");
+}
+
+TEST(ReadingTest, ClaimsFollowFromThePlanAlone) {
+  const LayoutPlan plan = Read("Three lakes in the north, a village south of them, no roads.");
+  std::vector<std::string> again;
+  for (const Claim& claim : ClaimsOfPlan(plan)) again.push_back(Show(claim));
+  EXPECT_EQ(Claims(plan), again);
+}
+
+TEST(ReadingTest, EveryClaimRemembersItsWords) {
+  const std::string text = "A round lake in the north. East of it a forest, and no roads.";
+  for (const Claim& claim : Read(text).claims) {
+    ASSERT_FALSE(claim.words.empty()) << Show(claim);
+    EXPECT_NE(text.find(claim.words), std::string::npos) << claim.words;
+  }
+}
+
+TEST(ReadingTest, KeepsWhatIsNotUnderstood) {
+  EXPECT_EQ(Read("a forest with purple spaceships").not_understood,
+            std::vector<std::string>({"purple spaceships"}));
+  EXPECT_TRUE(Read("Could you please draw a forest in the north, thank you very much!")
+                  .not_understood.empty());
+}
+
+TEST(ReadingTest, WarnsOfWhatTheVocabularyLacks) {
+  const LayoutPlan plan = Read("a forest and a castle", kWild);
+  ASSERT_EQ(plan.warnings.size(), 1u);
+  EXPECT_NE(plan.warnings[0].find("castle"), std::string::npos);
+}
+
+TEST(ReadingTest, WarnsOfCorrectedSpelling) {
+  const LayoutPlan plan = Read("a vilage in the north");
+  ASSERT_EQ(plan.warnings.size(), 1u);
+  EXPECT_NE(plan.warnings[0].find("\"vilage\""), std::string::npos) << plan.warnings[0];
+  EXPECT_NE(plan.warnings[0].find("village"), std::string::npos) << plan.warnings[0];
+}
+
+TEST(ReadingTest, TheLaterOfTwoSentencesWins) {
+  const LayoutPlan denied = Read("A lake in the center. There must be no water.");
+  EXPECT_EQ(Claims(denied), std::vector<std::string>({"absent W"}));
+  ASSERT_FALSE(denied.warnings.empty());
+  EXPECT_NE(denied.warnings[0].find("lake"), std::string::npos) << denied.warnings[0];
+  const LayoutPlan moved = Read("A lake in the north. The lake is in the south.");
+  EXPECT_EQ(Claims(moved), std::vector<std::string>({"present W@southern third"}));
+}
+
+TEST(ReadingTest, WhatIsSaidAgainIsReadOnce) {
+  const std::string once = "A lake lies in the north of the map. ";
+  const LayoutPlan plan = Read(once + once + once);
+  EXPECT_EQ(Claims(plan), Claims(Read(once)));
+  EXPECT_EQ(plan.features.size(), 1u);
+  ASSERT_EQ(plan.warnings.size(), 1u);
+  EXPECT_NE(plan.warnings[0].find("A lake lies"), std::string::npos);
+}
+
+TEST(ReadingTest, BackgroundIsALetterOfTheVocabularyThatNobodyDenied) {
+  EXPECT_EQ(Read("a lake").background, 'G');
+  EXPECT_EQ(Read("a lake", kWild).background, 'B');
+  EXPECT_EQ(Read("no grass, a lake").background, 'A');
+  EXPECT_EQ(Read("The rest is forest. A lake.").background, 'F');
+  EXPECT_EQ(Read("mostly farmland").background, 'A');
+}
+
+bool IsSound(const LayoutPlan& plan) {
+  const int count = static_cast<int>(plan.features.size());
+  const auto legal = [&](int index) { return index >= 0 && index < count; };
+  bool sound = FindClass(plan.vocabulary, plan.background) != nullptr;
+  for (const PlannedFeature& feature : plan.features) {
+    sound = sound && FindClass(plan.vocabulary, feature.letter) != nullptr && feature.cells > 0;
+    for (const std::optional<Waypoint>* end : {&feature.from, &feature.to}) {
+      if (end->has_value()) sound = sound && (*end)->feature < count;
+    }
+    for (const Waypoint& via : feature.via) sound = sound && via.feature < count;
+  }
+  for (const PlannedRelation& relation : plan.relations) {
+    sound = sound && legal(relation.subject) && legal(relation.object) &&
+            relation.second_object < count;
+  }
+  for (const PlannedOrder& order : plan.orders) {
+    for (const int index : order.features) sound = sound && legal(index);
+  }
+  return sound;
+}
+
+TEST(ReadingTest, WordSaladGivesASoundPlan) {
+  const std::vector<std::string> words = {"forest",
+                                          "no",
+                                          "the",
+                                          "rest",
+                                          "is",
+                                          "lake",
+                                          "between",
+                                          "and",
+                                          "north",
+                                          "of",
+                                          "from",
+                                          "to",
+                                          "river",
+                                          "surrounded by",
+                                          "mostly",
+                                          "three",
+                                          "ponds",
+                                          ",",
+                                          ".",
+                                          "in",
+                                          "upper left",
+                                          "road",
+                                          "runs",
+                                          "through",
+                                          "connects",
+                                          "more",
+                                          "than",
+                                          "without",
+                                          "xyzzy",
+                                          "999999999",
+                                          "edges",
+                                          "snow",
+                                          "village",
+                                          "around",
+                                          "scattered",
+                                          "middle",
+                                          "'",
+                                          "-",
+                                          "(",
+                                          "everywhere",
+                                          "treeless",
+                                          "west",
+                                          "half",
+                                          "a few",
+                                          "dozen",
+                                          "next to",
+                                          "it",
+                                          "winding",
+                                          "with",
+                                          "but",
+                                          "they",
+                                          "one",
+                                          "the other",
+                                          "which",
+                                          "except",
+                                          "instead of",
+                                          "actually",
+                                          "scratch that",
+                                          "not",
+                                          "only",
+                                          "both sides of",
+                                          "its shore",
+                                          "from west to east",
+                                          "50 %",
+                                          "former",
+                                          "round",
+                                          "parallel",
+                                          "crosses",
+                                          "where",
+                                          "otherwise"};
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    RandomStream random(seed, "salad");
+    std::string text = "a";
+    const int length = random.UniformInt(1, 60);
+    for (int i = 0; i < length; ++i) {
+      text +=
+          " " +
+          words[static_cast<std::size_t>(random.UniformInt(0, static_cast<int>(words.size()) - 1))];
+    }
+    const Vocabulary vocabulary = random.Chance(0.5) ? kSuburb : kWild;
+    EXPECT_TRUE(IsSound(ParseLayoutInstruction(text, vocabulary))) << text;
+  }
+}
+
+TEST(ReadingTest, ReadsTheLongestInstructionsOnce) {
+  std::string text;
+  int number = 0;
+  while (text.size() + 60 < kMaxInstructionBytes) {
+    text += "A lake " + std::to_string(++number) + " in the north, woods, no snow and it; ";
+  }
+  EXPECT_TRUE(IsSound(Read(text)));
+  std::string noise;
+  RandomStream random(1, "noise");
+  while (noise.size() < kMaxInstructionBytes) {
+    noise += static_cast<char>(random.UniformInt(1, 126));
+  }
+  EXPECT_TRUE(IsSound(Read(noise)));
+}
+
+}  // namespace
+}  // namespace latticeworld

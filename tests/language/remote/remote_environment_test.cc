@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "language/remote/fake_chat_server.h"
+#include "latticeworld/language/remote/forms.h"
+#include "latticeworld/language/remote/remote.h"
+
+namespace latticeworld {
+namespace {
+
+class RemoteEnvironmentTest : public testing::Test {
+ protected:
+  RemoteEnvironmentTest() {
+    request_.instruction = "an autumn day, nine sheep";
+    request_.layout = &layout_;
+    request_.seed = 7;
+  }
+  Result<EnvironmentAnswer> Generate() {
+    return MakeRemoteEnvironmentGenerator(server_, {})->Generate(request_, progress_);
+  }
+
+  std::shared_ptr<FakeChatServer> server_ = std::make_shared<FakeChatServer>();
+  SymbolicLayout layout_ = ParseLayout(LegalMatrix(), Vocabulary::kSuburb).value();
+  EnvironmentRequest request_;
+  std::vector<double> fractions_;
+  Progress progress_{[this](std::string_view stage, double fraction) {
+    EXPECT_EQ(stage, "environment");
+    fractions_.push_back(fraction);
+  }};
+};
+
+TEST_F(RemoteEnvironmentTest, AsksOnceForALegalAnswer) {
+  server_->Say(LegalEnvironment());
+  const auto answer = Generate();
+  ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+  EXPECT_EQ(ToJson(answer->environment), LegalEnvironment());
+  ASSERT_EQ(answer->replies.size(), 1u);
+  EXPECT_EQ(answer->replies[0].purpose, "environment");
+  const ChatRequest& asked = server_->requests()[0];
+  EXPECT_EQ(asked.form.name, "environment");
+  EXPECT_EQ(asked.form.json_schema, EnvironmentForm().json_schema);
+  EXPECT_EQ(asked.seed, 7u);
+  EXPECT_EQ(asked.max_tokens, 4096);
+}
+
+TEST_F(RemoteEnvironmentTest, WhatTheSchemaLetThroughGoesBackToTheModel) {
+  std::string bad = LegalEnvironment();
+  bad.replace(bad.find("\"autumn\""), 8, "\"winter\"");
+  server_->Say(bad).Say(LegalEnvironment());
+  const auto answer = Generate();
+  ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+  const std::string& repair = server_->requests()[1].messages.back().text;
+  const auto parsed = ParseEnvironment(bad);
+  ASSERT_GT(parsed.status().violations().size(), 1u);
+  for (const Violation& violation : parsed.status().violations()) {
+    EXPECT_NE(repair.find("- " + violation.pointer + ": " + violation.message), std::string::npos)
+        << violation.message;
+  }
+}
+
+TEST_F(RemoteEnvironmentTest, GivesUpWithDataLoss) {
+  server_->Say("{}").Say("{}").Say("{\"coarse\": 1}");
+  const auto answer = Generate();
+  EXPECT_EQ(answer.status().code(), StatusCode::kDataLoss);
+  EXPECT_EQ(answer.status().violations().size(), 3u) << answer.status().ToString();
+}
+
+TEST_F(RemoteEnvironmentTest, ProgressGrowsAndStaysBelowTheEnd) {
+  server_->Say(LegalEnvironment() + std::string(5000, '-'));
+  ASSERT_TRUE(Generate().ok());
+  ASSERT_GT(fractions_.size(), 10u);
+  for (std::size_t i = 1; i < fractions_.size(); ++i) EXPECT_GT(fractions_[i], fractions_[i - 1]);
+  EXPECT_LT(fractions_.back(), 1.0);
+}
+
+TEST_F(RemoteEnvironmentTest, AnInvalidRequestIsNotSent) {
+  request_.layout = nullptr;
+  EXPECT_EQ(Generate().status().code(), StatusCode::kInvalidArgument);
+  EXPECT_TRUE(server_->requests().empty());
+}
+
+}  // namespace
+}  // namespace latticeworld

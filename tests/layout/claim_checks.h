@@ -1,0 +1,27 @@
+#ifndef LATTICEWORLD_TESTS_LAYOUT_CLAIM_CHECKS_H_
+#define LATTICEWORLD_TESTS_LAYOUT_CLAIM_CHECKS_H_
+
+#include <string>
+
+#include "latticeworld/layout/claims.h"
+
+namespace latticeworld {
+
+// A claim about one class, in a zone with a name.
+Claim About(ClaimKind kind, char subject, const std::string& zone = "anywhere");
+// A claim about two classes, or three.
+Claim About(ClaimKind kind, char subject, char object, char second_object = '\0');
+Claim WithBounds(Claim claim, double least, double most = Claim::kUnsaid);
+Claim Course(char subject, const std::string& from, const std::string& to);
+Claim Directed(ClaimKind kind, char subject, char object, Claim::Heading heading);
+Claim Shaped(char subject, ClaimShape shape);
+
+// Measured, with what is true of every measure checked: words, range, and that a search sees the
+// same distance.
+ClaimMeasure Measured(const Claim& claim, const SymbolicLayout& layout);
+bool Holds(const Claim& claim, const SymbolicLayout& layout);
+double Distance(const Claim& claim, const SymbolicLayout& layout);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_TESTS_LAYOUT_CLAIM_CHECKS_H_
