@@ -114,5 +114,16 @@ TEST(MatchersTest, TakeAnyText) {
   }
 }
 
+// A place within a place within a place ... is given up, however deep it goes.
+TEST(MatchersTest, NestedPlacesEndBeforeTheStackDoes) {
+  for (const char* nested : {"between ", "halfway between ", "the north of the middle of ",
+                             "a strip along ", "just north of "}) {
+    std::string text;
+    for (int i = 0; i < 200000; ++i) text += nested;
+    const std::vector<Token> tokens = Tokenize(text);
+    EXPECT_LT(MatchPlace(tokens, 0).tokens, 100u) << nested;
+  }
+}
+
 }  // namespace
 }  // namespace latticeworld

@@ -191,7 +191,9 @@ ReadPlace TakePlace(PlaceCursor* cursor, int depth) {
     cursor->set_at(start);
     return false;
   };
-  if (attempt(start, [&] { return TakeBetween(cursor, depth - 1, &read); })) return read;
+  if (depth > 0 && attempt(start, [&] { return TakeBetween(cursor, depth - 1, &read); })) {
+    return read;
+  }
   if (attempt(start, [&] { return TakeBesideCenter(cursor, &read); })) return read;
   if (depth > 0 && attempt(start, [&] { return TakeBand(cursor, depth - 1, &read); })) return read;
 
