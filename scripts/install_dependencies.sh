@@ -11,7 +11,7 @@ packages=(
   libbenchmark-dev libeigen3-dev libgtest-dev libode-dev liboctomap-dev libopencv-dev libssl-dev
   libcli11-dev libcurl4-openssl-dev nlohmann-json3-dev zlib1g-dev
   # testing the language back ends against real peers
-  nodejs npm openssl python3-numpy
+  openssl python3-numpy
   # ROS: building
   catkin ros-message-generation ros-message-runtime
   libactionlib-dev libactionlib-msgs-dev libdiagnostic-msgs-dev libgeometry-msgs-dev
@@ -33,6 +33,9 @@ for package in "${packages[@]}"; do
   state=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
   [ "$state" = installed ] || missing+=("$package")
 done
+# Node may well come from elsewhere than Debian, whose own packages would then be in conflict.
+command -v node >/dev/null || missing+=(nodejs)
+command -v npm >/dev/null || missing+=(npm)
 [ ${#missing[@]} -gt 0 ] || exit 0
 
 echo "installing ${#missing[@]} Debian packages: ${missing[*]}"
