@@ -291,6 +291,14 @@ AxisMatch MatchAxis(const std::vector<Token>& tokens, std::size_t at) {
     // One word, or two for a diagonal: read alone, so that an opposite after it does not matter.
     Heading heading;
     if (i + count > tokens.size()) return heading;
+    const std::string_view word = tokens[i].text;
+    const bool between = (i > 0 && IsOneOf(tokens[i - 1].text, {"to"})) ||
+                         (i + 1 < tokens.size() && tokens[i + 1].text == "to");
+    if (count == 1 && between) {
+      // "from up to down", "front to back"
+      if (IsOneOf(word, {"up", "above", "back", "rear"})) return Heading{0, -1};
+      if (IsOneOf(word, {"down", "below", "front"})) return Heading{0, 1};
+    }
     const std::vector<Token> words(tokens.begin() + static_cast<std::ptrdiff_t>(i),
                                    tokens.begin() + static_cast<std::ptrdiff_t>(i + count));
     PlaceCursor cursor(words, 0);

@@ -229,6 +229,10 @@ class Chunker {
         EmitPronoun(Head::kOne, at, std::move(phrase));
         return true;
       }
+      if (IsAnotherAlone(at) && unknown.empty()) {
+        EmitPronoun(Head::kAnother, at, std::move(phrase));
+        return true;
+      }
       if (lexeme.kind == LexemeKind::kUnknown) {
         if (static_cast<int>(unknown.size()) >= kMaxUnknown) return false;
         unknown.push_back(at);
@@ -293,10 +297,16 @@ class Chunker {
   // "one in the north", "one by the lake": one of what was named.
   bool IsOneAlone(std::size_t at) const {
     const Lexeme& lexeme = lexemes_[at];
-    if (lexeme.kind != LexemeKind::kCount || lexeme.last != lexeme.first + 1 ||
-        tokens_[lexeme.first].text != "one" || at + 1 >= lexemes_.size()) {
-      return false;
-    }
+    return lexeme.kind == LexemeKind::kCount && lexeme.last == lexeme.first + 1 &&
+           tokens_[lexeme.first].text == "one" && StandsAlone(at);
+  }
+  // "another in the south", "a second one along the edge": one more of what was named.
+  bool IsAnotherAlone(std::size_t at) const {
+    return SenseAt(at, Sense::kAnother) && StandsAlone(at);
+  }
+  // Words that a thing is placed with follow, and no noun.
+  bool StandsAlone(std::size_t at) const {
+    if (at + 1 >= lexemes_.size()) return false;
     const Lexeme& next = lexemes_[at + 1];
     if (next.kind == LexemeKind::kPlace) return !IsAdjectivePlace(at + 1);
     if (next.kind == LexemeKind::kDirection) return true;
@@ -391,10 +401,14 @@ class Chunker {
         (lexemes_[last - 1].noun->suburb == lexemes_[last + 1].noun->suburb ||
          lexemes_[last - 1].noun->shape == WordShape::kMass)) {
       phrase->plural = lexemes_[last - 1].plural;
+      // "a ditch of water", "ribbons of road": the line tells more.
+      const bool line = lexemes_[last - 1].noun->shape == WordShape::kLine &&
+                        lexemes_[last - 1].noun->suburb == lexemes_[last + 1].noun->suburb;
+      if (line) phrase->noun = lexemes_[last - 1].noun;
       last += 2;
     }
     const Lexeme& head = lexemes_[last - 1];
-    phrase->noun = head.noun;
+    if (phrase->noun == nullptr) phrase->noun = head.noun;
     phrase->plural = phrase->plural || head.plural;
     for (const std::size_t i : unknown) AddUnread(i);
     Chunk chunk;

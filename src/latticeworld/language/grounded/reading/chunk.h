@@ -49,6 +49,7 @@ enum class Head {
   kLatter,
   kOne,
   kOther,
+  kAnother,
   kFirst,
   kShore,  // of the water that was spoken of
 };

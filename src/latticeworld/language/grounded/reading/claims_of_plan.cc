@@ -264,6 +264,18 @@ class ClaimMaker {
     return true;
   }
 
+  // Whether all features of the subject's class are tied to the object in the same way.
+  bool AllOfClass(const PlannedRelation& relation) const {
+    int tied = 0;
+    for (const PlannedRelation& other : plan_.relations) {
+      const bool same = other.kind == relation.kind && other.object == relation.object &&
+                        other.heading == relation.heading &&
+                        At(other.subject).letter == At(relation.subject).letter;
+      if (same) ++tied;
+    }
+    return tied == FeaturesOf(At(relation.subject).letter);
+  }
+
   void ClaimRelation(const PlannedRelation& relation) {
     const PlannedFeature& subject = At(relation.subject);
     const PlannedFeature& object = At(relation.object);
@@ -303,7 +315,8 @@ class ClaimMaker {
         relation.kind == RelationKind::kDirection || relation.kind == RelationKind::kApart ||
         relation.kind == RelationKind::kWithin || relation.kind == RelationKind::kAlong ||
         relation.kind == RelationKind::kSurrounds;
-    const bool told = Tell(subject, &claim.zone) && Tell(object, &claim.object_zone);
+    const bool told =
+        (Tell(subject, &claim.zone) || AllOfClass(relation)) && Tell(object, &claim.object_zone);
     if (for_all && !told) return;
     if (!told) {
       claim.zone = Zone();

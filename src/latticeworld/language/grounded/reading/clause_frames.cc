@@ -39,6 +39,16 @@ void ClauseReader::Open(Frame frame) {
     frame_->expecting = true;
     return;
   }
+  // "connects the village to the northern edge"
+  const bool from_object = (sense == Sense::kTo || sense == Sense::kWith) && frame_.has_value() &&
+                           frame_->sense == Sense::kConnects && frame_->objects.size() == 1 &&
+                           !frame_->fronted && IsKind(at_ + 1, ChunkKind::kPlace);
+  if (from_object) {
+    Frame start = *frame_;
+    start.sense = Sense::kFrom;
+    frame_.reset();
+    for (const int subject : start.subjects) Assert(start, subject, &d_);
+  }
   frame.negated = not_next_ && !IsCourse(sense);
   not_next_ = false;
   // "Link them by a footpath": what does it comes last.
@@ -59,12 +69,13 @@ void ClauseReader::Open(Frame frame) {
   } else {
     CloseFrame();
   }
-  const bool after_break = at_ == sentence_start_ || IsKind(at_ - 1, ChunkKind::kComma) ||
-                           IsSense(at_ - 1, Sense::kAnd) || IsSense(at_ - 1, Sense::kThen) ||
-                           IsSense(at_ - 1, Sense::kBut) || IsSense(at_ - 1, Sense::kBreak) ||
-                           (IsSense(at_ - 1, Sense::kIn) && at_ > 1 &&
-                            (IsKind(at_ - 2, ChunkKind::kComma) || IsSense(at_ - 2, Sense::kAnd) ||
-                             at_ - 1 == sentence_start_));
+  const bool after_break =
+      at_ == sentence_start_ || IsKind(at_ - 1, ChunkKind::kComma) ||
+      IsSense(at_ - 1, Sense::kAnd) || IsSense(at_ - 1, Sense::kThen) ||
+      IsSense(at_ - 1, Sense::kBut) || IsSense(at_ - 1, Sense::kBreak) ||
+      ((IsSense(at_ - 1, Sense::kIn) || IsSense(at_ - 1, Sense::kTo)) && at_ > 1 &&
+       (IsKind(at_ - 2, ChunkKind::kComma) || IsSense(at_ - 2, Sense::kAnd) ||
+        at_ - 1 == sentence_start_));
   const bool leads = Fronts(at_);
   const bool may_lead =
       leads || frame.of_it || IsCourse(sense) || sense == Sense::kBetween || !IsPhrase(at_ + 1);
@@ -79,6 +90,8 @@ void ClauseReader::Open(Frame frame) {
     if (frame.of_it) {
       frame.objects = Own(frame, {});
       frame.expecting = false;
+      frame_ = frame;
+      if (const int same = SameObject(); same >= 0) frame.objects = {same};
     }
     // "no trees near the lake": it is not that there are none.
     if (!absences_.empty() && !frame.of_it) {
@@ -153,6 +166,12 @@ void ClauseReader::CloseFrame() {
       LineOf(frame.subjects) >= 0 &&
       (frame.subjects.size() > 1 || d_.feature(frame.subjects[0]).pieces > 1)) {
     AssertEachOther(frame, &d_);
+    return;
+  }
+  if (frame.sense == Sense::kDominates) {
+    for (const int index : frame.subjects) {
+      if (!IsLine(index)) d_.feature(index).dominant = true;
+    }
     return;
   }
   if (!MayLackObject(frame.sense) || frame.subjects.empty()) return;

@@ -33,6 +33,15 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
     ReadMap(chunk);
     return;
   }
+  // "none of them touching the border"
+  const bool none_of_them =
+      phrase.head == Head::kThey && (phrase.negated || zero || phrase.qualities.none);
+  if (none_of_them) {
+    BeginClause();
+    subjects_ = d_.Antecedent({}, /*many=*/true);
+    not_next_ = true;
+    return;
+  }
   // "copses: four of them"
   if (phrase.head == Head::kThey && phrase.qualities.count.has_value()) {
     std::vector<int> about = subjects_;

@@ -144,6 +144,13 @@ void ClauseReader::Lead_(const std::vector<Zone>& zones, const Chunk& chunk) {
   lead_.begin = chunk.begin;
 }
 
+// "water across the whole foreground": no lake, but as much as there is room.
+bool ClauseReader::IsUncounted(int index) const {
+  const std::string_view noun = d_.thing(index).noun->phrase;
+  return d_.feature(index).form == FeatureForm::kPatch && d_.feature(index).pieces == 0 &&
+         (noun == "water" || noun == "open water" || noun == "sea" || noun == "ocean");
+}
+
 void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chunk& chunk) {
   if (subjects_.empty()) {
     // "no houses in the east"
@@ -227,9 +234,10 @@ void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chu
       d_.AddZones(index, zones);
     }
     if (confining_) feature.confined = true;
-    const bool fills = extent && feature.pieces_least == 0 && feature.texture == Texture::kUnsaid &&
-                       !feature.share.has_value() && owners.size() == 1 && !confining_ &&
-                       (feature.form == FeatureForm::kSpread || (feature.letter == 'A'));
+    const bool fills =
+        extent && feature.pieces_least == 0 && feature.texture == Texture::kUnsaid &&
+        !feature.share.has_value() && owners.size() == 1 && !confining_ &&
+        (feature.form == FeatureForm::kSpread || feature.letter == 'A' || IsUncounted(index));
     if (fills) {
       // "vineyards on the left half": as many as fill it.
       feature.dominant = true;
@@ -242,8 +250,33 @@ void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chu
   open_list_ = false;
 }
 
+// "houses on its west bank, on the other bank fields": away from the houses.
+bool ClauseReader::ReadOppositeOf() {
+  const std::vector<PlannedRelation>& relations = d_.plan().relations;
+  for (std::size_t r = relations.size(); r-- > 0;) {
+    const PlannedRelation& known = relations[r];
+    if (known.kind != RelationKind::kDirection || !IsLine(known.object)) continue;
+    if (!d_.feature(known.subject).zones.empty()) continue;
+    Frame frame;
+    frame.is_direction = true;
+    frame.heading = {-known.heading.east, -known.heading.south};
+    frame.objects = {known.object};
+    frame.expecting = false;
+    if (ThingFollows(at_ + 1, true)) {
+      if (!subjects_.empty()) BeginClause();
+      frame.fronted = true;
+      frame_ = std::move(frame);
+    } else {
+      for (const int subject : subjects_) Assert(frame, subject, &d_);
+    }
+    return true;
+  }
+  return false;
+}
+
 // "a lake on the left and on the other side a village"
 void ClauseReader::ReadOtherSide(const Chunk& chunk) {
+  if (ReadOppositeOf()) return;
   for (int i = d_.size() - 1; i >= 0; --i) {
     if (d_.thing(i).dropped || d_.feature(i).zones.size() != 1) continue;
     const Heading there = HeadingOf(RegionOf(d_.feature(i).zones.front()));

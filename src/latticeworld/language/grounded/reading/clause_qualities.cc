@@ -37,6 +37,11 @@ void ClauseReader::ReadQualities(const Chunk& chunk) {
     return;
   }
   std::size_t next = at_ + 1;
+  // "Lots of trees, please! At least half.": of what was spoken of.
+  if (at_ == sentence_start_ && subjects_.empty() && lead_.empty() && EndsAt(next)) {
+    for (const int index : d_.Antecedent({}, /*many=*/false)) d_.Describe(said, index);
+    return;
+  }
   if (subjects_.empty() || IsSense(next, Sense::kCoveredBy) || IsSense(next, Sense::kDominatedBy)) {
     if (said.share.has_value() && said.share->mostly && !said.share->fraction) {
       mostly_next_ = true;

@@ -96,6 +96,7 @@ void ClauseReader::ReadComma() {
               !chunks_[at_ + 1].phrase.qualities.count;
   not_next_ = skip_next_ = false;
   if (ordering_ || negating_) return;
+  if (frame_.has_value() && frame_->sense == Sense::kDominates && frame_->expecting) CloseFrame();
   if (IsPhrase(at_ + 1)) {
     const bool list = frame_.has_value() && !frame_->fronted && !frame_->objects.empty() &&
                       TakesList(frame_->sense) && IsBareList(at_ + 1);
@@ -122,6 +123,17 @@ void ClauseReader::ReadComma() {
   }
 }
 
+// "cabins among the trees and one small lake": what is known and what is new are no one list.
+bool ClauseReader::StartsAnew(std::size_t next) const {
+  const NounPhrase& phrase = chunks_[next].phrase;
+  const bool fresh = phrase.indefinite || phrase.qualities.count.has_value();
+  if (!fresh || !IsPhrase(at_ - 1) || TakesList(frame_->sense) || IsCourse(frame_->sense)) {
+    return false;
+  }
+  const NounPhrase& known = chunks_[at_ - 1].phrase;
+  return known.definite || known.noun == nullptr;
+}
+
 void ClauseReader::ReadAnd(bool is_or) {
   const std::size_t next = at_ + 1;
   if (negating_) {
@@ -133,6 +145,7 @@ void ClauseReader::ReadAnd(bool is_or) {
   }
   if (ordering_) return;
   if (comparing_) return;
+  if (frame_.has_value() && frame_->sense == Sense::kDominates && frame_->expecting) CloseFrame();
   if (IsPhrase(next)) {
     if (frame_.has_value() && frame_->expecting && frame_->objects.empty()) return;
     if (paused_.has_value()) {
@@ -149,7 +162,7 @@ void ClauseReader::ReadAnd(bool is_or) {
       }
       const bool goes_on =
           EndsAt(next + 1) || IsKind(next + 1, ChunkKind::kComma) || IsSense(next + 1, Sense::kAnd);
-      if (frame_->fronted || (goes_on && (TakesList(frame_->sense) || IsPhrase(next)))) {
+      if (frame_->fronted || (goes_on && !StartsAnew(next))) {
         frame_->expecting = true;
         return;
       }

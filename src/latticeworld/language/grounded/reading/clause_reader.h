@@ -42,12 +42,15 @@ class ClauseReader {
   void ReadSense(const Chunk& chunk);
   void ReadComma();
   void ReadAnd(bool is_or);
+  bool StartsAnew(std::size_t next) const;
 
   // Noun phrases.
   void ReadMap(const Chunk& chunk);
   void ReadRest(const Chunk& chunk);
   void ReadAbsence(const Chunk& chunk);
   std::vector<int> Refer(const Chunk& chunk);
+  std::vector<int> OneMore(const Chunk& chunk);
+  int SameObject() const;
   void Place_(int index, const Chunk& chunk);
   void TakeSubjects(const std::vector<int>& found, bool is_new, const Chunk& chunk);
   void TakeObjects(const std::vector<int>& found);
@@ -56,13 +59,16 @@ class ClauseReader {
   void Beside(int index, Sense beside);
 
   // Places.
+  bool IsUncounted(int index) const;
   void Attach(const std::vector<Zone>& zones, bool extent, const Chunk& chunk);
   void Lead_(const std::vector<Zone>& zones, const Chunk& chunk);
   bool TakeEndZone(const std::vector<Zone>& zones);
   void Deny(char letter, const std::vector<Zone>& zones, const Chunk& chunk);
+  void DenyAround(char letter, const Chunk& chunk);
 
   // Frames.
   void ReadOtherSide(const Chunk& chunk);
+  bool ReadOppositeOf();
   void ReadInsideRing();
   void ReadBridge(const Chunk& chunk);
   std::vector<int> Own(const Frame& frame, const std::vector<int>& subjects) const;

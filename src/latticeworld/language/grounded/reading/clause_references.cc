@@ -14,6 +14,7 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
   if (phrase.noun == nullptr) {
     switch (phrase.head) {
       case Head::kIt:
+        if (const int same = SameObject(); same >= 0) return {same};
         return d_.Antecedent(about, /*many=*/false);
       case Head::kThey:
         return d_.Antecedent(about, /*many=*/true);
@@ -33,6 +34,8 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
         const std::vector<int> two = d_.LastTwo({});
         return two.empty() ? two : std::vector<int>{two[0]};
       }
+      case Head::kAnother:
+        return OneMore(chunk);
       case Head::kOne:
       case Head::kOther: {
         const int model = d_.LastMentioned();
@@ -145,6 +148,39 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
       phrase.qualities.beside != Sense::kNone ? phrase.qualities.beside : BesideOf(*phrase.noun);
   if (beside != Sense::kNone && d_.feature(created).letter != 'W') Beside(created, beside);
   return {created};
+}
+
+// "A river. North of it lies a forest. South of it lie fields.": of the river both times; -1: not
+// so.
+int ClauseReader::SameObject() const {
+  if (!frame_.has_value() || !frame_->fronted || d_.plan().relations.empty()) return -1;
+  const PlannedRelation& last = d_.plan().relations.back();
+  Heading heading = frame_->heading;
+  if (frame_->sense == Sense::kAbove || frame_->sense == Sense::kBehind) heading = {0, -1};
+  if (frame_->sense == Sense::kBelow || frame_->sense == Sense::kInFront) heading = {0, 1};
+  const bool opposite = last.kind == RelationKind::kDirection &&
+                        (heading.east != 0 || heading.south != 0) &&
+                        last.heading.east == -heading.east && last.heading.south == -heading.south;
+  return opposite ? last.object : -1;
+}
+
+// "a village in the north and another in the south"; "two lakes, one here, another there".
+std::vector<int> ClauseReader::OneMore(const Chunk& chunk) {
+  int model = LastSubject();
+  if (model < 0) model = d_.LastMentioned();
+  if (model < 0) return {};
+  for (int i = d_.size() - 1; i >= 0; --i) {
+    const bool alike = d_.thing(i).noun == d_.thing(model).noun && !d_.thing(i).dropped;
+    if (alike && d_.feature(i).pieces > 1 && d_.feature(i).pieces_least > 0) {
+      return {d_.SplitOff(i)};
+    }
+  }
+  if (split_ >= 0) return {std::exchange(split_, -1)};
+  NounPhrase like = chunk.phrase;
+  like.head = Head::kThing;
+  like.noun = d_.thing(model).noun;
+  const int created = d_.Create(like, chunk.begin, chunk.end);
+  return created < 0 ? std::vector<int>() : std::vector<int>{created};
 }
 
 // Land that lies in water; in the lake that was spoken of.

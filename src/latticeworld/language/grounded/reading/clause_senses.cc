@@ -192,11 +192,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
                           : sense == Sense::kUnbuilt   ? (wild ? '\0' : 'B')
                           : sense == Sense::kUnfarmed  ? (wild ? '\0' : 'A')
                                                        : (wild ? 'S' : '\0');
-      if (letter != '\0') {
-        const std::vector<std::size_t> focus = absences_;
-        Deny(letter, lead_.zones, chunk);
-        absences_ = focus;
-      }
+      if (letter != '\0') DenyAround(letter, chunk);
       break;
     }
     case Sense::kTravel: {
@@ -320,7 +316,13 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     case Sense::kBands:
     case Sense::kLand:
     case Sense::kNoOther:
-      if (sense == Sense::kNoOther && IsThing(at_ + 1)) skip_next_ = true;
+      if (sense == Sense::kNoOther) {
+        if (IsThing(at_ + 1)) {
+          skip_next_ = true;
+        } else {
+          d_.AllIsSaid();
+        }
+      }
       if (sense == Sense::kLand && comparing_ && !subjects_.empty()) {
         d_.feature(subjects_.back()).share = 0.58;
         d_.feature(subjects_.back()).share_least = 0.5;
@@ -338,6 +340,20 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       OpenSense(sense, chunk.lexeme.of_it);
       break;
   }
+}
+
+// "a treeless plain": where the plain is, if there are trees elsewhere.
+void ClauseReader::DenyAround(char letter, const Chunk& chunk) {
+  std::vector<Zone> zones = lead_.zones;
+  bool asked = false;
+  for (int i = 0; i < d_.size(); ++i) {
+    asked = asked || (!d_.thing(i).dropped && d_.feature(i).letter == letter);
+  }
+  if (asked && zones.empty() && !subjects_.empty()) zones = d_.feature(LastSubject()).zones;
+  if (asked && zones.empty()) return;
+  const std::vector<std::size_t> focus = absences_;
+  Deny(letter, zones, chunk);
+  absences_ = focus;
 }
 
 // A bridge takes a road over the river that was spoken of, or that comes.

@@ -28,6 +28,15 @@ bool EndsWith(std::string_view phrase, std::string_view end) {
   return phrase.size() >= end.size() && phrase.substr(phrase.size() - end.size()) == end;
 }
 
+// A word for one of the many small things that a class is made of.
+bool IsCrowd(const ClassWord& noun) {
+  for (const std::string_view one : {"tree", "trees", "bush", "bushes", "shrub", "shrubs", "rock",
+                                     "rocks", "stone", "stones", "boulder", "boulders"}) {
+    if (EndsWith(noun.phrase, one)) return true;
+  }
+  return false;
+}
+
 // Whether "the settlement" may be the village, "the sea" the lake: where the words differ, one of
 // them must be a general one or a part of the other ("market town", "town").
 bool MayMean(const ClassWord& word, const ClassWord& known) {
@@ -110,6 +119,9 @@ int Discourse::Create(const NounPhrase& phrase, std::size_t begin, std::size_t e
 void Discourse::Describe(const Qualities& said, int index) {
   PlannedFeature& feature = this->feature(index);
   const bool of_mass = feature.form == FeatureForm::kSpread;
+  // "many trees": much of it, not so many woods.
+  const bool crowd = of_mass && said.count.has_value() && said.count->least == 4 &&
+                     said.count->most == CountMatch::kUnbounded && IsCrowd(*thing(index).noun);
   const bool vague = said.count.has_value() && said.count->least <= 3 && said.count->most <= 7 &&
                      said.count->most > said.count->least;
   if (of_mass && vague && said.count->most != 1) {
@@ -117,6 +129,8 @@ void Discourse::Describe(const Qualities& said, int index) {
     feature.share = 0.06;
     feature.share_least = 0.002;
     feature.share_most = 0.25;
+  } else if (crowd) {
+    feature.cells *= 2;
   } else if (said.count.has_value()) {
     const CountMatch& count = *said.count;
     feature.pieces_least = std::min(std::max(1, count.least), kMaxPieces);
@@ -463,10 +477,24 @@ void Discourse::SettleIslands() {
   }
 }
 
+// "a river and jungle, nothing else": what spreads, if it is one thing, takes all the land.
+void Discourse::SettleRest() {
+  if (!all_is_said_) return;
+  int land = -1;
+  for (int i = 0; i < size(); ++i) {
+    const PlannedFeature& feature = this->feature(i);
+    if (thing(i).dropped || feature.form != FeatureForm::kSpread) continue;
+    if (land >= 0 || !feature.zones.empty() || feature.share.has_value()) return;
+    land = i;
+  }
+  if (land >= 0) feature(land).fills_rest = true;
+}
+
 LayoutPlan Discourse::Finish() {
   SettleDenials();
   SettleIslands();
   WidenMiddles();
+  SettleRest();
   std::vector<int> moved(things_.size(), -1);
   std::vector<PlannedFeature> features;
   for (int i = 0; i < size(); ++i) {

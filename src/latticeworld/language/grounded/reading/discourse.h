@@ -58,7 +58,8 @@ class Discourse {
   void Relate(PlannedRelation relation);    // without words: from the one to the other
   void Drop(int index);
   void Deny(PlannedAbsence absence);
-  void TakeBackDenial();  // the last one
+  void TakeBackDenial();                     // the last one
+  void AllIsSaid() { all_is_said_ = true; }  // "nothing else"
 
   PlannedFeature& feature(int index) { return plan_.features[static_cast<std::size_t>(index)]; }
   const PlannedFeature& feature(int index) const {
@@ -80,6 +81,7 @@ class Discourse {
   void WidenMiddles();
   void SettleDenials();
   void SettleIslands();
+  void SettleRest();
   bool Matches(const NounPhrase& phrase, int index) const;
 
   std::string_view instruction_;
@@ -90,6 +92,7 @@ class Discourse {
   std::vector<int> named_before_denial_;  // by absence: how many features
   int sentence_ = 0;
   bool full_ = false;
+  bool all_is_said_ = false;
 };
 
 }  // namespace latticeworld

@@ -210,6 +210,13 @@ class Lexer {
     for (std::size_t i = lexeme->first; i < lexeme->first + match.tokens; ++i) {
       lexeme->of_it = lexeme->of_it || IsWord(tokens_, i, {"its", "their", "whose"});
     }
+    // "below that", "beneath it"
+    const bool sided = match.sense == Sense::kBelow || match.sense == Sense::kAbove ||
+                       match.sense == Sense::kBehind || match.sense == Sense::kInFront;
+    if (sided && match.tokens > 1) {
+      lexeme->of_it = lexeme->of_it ||
+                      IsWord(tokens_, lexeme->first + match.tokens - 1, {"it", "that", "them"});
+    }
   }
 
   void ReadAdjective(Lexeme* lexeme) {

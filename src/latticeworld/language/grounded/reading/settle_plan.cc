@@ -30,11 +30,12 @@ char OpenGround(const LayoutPlan& plan) {
   return order.front();
 }
 
-// "a desert with an oasis": what holds the rest and is the only land that spreads.
+// "a desert with an oasis", "a river through the jungle": what holds the rest and is the only land
+// that spreads.
 char Host(const LayoutPlan& plan) {
   char host = '\0';
   for (const PlannedRelation& relation : plan.relations) {
-    if (relation.kind != RelationKind::kWithin) continue;
+    if (relation.kind != RelationKind::kWithin && relation.kind != RelationKind::kThrough) continue;
     const PlannedFeature& land = plan.features[static_cast<std::size_t>(relation.object)];
     if (land.form == FeatureForm::kSpread && land.letter != 'W' && land.zones.empty() &&
         !land.share.has_value() && land.texture == Texture::kUnsaid) {
