@@ -124,7 +124,25 @@ bool SpellingDictionary::Knows(std::string_view word) const {
   return false;
 }
 
+std::optional<std::string_view> SpellingDictionary::Undoubled(std::string_view word) const {
+  const auto ends = [&](std::string_view end) {
+    return word.size() > end.size() && word.substr(word.size() - end.size()) == end;
+  };
+  // "hopping" and "hoping" are both words.
+  if (word.size() <= kMinEditLength || ends("ing") || ends("ed") || Has(word)) return std::nullopt;
+  for (std::size_t i = 1; i < word.size(); ++i) {
+    if (word[i] != word[i - 1]) continue;
+    std::string once(word);
+    once.erase(i, 1);
+    const auto found = std::lower_bound(words_.begin(), words_.end(), once);
+    if (found != words_.end() && *found == once) return std::string_view(*found);
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string_view> SpellingDictionary::Correct(std::string_view word) const {
+  // "forrest" is no superlative of "for".
+  if (const auto undoubled = Undoubled(word); undoubled.has_value()) return undoubled;
   if (word.size() < kMinLength || word.size() > kMaxLength || Knows(word)) return std::nullopt;
   const int limit = word.size() >= kMinDoubleLength ? 2 : 1;
   // The distance, and among words one edit away the rank of that edit.

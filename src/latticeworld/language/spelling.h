@@ -35,6 +35,9 @@ class SpellingDictionary {
  private:
   bool Has(std::string_view word) const { return all_.count(word) > 0; }
 
+  // A word with one letter doubled by mistake.
+  std::optional<std::string_view> Undoubled(std::string_view word) const;
+
   std::vector<std::string> words_;  // sorted
   std::vector<std::string> known_;
   std::unordered_set<std::string_view> all_;

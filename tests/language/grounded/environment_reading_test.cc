@@ -108,6 +108,17 @@ INSTANTIATE_TEST_SUITE_P(
         {"one knight in each corner",
          "1 ancient warrior patrolling upper left; 1 ancient warrior patrolling upper right; "
          "1 ancient warrior patrolling lower left; 1 ancient warrior patrolling lower right; "},
+        {"Three knights and two goblins. The former sleep in the east, the latter walk in the "
+         "west.",
+         "3 ancient warrior idle middle right; 2 goblin patrolling middle left; "},
+        {"Four knights in the north, six goblins in the south, all asleep.",
+         "4 ancient warrior idle upper; 6 goblin idle lower; "},
+        {"25 agents: 20 sheep in the west and the rest are goblins.",
+         "20 sheep grazing middle left; 5 goblin patrolling anywhere; "},
+        {"A rover - a robot - waits in the east.", "1 wheeled robot idle middle right; "},
+        {"A goblin gathering near the village, nine of them sleeping.", "9 goblin idle center; "},
+        {"In the north stands a knight, in the south another.",
+         "1 ancient warrior idle upper; 1 ancient warrior idle lower; "},
     }));
 
 INSTANTIATE_TEST_SUITE_P(
@@ -128,6 +139,13 @@ INSTANTIATE_TEST_SUITE_P(
         {"robots fly over the village", "3 aerial robot flying center; "},
         {"the statue of a knight and the eagle's nest", ""},
         {"The goblins do not attack, they sleep.", "3 goblin idle anywhere; "},
+        {"No sheep in the village, but two knights stand there.",
+         "2 ancient warrior idle center; "},
+        {"3 goblins attacking @ village", "3 goblin attacking center; "},
+        {"Two robots on wheels wait by the lake.", "2 wheeled robot idle upper left; "},
+        {"a sheepdog robot in the fields", "1 robotic dog patrolling upper right; "},
+        {"a pack mule by the road", "1 horse grazing lower left; "},
+        {"drone footage of three horses", "3 horse grazing anywhere; "},
     }));
 
 struct CoarseSample {
@@ -176,6 +194,9 @@ INSTANTIATE_TEST_SUITE_P(Voices, CoarseVoices,
                              {"white flakes come down", CoarseKey::kWeather, "snow"},
                              {"the mornign is fogyg", CoarseKey::kTimeOfDay, "morning"},
                              {"not summer but autumn", CoarseKey::kSeason, "autumn"},
+                             {"nobody is there, at dawn", CoarseKey::kTimeOfDay, "dawn"},
+                             {"make it like a cartoon", CoarseKey::kArtisticStyle, "cartoon"},
+                             {"rainny", CoarseKey::kWeather, "rain"},
                              {"like a comic book", CoarseKey::kArtisticStyle, "cartoon"},
                              {"holograms and neon", CoarseKey::kArtisticStyle, "cyberpunk"},
                          }));

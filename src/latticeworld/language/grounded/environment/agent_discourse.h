@@ -55,6 +55,12 @@ class AgentReader {
 
   std::size_t ReadReference();
 
+  // "forty agents: thirty goblins and the rest eagles"
+  std::size_t ReadRestOfTotal(std::size_t at);
+
+  // "the former", "the second group": of the two groups named last.
+  std::size_t ReadFormerOrLatter();
+
   // "a second band" of whoever was named last.
   std::size_t ReadAnotherGroup();
 
@@ -96,6 +102,11 @@ class AgentReader {
   bool IsVerbHere(std::size_t at, bool counted) const;
 
   std::size_t ReadSpecies();
+
+  // Whether the count that was read is a collective's without "of" ("a pack").
+  bool IsBarePack() const;
+
+  bool IsApposition(const SpeciesWord& word, std::size_t end) const;
 
   // "a goblin pack", "a goblin warband of 25"; "robots patrol" are no patrol.
   Count ReadPack(std::size_t end) const;
@@ -160,6 +171,11 @@ class AgentReader {
   // Places
 
   std::size_t ReadPlace();
+
+  // "there" goes back to the place named last.
+  std::size_t ReadThere();
+
+  bool FollowsAtSign() const;
 
   // "Bridge: one warrior"
   bool IsHeading(std::size_t at) const;
@@ -240,6 +256,8 @@ class AgentReader {
   std::size_t part_ = kNone;           // split off it last
   std::size_t rest_ = kNone;           // what it was split off
   std::size_t halved_ = kNone;
+  std::vector<Place> there_;  // the place named last
+  std::optional<FeaturePlace> there_feature_;
   bool split_state_ = false;  // the subject's state is only inherited
   std::size_t placed_ = kNone;
   std::size_t placed_sentence_ = 0;

@@ -12,6 +12,12 @@ namespace {
 constexpr std::size_t kMaxGroups = 200;  // groups read; nobody means more
 const Count kSomeSeen{2, 3, 12, 0};      // what a bare plural stands for
 
+bool Contains(const std::vector<AgentCategory>& all, const std::vector<AgentCategory>& some) {
+  return std::all_of(some.begin(), some.end(), [&](AgentCategory category) {
+    return std::find(all.begin(), all.end(), category) != all.end();
+  });
+}
+
 }  // namespace
 
 std::size_t AgentReader::ReadNounPhrase() {
@@ -66,6 +72,7 @@ std::size_t AgentReader::ReadLoneCount(const Count& count) {
   if (last_ == kNone || next > tokens_.size()) return 0;
   const std::size_t of_them = next < tokens_.size() ? RoleAt(Role::kOfThem, next) : 0;
   std::size_t more = next < tokens_.size() && noted_.IsAnyWord(next, {"more", "others"}) ? 1 : 0;
+  if (noted_.IsWord(next, "in") && noted_.IsAnyWord(next + 1, {"number", "all", "total"})) more = 2;
   // "sixty heads", "five to a corner"
   if (noted_.IsAnyWord(next, {"heads", "head", "members", "individuals", "strong"})) more = 1;
   const bool each =
@@ -93,8 +100,9 @@ std::size_t AgentReader::ReadLoneCount(const Count& count) {
   }
   const bool told = !whole.wish.places.empty() || whole.wish.feature.has_value();
   const bool bare = noted_.IsPause(at_ + tokens);
-  if (of_them > 0 && bare && !whole.wish.counted) {
-    // "a herd of horses, nine of them"
+  // "a herd of horses, nine of them", "an ambush: six of them lie in wait", "sheep, five in number"
+  const bool more_than_said = of_them > 0 && count.least > whole.wish.most;
+  if (!whole.wish.counted && ((bare && (of_them > 0 || more == 2)) || more_than_said)) {
     SetCount(count, &whole);
     subject_ = {last_};
     return tokens;
@@ -152,7 +160,8 @@ bool AgentReader::IsVerbHere(std::size_t at, bool counted) const {
 std::size_t AgentReader::ReadSpecies() {
   const auto match = words_.species.At(tokens_, at_);
   if (match.tokens == 0 || groups_.size() >= kMaxGroups) return 0;
-  const std::size_t end = at_ + match.tokens;
+  std::size_t end = at_ + match.tokens;
+  SpeciesWord word = *match.rows.front();
   if (pending_.tokens == 0 && IsVerbHere(at_, false)) return 0;
   // "flying robots" are agents that fly, and a name of its own.
   if (words_.coarse.LengthAt(tokens_, at_) > match.tokens && pending_.tokens == 0) return 0;
@@ -177,26 +186,51 @@ std::size_t AgentReader::ReadSpecies() {
     noted_.Mark(at_, end, &TokenNote::agent);
     return match.tokens;
   }
-  // "robot sheep": the last noun says what they are.
-  if (end < tokens_.size() && !match.rows.front()->plural &&
-      words_.species.LengthAt(tokens_, end) > 0 && !IsVerbHere(end, false)) {
-    noted_.Mark(at_, end, &TokenNote::agent);
-    return match.tokens;
+  // "robot sheep": the last noun says what they are, unless it is that of their kind ("dog robot").
+  if (end < tokens_.size() && !word.plural && words_.species.LengthAt(tokens_, end) > 0 &&
+      !IsVerbHere(end, false)) {
+    const auto last = words_.species.At(tokens_, end);
+    const SpeciesWord& kind = *last.rows.front();
+    if (kind.categories.size() < 2 || !Contains(kind.categories, word.categories)) {
+      noted_.Mark(at_, end, &TokenNote::agent);
+      return match.tokens;
+    }
+    end += last.tokens;
+    word.plural = kind.plural;
+    word.singular = kind.singular;
   }
   noted_.Mark(at_, end, &TokenNote::agent);
+  // "a pack mule" is one.
+  if (IsBarePack() && word.singular && !word.plural) pending_ = {1, 1, 1, pending_.tokens};
   if (pending_.tokens > 0) {
     noted_.Mark(count_at_, count_at_ + pending_.tokens, &TokenNote::agent);
   }
+  if (!noted_.notes[at_].negated && IsApposition(word, end)) return end - at_;
   const Count collective = ReadPack(end);
   noted_.Mark(end, end + collective.tokens, &TokenNote::agent);
   if (noted_.notes[at_].negated) {
-    ReadAbsence(*match.rows.front(), end);
+    ReadAbsence(word, end);
   } else {
-    ReadPresence(*match.rows.front(), collective, end);
+    ReadPresence(word, collective, end);
   }
   pending_ = {};
   phrase_begin_ = kNone;
-  return match.tokens + collective.tokens;
+  return end + collective.tokens - at_;
+}
+
+bool AgentReader::IsBarePack() const {
+  const std::size_t end = count_at_ + pending_.tokens;
+  return pending_.least < pending_.most && end == at_ && at_ > 0 &&
+         ReadCollective(noted_, words_, at_ - 1).tokens > 0;
+}
+
+// "Their dog - a robot - runs": the kind of those just named.
+bool AgentReader::IsApposition(const SpeciesWord& word, std::size_t end) const {
+  return word.categories.size() > 1 && pending_.tokens == 0 && at_ > 1 && last_ != kNone &&
+         noted_.IsAnyWord(at_ - 1, {"a", "an"}) && noted_.IsPause(at_ - 2) && noted_.IsPause(end) &&
+         tokens_[at_ - 2].kind == TokenKind::kComma && groups_[last_].wish.quantity == 1 &&
+         groups_[last_].sentence == sentence_ && !groups_[last_].removed &&
+         Contains(word.categories, groups_[last_].wish.categories);
 }
 
 Count AgentReader::ReadPack(std::size_t end) const {

@@ -20,9 +20,11 @@ std::size_t AgentReader::ReadPlace() {
       return words_.states.LengthAt(tokens_, at_) > 0 ? 0 : tokens;
     }
   }
+  if (const std::size_t there = ReadThere(); there > 0) return there;
   const std::size_t in = RoleAt(Role::kIn, at_);
   const std::size_t near = RoleAt(Role::kNear, at_);
   std::size_t preposition = std::max(in, near);
+  const bool at_sign = preposition == 0 && FollowsAtSign();
   // A longer phrase of another kind ("in the air", "on the hunt") is none of a place.
   if (words_.states.LengthAt(tokens_, at_) > preposition) return 0;
   std::size_t next = at_ + preposition;
@@ -40,11 +42,11 @@ std::size_t AgentReader::ReadPlace() {
   if (noted_.IsAnyWord(next, {"each", "every"})) each = true;
   PlaceMatch place = MatchPlace(tokens_, next);
   const bool heading = preposition == 0 && clause_open_ && IsHeading(next);
-  if (preposition == 0 && !object && !heading && !IsBarePlace(place, next)) place = {};
+  if (preposition == 0 && !object && !heading && !at_sign && !IsBarePlace(place, next)) place = {};
   if (place.tokens > 0 && noted_.IsAnyWord(next, {"each", "every"})) each = true;
   std::size_t end = next + place.tokens;
   std::optional<FeaturePlace> feature;
-  if (preposition > 0 || place.tokens > 0 || object || heading) {
+  if (preposition > 0 || place.tokens > 0 || object || heading || at_sign) {
     feature = ReadFeature(&end, near > in, place, next);
   }
   if (place.tokens == 0 && !feature.has_value()) return 0;
@@ -53,10 +55,32 @@ std::size_t AgentReader::ReadPlace() {
   const bool fronted = IsFronted(end);
   if (owners.empty() && !fronted && !AgentsAhead(end)) return 0;
   noted_.Mark(at_, end, &TokenNote::place);
+  there_ = place.places;
+  there_feature_ = feature;
   // "no goblins in the north": nobody is there.
   if (negated || (absent_here_ && owners.empty())) return end - at_;
   SetPlace(place.places, feature, each, fronted ? std::vector<std::size_t>{} : owners, end);
   return end - at_;
+}
+
+// "goblins @ bridge"
+bool AgentReader::FollowsAtSign() const {
+  const std::size_t before = at_ > 0 ? tokens_[at_ - 1].end : 0;
+  const std::string_view between =
+      noted_.instruction.substr(before, tokens_[at_].begin - std::min(before, tokens_[at_].begin));
+  return between.find('@') != between.npos;
+}
+
+std::size_t AgentReader::ReadThere() {
+  if (!noted_.IsWord(at_, "there") || (there_.empty() && !there_feature_.has_value())) return 0;
+  const bool open = noted_.IsPause(at_ + 1) || words_.states.LengthAt(tokens_, at_ + 1) > 0;
+  if (!open || clause_open_ || subject_.empty() || noted_.notes[at_].negated) return 0;
+  for (const std::size_t index : subject_) {
+    const AgentWish& wish = groups_[index].wish;
+    if (!wish.places.empty() || wish.feature.has_value()) return 0;
+  }
+  SetPlace(there_, there_feature_, false, subject_, at_ + 1);
+  return 1;
 }
 
 bool AgentReader::IsHeading(std::size_t at) const {
@@ -147,7 +171,8 @@ bool AgentReader::IsFronted(std::size_t end) const {
   std::size_t at = end;
   if (at < tokens_.size() && tokens_[at].kind == TokenKind::kComma) ++at;
   for (std::size_t i = at; i < at + kPhraseTokens && !noted_.IsPause(i); ++i) {
-    if (words_.species.LengthAt(tokens_, i) > 0 || ReadCount(noted_, words_, i).tokens > 0) {
+    if (words_.species.LengthAt(tokens_, i) > 0 || ReadCount(noted_, words_, i).tokens > 0 ||
+        (noted_.IsWord(i, "another") && !groups_.empty())) {
       return true;
     }
     if (RoleAt(Role::kIn, i) > 0 || RoleAt(Role::kNear, i) > 0 || noted_.IsWord(i, "and")) {

@@ -92,7 +92,7 @@ std::size_t AgentReader::ReadNobody(std::size_t tokens) {
         noted_.IsAnyWord(i, {"except", "save", "apart", "besides"})) {
       break;
     }
-    noted_.notes[i].negated = true;
+    if (words_.species.LengthAt(tokens_, i) > 0) noted_.notes[i].negated = true;
   }
   return tokens;
 }

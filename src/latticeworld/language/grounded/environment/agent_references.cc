@@ -44,11 +44,25 @@ std::size_t AgentReader::ReadReference() {
         at_ + others < tokens_.size() ? ReadCount(noted_, words_, at_ + others) : Count{};
     const std::size_t next = at_ + others + count.tokens;
     const bool noun = next < tokens_.size() && words_.species.LengthAt(tokens_, next) > 0;
+    if (const std::size_t left = ReadRestOfTotal(next); left > 0) return left;
     if (!noun && EndsNounPhrase(next)) {
       noted_.Mark(at_, next, &TokenNote::agent);
       TakeRest(count);
       return others + count.tokens;
     }
+  }
+  if (const std::size_t one = ReadFormerOrLatter(); one > 0) return one;
+  if (noted_.IsAnyWord(at_, {"both", "all", "neither", "none"}) && at_ > 0 &&
+      noted_.IsPause(at_ - 1) && at_ + 1 < tokens_.size() &&
+      words_.states.LengthAt(tokens_, at_ + 1) > 0) {
+    // "knights in the north, goblins in the south, all asleep"
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      const bool named = std::find(subject_.begin(), subject_.end(), i) != subject_.end();
+      if (groups_[i].sentence != sentence_ || groups_[i].removed || named) continue;
+      subject_.push_back(i);
+    }
+    Known(1);
+    return 1;
   }
   const std::size_t they = RoleAt(Role::kThey, at_);
   const bool it = noted_.IsWord(at_, "it") && previous_.size() == 1 && at_ + 1 < tokens_.size() &&
@@ -64,13 +78,52 @@ std::size_t AgentReader::ReadReference() {
   return 0;
 }
 
+std::size_t AgentReader::ReadRestOfTotal(std::size_t at) {
+  while (noted_.IsAnyWord(at, {"are", "is", "being", "should", "be"})) ++at;
+  if (noted_.IsPause(at) || words_.species.LengthAt(tokens_, at) == 0) return 0;
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    const AgentWish& total = groups_[i].wish;
+    if (groups_[i].removed || !total.counted || total.categories.size() < 2) continue;
+    int left = total.quantity;
+    for (std::size_t j = i + 1; j < groups_.size(); ++j) {
+      if (!groups_[j].removed) left -= groups_[j].wish.quantity;
+    }
+    if (left <= 0) continue;
+    pending_ = {left, left, left, at - at_};
+    count_at_ = at_;
+    phrase_begin_ = std::min(phrase_begin_, tokens_[at_].begin);
+    return at - at_;
+  }
+  return 0;
+}
+
+std::size_t AgentReader::ReadFormerOrLatter() {
+  const bool former = noted_.IsAnyWord(at_, {"former", "first", "firsts"});
+  if (!former && !noted_.IsAnyWord(at_, {"latter", "second", "last"})) return 0;
+  const bool bare = noted_.IsAnyWord(at_, {"former", "latter"});
+  const std::size_t group =
+      noted_.IsAnyWord(at_ + 1, {"group", "ones", "band", "party", "lot", "team"}) ? 1 : 0;
+  if (!bare && group == 0) return 0;
+  // "the latter two", "the latter are"
+  std::vector<std::size_t> named;
+  for (std::size_t i = groups_.size(); i > 0 && named.size() < 2; --i) {
+    if (!groups_[i - 1].removed) named.push_back(i - 1);
+  }
+  if (named.size() < 2) return 0;
+  subject_ = {former ? named.back() : named.front()};
+  previous_ = {named.back(), named.front()};
+  joined_ = paused_ = acted_ = false;
+  noted_.Mark(at_, at_ + 1 + group, &TokenNote::agent);
+  return 1 + group;
+}
+
 std::size_t AgentReader::ReadAnotherGroup() {
   const std::size_t more = RoleAt(Role::kMore, at_);
   if (more == 0 || last_ == kNone || at_ + more >= tokens_.size()) return 0;
   const std::size_t pack_at = at_ + more;
   // "another in the west"
   if (noted_.IsAnyWord(at_, {"another", "one", "yet"}) && EndsNounPhrase(pack_at) &&
-      !noted_.IsPause(pack_at)) {
+      (!noted_.IsPause(pack_at) || lead_set_)) {
     noted_.Mark(at_, pack_at, &TokenNote::agent);
     AddLike(last_, {1, 1, 1, more}, more);
     return more;

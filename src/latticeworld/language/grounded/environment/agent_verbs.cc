@@ -20,7 +20,9 @@ bool IsAgainst(AgentState state) {
 
 std::size_t AgentReader::ReadState() {
   const auto match = words_.states.At(tokens_, at_);
-  if (match.tokens == 0) return 0;
+  // "rolling hills" is land, a sky "swept clean of clouds" is clear.
+  const std::size_t other = std::max(words_.coarse.LengthAt(tokens_, at_), RoleAt(Role::kNot, at_));
+  if (match.tokens == 0 || other > match.tokens) return 0;
   const AgentState state = match.rows.front()->state;
   const std::size_t end = at_ + match.tokens;
   const bool noun_next = NounFollows(end);

@@ -73,7 +73,8 @@ class CoarseReader {
     }
     // Skiers give the winter away, but who marches does not speak of March.
     if (of_agents && words_.species.LengthAt(tokens_, last - 1) == 0) return;
-    if (IsCompared(first)) return;
+    // A style is what things are like.
+    if (word.key != CoarseKey::kArtisticStyle && IsCompared(first)) return;
     if (noted_.notes[first].negated) return RuleOut(word, words);
     bool hints = word.hints || of_agents;
     // Clear water is no clear sky.

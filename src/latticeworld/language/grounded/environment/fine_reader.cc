@@ -68,6 +68,11 @@ class FineReader {
     const std::size_t longest =
         std::max({variant.tokens, parameter.tokens, density.tokens, asset.tokens});
     if (longest == 0) return 1;
+    if (asset.tokens < longest || longest == 1) {
+      // "last light", "high over the lake": a part of a longer phrase says nothing of its own.
+      const std::size_t longer = OtherPhrase(at);
+      if (longer > longest) return longer;
+    }
     const std::size_t end = at + longest;
 
     Quality quality;
@@ -118,6 +123,16 @@ class FineReader {
       ReadQuality(std::move(quality));
     }
     return longest;
+  }
+
+  // The length of a phrase of place, weather or time that begins here.
+  std::size_t OtherPhrase(std::size_t at) const {
+    const std::size_t place =
+        std::max(words_.RoleAt(Role::kIn, tokens_, at), words_.RoleAt(Role::kNear, tokens_, at));
+    const auto coarse = words_.coarse.At(tokens_, at);
+    const bool of_sky = coarse.tokens > 0 && (coarse.rows.front()->key == CoarseKey::kWeather ||
+                                              coarse.rows.front()->key == CoarseKey::kTimeOfDay);
+    return std::max(place, of_sky ? coarse.tokens : 0);
   }
 
   // "ripe maize" says that it is ripe, and that it is maize.
@@ -386,7 +401,9 @@ class FineReader {
       case MeasureKind::kDecimal: {
         const bool scale =
             measure.kind == MeasureKind::kDecimal && Says(measure, {"scale", "scaled", "size"});
-        if (scale || (measure.kind == MeasureKind::kShare && Says(measure, {"scale", "scaled"}))) {
+        if (scale || (measure.kind == MeasureKind::kShare &&
+                      Says(measure, {"scale", "scaled", "size", "sized", "shrink", "shrunk",
+                                     "enlarge", "enlarged"}))) {
           return WishScale(measure);
         }
         // "Dead wood: 0.2"
@@ -429,8 +446,11 @@ class FineReader {
     const auto watery = [](AssetType asset) { return ValuesOf(asset).has_height; };
     if (!NearestAsset(measure, watery).has_value()) return false;
     double level_m = measure.value;
-    if (Says(measure, {"below", "lower", "lowered", "under", "beneath", "down", "fallen", "dropped",
-                       "sunk", "sunken", "less", "receded"})) {
+    if (level_m < 0.0) {
+      // "lake -1.5 m"
+    } else if (Says(measure, {"below", "lower", "lowered", "under", "beneath", "down", "fallen",
+                              "dropped", "sunk", "sunken", "less", "receded", "drop", "drops",
+                              "fall", "falls", "shrunk", "minus"})) {
       level_m = -std::abs(level_m);
     } else if (!Says(measure, {"above", "higher", "raised", "over", "up", "level", "risen",
                                "height", "high", "flooded"})) {

@@ -256,7 +256,14 @@ class MeasureReader {
     if (unit_m > 0.0) {
       return HeardMeasure{MeasureKind::kLength, sign * number.value * unit_m, at, end + 1};
     }
-    if (number.fraction) return HeardMeasure{MeasureKind::kDecimal, number.value, at, end};
+    std::size_t said = at;  // "density: 1", "density of 0"
+    while (said > 0 && (Is(said - 1, {"of", "is", "to", "at"}) ||
+                        tokens_[said - 1].kind == TokenKind::kComma)) {
+      --said;
+    }
+    const bool density = number.value <= 1.0 && said > 0 && Is(said - 1, {"density"});
+    if (number.fraction || density)
+      return HeardMeasure{MeasureKind::kDecimal, number.value, at, end};
     return {};
   }
 
