@@ -119,10 +119,13 @@ int ReportFailure(const std::string& command, const Status& status) {
     std::cerr << status.message() << "\n";
   } else {
     // The message is a heading, then the violations in one line; here each has its own.
-    const std::string& message = status.message();
-    std::cerr << message.substr(0, std::min(message.find(" ("), message.find(": "))) << "\n";
+    const Violation& first = status.violations().front();
+    const std::string heading = status.message().substr(
+        0, status.message().find(first.pointer.empty() ? first.message : first.pointer + ": "));
+    std::cerr << heading.substr(0, std::min(heading.find(" ("), heading.rfind(": "))) << "\n";
     for (const Violation& violation : status.violations()) {
-      std::cerr << "  " << violation.pointer << ": " << violation.message << "\n";
+      std::cerr << "  " << violation.pointer << (violation.pointer.empty() ? "" : ": ")
+                << violation.message << "\n";
     }
   }
   return status.code() == StatusCode::kInvalidArgument ? kExitUsage : kExitFailure;
