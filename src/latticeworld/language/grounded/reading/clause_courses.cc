@@ -6,13 +6,53 @@
 #include "latticeworld/language/grounded/reading/place_phrases.h"
 
 namespace latticeworld {
+// "between the forest and the bottom edge": toward the edge from the forest.
+bool ClauseReader::TakeOtherEnd(const std::vector<Zone>& zones) {
+  const bool second = frame_.has_value() && frame_->sense == Sense::kBetween &&
+                      frame_->objects.size() == 1 && at_ > 0 && IsSense(at_ - 1, Sense::kAnd);
+  if (!second) return false;
+  const Heading side = HeadingOf(RegionOf(zones.front()));
+  if (side.east == 0 && side.south == 0) return false;
+  frame_->sense = Sense::kNone;
+  frame_->is_direction = true;
+  frame_->heading = side;
+  frame_->expecting = false;
+  if (!frame_->fronted) {
+    for (const int subject : frame_->subjects) Assert(*frame_, subject, &d_);
+  }
+  return true;
+}
+
+// "splits the map into an eastern and a western half": the line runs between them.
+bool ClauseReader::SplitsMap(const std::vector<Zone>& zones, const std::string& words) {
+  const int line = LineOf(frame_->subjects);
+  const bool two = IsSense(at_ + 1, Sense::kAnd) && IsKind(at_ + 2, ChunkKind::kPlace);
+  const std::string last = two ? d_.Words(chunks_[at_ + 2].begin, chunks_[at_ + 2].end) : words;
+  if (line < 0 || !SaysExtent(last) || at_ < 2) return false;
+  const Chunk& before = chunks_[at_ - 2];
+  const bool whole = before.kind == ChunkKind::kNounPhrase && before.phrase.head == Head::kMap;
+  const Heading side = HeadingOf(RegionOf(zones.front()));
+  if (!whole || (side.east == 0) == (side.south == 0)) return false;
+  Waypoint from;
+  from.zone = RimZoneOf(side.east != 0 ? Heading{0, -1} : Heading{-1, 0});
+  Waypoint to;
+  to.zone = RimZoneOf(side.east != 0 ? Heading{0, 1} : Heading{1, 0});
+  d_.feature(line).from = from;
+  d_.feature(line).to = to;
+  frame_.reset();
+  while (IsSense(at_ + 1, Sense::kAnd) && IsKind(at_ + 2, ChunkKind::kPlace)) at_ += 2;
+  return true;
+}
+
 // Ends and turning points of a line.
 bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
+  if (TakeOtherEnd(zones)) return true;
   if (!frame_.has_value() || !frame_->expecting || !frame_->objects.empty()) return false;
   const Sense sense = frame_->sense;
   const Chunk& chunk = chunks_[at_];
   const std::string words = d_.Words(chunk.begin, chunk.end);
   const bool end = sense == Sense::kFrom || sense == Sense::kTo || sense == Sense::kConnects;
+  if (sense == Sense::kTo && SplitsMap(zones, words)) return true;
   const bool between = sense == Sense::kThrough || sense == Sense::kCrosses ||
                        sense == Sense::kPast || sense == Sense::kAlong || sense == Sense::kIn;
   if (!end && !between) return false;
@@ -33,6 +73,16 @@ bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
     return true;
   }
   if (end && (frame_->fronted || frame_->subjects.empty())) {
+    // "To the north-east there is a shop": a place.
+    std::size_t stands = SkipVerbs(at_ + 1);
+    if (IsKind(stands, ChunkKind::kComma)) stands = SkipVerbs(stands + 1);
+    const bool place = sense == Sense::kTo && !from_.has_value() && !traveling_ && !ordering_ &&
+                       IsThing(stands) && chunks_[stands].phrase.noun->shape != WordShape::kLine;
+    if (place) {
+      frame_.reset();
+      Lead_(zones, chunk);
+      return true;
+    }
     (sense == Sense::kFrom ? from_ : to_) = waypoint;
     frame_.reset();
     // "From north to south: snow, rock, forest."

@@ -58,6 +58,11 @@ void ClauseReader::Open(Frame frame) {
     return;
   }
   const bool was_fronted = frame_.has_value() && frame_->fronted;
+  // "flows past the town on its western side": the town's
+  const int owner = frame.is_direction && frame.of_it && frame_.has_value() && !was_fronted &&
+                            !frame_->objects.empty() && IsCourse(frame_->sense)
+                        ? frame_->objects.back()
+                        : -1;
   const std::vector<int> nearest =
       frame_.has_value() && !was_fronted && !frame_->objects.empty() && at_ > 0 && IsPhrase(at_ - 1)
           ? std::vector<int>{frame_->objects.back()}
@@ -86,7 +91,13 @@ void ClauseReader::Open(Frame frame) {
   const bool fronted = subjects_.empty() || (after_break && leads);
   if (fronted) {
     if (!subjects_.empty()) BeginClause();
+    if (lead_.used) lead_ = Lead();
     frame.fronted = true;
+    if (sense == Sense::kBetween && !IsPhrase(at_ + 1)) {
+      frame.objects = d_.LastTwo({});
+      frame.expecting = false;
+      if (frame.objects.size() < 2) return;
+    }
     if (frame.of_it) {
       frame.objects = Own(frame, {});
       frame.expecting = false;
@@ -127,7 +138,7 @@ void ClauseReader::Open(Frame frame) {
   }
   open_list_ = false;
   if (frame.of_it) {
-    frame.objects = Own(frame, frame.subjects);
+    frame.objects = owner >= 0 ? std::vector<int>{owner} : Own(frame, frame.subjects);
     frame.expecting = false;
     if (!frame.objects.empty()) {
       for (const int subject : frame.subjects) Assert(frame, subject, &d_);
@@ -188,6 +199,7 @@ void ClauseReader::CloseFrame() {
     if (frame.sense == Sense::kSurrounds && feature.form == FeatureForm::kSpread &&
         feature.zones.empty()) {
       feature.dominant = true;
+      if (IsLine(frame.objects.back())) continue;
     }
     Assert(frame, subject, &d_);
   }

@@ -64,11 +64,15 @@ bool ClauseReader::ThingFollows(std::size_t at, bool over_comma) const {
 bool ClauseReader::Fronts(std::size_t at) const {
   const Chunk& relation = chunks_[at];
   std::size_t next = at + 1;
-  const bool of_it = relation.lexeme.of_it || relation.Is(Sense::kWithinIt);
+  // "Where they meet, rocks."
+  const bool between_them =
+      relation.Is(Sense::kBetween) && !IsPhrase(next) && !IsKind(next, ChunkKind::kPlace);
+  const bool of_it = relation.lexeme.of_it || relation.Is(Sense::kWithinIt) || between_them;
   if (!of_it) {
     if (!IsPhrase(next) && !IsKind(next, ChunkKind::kPlace)) return false;
     ++next;
-    if (relation.Is(Sense::kBetween) && IsSense(next, Sense::kAnd) && IsPhrase(next + 1)) next += 2;
+    const bool two = relation.Is(Sense::kBetween) && IsSense(next, Sense::kAnd);
+    if (two && (IsPhrase(next + 1) || IsKind(next + 1, ChunkKind::kPlace))) next += 2;
     while (IsKind(next, ChunkKind::kPlace)) ++next;
   }
   if (IsPhrase(next) && chunks_[next].phrase.head == Head::kMap) next = next + 1;

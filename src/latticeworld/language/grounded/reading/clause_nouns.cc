@@ -120,7 +120,9 @@ void ClauseReader::ReadMap(const Chunk& chunk) {
   }
   if (frame_.has_value() && frame_->fronted) return;  // "south of it everything is forest"
   if (!subjects_.empty() && said.share.has_value()) {
-    for (const int index : subjects_) d_.Describe(said, index);
+    std::vector<int> about = subjects_;
+    if (!list_has_and_) about = {about.back()};
+    for (const int index : about) d_.Describe(said, index);
     return;
   }
   if (!subjects_.empty() && open_list_ && !verb_said_) return;
@@ -244,7 +246,8 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
       feature.share_least = std::max(feature.share_least.value_or(0.0), 0.6);
     }
     if (mostly_next_) feature.dominant = true;
-    if (!lead_.empty() && !excepting_) {
+    const bool named = is_new || phrase.noun != nullptr;
+    if (!lead_.empty() && !excepting_ && named) {
       if (is_new || feature.zones.empty()) {
         if (feature.zones.empty()) {
           d_.AddZones(index, lead_.zones);
@@ -259,7 +262,7 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
       d_.AddZones(index, lead_.zones);
     }
     const bool bare_extent = !lead_.empty() && lead_.is_subject && lead_.extent && is_new;
-    if (cover_next_ || bare_extent) Cover(index, chunk);
+    if ((cover_next_ && named) || bare_extent) Cover(index, chunk);
     if (map_share_.has_value() && !IsLine(index)) {
       Qualities said;
       said.share = map_share_;
@@ -328,7 +331,10 @@ void ClauseReader::Cover(int index, const Chunk& chunk) {
   PlannedFeature& feature = d_.feature(index);
   const bool counted = chunk.phrase.qualities.count.has_value() || feature.pieces > 1;
   if (IsLine(index) || counted) return;
-  if (feature.form != FeatureForm::kSpread && chunk.phrase.indefinite) return;
+  const bool verb_before =
+      at_ > 0 && (IsSense(at_ - 1, Sense::kBe) || IsSense(at_ - 1, Sense::kCoveredBy));
+  const bool extent = !lead_.empty() && lead_.extent && verb_before && host_ < 0;
+  if (feature.form != FeatureForm::kSpread && chunk.phrase.indefinite && !extent) return;
   if (feature.share.has_value() || map_share_.has_value()) return;
   if (ListLength(at_) > 1 || (list_has_and_ && subjects_.size() > 1)) return;
   feature.dominant = true;

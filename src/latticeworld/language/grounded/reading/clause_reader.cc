@@ -96,7 +96,11 @@ void ClauseReader::ReadComma() {
               !chunks_[at_ + 1].phrase.qualities.count;
   not_next_ = skip_next_ = false;
   if (ordering_ || negating_) return;
-  if (frame_.has_value() && frame_->sense == Sense::kDominates && frame_->expecting) CloseFrame();
+  if (FrameLacksObject()) CloseFrame();
+  // "bare soil in the middle, about a quarter of the map"
+  const bool of_map = IsPhrase(at_ + 1) && chunks_[at_ + 1].phrase.head == Head::kMap &&
+                      chunks_[at_ + 1].phrase.qualities.share.has_value() && !subjects_.empty();
+  if (of_map && (EndsAt(at_ + 2) || IsKind(at_ + 2, ChunkKind::kComma))) return;
   if (IsPhrase(at_ + 1)) {
     const bool list = frame_.has_value() && !frame_->fronted && !frame_->objects.empty() &&
                       TakesList(frame_->sense) && IsBareList(at_ + 1);
@@ -123,6 +127,15 @@ void ClauseReader::ReadComma() {
   }
 }
 
+// "sand dominates, and ...", "trees in between, no rocks": nothing more comes.
+bool ClauseReader::FrameLacksObject() const {
+  if (!frame_.has_value() || !frame_->expecting || !frame_->objects.empty() || frame_->fronted) {
+    return false;
+  }
+  return frame_->sense == Sense::kDominates ||
+         (MayLackObject(frame_->sense) && at_ > 0 && IsSense(at_ - 1, frame_->sense));
+}
+
 // "cabins among the trees and one small lake": what is known and what is new are no one list.
 bool ClauseReader::StartsAnew(std::size_t next) const {
   const NounPhrase& phrase = chunks_[next].phrase;
@@ -145,7 +158,7 @@ void ClauseReader::ReadAnd(bool is_or) {
   }
   if (ordering_) return;
   if (comparing_) return;
-  if (frame_.has_value() && frame_->sense == Sense::kDominates && frame_->expecting) CloseFrame();
+  if (FrameLacksObject()) CloseFrame();
   if (IsPhrase(next)) {
     if (frame_.has_value() && frame_->expecting && frame_->objects.empty()) return;
     if (paused_.has_value()) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "latticeworld/language/grounded/reading/chunk.h"
@@ -43,6 +44,7 @@ class ClauseReader {
   void ReadComma();
   void ReadAnd(bool is_or);
   bool StartsAnew(std::size_t next) const;
+  bool FrameLacksObject() const;
 
   // Noun phrases.
   void ReadMap(const Chunk& chunk);
@@ -63,6 +65,8 @@ class ClauseReader {
   void Attach(const std::vector<Zone>& zones, bool extent, const Chunk& chunk);
   void Lead_(const std::vector<Zone>& zones, const Chunk& chunk);
   bool TakeEndZone(const std::vector<Zone>& zones);
+  bool TakeOtherEnd(const std::vector<Zone>& zones);
+  bool SplitsMap(const std::vector<Zone>& zones, const std::string& words);
   void Deny(char letter, const std::vector<Zone>& zones, const Chunk& chunk);
   void DenyAround(char letter, const Chunk& chunk);
 

@@ -129,6 +129,12 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       excepting_ = true;
       negating_ = false;
       if (IsThing(at_ + 1)) {
+        for (const int index : subjects_) {
+          PlannedFeature& feature = d_.feature(index);
+          const bool all = feature.form == FeatureForm::kSpread && feature.zones.empty() &&
+                           !feature.share.has_value() && !feature.fills_rest;
+          if (all) feature.dominant = true;
+        }
         BeginClause();
         excepting_ = true;
         map_share_.reset();
