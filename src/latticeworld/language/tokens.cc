@@ -26,6 +26,7 @@ constexpr SignWords kSignWords[] = {
     {'%', "percent"},
     {'&', "and"},
     {'+', "and"},
+    {'@', "at"},
     {0xBC, "one quarter"},
     {0xBD, "one half"},
     {0xBE, "three quarters"},

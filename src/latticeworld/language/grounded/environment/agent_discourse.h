@@ -175,8 +175,6 @@ class AgentReader {
   // "there" goes back to the place named last.
   std::size_t ReadThere();
 
-  bool FollowsAtSign() const;
-
   // "Bridge: one warrior"
   bool IsHeading(std::size_t at) const;
 

@@ -24,7 +24,6 @@ std::size_t AgentReader::ReadPlace() {
   const std::size_t in = RoleAt(Role::kIn, at_);
   const std::size_t near = RoleAt(Role::kNear, at_);
   std::size_t preposition = std::max(in, near);
-  const bool at_sign = preposition == 0 && FollowsAtSign();
   // A longer phrase of another kind ("in the air", "on the hunt") is none of a place.
   if (words_.states.LengthAt(tokens_, at_) > preposition) return 0;
   std::size_t next = at_ + preposition;
@@ -42,11 +41,11 @@ std::size_t AgentReader::ReadPlace() {
   if (noted_.IsAnyWord(next, {"each", "every"})) each = true;
   PlaceMatch place = MatchPlace(tokens_, next);
   const bool heading = preposition == 0 && clause_open_ && IsHeading(next);
-  if (preposition == 0 && !object && !heading && !at_sign && !IsBarePlace(place, next)) place = {};
+  if (preposition == 0 && !object && !heading && !IsBarePlace(place, next)) place = {};
   if (place.tokens > 0 && noted_.IsAnyWord(next, {"each", "every"})) each = true;
   std::size_t end = next + place.tokens;
   std::optional<FeaturePlace> feature;
-  if (preposition > 0 || place.tokens > 0 || object || heading || at_sign) {
+  if (preposition > 0 || place.tokens > 0 || object || heading) {
     feature = ReadFeature(&end, near > in, place, next);
   }
   if (place.tokens == 0 && !feature.has_value()) return 0;
@@ -61,14 +60,6 @@ std::size_t AgentReader::ReadPlace() {
   if (negated || (absent_here_ && owners.empty())) return end - at_;
   SetPlace(place.places, feature, each, fronted ? std::vector<std::size_t>{} : owners, end);
   return end - at_;
-}
-
-// "goblins @ bridge"
-bool AgentReader::FollowsAtSign() const {
-  const std::size_t before = at_ > 0 ? tokens_[at_ - 1].end : 0;
-  const std::string_view between =
-      noted_.instruction.substr(before, tokens_[at_].begin - std::min(before, tokens_[at_].begin));
-  return between.find('@') != between.npos;
 }
 
 std::size_t AgentReader::ReadThere() {

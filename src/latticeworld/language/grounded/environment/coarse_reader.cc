@@ -19,6 +19,7 @@ class CoarseReader {
 
   void ReadWords() {
     for (std::size_t at = 0; at < tokens_.size();) {
+      ReadPredicate(at);
       const auto match = words_.coarse.At(tokens_, at);
       // "May." alone is a month.
       if (noted_.IsWord(at, "may") && noted_.IsPause(at + 1) &&
@@ -62,6 +63,29 @@ class CoarseReader {
   }
 
  private:
+  // "the sky, which is grey": as "grey sky".
+  void ReadPredicate(std::size_t at) {
+    if (!noted_.IsAnyWord(at, {"sky", "skies", "weather", "air", "light", "sun"})) return;
+    constexpr std::size_t kReach = 8;
+    bool verb = false;
+    for (std::size_t i = at + 1; i < at + kReach && !noted_.IsEnd(i); ++i) {
+      if (noted_.IsAnyWord(i, {"is", "are", "be", "was", "being", "stays", "looks", "turns"})) {
+        verb = true;
+      } else if (verb) {
+        const std::vector<Token> turned = {tokens_[i], tokens_[at]};
+        const auto match = words_.coarse.At(turned, 0);
+        if (match.tokens == 2 && !noted_.notes[i].negated) {
+          for (const CoarseWord* word : match.rows)
+            Say(word->key, word->value, noted_.Text(at, i + 1));
+          return;
+        }
+      } else if (!noted_.IsAnyWord(i, {",", "which", "that", "should", "must", "will", "itself"}) &&
+                 tokens_[i].kind != TokenKind::kComma) {
+        return;
+      }
+    }
+  }
+
   void Read(const CoarseWord& word, std::size_t first, std::size_t last) {
     const std::string_view words = noted_.Text(first, last);
     // "spring", "march": a verb or a place of agents says nothing of the whole world.

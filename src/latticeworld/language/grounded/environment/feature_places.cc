@@ -59,12 +59,24 @@ bool FindMiddle(std::string_view letters, const SymbolicLayout& layout, double* 
   return largest > 0;
 }
 
+// The smallest piece worth the name, where there are several: a copse is no forest.
+constexpr std::size_t kPiece_cells = 4;
+
+void KeepSmallest(char letter, const SymbolicLayout& layout, Grid<unsigned char>* cells) {
+  std::vector<LayoutComponent> pieces = ComponentsOf(layout, letter);  // the largest first
+  while (pieces.size() > 1 && pieces.back().cells.size() < kPiece_cells) pieces.pop_back();
+  if (pieces.size() < 2) return;
+  *cells = Grid<unsigned char>(kLayoutSize, kLayoutSize, 0);
+  for (const CellIndex cell : pieces.back().cells) (*cells)(cell.row, cell.col) = 1;
+}
+
 }  // namespace
 
 Grid<unsigned char> CellsAt(const FeaturePlace& feature, const SymbolicLayout& layout) {
   const std::string_view letters =
       layout.vocabulary == Vocabulary::kSuburb ? feature.suburb : feature.wild;
-  const Grid<unsigned char> own = OwnCells(letters, layout);
+  Grid<unsigned char> own = OwnCells(letters, layout);
+  if (feature.name == "copse") KeepSmallest(letters.front(), layout, &own);
   Grid<unsigned char> cells(kLayoutSize, kLayoutSize, 0);
   for (int row = 0; row < kLayoutSize; ++row) {
     for (int col = 0; col < kLayoutSize; ++col) {

@@ -82,7 +82,8 @@ class FineReader {
     std::vector<AssetType> nouns;
     if (asset.tokens == longest) {
       for (const AssetWord* word : asset.rows) nouns.push_back(word->asset);
-    } else if (const auto inner = AssetAtEnd(at, end); inner.has_value()) {
+    } else if (const auto inner = AssetAtEnd(at, end);
+               inner.has_value() && !noted_.IsAnyWord(at, {"of", "from", "made", "built", "out"})) {
       nouns.push_back(*inner);
     }
     bool said = false;
