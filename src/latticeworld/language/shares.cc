@@ -157,6 +157,15 @@ const PhraseTable<Bend>& Bends() {
   return table;
 }
 
+// What may stand after it: "70 % or more".
+const PhraseTable<Bend>& BendsAfter() {
+  static const PhraseTable<Bend> table{
+      {Bend::kAtLeast, {"or more", "or above", "or over", "or higher", "and more", "and above"}},
+      {Bend::kAtMost, {"or less", "or below", "or under", "or fewer", "and less"}},
+  };
+  return table;
+}
+
 bool IsPause(const Token& token) {
   return token.kind == TokenKind::kComma || token.kind == TokenKind::kStop;
 }
@@ -394,8 +403,11 @@ ShareMatch MatchShare(const std::vector<Token>& tokens, std::size_t at) {
     return share;
   }
   if (fraction.tokens == 0) return {};
-  ShareMatch share = ShareOf(fraction, bend.value);
-  share.tokens = bend.tokens + fraction.tokens;
+  const std::size_t end = begin + fraction.tokens;
+  PhraseTable<Bend>::Match after;
+  if (bend.value == nullptr && end < tokens.size()) after = BendsAfter().At(tokens, end, false);
+  ShareMatch share = ShareOf(fraction, after.value != nullptr ? after.value : bend.value);
+  share.tokens = bend.tokens + fraction.tokens + after.tokens;
   if (share.ordinal && CountedThingFollows(tokens, at + share.tokens)) return {};
   if (IsWord(tokens, at + share.tokens, "of")) {
     share.of = true;

@@ -194,13 +194,21 @@ class Chunker {
       }
     }
     std::size_t next = at + 1;
+    if (IsLastOne(next)) return lexemes_[at].places.size() == 1 && !IsExtent(lexemes_[at]);
     while (next < lexemes_.size() && (lexemes_[next].kind == LexemeKind::kSize ||
                                       lexemes_[next].kind == LexemeKind::kCount)) {
       ++next;
     }
     // "the northern lake", "the southern one"
-    const bool one = SenseAt(next, Sense::kOne) && tokens_[lexemes_[next].first].text == "one";
+    const bool one = (SenseAt(next, Sense::kOne) && tokens_[lexemes_[next].first].text == "one") ||
+                     SenseAt(next, Sense::kOther);
     return (IsNounAt(next) || one) && lexemes_[at].places.size() == 1 && !IsExtent(lexemes_[at]);
+  }
+  // "one" with no noun after it.
+  bool IsLastOne(std::size_t at) const {
+    return at < lexemes_.size() && lexemes_[at].kind == LexemeKind::kCount &&
+           lexemes_[at].last == lexemes_[at].first + 1 &&
+           tokens_[lexemes_[at].first].text == "one" && !NounSoon(at + 1);
   }
   // "the northern half", "top third", "NW corner": these stand for themselves.
   bool IsExtent(const Lexeme& place) const {
@@ -225,7 +233,7 @@ class Chunker {
         TakeHead(at, &phrase, unknown);
         return true;
       }
-      if (IsOneAlone(at) && unknown.empty()) {
+      if ((IsOneAlone(at) || (!phrase.places.empty() && IsLastOne(at))) && unknown.empty()) {
         EmitPronoun(Head::kOne, at, std::move(phrase));
         return true;
       }
@@ -392,6 +400,19 @@ class Chunker {
     }
   }
 
+  // "keep rivers out", "leave the houses away"
+  bool IsKeptOut(std::size_t last) const {
+    const std::string_view first = tokens_[lexemes_[at_].first].text;
+    if (first != "keep" && first != "leave" && first != "keeping" && first != "leaving") {
+      return false;
+    }
+    if (last >= lexemes_.size() || lexemes_[last].kind != LexemeKind::kSense) return false;
+    const std::string_view after = tokens_[lexemes_[last].first].text;
+    const bool alone = last + 1 >= lexemes_.size() || lexemes_[last + 1].kind != LexemeKind::kSense;
+    return (after == "out" || after == "off" || after == "away") &&
+           (alone || SenseAt(last + 1, Sense::kOfPlace) || SenseAt(last + 1, Sense::kFunction));
+  }
+
   // The last of several nouns in a row is the thing, those before it its kind: "mountain lake".
   void TakeHead(std::size_t at, NounPhrase* phrase, const std::vector<std::size_t>& unknown) {
     std::size_t last = at + 1;
@@ -411,6 +432,7 @@ class Chunker {
     if (phrase->noun == nullptr) phrase->noun = head.noun;
     phrase->plural = phrase->plural || head.plural;
     for (const std::size_t i : unknown) AddUnread(i);
+    phrase->negated = phrase->negated || IsKeptOut(last);
     Chunk chunk;
     chunk.kind = ChunkKind::kNounPhrase;
     chunk.phrase = std::move(*phrase);

@@ -49,7 +49,7 @@ void ClauseReader::Open(Frame frame) {
     frame_.reset();
     for (const int subject : start.subjects) Assert(start, subject, &d_);
   }
-  frame.negated = not_next_ && !IsCourse(sense);
+  frame.negated = not_next_;
   not_next_ = false;
   // "Link them by a footpath": what does it comes last.
   if (sense == Sense::kNear && frame_.has_value() && frame_->fronted && WantsTwo(frame_->sense) &&
@@ -188,7 +188,19 @@ void ClauseReader::CloseFrame() {
   if (!MayLackObject(frame.sense) || frame.subjects.empty()) return;
   if (frame.sense == Sense::kBetween) {
     frame.objects = d_.LastTwo(frame.subjects);
-    if (frame.objects.size() < 2) return;
+    if (frame.objects.size() < 2) {
+      // "grid streets in the east. Houses between."
+      if (frame.objects.size() == 1 && IsLine(frame.objects[0])) {
+        frame.sense = Sense::kNextTo;
+        for (const int subject : frame.subjects) {
+          if (d_.feature(subject).zones.empty()) {
+            d_.AddZones(subject, d_.feature(frame.objects[0]).zones);
+          }
+          Assert(frame, subject, &d_);
+        }
+      }
+      return;
+    }
   } else {
     frame.objects = d_.Antecedent(frame.subjects, false);
   }

@@ -69,6 +69,12 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
       return;
     }
   }
+  if (IsOtherWord(chunk)) return;
+  if (phrase.head == Head::kOther && phrase.noun == nullptr && IsKind(at_ + 1, ChunkKind::kPlace) &&
+      IsMany(ZonesOf(chunks_[at_ + 1].lexeme.places))) {
+    if (!subjects_.empty()) BeginClause();
+    return;  // "the other corners"
+  }
   const int before = d_.size();
   const std::vector<int> found = Refer(chunk);
   const bool is_new = d_.size() > before;
@@ -92,6 +98,16 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
     TakeSubjects(found, is_new, chunk);
   }
   if (correcting_) correcting_ = false;
+}
+
+// "six trees or tree groups": the same things in other words.
+bool ClauseReader::IsOtherWord(const Chunk& chunk) const {
+  const NounPhrase& phrase = chunk.phrase;
+  const int last = LastSubject();
+  return at_ > 0 && IsSense(at_ - 1, Sense::kOr) && phrase.noun != nullptr && last >= 0 &&
+         !phrase.definite && !phrase.qualities.count.has_value() && !frame_.has_value() &&
+         phrase.noun->LetterIn(d_.plan().vocabulary) == d_.feature(last).letter &&
+         (phrase.noun->shape == WordShape::kLine) == IsLine(last);
 }
 
 void ClauseReader::ReadMap(const Chunk& chunk) {
@@ -131,7 +147,7 @@ void ClauseReader::ReadMap(const Chunk& chunk) {
   map_share_ = said.share;
   mostly_next_ = mostly_next_ || said.mostly;
   // "everything forest": no verb between them.
-  if (IsThing(at_ + 1)) cover_next_ = true;
+  if (IsThing(at_ + 1) && !chunks_[at_ + 1].phrase.negated) cover_next_ = true;
 }
 
 void ClauseReader::ReadRest(const Chunk& chunk) {
@@ -224,7 +240,11 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
   }
   const bool fronted = frame_.has_value() && frame_->fronted;
   if (joining_ && !fronted) {
-    subjects_.insert(subjects_.end(), found.begin(), found.end());
+    for (const int index : found) {
+      if (std::find(subjects_.begin(), subjects_.end(), index) == subjects_.end()) {
+        subjects_.push_back(index);
+      }
+    }
   } else {
     if (!fronted) {
       if (!subjects_.empty()) BeginClause();
@@ -241,10 +261,7 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
   for (const int index : found) {
     PlannedFeature& feature = d_.feature(index);
     if (rest_next_) feature.fills_rest = true;
-    if (only_next_ && !IsLine(index)) {
-      feature.dominant = true;
-      feature.share_least = std::max(feature.share_least.value_or(0.0), 0.6);
-    }
+    if (only_next_ && !IsLine(index)) OnlyThis(index, is_new);
     if (mostly_next_) feature.dominant = true;
     const bool named = is_new || phrase.noun != nullptr;
     if (!lead_.empty() && !excepting_ && named) {
@@ -323,6 +340,20 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
     if (IsSense(next, Sense::kBe)) ++next;
     comparing_ = IsSense(next, Sense::kThan);
   }
+}
+
+// "nothing but trees", after all else that there is: these are the rest.
+void ClauseReader::OnlyThis(int index, bool is_new) {
+  PlannedFeature& feature = d_.feature(index);
+  const bool after_others = d_.size() > (is_new ? 1 : 2);
+  feature.dominant = true;
+  if (after_others && lead_.empty() && !frame_.has_value() &&
+      feature.form == FeatureForm::kSpread && feature.zones.empty() &&
+      (EndsAt(at_ + 1) || IsKind(at_ + 1, ChunkKind::kComma))) {
+    feature.fills_rest = true;
+    return;
+  }
+  feature.share_least = std::max(feature.share_least.value_or(0.0), 0.6);
 }
 
 // "the northern half is forest": it has more than anything else there, and half of it at least

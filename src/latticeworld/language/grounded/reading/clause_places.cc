@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <utility>
 
@@ -13,9 +14,43 @@ constexpr double kCoveringShare = 0.5;  // "forest covers the northern half": at
 
 }  // namespace
 
+bool ClauseReader::IsMany(const std::vector<Zone>& zones) {
+  return zones.size() > 1 || zones[0].name == "corners" || zones[0].name == "edges";
+}
+
+// "the other two corners": those that nothing was laid in so far.
+std::vector<Zone> ClauseReader::OtherZones(std::vector<Zone> zones, std::string_view words) const {
+  const bool corners = words.find("corners") != std::string_view::npos;
+  if (corners || words.find("edges") != std::string_view::npos) {
+    const int step = corners ? 2 : 1;
+    std::vector<Zone> rim;
+    for (int east = -1; east <= 1; ++east) {
+      for (int south = -1; south <= 1; ++south) {
+        if (std::abs(east) + std::abs(south) == step) rim.push_back(RimZoneOf({east, south}));
+      }
+    }
+    zones = std::move(rim);
+  }
+  std::vector<Zone> left = zones;
+  for (int i = 0; i < d_.size(); ++i) {
+    if (d_.thing(i).dropped) continue;
+    for (const Zone& taken : d_.feature(i).zones) {
+      left.erase(
+          std::remove_if(left.begin(), left.end(),
+                         [&](const Zone& zone) { return RegionOf(zone) == RegionOf(taken); }),
+          left.end());
+    }
+  }
+  return left.empty() ? zones : left;
+}
+
 void ClauseReader::ReadPlace(const Chunk& chunk) {
-  const std::vector<Zone> zones = ZonesOf(chunk.lexeme.places);
+  std::vector<Zone> zones = ZonesOf(chunk.lexeme.places);
   const std::string words = d_.Words(chunk.begin, chunk.end);
+  if (at_ > 0 && IsPhrase(at_ - 1) && chunks_[at_ - 1].phrase.head == Head::kOther &&
+      chunks_[at_ - 1].phrase.noun == nullptr && IsMany(zones)) {
+    zones = OtherZones(std::move(zones), ToLowerAscii(words));
+  }
   const bool extent = chunk.lexeme.whole || SaysExtent(words);
   if (SaysAnywhere(chunk.lexeme.places)) {
     // "forest everywhere", "no water anywhere", "houses all over"
@@ -66,6 +101,14 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
       d_.AddZones(last, zones);
       return;
     }
+  }
+  // "going north: fields, then woods", "advance east through ..."
+  const Heading to = HeadingOf(RegionOf(zones.front()));
+  if (traveling_ && at_ > 0 && IsSense(at_ - 1, Sense::kTravel) && subjects_.empty() &&
+      zones.size() == 1 && (to.east != 0 || to.south != 0) && !from_.has_value() &&
+      !frame_.has_value() && !SaysExtent(words)) {
+    BeginOrder(to);
+    return;
   }
   if (TakeEndZone(zones)) return;
   // "From the lake in the north-east flows a stream": the lake is there.

@@ -31,6 +31,7 @@ void ClauseReader::ReadChunk(const Chunk& chunk) {
       ReadComma();
       break;
     case ChunkKind::kStop:
+      if (OrderGoesOn()) break;
       EndSentence();
       sentence_start_ = at_ + 1;
       break;
@@ -39,10 +40,17 @@ void ClauseReader::ReadChunk(const Chunk& chunk) {
   }
 }
 
+// "advance north through: pasture; then a belt of trees; then houses"
+bool ClauseReader::OrderGoesOn() const {
+  return ordering_ && d_.instruction()[chunks_[at_].begin] == ';' &&
+         (IsThing(at_ + 1) || (IsSense(at_ + 1, Sense::kThen) && IsThing(at_ + 2)));
+}
+
 // What was spoken of is the topic; something new may come.
 void ClauseReader::BeginClause() {
   CloseFrame();
   EndHost();
+  if (!subjects_.empty()) cover_next_ = false;
   d_.SetTopic(subjects_);
   subjects_.clear();
   open_list_ = false;
@@ -106,6 +114,12 @@ void ClauseReader::ReadComma() {
                       TakesList(frame_->sense) && IsBareList(at_ + 1);
     if (list) {
       frame_->expecting = true;
+      return;
+    }
+    // "fields all round, trees along the north side"
+    if (frame_.has_value() && frame_->expecting && frame_->objects.empty() && !frame_->fronted &&
+        MayLackObject(frame_->sense) && !frame_->subjects.empty()) {
+      BeginClause();
       return;
     }
     if (frame_.has_value() && frame_->expecting && frame_->objects.empty()) return;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "latticeworld/language/grounded/reading/chunk.h"
@@ -57,6 +58,7 @@ class ClauseReader {
   void TakeSubjects(const std::vector<int>& found, bool is_new, const Chunk& chunk);
   void TakeObjects(const std::vector<int>& found);
   void Cover(int index, const Chunk& chunk);
+  void OnlyThis(int index, bool is_new);
   void Island(int index);
   void Beside(int index, Sense beside);
 
@@ -64,6 +66,8 @@ class ClauseReader {
   bool IsUncounted(int index) const;
   void Attach(const std::vector<Zone>& zones, bool extent, const Chunk& chunk);
   void Lead_(const std::vector<Zone>& zones, const Chunk& chunk);
+  static bool IsMany(const std::vector<Zone>& zones);
+  std::vector<Zone> OtherZones(std::vector<Zone> zones, std::string_view words) const;
   bool TakeEndZone(const std::vector<Zone>& zones);
   bool TakeOtherEnd(const std::vector<Zone>& zones);
   bool SplitsMap(const std::vector<Zone>& zones, const std::string& words);
@@ -97,6 +101,12 @@ class ClauseReader {
   bool IsPhrase(std::size_t at) const;  // any noun phrase
   bool IsSense(std::size_t at, Sense sense) const;
   bool IsKind(std::size_t at, ChunkKind kind) const;
+  bool IsInfinitive(std::size_t at) const;
+  bool IsOtherWord(const Chunk& chunk) const;
+  bool OrderGoesOn() const;
+  int OneOfSeveral() const;
+  int Unplaced(int model);
+  bool IsEach(std::size_t at) const;
   bool EndsAt(std::size_t at) const;  // the sentence or the instruction
   bool ThingFollows(std::size_t at, bool over_comma) const;
   bool IsBareList(std::size_t at) const;  // "fields, meadows and woods" with nothing of their own

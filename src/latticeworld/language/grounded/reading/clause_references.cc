@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/reading/clause_reader.h"
 #include "latticeworld/language/grounded/reading/place_phrases.h"
 
@@ -38,7 +40,7 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
         return OneMore(chunk);
       case Head::kOne:
       case Head::kOther: {
-        const int model = d_.LastMentioned();
+        const int model = OneOfSeveral();
         if (!phrase.places.empty() && model >= 0) {
           // "the northern lake and the southern one"
           NounPhrase like = phrase;
@@ -46,6 +48,10 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
           like.noun = d_.thing(model).noun;
           const std::vector<int> known = d_.Find(like, about);
           if (!known.empty()) return known;
+          if (const int sibling = Unplaced(model); sibling >= 0) {
+            if (!IsLine(sibling)) d_.AddZones(sibling, ZonesOf(phrase.places));
+            return {sibling};
+          }
           const int created = d_.Create(like, chunk.begin, chunk.end);
           return created < 0 ? std::vector<int>() : std::vector<int>{created};
         }
@@ -53,6 +59,7 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
           if (d_.thing(i).dropped) continue;
           const bool several = d_.feature(i).pieces > 1;
           if (phrase.head == Head::kOne && several) {
+            if (IsEach(at_ + 1)) return {i};  // "four huts, one in each corner"
             split_ = i;
             return {d_.SplitOff(i)};
           }
@@ -132,6 +139,17 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
       d_.Mention(last);
       return {last};
     }
+    // "a green space (lawn)": the same thing in another word.
+    const bool in_brackets = at_ > 0 && IsKind(at_ - 1, ChunkKind::kComma) &&
+                             d_.instruction()[chunks_[at_ - 1].begin] == '(' && !counted;
+    if (in_brackets && last == LastSubject()) {
+      d_.Describe(phrase.qualities, last);
+      return {last};
+    }
+    // "marina: eastern edge, water there"
+    const bool general_water = phrase.noun->phrase == "water" && last == LastSubject() &&
+                               d_.thing(last).sentence == d_.sentence() && !IsLine(last);
+    if (general_water && bare) return {last};
     // "water: winding brook"
     if (last == LastSubject() && IsKind(at_ - 1, ChunkKind::kComma) && at_ >= 2 &&
         IsThing(at_ - 2) && d_.feature(last).zones.empty()) {
@@ -181,6 +199,42 @@ std::vector<int> ClauseReader::OneMore(const Chunk& chunk) {
   like.noun = d_.thing(model).noun;
   const int created = d_.Create(like, chunk.begin, chunk.end);
   return created < 0 ? std::vector<int>() : std::vector<int>{created};
+}
+
+// "in each corner", "to each of the edges"
+bool ClauseReader::IsEach(std::size_t at) const {
+  if (IsSense(at, Sense::kIn) || IsSense(at, Sense::kTo)) ++at;
+  if (!IsKind(at, ChunkKind::kPlace) || chunks_[at].lexeme.places.size() < 2) return false;
+  const std::string words = ToLowerAscii(d_.Words(chunks_[at - 1].begin, chunks_[at].end));
+  return words.find("each") != std::string::npos || words.find("every") != std::string::npos;
+}
+
+// What "one" is one of: what there are several of, else what was named last.
+int ClauseReader::OneOfSeveral() const {
+  for (int i = d_.size() - 1; i >= 0 && i >= d_.size() - 8; --i) {
+    if (d_.thing(i).dropped) continue;
+    if (d_.feature(i).pieces > 1) return i;
+    for (int j = 0; j < i; ++j) {
+      if (!d_.thing(j).dropped && d_.thing(j).noun == d_.thing(i).noun) return i;
+    }
+  }
+  return d_.LastMentioned();
+}
+
+// The last of the things like `model` that has no place yet, where there are several; -1: none.
+int ClauseReader::Unplaced(int model) {
+  std::vector<int> like;
+  for (int i = 0; i < d_.size(); ++i) {
+    if (!d_.thing(i).dropped && d_.thing(i).noun == d_.thing(model).noun) like.push_back(i);
+  }
+  if (like.size() == 1 && d_.feature(model).pieces > 1 && d_.feature(model).zones.empty()) {
+    split_ = model;
+    return d_.SplitOff(model);
+  }
+  for (std::size_t i = like.size(); i-- > 0 && like.size() > 1;) {
+    if (d_.feature(like[i]).zones.empty()) return like[i];
+  }
+  return -1;
 }
 
 // Land that lies in water; in the lake that was spoken of.

@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/reading/clause_reader.h"
 #include "latticeworld/language/grounded/reading/place_phrases.h"
 
@@ -149,6 +150,13 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       negating_ = false;
       break;
     case Sense::kScratch: {
+      // "six huts, scratch that, four": only the number changes.
+      const std::size_t number = at_ + (IsKind(at_ + 1, ChunkKind::kComma) ? 2 : 1);
+      if (IsKind(number, ChunkKind::kQualities) && chunks_[number].qualities.count.has_value() &&
+          !subjects_.empty()) {
+        correcting_ = true;
+        break;
+      }
       CloseFrame();
       subjects_.clear();
       int first = sentence_first_feature_;
@@ -203,7 +211,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     }
     case Sense::kTravel: {
       traveling_ = true;
-      const std::string words = d_.Words(chunk.begin, chunk.end);
+      const std::string words = ToLowerAscii(d_.Words(chunk.begin, chunk.end));
       const bool from = EndsWithWord(words, "from") && IsKind(at_ + 1, ChunkKind::kPlace);
       if (from && subjects_.empty()) OpenSense(Sense::kFrom, false);
       break;
@@ -290,6 +298,11 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       }
       break;
     }
+    case Sense::kMoreThan:
+    case Sense::kLessThan:
+      // "more should be grass than trees": "than" says what is compared.
+      comparing_less_ = sense == Sense::kLessThan;
+      break;
     case Sense::kThan:
       if (!subjects_.empty()) comparing_ = true;
       break;
@@ -343,6 +356,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       }
       break;
     default:
+      if (sense == Sense::kTo && IsInfinitive(at_)) break;
       OpenSense(sense, chunk.lexeme.of_it);
       break;
   }
@@ -360,6 +374,17 @@ void ClauseReader::DenyAround(char letter, const Chunk& chunk) {
   const std::vector<std::size_t> focus = absences_;
   Deny(letter, zones, chunk);
   absences_ = focus;
+}
+
+// "possible to have", "ought to be", "to surround the lake": no way leads there.
+bool ClauseReader::IsInfinitive(std::size_t at) const {
+  if (d_.Words(chunks_[at].begin, chunks_[at].end).size() > 2) return false;
+  for (const Sense verb :
+       {Sense::kHas, Sense::kBe, Sense::kStands, Sense::kRuns, Sense::kWinds, Sense::kCovers,
+        Sense::kSurrounds, Sense::kConnects, Sense::kCrosses, Sense::kDominates}) {
+    if (IsSense(at + 1, verb)) return true;
+  }
+  return false;
 }
 
 // A bridge takes a road over the river that was spoken of, or that comes.

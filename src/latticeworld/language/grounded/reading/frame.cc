@@ -18,7 +18,9 @@ class Asserter {
 
   void Assert() {
     if (subject_ == object_ && !WantsTwo(frame_.sense)) return;
-    if (frame_.negated) {
+    if (frame_.negated && IsCourse(frame_.sense)) {
+      // "a road that does not cross the river": it only says what the road does not do.
+    } else if (frame_.negated) {
       Relate(RelationKind::kApart, subject_, object_, kTouchingSteps);
     } else if (frame_.is_direction) {
       AssertDirection(frame_.heading);
@@ -411,6 +413,7 @@ bool MayLackObject(Sense sense) {
   switch (sense) {
     case Sense::kBothSides:
     case Sense::kNear:
+    case Sense::kNextTo:
     case Sense::kSurrounds:
     case Sense::kBetween:
     case Sense::kBehind:

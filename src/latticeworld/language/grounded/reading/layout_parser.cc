@@ -69,12 +69,17 @@ const SpellingDictionary& Dictionary() {
 // Mistakes in words too short, or too near to other words, for the dictionary to tell.
 std::optional<std::string_view> ShortMistake(std::string_view word) {
   constexpr std::pair<std::string_view, std::string_view> kMistakes[] = {
-      {"teh", "the"},      {"hte", "the"},      {"adn", "and"},        {"nad", "and"},
-      {"edg", "edge"},     {"fo", "of"},        {"taht", "that"},      {"wiht", "with"},
-      {"wich", "which"},   {"thier", "their"},  {"forrest", "forest"}, {"forrests", "forests"},
-      {"untill", "until"}, {"rigth", "right"},  {"rihgt", "right"},    {"lef", "left"},
-      {"wnat", "want"},    {"thre", "three"},   {"tow", "two"},        {"noth", "north"},
-      {"sout", "south"},   {"botom", "bottom"}, {"lak", "lake"},       {"rver", "river"},
+      {"teh", "the"},          {"hte", "the"},          {"adn", "and"},
+      {"nad", "and"},          {"edg", "edge"},         {"fo", "of"},
+      {"taht", "that"},        {"wiht", "with"},        {"wich", "which"},
+      {"thier", "their"},      {"forrest", "forest"},   {"forrests", "forests"},
+      {"untill", "until"},     {"rigth", "right"},      {"rihgt", "right"},
+      {"lef", "left"},         {"wnat", "want"},        {"thre", "three"},
+      {"tow", "two"},          {"noth", "north"},       {"sout", "south"},
+      {"botom", "bottom"},     {"lak", "lake"},         {"rver", "river"},
+      {"beetwen", "between"},  {"els", "else"},         {"est", "east"},
+      {"bolder", "boulder"},   {"bolders", "boulders"}, {"toch", "touch"},
+      {"moutain", "mountain"},
   };
   for (const auto& [mistake, meant] : kMistakes) {
     if (word == mistake) return meant;
@@ -82,13 +87,26 @@ std::optional<std::string_view> ShortMistake(std::string_view word) {
   return std::nullopt;
 }
 
+// "the down part" is the lower one.
+std::optional<std::string_view> SideWord(const std::vector<Token>& tokens, std::size_t at) {
+  const bool before_part =
+      at + 1 < tokens.size() && (tokens[at + 1].text == "part" || tokens[at + 1].text == "half" ||
+                                 tokens[at + 1].text == "corner" || tokens[at + 1].text == "zone");
+  if (!before_part) return std::nullopt;
+  if (tokens[at].text == "down") return "lower";
+  if (tokens[at].text == "up") return "upper";
+  return std::nullopt;
+}
+
 // Mistyped words are read as what was meant, with a warning for each.
 void CorrectSpelling(std::string_view instruction, std::vector<Token>* tokens,
                      std::vector<std::string>* warnings) {
   std::size_t corrected = 0;
-  for (Token& token : *tokens) {
+  for (std::size_t at = 0; at < tokens->size(); ++at) {
+    Token& token = (*tokens)[at];
     if (token.kind != TokenKind::kWord) continue;
-    std::optional<std::string_view> meant = ShortMistake(token.text);
+    std::optional<std::string_view> meant = SideWord(*tokens, at);
+    if (!meant.has_value()) meant = ShortMistake(token.text);
     if (!meant.has_value()) meant = Dictionary().Correct(token.text);
     if (!meant.has_value()) continue;
     token.text = *meant;

@@ -169,6 +169,15 @@ class Lexer {
     }
     std::string_view before;
     if (at > 0 && tokens_[at - 1].kind == TokenKind::kWord) before = tokens_[at - 1].text;
+    // "the other corners"
+    if (before == "other" && IsWord(tokens_, at, {"corners", "edges"})) {
+      const std::vector<Token> all = Tokenize("the " + tokens_[at].text);
+      PlaceMatch match = MatchPlace(all, 0);
+      if (match.tokens == 2 && Take(1, LexemeKind::kPlace, lexeme)) {
+        lexeme->places = std::move(match.places);
+      }
+      return;
+    }
     PlaceMatch match =
         before.empty() ? MatchPlace(tokens_, at) : MatchPlaceAfter(before, tokens_, at);
     if (match.tokens == 0 || match.places.empty()) return;
