@@ -47,6 +47,8 @@ class AgentReader {
   // "better" and "actually" correct something only where something was said.
   bool IsPlainBetter(std::size_t said) const { return said == 1 && groups_.empty(); }
 
+  bool FollowsPlace() const;
+
   void Known(std::size_t tokens);
 
   std::size_t ReadNobody(std::size_t tokens);
@@ -54,6 +56,9 @@ class AgentReader {
   // References
 
   std::size_t ReadReference();
+
+  // "three of the eight sheep", "half of the ten sheep": the words before the whole's count.
+  std::size_t ReadPartOfCounted();
 
   // "forty agents: thirty goblins and the rest eagles"
   std::size_t ReadRestOfTotal(std::size_t at);
@@ -132,6 +137,13 @@ class AgentReader {
 
   void ReadPresence(const SpeciesWord& word, const Count& collective, std::size_t end);
 
+  // "What can my robot do? ... One rover": what was meant by "my robot" is named now.
+  void DropVagueKinds(const SpeciesWord& word);
+
+  // "Goblins attack the village. Eight goblins.": those of before, counted now. kNone: others.
+  std::size_t VagueBefore(const std::vector<std::size_t>& same, const Count& count,
+                          std::size_t end) const;
+
   std::vector<std::size_t> GroupsOf(const SpeciesWord& word, std::size_t end) const;
 
   void ReferTo(const std::vector<std::size_t>& same, const Count& count, std::size_t end);
@@ -147,6 +159,8 @@ class AgentReader {
   // States
 
   std::size_t ReadState();
+
+  bool SubjectIsRobots() const;
 
   // "guarded by two knights", but "parked by the lake".
   bool AgentsAfterBy(std::size_t at) const;
@@ -174,6 +188,9 @@ class AgentReader {
 
   // "there" goes back to the place named last.
   std::size_t ReadThere();
+
+  // "Heat shimmers over the road, and three mares ...": the place was that of another clause.
+  bool EndsOtherClause(std::size_t end) const;
 
   // "Bridge: one warrior"
   bool IsHeading(std::size_t at) const;
@@ -256,6 +273,7 @@ class AgentReader {
   std::size_t halved_ = kNone;
   std::vector<Place> there_;  // the place named last
   std::optional<FeaturePlace> there_feature_;
+  int part_of_ = 0;           // of the group that is being named, so many are meant
   bool split_state_ = false;  // the subject's state is only inherited
   std::size_t placed_ = kNone;
   std::size_t placed_sentence_ = 0;

@@ -175,6 +175,13 @@ class Fitter {
   void Add(const AgentWish& wish, AgentGroup group) {
     const std::string category(NameOf(group.category));
     Suits suits = GroundOf(group.category, group.state);
+    // Whom nobody asked to graze rests where it is asked to be.
+    if (group.state == AgentState::kGrazing && suits != nullptr && !wish.state.has_value() &&
+        RoomIn(group.position, suits) < kRoomCells &&
+        RoomIn(group.position, GroundOf(group.category, AgentState::kIdle)) >= kRoomCells) {
+      group.state = AgentState::kIdle;
+      suits = GroundOf(group.category, group.state);
+    }
     if (group.state == AgentState::kGrazing && suits != nullptr &&
         RoomIn(Region::kAnywhere, suits) < kRoomCells) {
       Warn(wish, "there is no grass to graze on; it is idle");

@@ -102,7 +102,8 @@ std::size_t AgentReader::ReadLoneCount(const Count& count) {
   const bool bare = noted_.IsPause(at_ + tokens);
   // "a herd of horses, nine of them", "an ambush: six of them lie in wait", "sheep, five in number"
   const bool more_than_said = of_them > 0 && count.least > whole.wish.most;
-  if (!whole.wish.counted && ((bare && (of_them > 0 || more == 2)) || more_than_said)) {
+  const bool heads = noted_.IsAnyWord(next, {"heads", "head", "members", "individuals", "strong"});
+  if (!whole.wish.counted && ((bare && (of_them > 0 || more == 2 || heads)) || more_than_said)) {
     SetCount(count, &whole);
     subject_ = {last_};
     return tokens;
@@ -212,7 +213,12 @@ std::size_t AgentReader::ReadSpecies() {
     ReadAbsence(word, end);
   } else {
     ReadPresence(word, collective, end);
+    if (part_of_ > 0 && last_ != kNone && groups_[last_].wish.quantity > part_of_) {
+      Split({part_of_, part_of_, part_of_, 1}, part_of_, end - at_);
+      halved_ = rest_;
+    }
   }
+  part_of_ = 0;
   pending_ = {};
   phrase_begin_ = kNone;
   return end + collective.tokens - at_;
@@ -338,6 +344,12 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
     Replace(word, count, end);
     return;
   }
+  DropVagueKinds(word);
+  if (const std::size_t vague = VagueBefore(same, count, end); vague != kNone) {
+    ReferTo({vague}, {}, end);
+    SetCount(count, &groups_[vague]);
+    return;
+  }
   Group group;
   group.wish.categories = word.categories;
   group.wish.exact = word.exact;
@@ -375,6 +387,30 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   acted_ = false;
   new_clause_ = false;
   object_ = kNone;
+}
+
+void AgentReader::DropVagueKinds(const SpeciesWord& word) {
+  for (Group& group : groups_) {
+    const AgentWish& wish = group.wish;
+    const bool told =
+        wish.counted || wish.state.has_value() || !wish.places.empty() || wish.feature.has_value();
+    if (wish.categories.size() < 2 || word.categories.size() > 1 || told) continue;
+    if (group.sentence != sentence_ && Contains(wish.categories, word.categories)) {
+      group.removed = true;
+    }
+  }
+}
+
+std::size_t AgentReader::VagueBefore(const std::vector<std::size_t>& same, const Count& count,
+                                     std::size_t end) const {
+  const bool alone = noted_.IsPause(end) || noted_.IsWord(end, "and");
+  if (same.size() != 1 || count.tokens == 0 || !alone || lead_set_ || state_before_.has_value()) {
+    return kNone;
+  }
+  const Group& group = groups_[same.front()];
+  const AgentWish& wish = group.wish;
+  const bool bare = wish.least == kSomeSeen.least && wish.most == kSomeSeen.most;
+  return bare && group.sentence != sentence_ ? same.front() : kNone;
 }
 
 std::vector<std::size_t> AgentReader::GroupsOf(const SpeciesWord& word, std::size_t end) const {

@@ -52,7 +52,7 @@ std::size_t AgentReader::ReadPlace() {
   const bool negated = noted_.notes[next].negated;
   const std::vector<std::size_t> owners = Owners();
   const bool fronted = IsFronted(end);
-  if (owners.empty() && !fronted && !AgentsAhead(end)) return 0;
+  if (owners.empty() && !fronted && (!AgentsAhead(end) || EndsOtherClause(end))) return 0;
   noted_.Mark(at_, end, &TokenNote::place);
   there_ = place.places;
   there_feature_ = feature;
@@ -60,6 +60,16 @@ std::size_t AgentReader::ReadPlace() {
   if (negated || (absent_here_ && owners.empty())) return end - at_;
   SetPlace(place.places, feature, each, fronted ? std::vector<std::size_t>{} : owners, end);
   return end - at_;
+}
+
+bool AgentReader::EndsOtherClause(std::size_t end) const {
+  if (end + 2 >= tokens_.size() || tokens_[end].kind != TokenKind::kComma ||
+      !noted_.IsWord(end + 1, "and")) {
+    return false;
+  }
+  return noted_.IsAnyWord(end + 2, {"a", "an", "the"}) ||
+         ReadCount(noted_, words_, end + 2).tokens > 0 ||
+         words_.species.LengthAt(tokens_, end + 2) > 0;
 }
 
 std::size_t AgentReader::ReadThere() {
@@ -162,7 +172,12 @@ bool AgentReader::IsFronted(std::size_t end) const {
   std::size_t at = end;
   if (at < tokens_.size() && tokens_[at].kind == TokenKind::kComma) ++at;
   for (std::size_t i = at; i < at + kPhraseTokens && !noted_.IsPause(i); ++i) {
-    if (words_.species.LengthAt(tokens_, i) > 0 || ReadCount(noted_, words_, i).tokens > 0 ||
+    const Count count = ReadCount(noted_, words_, i);
+    if (count.tokens > 0 && i + count.tokens < tokens_.size() &&
+        RoleAt(Role::kOfThem, i + count.tokens) > 0) {
+      return false;  // "three of them" were named before
+    }
+    if (words_.species.LengthAt(tokens_, i) > 0 || count.tokens > 0 ||
         (noted_.IsWord(i, "another") && !groups_.empty())) {
       return true;
     }

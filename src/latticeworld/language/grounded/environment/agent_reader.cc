@@ -67,9 +67,24 @@ std::size_t AgentReader::Step() {
     joined_ = true;
     clause_open_ = true;
   }
+  if (noted_.IsWord(at_, "where") && FollowsPlace()) {
+    // "to the village, where knights wait"
+    EndClause();
+    subject_.clear();
+    lead_places_ = there_;
+    lead_feature_ = there_feature_;
+    lead_set_ = true;
+  }
   if (noted_.IsWord(at_, "with") && !subject_.empty()) joined_ = true;
   if (RoleAt(Role::kBut, at_) > 0 && !noted_.IsAnyWord(at_, {"with", "by", "for"})) EndClause();
   return 1;
+}
+
+bool AgentReader::FollowsPlace() const {
+  std::size_t before = at_;
+  if (before > 0 && tokens_[before - 1].kind == TokenKind::kComma) --before;
+  return before > 0 && noted_.notes[before - 1].place &&
+         (!there_.empty() || there_feature_.has_value());
 }
 
 void AgentReader::Known(std::size_t tokens) {

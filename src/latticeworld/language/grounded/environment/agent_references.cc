@@ -8,7 +8,31 @@
 namespace latticeworld {
 namespace internal {
 
+std::size_t AgentReader::ReadPartOfCounted() {
+  if (pending_.tokens > 0 || noted_.notes[at_].negated) return 0;
+  const bool half = noted_.IsWord(at_, "half");
+  const Count part = half ? Count{0, 0, 0, 1} : ReadCount(noted_, words_, at_);
+  std::size_t next = at_ + part.tokens;
+  if (part.tokens == 0 || part.least != part.most) return 0;
+  if (noted_.IsWord(next, "of")) {
+    ++next;
+  } else if (!half) {
+    return 0;
+  }
+  if (!noted_.IsAnyWord(next, {"the", "my", "our", "these", "those", "all"})) return 0;
+  ++next;
+  const Count whole = next < tokens_.size() ? ReadCount(noted_, words_, next) : Count{};
+  if (whole.tokens == 0 || whole.least != whole.most || whole.value < 2 ||
+      part.value >= whole.value || !NounAhead(next + whole.tokens)) {
+    return 0;
+  }
+  part_of_ = half ? (whole.value + 1) / 2 : part.value;
+  noted_.Mark(at_, next, &TokenNote::agent);
+  return next - at_;
+}
+
 std::size_t AgentReader::ReadReference() {
+  if (const std::size_t part = ReadPartOfCounted(); part > 0) return part;
   if (groups_.empty() || noted_.notes[at_].negated) return 0;
   if (const std::size_t half = RoleAt(Role::kHalf, at_); half > 0) {
     Group* whole = Last();

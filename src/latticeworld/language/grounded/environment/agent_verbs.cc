@@ -23,7 +23,12 @@ std::size_t AgentReader::ReadState() {
   // "rolling hills" is land, a sky "swept clean of clouds" is clear.
   const std::size_t other = std::max(words_.coarse.LengthAt(tokens_, at_), RoleAt(Role::kNot, at_));
   if (match.tokens == 0 || other > match.tokens) return 0;
-  const AgentState state = match.rows.front()->state;
+  AgentState state = match.rows.front()->state;
+  // Robots that charge stand at their charger.
+  if (noted_.IsWord(at_, "charging") && match.tokens == 1 && SubjectIsRobots() &&
+      noted_.IsPause(at_ + 1)) {
+    state = AgentState::kIdle;
+  }
   const std::size_t end = at_ + match.tokens;
   const bool noun_next = NounFollows(end);
   const bool noun_ahead = noun_next || AgentsAhead(end);
@@ -34,6 +39,11 @@ std::size_t AgentReader::ReadState() {
   }
   if (subject_.empty() && !noun_ahead && !(corrected_ && !previous_.empty())) return 0;
   if (noted_.notes[at_].negated) {
+    // "none of them parked"
+    for (const std::size_t index : subject_) {
+      std::optional<AgentState>& said = groups_[index].wish.state;
+      if (!said.has_value() && state == AgentState::kIdle) said = AgentState::kPatrolling;
+    }
     noted_.Mark(at_, end, &TokenNote::agent);
     return match.tokens;
   }
@@ -70,6 +80,20 @@ std::size_t AgentReader::ReadState() {
   paused_ = false;
   split_state_ = false;
   return match.tokens;
+}
+
+bool AgentReader::SubjectIsRobots() const {
+  return !subject_.empty() && std::all_of(subject_.begin(), subject_.end(), [&](std::size_t index) {
+    switch (groups_[index].wish.categories.front()) {
+      case AgentCategory::kWheeledRobot:
+      case AgentCategory::kHumanoidRobot:
+      case AgentCategory::kRoboticDog:
+      case AgentCategory::kAerialRobot:
+        return groups_[index].wish.exact;
+      default:
+        return false;
+    }
+  });
 }
 
 bool AgentReader::AgentsAfterBy(std::size_t at) const {

@@ -105,6 +105,8 @@ class CoarseReader {
     const bool seasonal = word.key == CoarseKey::kSeason || word.key == CoarseKey::kTerrainType;
     if (hints && !seasonal && noted_.notes[first].fine) return;
     if (word.key == CoarseKey::kTerrainType && (of_place || QualifiesAgents(last))) hints = true;
+    // "above the snow": that snow lies.
+    if (word.key == CoarseKey::kWeather && of_place) hints = true;
     // "fog until midday": where a time ends is not when it is.
     if (word.key == CoarseKey::kTimeOfDay && first > 0 &&
         noted_.IsAnyWord(first - 1, {"until", "till", "til", "since"})) {
@@ -112,6 +114,15 @@ class CoarseReader {
     }
     // "after the rain": it has stopped.
     if (word.key == CoarseKey::kWeather && IsOver(first, last)) return;
+    restricted_ = false;  // "just overcast", "cloudy instead"
+    for (std::size_t i = first; i > 0 && i + 3 > first && !noted_.IsPause(i - 1); --i) {
+      restricted_ =
+          restricted_ || noted_.IsAnyWord(i - 1, {"just", "only", "merely", "now", "but"});
+    }
+    restricted_ = restricted_ || noted_.IsAnyWord(last, {"instead", "only", "now"});
+    if (first > 0 && noted_.IsPause(first - 1) && first > 1) {
+      restricted_ = restricted_ || noted_.IsAnyWord(first - 2, {"no", "sorry", "actually", "wait"});
+    }
     if (hints) {
       Hint(word.key, word.value, words);
     } else {
@@ -155,9 +166,10 @@ class CoarseReader {
   void Say(CoarseKey key, const std::string& value, std::string_view words) {
     HeardCoarse& coarse = heard_.coarse_of(key);
     const bool said = !coarse.value.empty() && !coarse.hint;
+    const bool narrows = key == CoarseKey::kWeather && restricted_;
     if (said && coarse.value != value) {
       // A word that allows both values narrows nothing down.
-      if (IsFinerThan(key, coarse.value, value)) return;
+      if (IsFinerThan(key, coarse.value, value) && !narrows) return;
       if (!IsFinerThan(key, value, coarse.value)) {
         heard_.warnings.push_back(Quote(coarse.words) + " and " + Quote(words) +
                                   " cannot both be; the last one said counts");
@@ -171,6 +183,8 @@ class CoarseReader {
 
   // "a bright day at noon": any hour of the sun is of the day.
   static bool IsFinerThan(CoarseKey key, const std::string& fine, const std::string& wide) {
+    // It rains from clouds.
+    if (key == CoarseKey::kWeather) return wide == "cloudy" && (fine == "rain" || fine == "snow");
     return key == CoarseKey::kTimeOfDay && wide == "day" && fine != "night";
   }
 
@@ -220,6 +234,7 @@ class CoarseReader {
   NotedTokens& noted_;
   const std::vector<Token>& tokens_;
   HeardEnvironment& heard_;
+  bool restricted_ = false;
 };
 
 }  // namespace

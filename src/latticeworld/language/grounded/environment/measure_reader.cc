@@ -235,7 +235,11 @@ class MeasureReader {
          Is(at + 1, {"size", "scale", "sized"}))) {
       return Factor(0.5, at, at + 1);
     }
-    const Number number = NumberAt(at);
+    Number number = NumberAt(at);
+    if (Is(at, {"a"}) && Is(at + 1, {"metre", "meter"})) number = {1.0, 1, false};
+    if (Is(at, {"half"}) && Is(at + 1, {"a"}) && Is(at + 2, {"metre", "meter"})) {
+      number = {0.5, 2, true};
+    }
     if (number.tokens == 0) return {};
     const std::size_t end = at + number.tokens;
     const double sign = IsNegative(at) ? -1.0 : 1.0;

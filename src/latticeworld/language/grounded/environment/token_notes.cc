@@ -45,8 +45,17 @@ class ScopeMarker {
     }
     if (negator == 0 || other > negator) return std::max<std::size_t>(1, other);
     for (std::size_t i = 0; i < negator; ++i) noted_->notes[at + i].known = true;
+    // "nobody except a shepherd": there is one.
+    if (noted_->IsWord(at, "except") && DeniedBefore(at)) return negator;
     MarkScope(at, at + negator);
     return negator;
+  }
+
+  bool DeniedBefore(std::size_t at) const {
+    for (std::size_t i = at; i > 0 && i + kLongestScope > at && !noted_->IsEnd(i - 1); --i) {
+      if (Role(Role::kNot, i - 1) > 0 || Role(Role::kNobody, i - 1) > 0) return true;
+    }
+    return false;
   }
 
   void MarkScope(std::size_t negator, std::size_t first) {
@@ -55,6 +64,8 @@ class ScopeMarker {
     int content = 0;
     for (std::size_t at = first; !noted_->IsEnd(at) && at < first + kLongestScope; ++at) {
       if (tokens_[at].kind == TokenKind::kComma) {
+        // "What I do not want: wolves or goblins."
+        if (content == 0 && tokens_[at].text == ":" && word != "no") continue;
         if (content == 0 || !ListGoesOn(at + 1)) return;
         continue;
       }
