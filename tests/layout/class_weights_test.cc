@@ -111,5 +111,62 @@ TEST(DecodeLayoutTest, ARoadOneCellWideStaysConnectedInItsPlace) {
   }
 }
 
+// Cells of `letter` that hang together, by their sides, with the first of them in row-major order.
+int ConnectedCells(const ClassWeights& weights, char letter, int* all) {
+  constexpr int kSize = 512;
+  Grid<char> open(kSize, kSize, 0);
+  std::vector<CellIndex> reached;
+  *all = 0;
+  for (int row = 0; row < kSize; ++row) {
+    for (int col = 0; col < kSize; ++col) {
+      if (weights.DominantAt({row, col}) != letter) continue;
+      open(row, col) = 1;
+      if ((*all)++ == 0) reached.push_back({row, col});
+    }
+  }
+  for (const CellIndex& first : reached) open[first] = 0;
+  for (std::size_t next = 0; next < reached.size(); ++next) {
+    const CellIndex cell = reached[next];
+    for (const CellIndex near :
+         {CellIndex{cell.row - 1, cell.col}, CellIndex{cell.row + 1, cell.col},
+          CellIndex{cell.row, cell.col - 1}, CellIndex{cell.row, cell.col + 1}}) {
+      if (!open.Contains(near) || !open[near]) continue;
+      open[near] = 0;
+      reached.push_back(near);
+    }
+  }
+  return static_cast<int>(reached.size());
+}
+
+TEST(DecodeLayoutTest, ARiverThatRunsDiagonallyIsOneRiver) {
+  for (const bool falls : {true, false}) {
+    SymbolicLayout layout = Uniform(Vocabulary::kSuburb, 'G');
+    for (int i = 0; i < 32; ++i) layout.cells(i, falls ? i : 31 - i) = 'W';
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      const ClassWeights weights =
+          DecodeLayout(layout, GridGeometry::FromCells(512, 512.0), DecodeOptions(), seed);
+      int all = 0;
+      const int connected = ConnectedCells(weights, 'W', &all);
+      EXPECT_GT(connected, 0.99 * all) << "seed " << seed << (falls ? ", falls" : ", rises");
+      EXPECT_GT(all, 512 * 12);
+      EXPECT_LT(all, 512 * 32);
+    }
+  }
+}
+
+TEST(DecodeLayoutTest, ARoadThatMeetsARiverInACornerGoesOverIt) {
+  SymbolicLayout layout = Uniform(Vocabulary::kSuburb, 'G');
+  for (int i = 0; i < 32; ++i) {
+    layout.cells(i, i) = 'W';
+    layout.cells(i, 31 - i) = 'R';
+  }
+  layout.cells(16, 16) = layout.cells(15, 15) = 'W';
+  layout.cells(15, 16) = layout.cells(16, 15) = 'R';
+  const ClassWeights weights =
+      DecodeLayout(layout, GridGeometry::FromCells(512, 512.0), DecodeOptions(), 1);
+  int all = 0;
+  EXPECT_GT(ConnectedCells(weights, 'R', &all), 0.99 * all);
+}
+
 }  // namespace
 }  // namespace latticeworld

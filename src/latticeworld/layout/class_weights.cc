@@ -11,6 +11,64 @@
 namespace latticeworld {
 namespace {
 
+// Half the width of a river or road where it runs diagonally [layout cells].
+constexpr double kDiagonalHalfWidth = 0.5;
+
+bool RunsInLines(Vocabulary vocabulary, char letter) {
+  return letter == 'W' || (vocabulary == Vocabulary::kSuburb && letter == 'R');
+}
+
+// The layout as a function of the plane: the nearest cell's letter, but where two cells of a river
+// or a road touch with their corners only, what runs through that corner runs on as a band. Without
+// it every diagonal step of a river one cell wide would be a dam.
+class LetterField {
+ public:
+  explicit LetterField(const SymbolicLayout& layout)
+      : layout_(layout), corners_(kLayoutSize + 1, kLayoutSize + 1) {
+    for (int row = 1; row < kLayoutSize; ++row) {
+      for (int col = 1; col < kLayoutSize; ++col) corners_(row, col) = CornerAt(row, col);
+    }
+  }
+
+  // u to the east, v to the south, in layout cells from the north-west corner.
+  char At(double u, double v) const {
+    const Corner corner =
+        corners_.Clamped(static_cast<int>(std::lround(v)), static_cast<int>(std::lround(u)));
+    if (corner.letter != '\0') {
+      const double east = u - std::round(u);
+      const double south = v - std::round(v);
+      const double off_line = (corner.falls_east ? east - south : east + south) / std::sqrt(2.0);
+      if (std::abs(off_line) < kDiagonalHalfWidth) return corner.letter;
+    }
+    return layout_.cells.Clamped(static_cast<int>(std::floor(v)), static_cast<int>(std::floor(u)));
+  }
+
+ private:
+  // What runs through the corner where four cells meet.
+  struct Corner {
+    char letter = '\0';       // '\0': nothing does
+    bool falls_east = false;  // from the north-west to the south-east
+  };
+
+  // Of the cells to the north-west of (row, col) and around it. Where two lines meet in a corner
+  // the road goes over the water.
+  Corner CornerAt(int row, int col) const {
+    const char north_west = layout_.cells(row - 1, col - 1),
+               north_east = layout_.cells(row - 1, col);
+    const char south_west = layout_.cells(row, col - 1), south_east = layout_.cells(row, col);
+    const bool falls = north_west == south_east && RunsInLines(layout_.vocabulary, north_west) &&
+                       north_east != north_west && south_west != north_west;
+    const bool rises = north_east == south_west && RunsInLines(layout_.vocabulary, north_east) &&
+                       north_west != north_east && south_east != north_east;
+    if (falls && !(rises && north_east == 'R')) return {north_west, true};
+    if (rises) return {north_east, false};
+    return {};
+  }
+
+  const SymbolicLayout& layout_;
+  Grid<Corner> corners_;
+};
+
 // The letter of each world cell: nearest neighbour in the layout, at a place displaced by noise
 // with features of the size of a layout cell and of half of it.
 Grid<char> StretchLabels(const SymbolicLayout& layout, const GridGeometry& geometry,
@@ -19,6 +77,7 @@ Grid<char> StretchLabels(const SymbolicLayout& layout, const GridGeometry& geome
   const NoiseOptions border{layout_cell_m, 2, 0.5};
   const Grid<float> east = FractalNoise(geometry, border, StreamSeed(seed, "layout/border/east"));
   const Grid<float> south = FractalNoise(geometry, border, StreamSeed(seed, "layout/border/south"));
+  const LetterField letters(layout);
   Grid<char> labels(geometry.rows(), geometry.cols());
   const double scale = static_cast<double>(kLayoutSize) / geometry.cols();
   const double displacement_cells = displacement_m / layout_cell_m;
@@ -28,8 +87,7 @@ Grid<char> StretchLabels(const SymbolicLayout& layout, const GridGeometry& geome
       const double u = (col + 0.5) * scale;
       const double du = displacement_cells * east(row, col);
       const double dv = displacement_cells * south(row, col);
-      labels(row, col) = layout.cells.Clamped(static_cast<int>(std::floor(v + dv)),
-                                              static_cast<int>(std::floor(u + du)));
+      labels(row, col) = letters.At(u + du, v + dv);
     }
   }
   return labels;

@@ -30,7 +30,8 @@ struct DecodeOptions {
 };
 
 // Psi_L (Duan et al.): binary mask per class, stretched to the grid by nearest neighbour, borders
-// displaced by noise and blended by a Gaussian. The same seed gives the same weights.
+// displaced by noise and blended by a Gaussian. Beyond the method, rivers and roads whose cells
+// touch with their corners stay connected. The same seed gives the same weights.
 ClassWeights DecodeLayout(const SymbolicLayout& layout, const GridGeometry& geometry,
                           const DecodeOptions& options, std::uint64_t seed);
 
