@@ -114,11 +114,14 @@ bool SpellingDictionary::Knows(std::string_view word) const {
     if (word.size() < end.size() + 3 || word.substr(word.size() - end.size()) != end) continue;
     stem = word.substr(0, word.size() - end.size());
     // "runing" is a mistake.
-    const bool doubles = (end == "ing" || end == "ed" || end == "er") && DoublesItsEnd(stem);
-    if ((Has(stem) && !doubles) || Has(stem + 'e')) return true;
+    const bool doubles =
+        (end == "ing" || end == "ed" || end == "er" || end == "est") && DoublesItsEnd(stem);
+    // Only before a vowel an e is lost, or a letter doubled: "drons" is a mistake.
+    const bool vowel = IsVowel(end.front()) || end == "y";
+    if ((Has(stem) && !doubles) || (vowel && Has(stem + 'e'))) return true;
     if (stem.back() == 'i' && Has(stem.substr(0, stem.size() - 1) + 'y')) return true;
     // "stopped"
-    const bool doubled = stem.size() > 2 && stem[stem.size() - 1] == stem[stem.size() - 2];
+    const bool doubled = vowel && stem.size() > 2 && stem[stem.size() - 1] == stem[stem.size() - 2];
     if (doubled && Has(stem.substr(0, stem.size() - 1))) return true;
   }
   return false;

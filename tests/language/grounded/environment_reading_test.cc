@@ -165,6 +165,20 @@ INSTANTIATE_TEST_SUITE_P(
         {"drone footage of three horses", "3 horse grazing anywhere; "},
     }));
 
+INSTANTIATE_TEST_SUITE_P(
+    AsidesAndFragments, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"Nine sheep graze. Make it a foggy night, with one eagle over the village.",
+         "9 sheep grazing anywhere; 1 eagle flying center; "},
+        {"one rover (patrolling) in the village, two knights by the lake",
+         "1 wheeled robot patrolling center; 2 ancient warrior patrolling upper left; "},
+        {"Six horses trotting... okay, only resting, in the east.", "6 horse idle middle right; "},
+        {"four robots with wheels, parked in the south", "4 wheeled robot idle lower; "},
+        {"Snow on the fields, and one eagle soars over the village.", "1 eagle flying center; "},
+        {"two dozen goats south of the village", "24 sheep grazing lower; "},
+        {"four drons patroll", "4 aerial robot patrolling anywhere; "},
+    }));
+
 struct CoarseSample {
   std::string instruction;
   CoarseKey key;
@@ -218,6 +232,8 @@ INSTANTIATE_TEST_SUITE_P(Voices, CoarseVoices,
                              {"make it like a cartoon", CoarseKey::kArtisticStyle, "cartoon"},
                              {"rainny", CoarseKey::kWeather, "rain"},
                              {"like a comic book", CoarseKey::kArtisticStyle, "cartoon"},
+                             {"the sun was just going down", CoarseKey::kTimeOfDay, "dusk"},
+                             {"it poured", CoarseKey::kWeather, "rain"},
                              {"holograms and neon", CoarseKey::kArtisticStyle, "cyberpunk"},
                          }));
 

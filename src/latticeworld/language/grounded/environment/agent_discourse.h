@@ -49,6 +49,9 @@ class AgentReader {
 
   bool FollowsPlace() const;
 
+  // Whether a phrase of correction is said of the agents.
+  bool Corrects(std::size_t said) const;
+
   void Known(std::size_t tokens);
 
   std::size_t ReadNobody(std::size_t tokens);
@@ -196,6 +199,9 @@ class AgentReader {
   bool IsHeading(std::size_t at) const;
 
   std::vector<std::size_t> Owners() const;
+
+  // "Three goblins. Just standing, in the north.": nothing of its own before it in the sentence.
+  bool IsFragment() const;
 
   // "Three goblins. All in the north." is said of the goblins.
   bool ContinuesPrevious() const;

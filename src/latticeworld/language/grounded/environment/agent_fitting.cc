@@ -188,6 +188,12 @@ class Fitter {
       group.state = AgentState::kIdle;
       suits = GroundOf(group.category, group.state);
     }
+    // Who is not said to graze rather stays where it is asked for.
+    if (group.state == AgentState::kGrazing && suits != nullptr && !wish.state.has_value() &&
+        RoomIn(group.position, suits) < kRoomCells) {
+      group.state = AgentState::kIdle;
+      suits = GroundOf(group.category, group.state);
+    }
     if (LocomotionOf(group.category) == Locomotion::kFins) {
       if (RoomIn(Region::kAnywhere, suits) == 0) {
         return Warn(wish, "left out: there is no water wide and deep enough for a " + category);

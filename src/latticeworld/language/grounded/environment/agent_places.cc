@@ -50,8 +50,11 @@ std::size_t AgentReader::ReadPlace() {
   }
   if (place.tokens == 0 && !feature.has_value()) return 0;
   const bool negated = noted_.notes[next].negated;
-  const std::vector<std::size_t> owners = Owners();
-  const bool fronted = IsFronted(end);
+  std::vector<std::size_t> owners = Owners();
+  // "a robot (on patrol) in the village, ..." is said of the robot.
+  const bool after_aside = at_ > 0 && tokens_[at_ - 1].text == ")" && !subject_.empty();
+  const bool fronted = !after_aside && IsFronted(end);
+  if (owners.empty() && !fronted && !AgentsAhead(end) && IsFragment()) owners = previous_;
   if (owners.empty() && !fronted && (!AgentsAhead(end) || EndsOtherClause(end))) return 0;
   noted_.Mark(at_, end, &TokenNote::place);
   there_ = place.places;
@@ -98,6 +101,21 @@ std::vector<std::size_t> AgentReader::Owners() const {
   return owners;
 }
 
+bool AgentReader::IsFragment() const {
+  if (previous_.empty()) return false;
+  std::size_t first = at_;
+  while (first > 0 && tokens_[first - 1].kind != TokenKind::kStop) --first;
+  for (std::size_t i = first; i < at_; ++i) {
+    if (tokens_[i].kind == TokenKind::kComma || noted_.notes[i].agent) continue;
+    if (RoleAt(Role::kFunction, i) == 0 || words_.coarse.LengthAt(tokens_, i) > 0 ||
+        words_.assets.LengthAt(tokens_, i) > 0 ||
+        noted_.IsAnyWord(i, {"sun", "sky", "it", "there", "weather", "light", "wind"})) {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool AgentReader::ContinuesPrevious() const {
   return !previous_.empty() && at_ > 0 && noted_.IsWord(at_ - 1, "all");
 }
@@ -110,6 +128,12 @@ bool AgentReader::IsBarePlace(const PlaceMatch& place, std::size_t at) const {
     return noted_.IsPause(end) && !subject_.empty();
   }
   if (noted_.IsPause(end) || place.tokens > 1) return true;
+  if (noted_.IsWord(end, "of")) {
+    // "nine sheep south of the village"
+    std::size_t land = end + 1;
+    while (noted_.IsAnyWord(land, {"the", "a", "an", "our", "their", "that", "this"})) ++land;
+    return land < tokens_.size() && words_.features.LengthAt(tokens_, land) > 0;
+  }
   return EndsNounPhrase(end) || ReadCount(noted_, words_, end).tokens > 0 ||
          words_.features.LengthAt(tokens_, end) > 0;
 }
@@ -215,7 +239,10 @@ void AgentReader::SetPlace(const std::vector<Place>& places,
     if (wish.places.empty() || also) {
       wish.places.insert(wish.places.end(), places.begin(), places.end());
     }
-    if (feature.has_value() && !wish.feature.has_value()) wish.feature = feature;
+    // What is said at the agents themselves counts over what the clause began with.
+    const bool led = lead_feature_.has_value() && wish.feature.has_value() &&
+                     wish.feature->name == lead_feature_->name;
+    if (feature.has_value() && (led || !wish.feature.has_value())) wish.feature = feature;
     wish.each = wish.each || each;
     Extend(index, tokens_[end - 1].end);
     placed_ = index;

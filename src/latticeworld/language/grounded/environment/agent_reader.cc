@@ -48,7 +48,7 @@ std::size_t AgentReader::Step() {
   }
   if (const std::size_t said = RoleAt(Role::kCorrection, at_); said > 0) {
     if (!IsPlainBetter(said)) {
-      corrected_ = true;
+      corrected_ = corrected_ || Corrects(said);
       Known(said);
       return said;
     }
@@ -85,6 +85,20 @@ bool AgentReader::FollowsPlace() const {
   if (before > 0 && tokens_[before - 1].kind == TokenKind::kComma) --before;
   return before > 0 && noted_.notes[before - 1].place &&
          (!there_.empty() || there_feature_.has_value());
+}
+
+bool AgentReader::Corrects(std::size_t said) const {
+  if (groups_.empty()) return false;
+  if (!noted_.IsAnyWord(at_, {"make"})) return true;
+  // "make it night" takes nothing back that was said of agents.
+  for (std::size_t i = at_ + said; i < at_ + said + 4 && !noted_.IsPause(i); ++i) {
+    if (words_.species.LengthAt(tokens_, i) > 0 || words_.states.LengthAt(tokens_, i) > 0 ||
+        ReadCount(noted_, words_, i).tokens > 0 || MatchPlace(tokens_, i).tokens > 0) {
+      return true;
+    }
+    if (words_.coarse.LengthAt(tokens_, i) > 0) return false;
+  }
+  return false;
 }
 
 void AgentReader::Known(std::size_t tokens) {

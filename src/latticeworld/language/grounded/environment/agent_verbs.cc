@@ -37,7 +37,10 @@ std::size_t AgentReader::ReadState() {
       match.tokens == 1 && !IsParticiple(at_)) {
     return 0;
   }
-  if (subject_.empty() && !noun_ahead && !(corrected_ && !previous_.empty())) return 0;
+  const bool fragment = subject_.empty() && !noun_ahead && IsParticiple(at_) && IsFragment();
+  if (subject_.empty() && !noun_ahead && !fragment && !(corrected_ && !previous_.empty())) {
+    return 0;
+  }
   if (noted_.notes[at_].negated) {
     // "none of them parked"
     for (const std::size_t index : subject_) {
@@ -61,7 +64,8 @@ std::size_t AgentReader::ReadState() {
     return match.tokens;
   }
   std::vector<std::size_t> owners = subject_;
-  if (owners.empty() && corrected_) owners = previous_;
+  if (owners.empty() && (corrected_ || fragment)) owners = previous_;
+  if (fragment) subject_ = previous_;
   // "goblins chase sheep grazing in the south"
   if (object_ != kNone && object_end_ == at_ && IsParticiple(at_)) {
     owners = {object_};

@@ -9,6 +9,7 @@
 namespace latticeworld {
 namespace {
 
+constexpr std::size_t kPhraseTokens = 6;  // of a phrase, not counting small words
 constexpr double kFreezing_degC = 2.0;
 constexpr double kHot_degC = 24.0;
 
@@ -20,7 +21,7 @@ class CoarseReader {
   void ReadWords() {
     for (std::size_t at = 0; at < tokens_.size();) {
       ReadPredicate(at);
-      const auto match = words_.coarse.At(tokens_, at);
+      const auto match = MatchAt(at);
       // "May." alone is a month.
       if (noted_.IsWord(at, "may") && noted_.IsPause(at + 1) &&
           (at == 0 || noted_.IsPause(at - 1))) {
@@ -84,6 +85,32 @@ class CoarseReader {
         return;
       }
     }
+  }
+
+  // The longest phrase that starts here, whether or not small words stand within: "the sun was
+  // just setting" is "sun setting".
+  WordTable<CoarseWord>::Match MatchAt(std::size_t at) const {
+    const auto exact = words_.coarse.At(tokens_, at);
+    if (noted_.IsPause(at) || IsFiller(at)) return exact;
+    std::vector<Token> heavy;
+    std::vector<std::size_t> ends;
+    for (std::size_t i = at; !noted_.IsPause(i) && heavy.size() < kPhraseTokens; ++i) {
+      if (IsFiller(i)) continue;
+      heavy.push_back(tokens_[i]);
+      ends.push_back(i + 1 - at);
+    }
+    auto loose = words_.coarse.At(heavy, 0);
+    if (loose.tokens < 2 || ends[loose.tokens - 1] <= exact.tokens) return exact;
+    loose.tokens = ends[loose.tokens - 1];
+    return loose;
+  }
+
+  bool IsFiller(std::size_t at) const {
+    return noted_.IsAnyWord(
+        at, {"is",    "are",    "was",    "were",   "be",     "been",    "should",  "must",
+             "has",   "have",   "will",   "would",  "just",   "still",   "already", "slowly",
+             "only",  "now",    "very",   "quite",  "so",     "really",  "softly",  "gently",
+             "about", "barely", "almost", "nearly", "rather", "finally", "soon",    "all"});
   }
 
   void Read(const CoarseWord& word, std::size_t first, std::size_t last) {

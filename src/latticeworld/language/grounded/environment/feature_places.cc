@@ -10,6 +10,7 @@ namespace latticeworld {
 namespace {
 
 constexpr int kBeside_cells = 2;     // how far land is still beside a feature
+constexpr int kBeyond_cells = 10;    // how far land is "north of" one
 constexpr double kLeastShare = 0.2;  // of the cells in the fullest ninth, for a ninth to count
 
 Region RegionAtCell(int row, int col) {
@@ -70,6 +71,39 @@ void KeepSmallest(char letter, const SymbolicLayout& layout, Grid<unsigned char>
   for (const CellIndex cell : pieces.back().cells) (*cells)(cell.row, cell.col) = 1;
 }
 
+// "south of the village": the land within some reach of the largest piece, past its last cell that
+// way and not past its ends to the sides. None where the piece runs from edge to edge.
+Grid<unsigned char> CellsBeyond(std::string_view letters, const Heading& on,
+                                const SymbolicLayout& layout) {
+  Grid<unsigned char> cells(kLayoutSize, kLayoutSize, 0);
+  LayoutComponent largest;
+  for (const char letter : letters.substr(0, letters.find('&'))) {
+    const std::vector<LayoutComponent> pieces = ComponentsOf(layout, letter);
+    if (!pieces.empty() && pieces.front().cells.size() > largest.cells.size()) {
+      largest = pieces.front();
+    }
+  }
+  if (largest.cells.empty()) return cells;
+  CellIndex low = largest.cells.front(), high = low;
+  for (const CellIndex cell : largest.cells) {
+    low = {std::min(low.row, cell.row), std::min(low.col, cell.col)};
+    high = {std::max(high.row, cell.row), std::max(high.col, cell.col)};
+  }
+  const auto suits = [](int heading, int at, int first, int last) {
+    if (heading < 0) return at < first && at >= first - kBeyond_cells;
+    if (heading > 0) return at > last && at <= last + kBeyond_cells;
+    return at >= first && at <= last;
+  };
+  for (int row = 0; row < kLayoutSize; ++row) {
+    for (int col = 0; col < kLayoutSize; ++col) {
+      const bool there =
+          suits(on.south, row, low.row, high.row) && suits(on.east, col, low.col, high.col);
+      cells(row, col) = there && !Contains(letters, layout.cells(row, col)) ? 1 : 0;
+    }
+  }
+  return cells;
+}
+
 }  // namespace
 
 Grid<unsigned char> CellsAt(const FeaturePlace& feature, const SymbolicLayout& layout) {
@@ -91,6 +125,14 @@ Grid<unsigned char> CellsAt(const FeaturePlace& feature, const SymbolicLayout& l
             cells(r, c) = 1;
           }
         }
+      }
+    }
+  }
+  if (feature.on.has_value() && feature.near) {
+    const Grid<unsigned char> beyond = CellsBeyond(letters, *feature.on, layout);
+    for (int row = 0; row < kLayoutSize; ++row) {
+      for (int col = 0; col < kLayoutSize; ++col) {
+        if (beyond(row, col) != 0) return beyond;
       }
     }
   }
