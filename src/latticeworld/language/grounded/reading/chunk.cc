@@ -457,8 +457,22 @@ class Chunker {
     return true;
   }
 
+  // "Each lies in the north."
+  bool IsEachOfThem() const {
+    const Lexeme& lexeme = lexemes_[at_];
+    const bool starts = at_ == 0 || lexemes_[at_ - 1].kind == LexemeKind::kStop;
+    const std::string_view last = tokens_[lexeme.last - 1].text;
+    return lexeme.Is(Sense::kAll) && starts && (last == "each" || last == "all") &&
+           (SenseAt(at_ + 1, Sense::kBe) || SenseAt(at_ + 1, Sense::kStands) ||
+            SenseAt(at_ + 1, Sense::kHas) || SenseAt(at_ + 1, Sense::kIn));
+  }
+
   void ReadOther() {
     const Lexeme& lexeme = lexemes_[at_];
+    if (IsEachOfThem()) {
+      EmitPronoun(Head::kThey, at_, NounPhrase());
+      return;
+    }
     Chunk chunk;
     switch (lexeme.kind) {
       case LexemeKind::kPlace:

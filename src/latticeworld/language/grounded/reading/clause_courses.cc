@@ -191,7 +191,10 @@ void ClauseReader::ReadAxis(const Chunk& chunk) {
     order_heading_ = axis.to;
     return;
   }
-  if (!subjects_.empty() && verb_said_) {
+  const bool of_one = subjects_.size() == 1 && at_ > 0 && IsPhrase(at_ - 1) &&
+                      (EndsAt(at_ + 1) || IsKind(at_ + 1, ChunkKind::kComma)) &&
+                      (EndsAt(at_ + 1) || d_.instruction()[chunks_[at_ + 1].begin] == ',');
+  if (!subjects_.empty() && (verb_said_ || of_one)) {
     const int index = subjects_.back();
     d_.feature(index).from = from;
     d_.feature(index).to = to;

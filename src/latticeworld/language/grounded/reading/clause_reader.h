@@ -101,6 +101,7 @@ class ClauseReader {
   bool IsPhrase(std::size_t at) const;  // any noun phrase
   bool IsSense(std::size_t at, Sense sense) const;
   bool IsKind(std::size_t at, ChunkKind kind) const;
+  bool ReadWhere();
   bool IsInfinitive(std::size_t at) const;
   bool IsOtherWord(const Chunk& chunk) const;
   bool OrderGoesOn() const;

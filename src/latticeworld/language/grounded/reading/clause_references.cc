@@ -95,6 +95,14 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
     }
   }
   const bool counted = phrase.qualities.count.has_value();
+  // "rocks: three separate fields", in the wild: fields of rock.
+  if (counted && !phrase.noun->IsExactIn(d_.plan().vocabulary) && LastSubject() >= 0 && at_ > 0 &&
+      IsKind(at_ - 1, ChunkKind::kComma) && d_.instruction()[chunks_[at_ - 1].begin] == ':' &&
+      !IsLine(LastSubject())) {
+    const int measured = LastSubject();
+    d_.Describe(phrase.qualities, measured);
+    return {measured};
+  }
   const bool single =
       counted && phrase.qualities.count->least == 1 && phrase.qualities.count->most == 1;
   const std::vector<int> known = d_.Find(phrase, about);
@@ -122,7 +130,8 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
     const bool as_object = frame_.has_value() && frame_->expecting;
     const bool same_name = d_.thing(last).noun == phrase.noun ||
                            EndsWithWord(d_.thing(last).noun->phrase, phrase.noun->phrase);
-    if (bare && as_object && (ground || same_name)) return {last};
+    const bool general = phrase.noun->phrase == "water" && !IsLine(last);
+    if (bare && as_object && (ground || same_name || general)) return {last};
     // "Forest in the west. ... Forest also ...", "1 pond, pond not at the edge": the same word
     // without an article takes up what was said before.
     const bool bare_name = !phrase.indefinite && !counted && phrase.places.empty() && same_name &&
@@ -147,7 +156,8 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
       return {last};
     }
     // "marina: eastern edge, water there"
-    const bool general_water = phrase.noun->phrase == "water" && last == LastSubject() &&
+    const bool general_water = phrase.noun->phrase == "water" && last == d_.LastMentioned() &&
+                               !frame_.has_value() && lead_.empty() &&
                                d_.thing(last).sentence == d_.sentence() && !IsLine(last);
     if (general_water && bare) return {last};
     // "water: winding brook"

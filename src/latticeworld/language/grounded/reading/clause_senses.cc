@@ -59,6 +59,12 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
           !frame_->subjects.empty() && IsKind(at_ + 1, ChunkKind::kPlace)) {
         break;  // "connects the north with the south"
       }
+      // "has drawn a bow through the fields": no more than a verb.
+      if (sense == Sense::kHas && !subjects_.empty() &&
+          (IsSense(at_ + 1, Sense::kStands) || IsSense(at_ + 1, Sense::kRuns) ||
+           IsSense(at_ + 1, Sense::kWinds) || IsSense(at_ + 1, Sense::kBe))) {
+        break;
+      }
       verb_said_ = false;
       int host = LastSubject();
       if (sense == Sense::kWith && frame_.has_value() && !frame_->fronted &&
@@ -76,6 +82,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       break;
     }
     case Sense::kWhere:
+      if (ReadWhere()) break;
       if (!last_zones_.empty() && IsKind(at_ - 1, ChunkKind::kComma) && at_ >= 2 &&
           IsKind(at_ - 2, ChunkKind::kPlace)) {
         BeginClause();
@@ -356,7 +363,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       }
       break;
     default:
-      if (sense == Sense::kTo && IsInfinitive(at_)) break;
+      if (sense == Sense::kTo && (IsInfinitive(at_) || IsSense(at_ + 1, Sense::kBothSides))) break;
       OpenSense(sense, chunk.lexeme.of_it);
       break;
   }
@@ -374,6 +381,46 @@ void ClauseReader::DenyAround(char letter, const Chunk& chunk) {
   const std::vector<std::size_t> focus = absences_;
   Deny(letter, zones, chunk);
   absences_ = focus;
+}
+
+// "Where the road meets the river stands an inn": near both; false, and nothing read, where no
+// thing follows.
+bool ClauseReader::ReadWhere() {
+  constexpr std::size_t kReach = 8;  // chunks
+  std::size_t verb = at_ + 1;
+  std::vector<std::size_t> phrases;
+  bool crosses = false;
+  for (; verb < std::min(chunks_.size(), at_ + kReach); ++verb) {
+    if (IsSense(verb, Sense::kStands) || IsSense(verb, Sense::kExists) || EndsAt(verb)) break;
+    if (IsSense(verb, Sense::kBe) && IsThing(verb + 1)) break;
+    if (IsKind(verb, ChunkKind::kComma)) break;
+    if (IsPhrase(verb)) phrases.push_back(verb);
+    crosses = crosses || IsSense(verb, Sense::kCrosses);
+  }
+  const bool told = !phrases.empty() && phrases.size() <= 2 && phrases.front() == at_ + 1 &&
+                    !EndsAt(verb) && ThingFollows(verb, true);
+  if (!told) return false;
+  BeginClause();
+  Frame frame;
+  frame.sense = Sense::kNear;
+  frame.fronted = true;
+  frame.expecting = false;
+  const std::size_t where = at_;
+  for (const std::size_t at : phrases) {
+    at_ = at;
+    for (const int index : Refer(chunks_[at])) frame.objects.push_back(index);
+  }
+  at_ = where;
+  if (frame.objects.empty()) return false;
+  if (frame.objects.size() == 2 && (crosses || LineOf(frame.objects) >= 0)) {
+    Frame meeting;
+    meeting.sense = crosses ? Sense::kCrosses : Sense::kNextTo;
+    meeting.objects = {frame.objects[1]};
+    Assert(meeting, frame.objects[0], &d_);
+  }
+  frame_ = std::move(frame);
+  at_ = verb - 1;
+  return true;
 }
 
 // "possible to have", "ought to be", "to surround the lake": no way leads there.

@@ -98,6 +98,13 @@ int Discourse::Create(const NounPhrase& phrase, std::size_t begin, std::size_t e
   }
   feature.form = FormOf(phrase.noun->shape);
   feature.cells = std::max(1, phrase.noun->cells);
+  // "water in the east", as "forest in the east"
+  const bool mass = phrase.noun->phrase == "water" && !phrase.indefinite && !phrase.plural &&
+                    !phrase.qualities.any && !phrase.definite;
+  if (mass) {
+    feature.form = FeatureForm::kSpread;
+    feature.cells = 2 * feature.cells;
+  }
   Thing thing;
   thing.noun = phrase.noun;
   thing.plural = phrase.plural;

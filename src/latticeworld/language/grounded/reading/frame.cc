@@ -185,6 +185,20 @@ class Asserter {
 
   void AssertWithin(int inner, int outer) {
     if (d_.feature(inner).letter == d_.feature(outer).letter) return;
+    // "a canyon from north to south, water in it": the water runs there.
+    PlannedFeature& canyon = d_.feature(outer);
+    PlannedFeature& water = d_.feature(inner);
+    if (IsLine(canyon) && canyon.wide && water.letter == 'W' && canyon.from.has_value() &&
+        canyon.to.has_value()) {
+      water.form = FeatureForm::kLine;
+      water.from = canyon.from;
+      water.to = canyon.to;
+      canyon.form = FeatureForm::kSpread;
+      canyon.from.reset();
+      canyon.to.reset();
+      Relate(RelationKind::kBothSides, outer, inner);
+      return;
+    }
     if (IsLine(d_.feature(inner))) {
       AssertThrough(inner, outer);
     } else if (IsLine(d_.feature(outer))) {

@@ -92,6 +92,22 @@ std::string_view ClassOfAdjective(std::string_view word) {
   return {};
 }
 
+// "north and south of", "on the E and W sides of": how many tokens; 0: none.
+std::size_t MatchTwoSides(const std::vector<Token>& tokens, std::size_t at) {
+  const HeadingMatch first = MatchHeading(tokens, at);
+  const std::size_t join = at + first.tokens;
+  if (first.tokens == 0 || !IsWord(tokens, join, {"and", "plus", "n"})) return 0;
+  const HeadingMatch second = MatchHeading(tokens, join + 1);
+  const bool opposite =
+      second.heading.east == -first.heading.east && second.heading.south == -first.heading.south;
+  if (second.tokens == 0 || !opposite) return 0;
+  std::size_t end = join + 1 + second.tokens;
+  if (IsWord(tokens, end, {"side", "sides", "bank", "banks", "shore", "shores"})) ++end;
+  const bool of_place = MatchPlace(tokens, end + 1).tokens > 0 ||
+                        (IsWord(tokens, end + 1, {"the"}) && IsWord(tokens, end + 2, {"map"}));
+  return IsWord(tokens, end, {"of"}) && !of_place ? end + 1 - at : 0;
+}
+
 class Lexer {
  public:
   explicit Lexer(const std::vector<Token>& tokens) : tokens_(tokens) {}
@@ -102,6 +118,12 @@ class Lexer {
     lexeme.last = at + 1;
     if (tokens_[at].kind == TokenKind::kComma || tokens_[at].kind == TokenKind::kStop) {
       lexeme.kind = tokens_[at].kind == TokenKind::kComma ? LexemeKind::kComma : LexemeKind::kStop;
+      return lexeme;
+    }
+    if (const std::size_t sides = MatchTwoSides(tokens_, at); sides > 0) {
+      lexeme.kind = LexemeKind::kSense;
+      lexeme.sense = Sense::kBothSides;
+      lexeme.last = at + sides;
       return lexeme;
     }
     if (LexDirection(tokens_, at, &lexeme)) return lexeme;
