@@ -191,7 +191,10 @@ void ClauseReader::ReadAxis(const Chunk& chunk) {
     order_heading_ = axis.to;
     return;
   }
-  const bool of_one = subjects_.size() == 1 && at_ > 0 && IsPhrase(at_ - 1) &&
+  const bool after_phrase =
+      at_ > 0 &&
+      (IsPhrase(at_ - 1) || (at_ > 1 && IsPhrase(at_ - 2) && IsSense(at_ - 1, Sense::kFrom)));
+  const bool of_one = subjects_.size() == 1 && after_phrase &&
                       (EndsAt(at_ + 1) || IsKind(at_ + 1, ChunkKind::kComma)) &&
                       (EndsAt(at_ + 1) || d_.instruction()[chunks_[at_ + 1].begin] == ',');
   if (!subjects_.empty() && (verb_said_ || of_one)) {
