@@ -97,6 +97,12 @@ bool TakeGroup(PlaceCursor* cursor, ReadPlace* read) {
     } else {
       AddCorners(read);
     }
+  } else if (each && cursor->Take({"quadrants", "quadrant", "quarters"})) {
+    for (const Heading heading : kCornerHeadings) {
+      Direction direction;
+      direction.heading = heading;
+      read->places.push_back(MakePlace(direction, {PlaceDepth::kQuarter}));
+    }
   } else if (noun == "sides" || noun == "ends" || (noun == "side" && (each || two))) {
     cursor->Skip(1);
     if (two || opposite) {

@@ -23,6 +23,23 @@ bool ClauseReader::TakeOtherEnd(const std::vector<Zone>& zones) {
   return true;
 }
 
+// "leaves the town heading east"
+bool ClauseReader::TakeHeading(const std::vector<Zone>& zones) {
+  const int line = LineOf(subjects_);
+  if (line < 0 || at_ == 0 || !IsSense(at_ - 1, Sense::kRuns) || zones.size() != 1) return false;
+  const Chunk& chunk = chunks_[at_];
+  const std::string words = d_.Words(chunk.begin, chunk.end);
+  const bool bare = words.find(' ') == std::string::npos;  // "east", not "the western edge"
+  const Heading side = HeadingOf(RegionOf(zones.front()));
+  PlannedFeature& feature = d_.feature(line);
+  if (!bare || (side.east == 0 && side.south == 0) || feature.to.has_value()) return false;
+  Waypoint to;
+  to.zone = EndZoneOf(zones.front(), words);
+  feature.to = to;
+  d_.Extend(line, chunk.end);
+  return true;
+}
+
 // "splits the map into an eastern and a western half": the line runs between them.
 bool ClauseReader::SplitsMap(const std::vector<Zone>& zones, const std::string& words) {
   const int line = LineOf(frame_->subjects);
@@ -46,7 +63,7 @@ bool ClauseReader::SplitsMap(const std::vector<Zone>& zones, const std::string& 
 
 // Ends and turning points of a line.
 bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
-  if (TakeOtherEnd(zones)) return true;
+  if (TakeOtherEnd(zones) || TakeHeading(zones)) return true;
   if (!frame_.has_value() || !frame_->expecting || !frame_->objects.empty()) return false;
   const Sense sense = frame_->sense;
   const Chunk& chunk = chunks_[at_];
@@ -79,6 +96,15 @@ bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
     const bool place = sense == Sense::kTo && !from_.has_value() && !traveling_ && !ordering_ &&
                        IsThing(stands) && chunks_[stands].phrase.noun->shape != WordShape::kLine;
     if (place) {
+      // "To the north of it, snow; to the south, forest."
+      frame_->is_direction = true;
+      frame_->heading = HeadingOf(RegionOf(zones.front()));
+      const int same = SameObject();
+      if (same >= 0) {
+        frame_->objects = {same};
+        frame_->expecting = false;
+        return true;
+      }
       frame_.reset();
       Lead_(zones, chunk);
       return true;

@@ -23,7 +23,14 @@ void ClauseReader::OpenSense(Sense sense, bool of_it) {
   Open(std::move(frame));
 }
 
+// "leaves the town": from it.
+bool ClauseReader::SaysLeaving() const {
+  const std::string words = ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[at_].end));
+  return words == "leaves" || words == "leaving" || words == "exits" || words == "exiting";
+}
+
 void ClauseReader::Open(Frame frame) {
+  if (frame.sense == Sense::kTo && IsThing(at_ + 1) && SaysLeaving()) frame.sense = Sense::kFrom;
   const Sense sense = frame.sense;
   // "Coming down from the north we left the snow, crossed scree, ...": things as they are passed.
   if (ordering_ && !IsKind(at_ + 1, ChunkKind::kPlace)) return;
@@ -39,6 +46,11 @@ void ClauseReader::Open(Frame frame) {
     frame_->expecting = true;
     return;
   }
+  // "linked with the lake by a road"
+  const bool by_line = sense == Sense::kNear && frame_.has_value() && IsThing(at_ + 1) &&
+                       frame_->sense == Sense::kConnectedBy && frame_->objects.size() == 1 &&
+                       chunks_[at_ + 1].phrase.noun->shape == WordShape::kLine;
+  if (by_line) return;
   // "connects the village to the northern edge"
   const bool from_object = (sense == Sense::kTo || sense == Sense::kWith) && frame_.has_value() &&
                            frame_->sense == Sense::kConnects && frame_->objects.size() == 1 &&
@@ -85,6 +97,7 @@ void ClauseReader::Open(Frame frame) {
   const bool may_lead =
       leads || frame.of_it || IsCourse(sense) || sense == Sense::kBetween || !IsPhrase(at_ + 1);
   if (subjects_.empty() && !may_lead) {
+    if (frame.is_direction) TakeBackDenials();
     absences_.clear();
     return;  // "the player starts in a field": the field is what is spoken of
   }
@@ -105,12 +118,7 @@ void ClauseReader::Open(Frame frame) {
       if (const int same = SameObject(); same >= 0) frame.objects = {same};
     }
     // "no trees near the lake": it is not that there are none.
-    if (!absences_.empty() && !frame.of_it) {
-      for (std::size_t i = absences_.size(); i-- > 0;) {
-        if (absences_[i] + 1 == d_.plan().absences.size()) d_.TakeBackDenial();
-      }
-      absences_.clear();
-    }
+    if (!frame.of_it) TakeBackDenials();
     frame_ = std::move(frame);
     return;
   }
@@ -145,6 +153,14 @@ void ClauseReader::Open(Frame frame) {
     }
   }
   frame_ = std::move(frame);
+}
+
+void ClauseReader::TakeBackDenials() {
+  for (std::size_t i = absences_.size(); i-- > 0;) {
+    if (absences_[i] + 1 == d_.plan().absences.size()) d_.TakeBackDenial();
+  }
+  absences_.clear();
+  negating_ = false;
 }
 
 // What "its" means; banks and shores are those of water.

@@ -78,7 +78,9 @@ bool ClauseReader::Fronts(std::size_t at) const {
   if (IsPhrase(next) && chunks_[next].phrase.head == Head::kMap) next = next + 1;
   // "cornfields and, next to the motorway, a service station"
   const bool aside = at >= 2 && IsKind(at - 1, ChunkKind::kComma) && IsSense(at - 2, Sense::kAnd);
-  return ThingFollows(next, at == sentence_start_ || aside);
+  const bool preposition = at > 0 && at - 1 == sentence_start_ &&
+                           (IsSense(at - 1, Sense::kIn) || IsSense(at - 1, Sense::kTo));
+  return ThingFollows(next, at == sentence_start_ || aside || preposition);
 }
 
 // How many things stand in the list that begins at `at`; 1: no list.

@@ -16,6 +16,17 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
   const bool zero = phrase.qualities.count.has_value() && phrase.qualities.count->most == 0;
   const bool denied = phrase.negated || zero || (negating_ && phrase.noun != nullptr) ||
                       (not_next_ && phrase.noun != nullptr);
+  // "linked with the lake by a straight road": the road joins them.
+  const bool joins = frame_.has_value() && frame_->sense == Sense::kConnectedBy &&
+                     frame_->objects.size() == 1 && !frame_->subjects.empty() &&
+                     !IsLine(frame_->objects[0]) && !IsLine(frame_->subjects.back()) &&
+                     phrase.noun != nullptr && phrase.noun->shape == WordShape::kLine;
+  if (joins) {
+    frame_->sense = Sense::kConnects;
+    frame_->objects.insert(frame_->objects.begin(), frame_->subjects.back());
+    frame_->fronted = true;
+    frame_->expecting = false;
+  }
   if (skip_next_ && phrase.noun != nullptr) {
     skip_next_ = false;
     return;
@@ -342,9 +353,14 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
   }
 }
 
-// "nothing but trees", after all else that there is: these are the rest.
+// "nothing but trees", after all else that there is: these are the rest. "only snow and rocks":
+// nothing but these.
 void ClauseReader::OnlyThis(int index, bool is_new) {
   PlannedFeature& feature = d_.feature(index);
+  if (ListLength(at_) > 1 && !rest_next_) {
+    if (lead_.empty()) d_.AllIsSaid();
+    return;
+  }
   const bool after_others = d_.size() > (is_new ? 1 : 2);
   feature.dominant = true;
   if (after_others && lead_.empty() && !frame_.has_value() &&

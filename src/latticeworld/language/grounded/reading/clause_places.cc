@@ -161,7 +161,8 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
                   (IsSense(at_ - 1, Sense::kIn) && at_ > 1 &&
                    (IsKind(at_ - 2, ChunkKind::kComma) || IsSense(at_ - 2, Sense::kAnd) ||
                     IsSense(at_ - 2, Sense::kThen))));
-  const bool leads = nothing_yet || (after_break && ThingFollows(at_ + 1, false));
+  const bool is_subject = IsSense(at_ + 1, Sense::kBe) && !IsSense(at_ - 1, Sense::kIn);
+  const bool leads = nothing_yet || (after_break && (is_subject || ThingFollows(at_ + 1, false)));
   if (leads) {
     const bool joins =
         nothing_yet && !lead_.empty() && !lead_.used && at_ > 0 &&

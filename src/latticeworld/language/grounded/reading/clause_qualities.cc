@@ -61,6 +61,9 @@ void ClauseReader::ReadQualities(const Chunk& chunk) {
   } else if (about.size() > 1 && !list_has_and_ && !verb_said_) {
     about = {about.back()};
   }
+  // "grass and a road bending to the left": the road does.
+  const bool of_line = said.shape == ClaimShape::kWinding || said.shape == ClaimShape::kStraight;
+  if (of_line && LineOf(about) >= 0) about = {LineOf(about)};
   if (frame_.has_value() && frame_->expecting && frame_->objects.empty() &&
       (frame_->sense == Sense::kCovers || frame_->sense == Sense::kDominates)) {
     about = frame_->subjects;

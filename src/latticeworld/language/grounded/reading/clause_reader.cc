@@ -104,7 +104,13 @@ void ClauseReader::ReadComma() {
               !chunks_[at_ + 1].phrase.qualities.count;
   not_next_ = skip_next_ = false;
   if (ordering_ || negating_) return;
-  if (FrameLacksObject()) CloseFrame();
+  const bool unfinished = frame_.has_value() && frame_->expecting && frame_->objects.empty();
+  if (unfinished && mark == ':' && frame_->fronted) frame_.reset();
+  // "streets that form a cross, trees along them": no object comes after the comma.
+  if (unfinished && mark == ',' && at_ > 0 && frame_.has_value() && !frame_->fronted &&
+      IsSense(at_ - 1, frame_->sense)) {
+    CloseFrame();
+  }
   // "bare soil in the middle, about a quarter of the map"
   const bool of_map = IsPhrase(at_ + 1) && chunks_[at_ + 1].phrase.head == Head::kMap &&
                       chunks_[at_ + 1].phrase.qualities.share.has_value() && !subjects_.empty();

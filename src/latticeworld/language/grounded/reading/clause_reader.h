@@ -70,8 +70,13 @@ class ClauseReader {
   std::vector<Zone> OtherZones(std::vector<Zone> zones, std::string_view words) const;
   bool TakeEndZone(const std::vector<Zone>& zones);
   bool TakeOtherEnd(const std::vector<Zone>& zones);
+  bool TakeHeading(const std::vector<Zone>& zones);
   bool SplitsMap(const std::vector<Zone>& zones, const std::string& words);
   void Deny(char letter, const std::vector<Zone>& zones, const Chunk& chunk);
+  void ReadExcept();
+  bool AfterAll() const;
+  void ReadNext();
+  void DropQuestion(const Chunk& chunk);
   void DenyAround(char letter, const Chunk& chunk);
 
   // Frames.
@@ -80,8 +85,10 @@ class ClauseReader {
   void ReadInsideRing();
   void ReadBridge(const Chunk& chunk);
   std::vector<int> Own(const Frame& frame, const std::vector<int>& subjects) const;
+  bool SaysLeaving() const;
   void Open(Frame frame);
   void OpenSense(Sense sense, bool of_it);
+  void TakeBackDenials();
   void CloseFrame();
   bool Fronts(std::size_t at) const;
   int LineOf(const std::vector<int>& indices) const;

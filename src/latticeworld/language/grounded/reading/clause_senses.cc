@@ -18,6 +18,11 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       break;
     case Sense::kBut:
     case Sense::kBreak:
+      // "covers everything but the south", "fields everywhere but in the north"
+      if (sense == Sense::kBut && AfterAll()) {
+        ReadExcept();
+        break;
+      }
       negating_ = false;
       if (IsPhrase(at_ + 1) || IsKind(at_ + 1, ChunkKind::kPlace) || IsSense(at_ + 1, Sense::kIn) ||
           IsSense(at_ + 1, Sense::kExists)) {
@@ -29,7 +34,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       break;
     case Sense::kThen:
       negating_ = false;
-      if (!ordering_ && IsPhrase(at_ + 1) && !subjects_.empty()) BeginClause();
+      if (!ordering_ && IsPhrase(at_ + 1) && !subjects_.empty()) ReadNext();
       break;
     case Sense::kExists:
       if (IsKind(at_ + 1, ChunkKind::kQualities) && chunks_[at_ + 1].qualities.none) break;
@@ -113,6 +118,10 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       }
       break;
     case Sense::kNo:
+      // "A sandbank? No."
+      if (at_ == sentence_start_ && at_ > 0 && d_.instruction()[chunks_[at_ - 1].begin] == '?') {
+        DropQuestion(chunk);
+      }
       break;
     case Sense::kNot:
       not_next_ = true;
@@ -134,20 +143,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       confining_ = true;
       break;
     case Sense::kExcept:
-      excepting_ = true;
-      negating_ = false;
-      if (IsThing(at_ + 1)) {
-        for (const int index : subjects_) {
-          PlannedFeature& feature = d_.feature(index);
-          const bool all = feature.form == FeatureForm::kSpread && feature.zones.empty() &&
-                           !feature.share.has_value() && !feature.fills_rest;
-          if (all) feature.dominant = true;
-        }
-        BeginClause();
-        excepting_ = true;
-        map_share_.reset();
-        cover_next_ = false;
-      }
+      ReadExcept();
       break;
     case Sense::kInsteadOf:
       skip_next_ = true;
@@ -366,6 +362,62 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       if (sense == Sense::kTo && (IsInfinitive(at_) || IsSense(at_ + 1, Sense::kBothSides))) break;
       OpenSense(sense, chunk.lexeme.of_it);
       break;
+  }
+}
+
+// "sand above the sea, then a road, then houses": on in the same direction.
+void ClauseReader::ReadNext() {
+  const int last = LastSubject();
+  const std::vector<PlannedRelation>& relations = d_.plan().relations;
+  const bool goes_on = IsThing(at_ + 1) && !relations.empty() &&
+                       relations.back().kind == RelationKind::kDirection &&
+                       relations.back().subject == last && d_.thing(last).sentence == d_.sentence();
+  BeginClause();
+  if (!goes_on) return;
+  Frame frame;
+  frame.is_direction = true;
+  frame.heading = {relations.back().heading.east, relations.back().heading.south};
+  frame.objects = {last};
+  frame.expecting = false;
+  frame.fronted = true;
+  frame_ = std::move(frame);
+}
+
+// What the sentence before asked for is not to be.
+void ClauseReader::DropQuestion(const Chunk& chunk) {
+  for (int i = 0; i < d_.size(); ++i) {
+    if (d_.thing(i).dropped || d_.thing(i).sentence + 1 != d_.sentence()) continue;
+    Chunk about = chunk;
+    about.begin = d_.thing(i).begin;
+    d_.Drop(i);
+    Deny(d_.feature(i).letter, {}, about);
+  }
+  absences_.clear();
+}
+
+bool ClauseReader::AfterAll() const {
+  if (at_ == 0) return false;
+  const Chunk& before = chunks_[at_ - 1];
+  return before.Is(Sense::kEntirely) ||
+         (before.kind == ChunkKind::kNounPhrase && before.phrase.head == Head::kMap) ||
+         (before.kind == ChunkKind::kPlace && SaysAnywhere(before.lexeme.places));
+}
+
+// "forest except in the south", "fields except for a village"
+void ClauseReader::ReadExcept() {
+  excepting_ = true;
+  negating_ = false;
+  if (IsThing(at_ + 1)) {
+    for (const int index : subjects_) {
+      PlannedFeature& feature = d_.feature(index);
+      const bool all = feature.form == FeatureForm::kSpread && feature.zones.empty() &&
+                       !feature.share.has_value() && !feature.fills_rest;
+      if (all) feature.dominant = true;
+    }
+    BeginClause();
+    excepting_ = true;
+    map_share_.reset();
+    cover_next_ = false;
   }
 }
 

@@ -44,8 +44,9 @@ bool MayMean(const ClassWord& word, const ClassWord& known) {
   if (word.suburb != 'W' && word.suburb != 'B') return true;
   if (EndsWith(known.phrase, word.phrase) || EndsWith(word.phrase, known.phrase)) return true;
   for (const std::string_view general :
-       {"water", "waters", "body of water", "water body", "open water", "settlement", "building",
-        "buildings", "house", "houses", "built up area", "town", "village", "residential area"}) {
+       {"coast", "coastline", "seashore", "sea", "water", "waters", "body of water", "water body",
+        "open water", "settlement", "building", "buildings", "house", "houses", "built up area",
+        "town", "village", "residential area"}) {
     if (word.phrase == general) return word.suburb == 'W' || word.phrase != known.phrase;
   }
   return false;
@@ -428,8 +429,10 @@ void Discourse::Drop(int index) { thing(index).dropped = true; }
 void Discourse::WidenMiddles() {
   for (int i = 0; i < size(); ++i) {
     PlannedFeature& middle = feature(i);
-    if (thing(i).dropped || middle.form != FeatureForm::kSpread || middle.zones.size() != 1 ||
-        !(middle.zones.front() == ZoneOf(Heading{0, 0}))) {
+    if (thing(i).dropped || (middle.form != FeatureForm::kSpread && !middle.dominant) ||
+        middle.zones.size() != 1 ||
+        !(middle.zones.front() == ZoneOf(Heading{0, 0}) ||
+          middle.zones.front() == *FindZone("middle rows"))) {
       continue;
     }
     bool sides[4] = {false, false, false, false};  // north, south, west, east
@@ -484,15 +487,17 @@ void Discourse::SettleIslands() {
   }
 }
 
-// "a river and jungle, nothing else": what spreads, if it is one thing, takes all the land.
+// "a river and jungle, nothing else": what spreads takes all the land, the first where it is two.
 void Discourse::SettleRest() {
   if (!all_is_said_) return;
   int land = -1;
   for (int i = 0; i < size(); ++i) {
     const PlannedFeature& feature = this->feature(i);
     if (thing(i).dropped || feature.form != FeatureForm::kSpread) continue;
-    if (land >= 0 || !feature.zones.empty() || feature.share.has_value()) return;
-    land = i;
+    if (feature.fills_rest) return;
+    const bool open =
+        feature.zones.empty() && !feature.share.has_value() && feature.texture == Texture::kUnsaid;
+    if (open && land < 0) land = i;
   }
   if (land >= 0) feature(land).fills_rest = true;
 }

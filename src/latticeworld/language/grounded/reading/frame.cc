@@ -114,7 +114,11 @@ class Asserter {
         AssertTwo(RelationKind::kBetween, object_, frame_.subjects);
         break;
       case Sense::kConnectedBy:
-        AssertTwo(RelationKind::kConnects, object_, frame_.subjects);
+        if (IsLine(subject()) && !IsLine(object())) {
+          Relate(RelationKind::kAdjacent, subject_, object_, kTouchingSteps);
+        } else {
+          AssertTwo(RelationKind::kConnects, object_, frame_.subjects);
+        }
         break;
       case Sense::kAlong:
         AssertAlong(subject_, object_);

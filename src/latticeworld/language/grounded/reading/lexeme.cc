@@ -84,7 +84,8 @@ std::string_view ClassOfAdjective(std::string_view word) {
       {"drowned", "water"},      {"built", "houses"},
       {"inhabited", "houses"},   {"paved", "road"},
       {"snowbound", "snow"},     {"submerged", "water"},
-      {"underwater", "water"},
+      {"underwater", "water"},   {"swampy", "swamp"},
+      {"marshy", "marsh"},       {"boggy", "bog"},
   };
   for (const auto& [adjective, noun] : kAdjectives) {
     if (word == adjective) return noun;
@@ -167,7 +168,9 @@ class Lexer {
     const bool note = match.tokens > 1 && IsWord(tokens_, end - 1, {"centre", "center"}) &&
                       (at == 0 || tokens_[at - 1].kind != TokenKind::kWord) &&
                       (end == tokens_.size() || tokens_[end].kind != TokenKind::kWord);
-    if (note) {
+    // "forest covers the north" is no cover of forest.
+    const bool verb = match.tokens > 1 && IsWord(tokens_, end - 1, {"covers"});
+    if (note || verb) {
       const std::vector<Token> words(tokens_.begin() + static_cast<std::ptrdiff_t>(at),
                                      tokens_.begin() + static_cast<std::ptrdiff_t>(end - 1));
       const ClassWordMatch shorter = MatchClassWord(words, 0);
