@@ -198,6 +198,9 @@ class AgentReader {
   // "Bridge: one warrior"
   bool IsHeading(std::size_t at) const;
 
+  // "The village is full of robots."
+  bool IsFilled(std::size_t at) const;
+
   std::vector<std::size_t> Owners() const;
 
   // "Three goblins. Just standing, in the north.": nothing of its own before it in the sentence.

@@ -98,6 +98,15 @@ std::size_t AgentReader::ReadLoneCount(const Count& count) {
     subject_ = {last_};
     return tokens;
   }
+  // "goblins x4 in the north"
+  const std::size_t noun_end = at_ > 0 && noted_.IsWord(at_ - 1, "x") ? at_ - 1 : at_;
+  const bool follows =
+      noun_end > 0 && noted_.notes[noun_end - 1].agent && tokens_[noun_end - 1].end == whole.end;
+  if (follows && of_them == 0 && more == 0 && !whole.wish.counted) {
+    SetCount(count, &whole);
+    Extend(last_, tokens_[at_ + count.tokens - 1].end);
+    return tokens;
+  }
   const bool told = !whole.wish.places.empty() || whole.wish.feature.has_value();
   const bool bare = noted_.IsPause(at_ + tokens);
   // "a herd of horses, nine of them", "an ambush: six of them lie in wait", "sheep, five in number"

@@ -40,7 +40,7 @@ std::size_t AgentReader::ReadPlace() {
   if (next >= tokens_.size() || noted_.IsPause(next)) return 0;
   if (noted_.IsAnyWord(next, {"each", "every"})) each = true;
   PlaceMatch place = MatchPlace(tokens_, next);
-  const bool heading = preposition == 0 && clause_open_ && IsHeading(next);
+  const bool heading = preposition == 0 && clause_open_ && (IsHeading(next) || IsFilled(next));
   if (preposition == 0 && !object && !heading && !IsBarePlace(place, next)) place = {};
   if (place.tokens > 0 && noted_.IsAnyWord(next, {"each", "every"})) each = true;
   std::size_t end = next + place.tokens;
@@ -92,6 +92,23 @@ bool AgentReader::IsHeading(std::size_t at) const {
   return feature > 0 && at + feature < tokens_.size() &&
          tokens_[at + feature].kind == TokenKind::kComma && tokens_[at + feature].text != "," &&
          words_.species.LengthAt(tokens_, at) == 0;
+}
+
+bool AgentReader::IsFilled(std::size_t at) const {
+  const std::size_t feature = words_.features.LengthAt(tokens_, at);
+  if (feature == 0 || words_.species.LengthAt(tokens_, at) > 0) return false;
+  std::size_t next = at + feature;
+  while (noted_.IsAnyWord(next, {"is", "are", "must", "should", "be", "will", "being", "all",
+                                 "completely", "totally", "just", "now", "shall"})) {
+    ++next;
+  }
+  const bool holds =
+      noted_.IsAnyWord(next, {"has", "have", "contains", "contain", "hosts", "houses", "gets"}) ||
+      (noted_.IsAnyWord(next, {"full", "filled", "teeming", "crawling", "swarming", "packed",
+                               "crowded", "home", "populated", "inhabited", "occupied", "bustling",
+                               "overrun", "infested", "lively"}) &&
+       noted_.IsAnyWord(next + 1, {"of", "with", "to", "by"}));
+  return holds && AgentsAhead(next);
 }
 
 std::vector<std::size_t> AgentReader::Owners() const {
@@ -155,12 +172,22 @@ std::optional<FeaturePlace> AgentReader::ReadFeature(std::size_t* end, bool near
       at += std::max(in, beside);
     }
   }
+  const std::size_t shore = place_at + std::max<std::size_t>(1, place.tokens) - 1;
+  if (!relative && !place.of_other && place.tokens > 1 && place.places.size() == 1 &&
+      noted_.IsAnyWord(shore, {"shore", "shores", "bank", "banks"})) {
+    // "on the western shore": of the lake, not of the map.
+    const FeatureWord& word = *words_.features.At(tokens_, shore).rows.front();
+    return FeaturePlace{word.name, word.suburb, word.wild, true,
+                        HeadingOf(place.places.front().main)};
+  }
   bool outside = false;
   for (int i = 0; i < 4 && at < tokens_.size(); ++i) {
     if (noted_.IsPause(at)) return {};
     const auto match = words_.features.At(tokens_, at);
     if (match.tokens > 0) {
       const FeatureWord& word = *match.rows.front();
+      // To sit on a stone is to be anywhere.
+      if (word.name == "rock" && noted_.IsAnyWord(at - 1, {"a", "one"})) return {};
       FeaturePlace feature{word.name, word.suburb, word.wild, near || outside, {}};
       at += match.tokens;
       if (noted_.IsAnyWord(at, {"edge", "border", "margin", "shore", "side", "fringe", "bank",

@@ -45,7 +45,9 @@ std::size_t AgentReader::ReadState() {
     // "none of them parked"
     for (const std::size_t index : subject_) {
       std::optional<AgentState>& said = groups_[index].wish.state;
-      if (!said.has_value() && state == AgentState::kIdle) said = AgentState::kPatrolling;
+      if (said.has_value()) continue;
+      if (state == AgentState::kIdle) said = AgentState::kPatrolling;
+      if (state == AgentState::kPatrolling) said = AgentState::kIdle;
     }
     noted_.Mark(at_, end, &TokenNote::agent);
     return match.tokens;

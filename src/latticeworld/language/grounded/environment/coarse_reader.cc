@@ -133,7 +133,10 @@ class CoarseReader {
     if (hints && !seasonal && noted_.notes[first].fine) return;
     if (word.key == CoarseKey::kTerrainType && (of_place || QualifiesAgents(last))) hints = true;
     // "above the snow": that snow lies.
-    if (word.key == CoarseKey::kWeather && of_place) hints = true;
+    if (word.key == CoarseKey::kWeather && of_place) {
+      if (word.value == "snow") Hint(CoarseKey::kSeason, "winter", words);
+      return;
+    }
     // "fog until midday": where a time ends is not when it is.
     if (word.key == CoarseKey::kTimeOfDay && first > 0 &&
         noted_.IsAnyWord(first - 1, {"until", "till", "til", "since"})) {

@@ -174,6 +174,17 @@ std::vector<Region> RegionsAt(const FeaturePlace& feature, const std::vector<Pla
   }
   std::stable_sort(counted.begin(), counted.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
+  // "in the middle of the lake" is one ninth.
+  double middle_row = 0.0, middle_col = 0.0;
+  const std::string_view letters =
+      layout.vocabulary == Vocabulary::kSuburb ? feature.suburb : feature.wild;
+  if (feature.on.has_value() && feature.on->east == 0 && feature.on->south == 0 &&
+      FindMiddle(letters, layout, &middle_row, &middle_col)) {
+    const Region middle = RegionAtCell(static_cast<int>(middle_row), static_cast<int>(middle_col));
+    for (const auto& [count, region] : counted) {
+      if (region == middle && count > 0) return {middle};
+    }
+  }
   std::vector<Region> regions;
   for (const auto& [count, region] : counted) {
     if (count > 0 && count >= kLeastShare * counted.front().first) regions.push_back(region);

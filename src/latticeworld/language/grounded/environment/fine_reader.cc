@@ -176,7 +176,9 @@ class FineReader {
     bool used = said;
     const bool negated =
         noted_.notes[end - 1].negated ||
-        (noted_.IsAnyWord(end, {"none", "zero", "nil"}) && noted_.IsPause(end + 1));
+        (noted_.IsAnyWord(end, {"none", "zero", "nil"}) && noted_.IsPause(end + 1)) ||
+        (end < tokens_.size() && tokens_[end].text == ":" &&
+         noted_.IsAnyWord(end + 1, {"none", "zero", "nil", "no"}) && noted_.IsPause(end + 2));
     bool qualified = false;
     for (const Quality& quality : waiting_) {
       if (at > quality.last + kReach) continue;

@@ -251,6 +251,9 @@ class MeasureReader {
       return HeardMeasure{MeasureKind::kShare, number.value / 100.0, at,
                           end + (Is(end, {"percent"}) ? 1u : 2u)};
     }
+    if (Is(end, {"and"}) && Is(end + 1, {"a"}) && Is(end + 2, {"half"}) && Is(end + 3, {"times"})) {
+      return Factor(number.value + 0.5, at, end + 4);
+    }
     if (Is(end, {"times"})) return Factor(number.value, at, end + 1);
     if (auto temperature = ReadDegrees(sign * number.value, at, end)) return temperature;
     double unit_m = 0.0;

@@ -29,6 +29,8 @@ class ScopeMarker {
     if (tokens_[at].kind == TokenKind::kComma || tokens_[at].kind == TokenKind::kStop) return 1;
     const std::size_t ignored = Role(Role::kIgnored, at);
     const std::size_t negator = Role(Role::kNot, at);
+    if (noted_->IsAnyWord(at, {"prefer", "preferred"})) MarkDispreferred(at);
+    if (noted_->IsAnyWord(at, {"leave", "keep", "take"})) MarkLeftOut(at);
     // "no more than", "no wait" and "nobody" are no negations of what follows.
     const std::size_t other =
         std::max({Role(Role::kAtLeast, at), Role(Role::kAtMost, at), Role(Role::kCorrection, at),
@@ -49,6 +51,31 @@ class ScopeMarker {
     if (noted_->IsWord(at, "except") && DeniedBefore(at)) return negator;
     MarkScope(at, at + negator);
     return negator;
+  }
+
+  // "I prefer autumn to winter and dusk to dawn": not winter, not dawn.
+  void MarkDispreferred(std::size_t prefer) {
+    for (std::size_t at = prefer + 2; !noted_->IsPause(at) && at < prefer + kLongestScope; ++at) {
+      if (!noted_->IsAnyWord(at, {"to", "over"}) || noted_->IsPause(at + 1)) continue;
+      if (Role(Role::kFunction, at + 1) > 0 && !noted_->IsAnyWord(at + 1, {"a", "an", "the"})) {
+        return;
+      }
+      for (++at; !noted_->IsPause(at) && !noted_->IsWord(at, "and"); ++at) {
+        noted_->notes[at].negated = true;
+      }
+    }
+  }
+
+  // "leave the animals out"
+  void MarkLeftOut(std::size_t verb) {
+    constexpr std::size_t kReach = 6;
+    for (std::size_t at = verb + 2; !noted_->IsPause(at) && at < verb + kReach; ++at) {
+      if (!noted_->IsAnyWord(at, {"out", "away"}) || noted_->IsAnyWord(at + 1, {"of", "from"})) {
+        continue;
+      }
+      for (std::size_t i = verb + 1; i < at; ++i) noted_->notes[i].negated = true;
+      return;
+    }
   }
 
   bool DeniedBefore(std::size_t at) const {
