@@ -210,6 +210,14 @@ void ClauseReader::ReadAxis(const Chunk& chunk) {
     }
     return;
   }
+  // "three ponds in a row from west to east"
+  if (subjects_.size() == 1 && d_.feature(subjects_[0]).pieces > 1) {
+    if (d_.feature(subjects_[0]).zones.empty() && (axis.to.east == 0 || axis.to.south == 0)) {
+      d_.AddZones(subjects_[0], {*FindZone(axis.to.east != 0 ? "middle rows" : "middle columns")});
+    }
+    d_.Extend(subjects_[0], chunk.end);
+    return;
+  }
   if (subjects_.size() >= 2 && !verb_said_) {
     order_ = subjects_;
     order_begin_ = d_.thing(subjects_.front()).begin;

@@ -164,7 +164,7 @@ void ClauseReader::ReadMap(const Chunk& chunk) {
 void ClauseReader::ReadRest(const Chunk& chunk) {
   std::size_t next = SkipVerbs(at_ + 1);
   if (IsKind(next, ChunkKind::kComma)) next = SkipVerbs(next + 1);
-  if (IsSense(next, Sense::kIn) || IsSense(next, Sense::kTo)) ++next;
+  if (IsSense(next, Sense::kIn) || IsSense(next, Sense::kTo) || IsSense(next, Sense::kWith)) ++next;
   if (IsPhrase(next) && chunks_[next].phrase.head == Head::kMap) next = SkipVerbs(next + 1);
   if (IsKind(next, ChunkKind::kQualities)) ++next;
   const bool is_last = !subjects_.empty() && IsKind(at_ + 1, ChunkKind::kComma);

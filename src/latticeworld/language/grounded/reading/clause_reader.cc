@@ -108,7 +108,7 @@ void ClauseReader::ReadComma() {
   if (unfinished && mark == ':' && frame_->fronted) frame_.reset();
   // "streets that form a cross, trees along them": no object comes after the comma.
   if (unfinished && mark == ',' && at_ > 0 && frame_.has_value() && !frame_->fronted &&
-      IsSense(at_ - 1, frame_->sense)) {
+      ((IsCourse(frame_->sense) && IsSense(at_ - 1, frame_->sense)) || FrameLacksObject())) {
     CloseFrame();
   }
   // "bare soil in the middle, about a quarter of the map"

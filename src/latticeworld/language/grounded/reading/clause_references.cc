@@ -18,8 +18,16 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
       case Head::kIt:
         if (const int same = SameObject(); same >= 0) return {same};
         return d_.Antecedent(about, /*many=*/false);
-      case Head::kThey:
-        return d_.Antecedent(about, /*many=*/true);
+      case Head::kThey: {
+        const std::vector<int> many = d_.Antecedent(about, /*many=*/true);
+        // "Fields in the east, woods in the west; a brook separates them."
+        const bool two = frame_.has_value() && frame_->expecting && WantsTwo(frame_->sense);
+        if (two && many.size() == 1 && d_.feature(many[0]).pieces_least == 0) {
+          const std::vector<int> last = d_.LastTwo(about);
+          if (last.size() == 2 && last[1] != many[0]) return last;
+        }
+        return many;
+      }
       case Head::kBoth: {
         const std::vector<int> many = d_.Antecedent(about, /*many=*/true);
         return many.size() >= 2 ? many : d_.LastTwo(about);
@@ -54,6 +62,16 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
           }
           const int created = d_.Create(like, chunk.begin, chunk.end);
           return created < 0 ? std::vector<int>() : std::vector<int>{created};
+        }
+        // "a road from one to the other"
+        const bool to_other = phrase.head == Head::kOne && frame_.has_value() &&
+                              frame_->sense == Sense::kFrom && IsSense(at_ + 1, Sense::kTo);
+        if (to_other) {
+          const std::vector<int> ends = d_.LastTwo(about);
+          if (ends.size() == 2) {
+            split_ = ends[1];
+            return {ends[0]};
+          }
         }
         for (int i = d_.size() - 1; i >= 0 && i >= d_.size() - 8; --i) {
           if (d_.thing(i).dropped) continue;

@@ -71,6 +71,8 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
         break;
       }
       verb_said_ = false;
+      // "Fill the map with forest."
+      if (subjects_.empty() && at_ >= 2 && IsSense(at_ - 2, Sense::kCovers)) cover_next_ = true;
       int host = LastSubject();
       if (sense == Sense::kWith && frame_.has_value() && !frame_->fronted &&
           !frame_->objects.empty() && IsPhrase(at_ - 1)) {

@@ -121,6 +121,16 @@ class Lexer {
       lexeme.kind = tokens_[at].kind == TokenKind::kComma ? LexemeKind::kComma : LexemeKind::kStop;
       return lexeme;
     }
+    // "1) a lake 2) a wood"
+    const bool numbers_item = tokens_[at].kind == TokenKind::kNumber && at + 1 < tokens_.size() &&
+                              tokens_[at + 1].kind == TokenKind::kComma &&
+                              tokens_[at + 1].text == ")" &&
+                              (at == 0 || tokens_[at - 1].text != "(");
+    if (numbers_item) {
+      lexeme.kind = LexemeKind::kStop;
+      lexeme.last = at + 2;
+      return lexeme;
+    }
     if (const std::size_t sides = MatchTwoSides(tokens_, at); sides > 0) {
       lexeme.kind = LexemeKind::kSense;
       lexeme.sense = Sense::kBothSides;
