@@ -69,6 +69,12 @@ void ClauseReader::Open(Frame frame) {
     frame_->expecting = false;
     return;
   }
+  // "a river that ends in a lake near the southern edge": the lake is there.
+  if (sense == Sense::kNear && frame_.has_value() && IsCourse(frame_->sense) &&
+      !frame_->objects.empty() && at_ > 0 && IsThing(at_ - 1) &&
+      IsKind(at_ + 1, ChunkKind::kPlace) && !frame.negated) {
+    return;
+  }
   const bool was_fronted = frame_.has_value() && frame_->fronted;
   // "flows past the town on its western side": the town's
   const int owner = frame.is_direction && frame.of_it && frame_.has_value() && !was_fronted &&

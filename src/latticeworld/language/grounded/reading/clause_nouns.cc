@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/reading/clause_reader.h"
 #include "latticeworld/language/grounded/reading/place_phrases.h"
 
@@ -166,6 +168,7 @@ void ClauseReader::ReadRest(const Chunk& chunk) {
   if (IsKind(next, ChunkKind::kComma)) next = SkipVerbs(next + 1);
   if (IsSense(next, Sense::kIn) || IsSense(next, Sense::kTo) || IsSense(next, Sense::kWith)) ++next;
   if (IsPhrase(next) && chunks_[next].phrase.head == Head::kMap) next = SkipVerbs(next + 1);
+  if (IsSense(next, Sense::kWith) && IsThing(next + 1)) ++next;  // "the rest with grass"
   if (IsKind(next, ChunkKind::kQualities)) ++next;
   const bool is_last = !subjects_.empty() && IsKind(at_ + 1, ChunkKind::kComma);
   if (IsThing(next) && !chunks_[next].phrase.negated && !is_last) {
@@ -192,6 +195,9 @@ void ClauseReader::ReadAbsence(const Chunk& chunk) {
   negating_ = true;
   std::vector<Zone> zones = ZonesOf(chunk.phrase.places);
   if (zones.empty() && !lead_.empty()) zones = lead_.zones;
+  // "ponds in the south; no trees there"
+  const std::string after = ToLowerAscii(d_.Words(chunk.end, d_.instruction().size())).substr(0, 6);
+  if (zones.empty() && after == " there") zones = zones_before_;
   Deny(letter, zones, chunk);
 }
 

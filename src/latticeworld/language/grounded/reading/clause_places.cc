@@ -59,6 +59,10 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
       if (IsLine(index)) continue;
       if (feature.form == FeatureForm::kSpread && feature.texture == Texture::kUnsaid) {
         feature.dominant = true;
+      } else if (feature.form == FeatureForm::kPatch && feature.letter == 'G' &&
+                 !d_.thing(index).plural && feature.pieces == 0) {
+        feature.form = FeatureForm::kSpread;  // "lawn everywhere"
+        feature.dominant = true;
       } else if (feature.form == FeatureForm::kPatch) {
         feature.texture = Texture::kScattered;
       }
@@ -69,6 +73,7 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
     return;
   }
   last_zones_ = zones;
+  zones_before_ = zones;
   // "the settlement (west)": of what stands right before it.
   if (chunk.begin > 0 && d_.instruction()[chunk.begin - 1] == '(' && at_ >= 2 && IsThing(at_ - 2) &&
       d_.size() > 0) {
@@ -219,8 +224,12 @@ void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chu
   // "a forest and a lake in the north" share the place; "a lake, a village in the center" do not.
   if (owners.size() > 1 && !list_has_and_) owners = {owners.back()};
   // "a village next to a lake in the east": the lake is there, and so is the village by it.
+  const std::size_t before = at_ > 0 && IsSense(at_ - 1, Sense::kIn) ? at_ - 1 : at_;
+  const bool of_pronoun =
+      before > 0 && IsPhrase(before - 1) && chunks_[before - 1].phrase.noun == nullptr;
   const bool by_object = frame_.has_value() && !frame_->fronted && !frame_->objects.empty() &&
-                         !IsKind(at_ - 1, ChunkKind::kComma) && !IsCourse(frame_->sense);
+                         !IsKind(at_ - 1, ChunkKind::kComma) && !IsCourse(frame_->sense) &&
+                         !of_pronoun;
   if (by_object) {
     const int object = frame_->objects.back();
     const bool fresh = d_.feature(object).zones.empty() && !IsLine(object);

@@ -42,6 +42,11 @@ void ClauseReader::ReadQualities(const Chunk& chunk) {
     for (const int index : d_.Antecedent({}, /*many=*/false)) d_.Describe(said, index);
     return;
   }
+  // "40 % with woods, 20 % with water"
+  const bool of_next = said.share.has_value() && IsSense(next, Sense::kWith) && IsThing(next + 1) &&
+                       at_ > 0 &&
+                       (IsKind(at_ - 1, ChunkKind::kComma) || IsSense(at_ - 1, Sense::kAnd));
+  if (of_next && !subjects_.empty()) BeginClause();
   if (subjects_.empty() || IsSense(next, Sense::kCoveredBy) || IsSense(next, Sense::kDominatedBy)) {
     if (said.share.has_value() && said.share->mostly && !said.share->fraction) {
       mostly_next_ = true;

@@ -153,7 +153,8 @@ class ClauseReader {
   bool comparing_less_ = false;
   std::vector<std::size_t> absences_;  // of this clause: a place belongs to them
   std::vector<Zone> last_zones_;
-  std::optional<Waypoint> from_;  // of a line that is to come
+  std::vector<Zone> zones_before_;  // the same, from whatever sentence
+  std::optional<Waypoint> from_;    // of a line that is to come
   std::optional<Waypoint> to_;
   bool ordering_ = false;
   Heading order_heading_;

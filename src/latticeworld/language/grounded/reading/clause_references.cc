@@ -134,6 +134,11 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
       return {d_.SplitOff(last)};
     }
     if (phrase.head == Head::kOther && split_ >= 0) return {std::exchange(split_, -1)};
+    // "Two huts. The first hut is in the north, the second one ..."
+    if (phrase.head == Head::kFirst && known.size() == 1 && d_.feature(last).pieces > 1) {
+      split_ = last;
+      return {d_.SplitOff(last)};
+    }
     if (points_back && !(counted && single)) {
       if (!chunk.phrase.qualities.count.has_value()) {
         for (const int index : known) d_.Describe(phrase.qualities, index);

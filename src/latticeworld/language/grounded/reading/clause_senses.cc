@@ -360,6 +360,18 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
         if (IsPhrase(at_ + 1)) OpenSense(sense, false);
       }
       break;
+    case Sense::kCovers: {
+      // "cover 40 % with woods", "fill the northern half with water"
+      const bool share =
+          IsKind(at_ + 1, ChunkKind::kQualities) && chunks_[at_ + 1].qualities.share.has_value();
+      const bool place = IsKind(at_ + 1, ChunkKind::kPlace);
+      if (subjects_.empty() && (share || place) && IsSense(at_ + 2, Sense::kWith)) {
+        cover_next_ = true;
+        break;
+      }
+      OpenSense(sense, chunk.lexeme.of_it);
+      break;
+    }
     default:
       if (sense == Sense::kTo && (IsInfinitive(at_) || IsSense(at_ + 1, Sense::kBothSides))) break;
       OpenSense(sense, chunk.lexeme.of_it);
