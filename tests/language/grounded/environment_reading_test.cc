@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"Leave the animals out. One knight in the east.",
          "1 ancient warrior patrolling middle right; "},
         {"the village is full of goblins", "3 goblin patrolling center; "},
-        {"two knights on the southern shore", "2 ancient warrior patrolling middle left; "},
+        {"two knights on the southern shore", "2 ancient warrior patrolling upper left; "},
         {"a goblin sits on a stone in the south", "1 goblin idle lower; "},
         {"a knight in the middle of the forest", "1 ancient warrior patrolling lower right; "},
         {"drones x4 over the fields", "4 aerial robot flying upper right; "},

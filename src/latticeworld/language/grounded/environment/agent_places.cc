@@ -49,6 +49,10 @@ std::size_t AgentReader::ReadPlace() {
     feature = ReadFeature(&end, near > in, place, next);
   }
   if (place.tokens == 0 && !feature.has_value()) return 0;
+  if (feature.has_value() && !feature->near && place.tokens == 0 && preposition > 1 &&
+      noted_.IsAnyWord(at_ + preposition - 2, {"middle", "centre", "center", "heart"})) {
+    feature->on = Heading{};  // "in the middle of the lake"
+  }
   const bool negated = noted_.notes[next].negated;
   std::vector<std::size_t> owners = Owners();
   // "a robot (on patrol) in the village, ..." is said of the robot.
@@ -177,8 +181,8 @@ std::optional<FeaturePlace> AgentReader::ReadFeature(std::size_t* end, bool near
       noted_.IsAnyWord(shore, {"shore", "shores", "bank", "banks"})) {
     // "on the western shore": of the lake, not of the map.
     const FeatureWord& word = *words_.features.At(tokens_, shore).rows.front();
-    return FeaturePlace{word.name, word.suburb, word.wild, true,
-                        HeadingOf(place.places.front().main)};
+    return FeaturePlace{
+        word.name, word.suburb, word.wild, true, HeadingOf(place.places.front().main), true};
   }
   bool outside = false;
   for (int i = 0; i < 4 && at < tokens_.size(); ++i) {
@@ -201,7 +205,8 @@ std::optional<FeaturePlace> AgentReader::ReadFeature(std::size_t* end, bool near
       if (relative && place.places.size() == 1) {
         // "in the north of the forest" is inside, "north of the lake" is not.
         const bool inside = place_at > 0 && noted_.IsWord(place_at - 1, "the");
-        feature.near = !inside;
+        feature.shore = noted_.IsAnyWord(shore, {"shore", "shores", "bank", "banks"});
+        feature.near = !inside || feature.shore;
         feature.on = HeadingOf(place.places.front().main);
       }
       *end = at;

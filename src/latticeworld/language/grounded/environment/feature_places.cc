@@ -1,6 +1,7 @@
 #include "latticeworld/language/grounded/environment/feature_places.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -128,7 +129,7 @@ Grid<unsigned char> CellsAt(const FeaturePlace& feature, const SymbolicLayout& l
       }
     }
   }
-  if (feature.on.has_value() && feature.near) {
+  if (feature.on.has_value() && feature.near && !feature.shore) {
     const Grid<unsigned char> beyond = CellsBeyond(letters, *feature.on, layout);
     for (int row = 0; row < kLayoutSize; ++row) {
       for (int col = 0; col < kLayoutSize; ++col) {
@@ -140,8 +141,14 @@ Grid<unsigned char> CellsAt(const FeaturePlace& feature, const SymbolicLayout& l
   if (feature.on.has_value() && FindMiddle(letters, layout, &middle_row, &middle_col)) {
     for (int row = 0; row < kLayoutSize; ++row) {
       for (int col = 0; col < kLayoutSize; ++col) {
-        const bool that_way = feature.on->east * (col - middle_col) >= 0.0 &&
-                              feature.on->south * (row - middle_row) >= 0.0;
+        const double east = col - middle_col;
+        const double south = row - middle_row;
+        bool that_way = feature.on->east * east >= 0.0 && feature.on->south * south >= 0.0;
+        // The southern shore is no part of the western one.
+        if (feature.shore && !feature.on->IsDiagonal()) {
+          const double along = feature.on->east * east + feature.on->south * south;
+          that_way = along >= std::abs(feature.on->east != 0 ? south : east);
+        }
         if (!that_way) cells(row, col) = 0;
       }
     }

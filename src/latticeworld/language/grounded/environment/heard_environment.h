@@ -34,7 +34,8 @@ struct FeaturePlace {
   std::string suburb;
   std::string wild;
   bool near = false;          // beside it rather than in it
-  std::optional<Heading> on;  // "north of the lake"
+  std::optional<Heading> on;  // "north of the lake"; of no direction: in its middle
+  bool shore = false;         // "on the northern shore": beside it, not beyond
 };
 
 // Agents as an instruction asks for them, before they are fitted to a world.
