@@ -133,7 +133,8 @@ std::optional<std::string_view> SpellingDictionary::Undoubled(std::string_view w
   };
   // "hopping" and "hoping" are both words.
   if (word.size() <= kMinEditLength || ends("ing") || ends("ed") || Has(word)) return std::nullopt;
-  for (std::size_t i = 1; i < word.size(); ++i) {
+  // No word begins with a letter twice by a slip of spelling: "ppolar" may be "poplar".
+  for (std::size_t i = 2; i < word.size(); ++i) {
     if (word[i] != word[i - 1]) continue;
     std::string once(word);
     once.erase(i, 1);

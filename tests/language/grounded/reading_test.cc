@@ -386,6 +386,10 @@ std::vector<Sample> Samples() {
       {"Fields dominate the east while woods dominate the west; a brook separates them.",
        kSuburb,
        {"dominant A@eastern third", "between W A F"}},
+      {"A road runs along the top and then down the right side.",
+       kSuburb,
+       {"course R north-west corner>south-east corner", "present R@north-east corner"}},
+      {"A lake fills the foreground, with pines on its far shore.", kSuburb, {"direction F W N"}},
       {"vilage in teh top rigth corner", kSuburb, {"present B@north-east corner"}},
   };
 }

@@ -193,6 +193,27 @@ void ClauseReader::Lead_(const std::vector<Zone>& zones, const Chunk& chunk) {
   lead_.begin = chunk.begin;
 }
 
+// "along the bottom and then up the right side": the line turns at the corner.
+bool ClauseReader::TurnsAt(const std::vector<Zone>& zones, PlannedFeature* line) const {
+  if (!line->along.has_value() || zones.size() != 1 || line->from.has_value()) return false;
+  const Heading a = HeadingOf(RegionOf(*line->along));
+  const Heading b = HeadingOf(RegionOf(zones.front()));
+  if (a.IsDiagonal() || b.IsDiagonal()) return false;
+  if ((a.east != 0) == (b.east != 0) || (a.south != 0) == (b.south != 0)) return false;
+  Waypoint from;
+  from.zone = RimZoneOf({a.east - b.east, a.south - b.south});
+  Waypoint via;
+  via.zone = RimZoneOf({a.east + b.east, a.south + b.south});
+  Waypoint to;
+  to.zone = RimZoneOf({b.east - a.east, b.south - a.south});
+  line->from = from;
+  line->to = to;
+  line->via = {via};
+  line->along.reset();
+  line->zones.clear();
+  return true;
+}
+
 // "water across the whole foreground": no lake, but as much as there is room.
 bool ClauseReader::IsUncounted(int index) const {
   const std::string_view noun = d_.thing(index).noun->phrase;
@@ -277,6 +298,10 @@ void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chu
     }
     const bool line_with_course =
         IsLine(index) && (feature.from.has_value() || feature.to.has_value());
+    if (IsLine(index) && TurnsAt(zones, &feature)) {
+      d_.Extend(index, chunk.end);
+      continue;
+    }
     if (line_with_course) {
       for (const Zone& zone : zones) {
         Waypoint via;

@@ -64,6 +64,7 @@ class ClauseReader {
 
   // Places.
   bool IsUncounted(int index) const;
+  bool TurnsAt(const std::vector<Zone>& zones, PlannedFeature* line) const;
   void Attach(const std::vector<Zone>& zones, bool extent, const Chunk& chunk);
   void Lead_(const std::vector<Zone>& zones, const Chunk& chunk);
   static bool IsMany(const std::vector<Zone>& zones);

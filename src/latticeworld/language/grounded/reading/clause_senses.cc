@@ -309,7 +309,8 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       comparing_less_ = sense == Sense::kLessThan;
       break;
     case Sense::kThan:
-      if (!subjects_.empty()) comparing_ = true;
+      // "and than" is a slip for "and then".
+      if (!subjects_.empty() && !IsSense(at_ - 1, Sense::kAnd)) comparing_ = true;
       break;
     case Sense::kOtherSide:
       ReadOtherSide(chunk);

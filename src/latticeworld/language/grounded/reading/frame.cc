@@ -368,6 +368,11 @@ class Asserter {
         return;
       }
     }
+    // Beyond what lies at one side is the other.
+    if (object().zones.size() == 1) {
+      const Heading there = HeadingOf(RegionOf(object().zones.front()));
+      if (there.east != 0 || there.south != 0) AssertDirection({-there.east, -there.south});
+    }
     Relate(RelationKind::kNear, subject_, object_, kNearSteps);
   }
 

@@ -79,7 +79,11 @@ std::optional<std::string_view> ShortMistake(std::string_view word) {
       {"botom", "bottom"},     {"lak", "lake"},         {"rver", "river"},
       {"beetwen", "between"},  {"els", "else"},         {"est", "east"},
       {"bolder", "boulder"},   {"bolders", "boulders"}, {"toch", "touch"},
-      {"moutain", "mountain"},
+      {"moutain", "mountain"}, {"rode", "road"},        {"rite", "right"},
+      {"nd", "and"},           {"thru", "through"},     {"feild", "field"},
+      {"feilds", "fields"},    {"smal", "small"},       {"larg", "large"},
+      {"midle", "middle"},     {"litle", "little"},     {"hous", "house"},
+      {"betwen", "between"},   {"arond", "around"},     {"ned", "need"},
   };
   for (const auto& [mistake, meant] : kMistakes) {
     if (word == mistake) return meant;
