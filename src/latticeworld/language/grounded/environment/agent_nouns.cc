@@ -117,6 +117,12 @@ std::size_t AgentReader::ReadLoneCount(const Count& count) {
     subject_ = {last_};
     return tokens;
   }
+  if (bare && of_them == 0 && more == 0 && whole.wish.counted && lead_set_ && at_ > 0 &&
+      noted_.notes[at_ - 1].place) {
+    // "in the north five goblins, in the south seven"
+    AddLike(last_, count, tokens);
+    return tokens;
+  }
   if (bare && of_them == 0 && more == 0) {
     // "sheep: lower left, nine", "... There are four."
     const bool told_so = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"are", "is", "were"});
@@ -216,7 +222,8 @@ std::size_t AgentReader::ReadSpecies() {
     noted_.Mark(count_at_, count_at_ + pending_.tokens, &TokenNote::agent);
   }
   if (!noted_.notes[at_].negated && IsApposition(word, end)) return end - at_;
-  const Count collective = ReadPack(end);
+  // "wolf pack", but "swans drift"
+  const Count collective = word.plural && !word.singular ? Count{} : ReadPack(end);
   noted_.Mark(end, end + collective.tokens, &TokenNote::agent);
   if (noted_.notes[at_].negated) {
     ReadAbsence(word, end);

@@ -58,7 +58,8 @@ std::size_t AgentReader::ReadPlace() {
   // "a robot (on patrol) in the village, ..." is said of the robot.
   const bool after_aside = at_ > 0 && tokens_[at_ - 1].text == ")" && !subject_.empty();
   const bool fronted = !after_aside && IsFronted(end);
-  if (owners.empty() && !fronted && !AgentsAhead(end) && IsFragment()) owners = previous_;
+  if (owners.empty() && !fronted && !AgentsAhead(end) && !absent_here_ && IsFragment())
+    owners = previous_;
   if (owners.empty() && !fronted && (!AgentsAhead(end) || EndsOtherClause(end))) return 0;
   noted_.Mark(at_, end, &TokenNote::place);
   there_ = place.places;

@@ -114,6 +114,7 @@ std::size_t AgentReader::ReadNobody(std::size_t tokens) {
   claim.words = std::string(noted_.Text(at_, at_ + tokens));
   heard_.absences.push_back(std::move(claim));
   noted_.Mark(at_, at_ + tokens, &TokenNote::agent);
+  absent_here_ = true;
   // "not a soul, man or beast"
   const std::size_t first = at_ + tokens;
   for (std::size_t i = first; i < first + kNobodyTokens && !noted_.IsEnd(i); ++i) {

@@ -32,11 +32,15 @@ class CoarseReader {
         continue;
       }
       for (const CoarseWord* word : match.rows) Read(*word, at, at + match.tokens);
-      // "march morning" is a month, and a morning.
+      // "march morning" is a month, and a morning; "clear autumn day" a season too.
       for (std::size_t i = at + 1; i < at + match.tokens; ++i) {
-        if (match.rows.front()->key != CoarseKey::kSeason) break;
-        for (const CoarseWord* word : words_.coarse.At(tokens_, i).rows) {
-          if (word->key == CoarseKey::kTimeOfDay) Read(*word, i, i + 1);
+        const CoarseKey outer = match.rows.front()->key;
+        if (outer != CoarseKey::kSeason && outer != CoarseKey::kWeather) break;
+        const auto inner = words_.coarse.At(tokens_, i);
+        for (const CoarseWord* word : inner.rows) {
+          const bool other = word->key == CoarseKey::kTimeOfDay ||
+                             (word->key == CoarseKey::kSeason && outer != word->key);
+          if (other && !word->hints && inner.tokens == 1) Read(*word, i, i + 1);
         }
       }
       for (std::size_t i = at; i < at + match.tokens; ++i) noted_.notes[i].known = true;

@@ -98,6 +98,8 @@ class ScopeMarker {
       }
       if (Role(Role::kBut, at) > 0 && !noted_->IsWord(at, "for")) return;
       if (noted_->IsWord(at, "and") && (!joins_by_and || !IsBare(at + 1))) return;
+      // "instead of sheep I would like horses"
+      if (content > 0 && noted_->IsAnyWord(at, {"i", "we", "please", "let", "put"})) return;
       const bool determiner = noted_->IsAnyWord(at, {"a", "an", "the", "it", "they", "there"});
       const bool after_or =
           at > first && (noted_->IsWord(at - 1, "or") || noted_->IsWord(at - 1, "nor"));
