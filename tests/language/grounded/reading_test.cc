@@ -205,6 +205,10 @@ std::vector<Sample> Samples() {
       {"A river comes from the north-west and empties into a lake near the south-eastern corner.",
        kSuburb,
        {"present W@south-east corner"}},
+      {"Trees frame the whole map.", kSuburb, {"present F@edges"}, {"dominant F"}},
+      {"A wide river splits the map into a northern and a southern part.",
+       kSuburb,
+       {"course W western edge>eastern edge"}},
       // Relations.
       {"Fields north and south of the river.", kSuburb, {"both_sides A W"}, {"direction A W S"}},
       {"A lake in the centre. To the east and west of it lie woods.", kSuburb, {"both_sides F W"}},

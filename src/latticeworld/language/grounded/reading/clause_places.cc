@@ -54,9 +54,15 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
   const bool extent = chunk.lexeme.whole || SaysExtent(words);
   if (SaysAnywhere(chunk.lexeme.places)) {
     // "forest everywhere", "no water anywhere", "houses all over"
+    const bool frames = frame_.has_value() && frame_->sense == Sense::kSurrounds &&
+                        frame_->objects.empty() && !frame_->fronted;
     for (const int index : subjects_) {
       PlannedFeature& feature = d_.feature(index);
       if (IsLine(index)) continue;
+      if (frames) {  // "trees frame the whole map"
+        d_.AddZones(index, {*FindZone("edges")});
+        continue;
+      }
       if (feature.form == FeatureForm::kSpread && feature.texture == Texture::kUnsaid) {
         feature.dominant = true;
       } else if (feature.form == FeatureForm::kPatch && feature.letter == 'G' &&

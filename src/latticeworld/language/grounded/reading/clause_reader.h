@@ -110,6 +110,7 @@ class ClauseReader {
   bool IsSense(std::size_t at, Sense sense) const;
   bool IsKind(std::size_t at, ChunkKind kind) const;
   bool ReadWhere();
+  bool ReadHalves();
   bool IsInfinitive(std::size_t at) const;
   bool IsOtherWord(const Chunk& chunk) const;
   bool OrderGoesOn() const;

@@ -374,6 +374,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       break;
     }
     default:
+      if (sense == Sense::kTo && ReadHalves()) break;
       if (sense == Sense::kTo && (IsInfinitive(at_) || IsSense(at_ + 1, Sense::kBothSides))) break;
       OpenSense(sense, chunk.lexeme.of_it);
       break;
@@ -487,6 +488,28 @@ bool ClauseReader::ReadWhere() {
   }
   frame_ = std::move(frame);
   at_ = verb - 1;
+  return true;
+}
+
+// "a river splits the map into a northern and a southern part": it runs between them.
+bool ClauseReader::ReadHalves() {
+  const int line = LineOf(subjects_);
+  const bool of_map = at_ > 0 && IsPhrase(at_ - 1) && chunks_[at_ - 1].phrase.head == Head::kMap;
+  const bool two = IsKind(at_ + 1, ChunkKind::kPlace) && IsSense(at_ + 2, Sense::kAnd) &&
+                   IsKind(at_ + 3, ChunkKind::kPlace);
+  const bool one = IsKind(at_ + 1, ChunkKind::kPlace) && chunks_[at_ + 1].lexeme.places.size() == 2;
+  if (line < 0 || !of_map || !(two || one) || d_.feature(line).from.has_value()) return false;
+  const Heading side = HeadingOf(RegionOf(chunks_[at_ + 1].lexeme.places.front().zone));
+  if ((side.east == 0) == (side.south == 0)) return false;
+  Waypoint from;
+  from.zone = RimZoneOf({side.south != 0 ? -1 : 0, side.east != 0 ? -1 : 0});
+  Waypoint to;
+  to.zone = RimZoneOf({side.south != 0 ? 1 : 0, side.east != 0 ? 1 : 0});
+  d_.feature(line).from = from;
+  d_.feature(line).to = to;
+  frame_.reset();
+  at_ += two ? 3 : 1;
+  d_.Extend(line, chunks_[at_].end);
   return true;
 }
 
