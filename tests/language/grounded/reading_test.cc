@@ -71,6 +71,27 @@ void PrintTo(const Sample& sample, std::ostream* os) { *os << sample.instruction
 
 std::vector<Sample> Samples() {
   return {
+      {"Dunes in the north, then scrub, then woods.",
+       kSuburb,
+       {"direction G D S", "direction F G S"}},
+      {"heath to the left of the pond, spruces to the right",
+       kSuburb,
+       {"direction G W W", "direction F W E"}},
+      {"Everything north of the brook is woodland and everything south of it is ploughed.",
+       kSuburb,
+       {"direction F W N"}},
+      {"A hamlet whose southern edge borders on a pond.",
+       kSuburb,
+       {"direction W B S", "adjacent W B"}},
+      {"a street crossing a creek that flows from the north to the south",
+       kSuburb,
+       {"course W northern edge>southern edge", "crosses R W"}},
+      {"No houses in the west. Only heath there.", kSuburb, {"present G@western third"}},
+      {"Trees close to the barn but not close to the lane.", kSuburb, {"apart F R"}},
+      {"The houses have spread on both banks of the brook.", kSuburb, {"both_sides B W"}},
+      {"meadow left village right",
+       kSuburb,
+       {"present G@western third", "present B@eastern third"}},
       // Places.
       {"A forest in the north-west.", kSuburb, {"present F@upper left"}},
       {"woods W, lake E", kSuburb, {"present F@western third", "present W@eastern third"}},

@@ -152,6 +152,7 @@ class Chunker {
                            SenseAt(i + 1, Sense::kBoth) || SenseAt(i + 1, Sense::kThey));
       if (around) lexemes_[i].sense = Sense::kSurrounds;
     }
+    ReadThat();
     while (at_ < lexemes_.size()) {
       if (!ReadNounPhrase() && !ReadQualities()) ReadOther();
     }
@@ -159,6 +160,48 @@ class Chunker {
   }
 
  private:
+  // "that" is an article as a rule.
+  void ReadThat() {
+    for (std::size_t i = 1; i < lexemes_.size(); ++i) {
+      // "a river that flows from the north"
+      const std::string_view word = tokens_[lexemes_[i].first].text;
+      if (lexemes_[i].Is(Sense::kDefinite) && word == "that" && IsNounAt(i - 1) &&
+          i + 1 < lexemes_.size() && IsVerb(lexemes_[i + 1])) {
+        lexemes_[i].sense = Sense::kWhich;
+      }
+      // "trees around that, ...": what was spoken of.
+      const bool alone = lexemes_[i].Is(Sense::kDefinite) &&
+                         lexemes_[i - 1].Is(Sense::kSurrounds) &&
+                         (tokens_[lexemes_[i].first].text == "that" ||
+                          tokens_[lexemes_[i].first].text == "this") &&
+                         (i + 1 == lexemes_.size() || lexemes_[i + 1].kind == LexemeKind::kComma ||
+                          lexemes_[i + 1].kind == LexemeKind::kStop);
+      if (alone) lexemes_[i].sense = Sense::kIt;
+    }
+  }
+  static bool IsVerb(const Lexeme& lexeme) {
+    if (lexeme.kind != LexemeKind::kSense) return false;
+    switch (lexeme.sense) {
+      case Sense::kBe:
+      case Sense::kStands:
+      case Sense::kHas:
+      case Sense::kRuns:
+      case Sense::kWinds:
+      case Sense::kFrom:
+      case Sense::kTo:
+      case Sense::kThrough:
+      case Sense::kCrosses:
+      case Sense::kAlong:
+      case Sense::kConnects:
+      case Sense::kSurrounds:
+      case Sense::kNextTo:
+      case Sense::kBetween:
+      case Sense::kCovers:
+        return true;
+      default:
+        return false;
+    }
+  }
   const Lexeme* LexemeAt(std::size_t at) const {
     return at < lexemes_.size() ? &lexemes_[at] : nullptr;
   }
@@ -190,8 +233,11 @@ class Chunker {
           (before.sense == Sense::kIn || before.sense == Sense::kFrom ||
            before.sense == Sense::kTo || before.sense == Sense::kThrough ||
            before.sense == Sense::kAlong || before.sense == Sense::kCrosses)) {
-        return false;
+        const bool course = before.sense != Sense::kIn;
+        if (!course || !IsAttributive(lexemes_[at])) return false;
       }
+      // "forest left lake right": the place is that of the noun before it.
+      if (before.kind == LexemeKind::kNoun && !FollowsPlace(at - 1)) return false;
     }
     std::size_t next = at + 1;
     if (IsLastOne(next)) return lexemes_[at].places.size() == 1 && !IsExtent(lexemes_[at]);
@@ -209,6 +255,22 @@ class Chunker {
     return at < lexemes_.size() && lexemes_[at].kind == LexemeKind::kCount &&
            lexemes_[at].last == lexemes_[at].first + 1 &&
            tokens_[lexemes_[at].first].text == "one" && !NounSoon(at + 1);
+  }
+  // "to the upper lake": the last word of the place can stand before nouns only.
+  bool IsAttributive(const Lexeme& place) const {
+    const std::string_view word = tokens_[place.last - 1].text;
+    return word == "upper" || word == "lower" || word == "top" || word == "bottom" ||
+           word == "central" || (word.size() > 6 && word.substr(word.size() - 3) == "ern");
+  }
+  // "upper left lake upper right village": a row that begins with a place has them before nouns.
+  bool FollowsPlace(std::size_t noun) const {
+    const auto in_row = [&](LexemeKind kind) {
+      return kind == LexemeKind::kSize || kind == LexemeKind::kCount || kind == LexemeKind::kNoun ||
+             kind == LexemeKind::kPlace;
+    };
+    std::size_t at = noun;
+    while (at > 0 && in_row(lexemes_[at - 1].kind)) --at;
+    return lexemes_[at].kind == LexemeKind::kPlace;
   }
   // "the northern half", "top third", "NW corner": these stand for themselves.
   bool IsExtent(const Lexeme& place) const {
@@ -293,7 +355,8 @@ class Chunker {
         return false;
       }
       if (lexeme.kind == LexemeKind::kComma && said_something && at > at_ && IsComma(at) &&
-          QualityAt(at - 1) && QualityAt(at + 1) && NounSoon(at + 1)) {
+          !lexemes_[at - 1].Is(Sense::kMostly) && QualityAt(at - 1) && QualityAt(at + 1) &&
+          NounSoon(at + 1)) {
         continue;
       }
       if (!AddQuality(lexeme, &phrase.qualities)) return false;

@@ -231,7 +231,10 @@ void ClauseReader::ReadAxis(const Chunk& chunk) {
   const bool of_one = subjects_.size() == 1 && after_phrase &&
                       (EndsAt(at_ + 1) || IsKind(at_ + 1, ChunkKind::kComma)) &&
                       (EndsAt(at_ + 1) || d_.instruction()[chunks_[at_ + 1].begin] == ',');
-  if (!subjects_.empty() && (verb_said_ || of_one)) {
+  const bool ridge = subjects_.size() == 1 && at_ > 1 &&
+                     (IsThing(at_ - 1) || (IsSense(at_ - 1, Sense::kFrom) && IsThing(at_ - 2))) &&
+                     !IsKind(at_ + 1, ChunkKind::kComma) && !traveling_;
+  if (!subjects_.empty() && (verb_said_ || of_one || ridge)) {
     const int index = subjects_.back();
     d_.feature(index).from = from;
     d_.feature(index).to = to;

@@ -3,6 +3,7 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/reading/clause_reader.h"
+#include "latticeworld/language/grounded/reading/place_phrases.h"
 
 namespace latticeworld {
 // qualities
@@ -13,6 +14,21 @@ void ClauseReader::ReadDirection(const Chunk& chunk) {
   frame.heading = chunk.lexeme.heading;
   frame.use = chunk.lexeme.use;
   frame.of_it = chunk.lexeme.of_it;
+  // "Its eastern end touches a village", "a town whose western edge borders on a lake"
+  const bool meets = IsSense(at_ + 1, Sense::kNextTo) || IsSense(at_ + 1, Sense::kNear) ||
+                     IsSense(at_ + 1, Sense::kBorderedBy) || IsSense(at_ + 1, Sense::kTo);
+  if (frame.of_it && frame.use == DirectionUse::kAtSide && meets && IsPhrase(at_ + 2)) {
+    const bool after_owner = IsPhrase(at_ - 1) && d_.LastMentioned() >= 0;
+    frame.objects = after_owner ? std::vector<int>{d_.LastMentioned()} : Own(frame, {});
+    if (!frame.objects.empty()) {
+      BeginClause();
+      frame.fronted = true;
+      frame.expecting = false;
+      frame_ = std::move(frame);
+      ++at_;
+      return;
+    }
+  }
   Open(std::move(frame));
 }
 
@@ -61,6 +77,8 @@ void ClauseReader::Open(Frame frame) {
     frame_.reset();
     for (const int subject : start.subjects) Assert(start, subject, &d_);
   }
+  // "the woods must not reach the lake"
+  if (not_next_ && sense == Sense::kTo && LineOf(subjects_) < 0) frame.sense = Sense::kNextTo;
   frame.negated = not_next_;
   not_next_ = false;
   // "Link them by a footpath": what does it comes last.
@@ -156,6 +174,7 @@ void ClauseReader::Open(Frame frame) {
     frame.expecting = false;
     if (!frame.objects.empty()) {
       for (const int subject : frame.subjects) Assert(frame, subject, &d_);
+      if (!frame.subjects.empty()) NoteAxis(frame, frame.subjects.back());
     }
   }
   frame_ = std::move(frame);
@@ -177,7 +196,78 @@ std::vector<int> ClauseReader::Own(const Frame& frame, const std::vector<int>& s
   for (int i = d_.size() - 1; i >= 0 && frame.is_direction && shore; --i) {
     if (!d_.thing(i).dropped && d_.feature(i).letter == 'W') return {i};
   }
-  return d_.Antecedent(subjects, false);
+  return InContrast(frame, d_.Antecedent(subjects, false));
+}
+
+// "forest north of it, fields south of it": of the same thing both times.
+std::vector<int> ClauseReader::InContrast(const Frame& frame, const std::vector<int>& found) const {
+  const Heading heading = HeadingOfFrame(frame);
+  const bool contrast =
+      axis_.object >= 0 && d_.sentence() <= axis_.sentence + 1 &&
+      (heading.east != 0 || heading.south != 0) &&
+      !(heading.east == axis_.heading.east && heading.south == axis_.heading.south) &&
+      found.size() == 1 && found[0] == axis_.subject;
+  return contrast ? std::vector<int>{axis_.object} : found;
+}
+
+void ClauseReader::NoteAxis(const Frame& frame, int subject) {
+  const Heading heading = HeadingOfFrame(frame);
+  if ((heading.east == 0 && heading.south == 0) || frame.objects.empty()) return;
+  axis_ = {subject, frame.objects.back(), heading, d_.sentence()};
+}
+
+// "pines to the left of the lake, heath to the right": of the same lake.
+bool ClauseReader::TakeContrast(const std::vector<Zone>& zones) {
+  if (axis_.object < 0 || axis_.sentence != d_.sentence() || zones.size() != 1 || at_ == 0 ||
+      !IsSense(at_ - 1, Sense::kTo) || !frame_.has_value() || frame_->sense != Sense::kTo ||
+      !frame_->objects.empty() || !frame_->expecting) {
+    return false;
+  }
+  const Heading side = HeadingOf(RegionOf(zones.front()));
+  if (!IsOppositeHeading(side, axis_.heading)) return false;
+  Frame frame;
+  frame.is_direction = true;
+  frame.heading = side;
+  frame.objects = {axis_.object};
+  frame.expecting = false;
+  if (ThingFollows(at_ + 1, false)) {
+    if (!subjects_.empty()) BeginClause();
+    frame.fronted = true;
+    frame_ = std::move(frame);
+    return true;
+  }
+  if (frame_->subjects.empty() || LineOf(frame_->subjects) >= 0) return false;
+  for (const int subject : frame_->subjects) Assert(frame, subject, &d_);
+  frame_.reset();
+  return true;
+}
+
+// "snow in the north, then rock, then forest": each farther on than the one before.
+void ClauseReader::Follow(int index) {
+  const int before = std::exchange(then_after_, -1);
+  if (before < 0 || before == index || ordering_ || !lead_.empty() || IsLine(index)) return;
+  Heading heading =
+      axis_.subject == before && axis_.sentence == d_.sentence() ? axis_.heading : Heading{0, 0};
+  const std::vector<Zone>& zones = d_.feature(before).zones;
+  if (heading.east == 0 && heading.south == 0 && zones.size() == 1) {
+    const Heading there = HeadingOf(RegionOf(zones.front()));
+    heading = {-there.east, -there.south};
+  }
+  if ((heading.east != 0) == (heading.south != 0)) return;
+  // A place of its own that is elsewhere begins something new.
+  std::size_t next = at_ + 1;
+  if (IsSense(next, Sense::kIn)) ++next;
+  if (IsKind(next, ChunkKind::kDirection)) return;
+  if (IsKind(next, ChunkKind::kPlace) && !chunks_[next].lexeme.places.empty()) {
+    const Heading own = HeadingOf(RegionOf(chunks_[next].lexeme.places.front().zone));
+    if (own.east != heading.east || own.south != heading.south) return;
+  }
+  Frame frame;
+  frame.is_direction = true;
+  frame.heading = heading;
+  frame.objects = {before};
+  Assert(frame, index, &d_);
+  NoteAxis(frame, index);
 }
 
 // A relation without an object is to what was spoken of: "with houses on both sides".
@@ -224,7 +314,8 @@ void ClauseReader::CloseFrame() {
       return;
     }
   } else {
-    frame.objects = d_.Antecedent(frame.subjects, false);
+    frame.objects = InContrast(frame, d_.Antecedent(frame.subjects, false));
+    if (!frame.objects.empty()) NoteAxis(frame, frame.subjects.back());
   }
   if (frame.objects.empty()) return;
   for (const int subject : frame.subjects) {

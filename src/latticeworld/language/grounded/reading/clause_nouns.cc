@@ -156,6 +156,14 @@ void ClauseReader::ReadMap(const Chunk& chunk) {
   }
   if (!subjects_.empty() && open_list_ && !verb_said_) return;
   if (!subjects_.empty()) BeginClause();
+  // "Everything south of it is forest": what lies there.
+  if (Fronts(at_ + 1) &&
+      (IsKind(at_ + 1, ChunkKind::kDirection) || IsSense(at_ + 1, Sense::kAbove) ||
+       IsSense(at_ + 1, Sense::kBelow) || IsSense(at_ + 1, Sense::kBeyond) ||
+       IsSense(at_ + 1, Sense::kBehind) || IsSense(at_ + 1, Sense::kBetween))) {
+    lead_ = Lead();
+    return;
+  }
   map_is_subject_ = true;
   map_share_ = said.share;
   mostly_next_ = mostly_next_ || said.mostly;
@@ -228,6 +236,7 @@ void ClauseReader::TakeObjects(const std::vector<int>& found) {
     if (WantsTwo(frame.sense) && index != found.back()) continue;
     for (const int subject : frame.subjects) Assert(frame, subject, &d_);
   }
+  if (!frame.fronted && !frame.subjects.empty()) NoteAxis(frame, frame.subjects.back());
   if (frame.sense == Sense::kOutside) {
     for (const int subject : frame.subjects) d_.AddZones(subject, {*FindZone("edges")});
   }
@@ -278,7 +287,7 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
   for (const int index : found) {
     PlannedFeature& feature = d_.feature(index);
     if (rest_next_) feature.fills_rest = true;
-    if (only_next_ && !IsLine(index)) OnlyThis(index, is_new);
+    if (only_next_ && !IsLine(index) && !(fronted && frame_->is_direction)) OnlyThis(index, is_new);
     if (mostly_next_) feature.dominant = true;
     const bool named = is_new || phrase.noun != nullptr;
     if (!lead_.empty() && !excepting_ && named) {
@@ -323,7 +332,10 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
   rest_next_ = mostly_next_ = only_next_ = false;
   if (sharing_ > 0) --sharing_;
   if (sharing_ == 0) map_share_.reset();
+  if (!fronted && is_new) Follow(found.back());
+  then_after_ = -1;
   if (fronted) {
+    NoteAxis(*frame_, found.back());
     frame_->subjects = found;
     const bool two_at_once = WantsTwo(frame_->sense);
     Frame each = *frame_;

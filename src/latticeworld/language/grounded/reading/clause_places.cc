@@ -121,7 +121,9 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
     BeginOrder(to);
     return;
   }
-  if (TakeEndZone(zones)) return;
+  there_.clear();
+  if (TakeContrast(zones) || TakeEndZone(zones)) return;
+  there_ = zones;
   // "From the lake in the north-east flows a stream": the lake is there.
   const bool of_object =
       frame_.has_value() && frame_->fronted && !frame_->objects.empty() && at_ > 0 &&

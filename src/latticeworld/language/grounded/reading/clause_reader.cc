@@ -1,5 +1,10 @@
 #include "latticeworld/language/grounded/reading/clause_reader.h"
 
+#include <string>
+#include <string_view>
+
+#include "latticeworld/common/text.h"
+
 namespace latticeworld {
 void ClauseReader::Read() {
   sentence_start_ = 0;
@@ -73,6 +78,7 @@ void ClauseReader::EndSentence() {
   negating_ = excepting_ = confining_ = correcting_ = traveling_ = false;
   from_.reset();
   to_.reset();
+  then_after_ = -1;
   last_zones_.clear();
   d_.NextSentence();
   sentence_first_feature_ = d_.size();
@@ -85,6 +91,9 @@ void ClauseReader::EndHost() {
     Frame frame;
     frame.sense = Sense::kHas;
     frame.objects = {hosted_};
+    // "peaks with snow": one thing
+    const bool same = d_.feature(host_).letter == d_.feature(hosted_).letter;
+    if (same && d_.feature(hosted_).form == FeatureForm::kSpread) d_.Drop(hosted_);
     Assert(frame, host_, &d_);
   }
   host_ = hosted_ = -1;
@@ -95,6 +104,11 @@ void ClauseReader::ReadComma() {
   if (IsSense(at_ + 1, Sense::kWhich)) return;
   const char mark = d_.instruction()[chunks_[at_].begin];
   if (mark == '(' && IsKind(at_ + 1, ChunkKind::kPlace)) return;
+  // "a forest (40 % of the map) by the lake"
+  if (mark == '(' && IsPhrase(at_ + 1) && chunks_[at_ + 1].phrase.head == Head::kMap &&
+      chunks_[at_ + 1].phrase.qualities.share.has_value()) {
+    return;
+  }
   if (mark == ')' && at_ >= 2 && IsKind(at_ - 1, ChunkKind::kPlace) &&
       IsKind(at_ - 2, ChunkKind::kComma) && !IsPhrase(at_ + 1)) {
     return;
@@ -169,6 +183,10 @@ bool ClauseReader::StartsAnew(std::size_t next) const {
 
 void ClauseReader::ReadAnd(bool is_or) {
   const std::size_t next = at_ + 1;
+  const std::string words = ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[at_].end));
+  for (const std::string_view on : {"then", "followed by", "next", "finally", "last"}) {
+    if (words.find(on) != std::string::npos) then_after_ = LastSubject();
+  }
   if (negating_) {
     const bool bare = IsThing(next) && !chunks_[next].phrase.indefinite &&
                       !chunks_[next].phrase.definite &&

@@ -35,6 +35,14 @@ class ClauseReader {
     bool empty() const { return zones.empty(); }
   };
 
+  // The last thing that was said to lie in a direction from another.
+  struct Axis {
+    int subject = -1;
+    int object = -1;
+    Heading heading;
+    int sentence = 0;
+  };
+
   void ReadChunk(const Chunk& chunk);
   void ReadNounPhrase(const Chunk& chunk);
   void ReadPlace(const Chunk& chunk);
@@ -81,6 +89,10 @@ class ClauseReader {
   void DenyAround(char letter, const Chunk& chunk);
 
   // Frames.
+  std::vector<int> InContrast(const Frame& frame, const std::vector<int>& found) const;
+  void NoteAxis(const Frame& frame, int subject);
+  bool TakeContrast(const std::vector<Zone>& zones);
+  void Follow(int index);
   void ReadOtherSide(const Chunk& chunk);
   bool ReadOppositeOf();
   void ReadInsideRing();
@@ -156,7 +168,10 @@ class ClauseReader {
   std::vector<std::size_t> absences_;  // of this clause: a place belongs to them
   std::vector<Zone> last_zones_;
   std::vector<Zone> zones_before_;  // the same, from whatever sentence
-  std::optional<Waypoint> from_;    // of a line that is to come
+  std::vector<Zone> there_;         // what "there" means, of an earlier sentence too
+  Axis axis_;
+  int then_after_ = -1;           // "..., then": what comes next follows it
+  std::optional<Waypoint> from_;  // of a line that is to come
   std::optional<Waypoint> to_;
   bool ordering_ = false;
   Heading order_heading_;

@@ -15,9 +15,11 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
   }
   if (phrase.noun == nullptr) {
     switch (phrase.head) {
-      case Head::kIt:
+      case Head::kIt: {
         if (const int same = SameObject(); same >= 0) return {same};
-        return d_.Antecedent(about, /*many=*/false);
+        const std::vector<int> found = d_.Antecedent(about, /*many=*/false);
+        return frame_.has_value() ? InContrast(*frame_, found) : found;
+      }
       case Head::kThey: {
         const std::vector<int> many = d_.Antecedent(about, /*many=*/true);
         // "Fields in the east, woods in the west; a brook separates them."
@@ -155,6 +157,9 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
                            EndsWithWord(d_.thing(last).noun->phrase, phrase.noun->phrase);
     const bool general = phrase.noun->phrase == "water" && !IsLine(last);
     if (bare && as_object && (ground || same_name || general)) return {last};
+    // "3 ponds top, road from village to top pond"
+    const bool told = !phrase.indefinite && !counted && !phrase.qualities.any;
+    if (told && as_object && same_name && !phrase.places.empty()) return {last};
     // "Forest in the west. ... Forest also ...", "1 pond, pond not at the edge": the same word
     // without an article takes up what was said before.
     const bool bare_name = !phrase.indefinite && !counted && phrase.places.empty() && same_name &&
@@ -183,6 +188,14 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
                                !frame_.has_value() && lead_.empty() &&
                                d_.thing(last).sentence == d_.sentence() && !IsLine(last);
     if (general_water && bare) return {last};
+    // "forest and lakes. Many lakes."
+    if (counted && phrase.plural && !phrase.indefinite && phrase.places.empty() &&
+        d_.thing(last).noun == phrase.noun && d_.thing(last).plural &&
+        d_.feature(last).pieces_least == 0 && d_.feature(last).zones.empty() && lead_.empty()) {
+      d_.Describe(phrase.qualities, last);
+      d_.Mention(last);
+      return {last};
+    }
     // "water: winding brook"
     if (last == LastSubject() && IsKind(at_ - 1, ChunkKind::kComma) && at_ >= 2 &&
         IsThing(at_ - 2) && d_.feature(last).zones.empty()) {

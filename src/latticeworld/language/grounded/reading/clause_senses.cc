@@ -25,15 +25,23 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       }
       negating_ = false;
       if (IsPhrase(at_ + 1) || IsKind(at_ + 1, ChunkKind::kPlace) || IsSense(at_ + 1, Sense::kIn) ||
-          IsSense(at_ + 1, Sense::kExists)) {
+          IsSense(at_ + 1, Sense::kExists) || IsKind(at_ + 1, ChunkKind::kDirection) ||
+          (IsSense(at_ + 1, Sense::kTo) && IsKind(at_ + 2, ChunkKind::kDirection))) {
         if (!(IsSense(at_ + 1, Sense::kIn) && !ThingFollows(at_ + 3, false))) {
           BeginClause();
           if (!(IsPhrase(at_ + 1) && chunks_[at_ + 1].phrase.negated)) lead_ = Lead();
         }
       }
       break;
+    case Sense::kThere:
+      // "No forest in the south. Farmland there."
+      for (const int index : subjects_) {
+        if (d_.feature(index).zones.empty() && !IsLine(index)) d_.AddZones(index, there_);
+      }
+      break;
     case Sense::kThen:
       negating_ = false;
+      then_after_ = LastSubject();
       if (!ordering_ && IsPhrase(at_ + 1) && !subjects_.empty()) ReadNext();
       break;
     case Sense::kExists:
@@ -145,6 +153,12 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       confining_ = true;
       break;
     case Sense::kExcept:
+      // "near the houses but not near the road"
+      if (EndsWithWord(ToLowerAscii(d_.Words(chunk.begin, chunk.end)), "not") &&
+          (IsSense(at_ + 1, Sense::kNear) || IsSense(at_ + 1, Sense::kNextTo))) {
+        not_next_ = true;
+        break;
+      }
       ReadExcept();
       break;
     case Sense::kInsteadOf:
@@ -170,7 +184,12 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       break;
     }
     case Sense::kMostly:
-      mostly_next_ = true;
+      if (!subjects_.empty() && !verb_said_ &&
+          (EndsAt(at_ + 1) || IsKind(at_ + 1, ChunkKind::kComma))) {
+        for (const int index : subjects_) d_.feature(index).dominant = true;
+      } else {
+        mostly_next_ = true;
+      }
       break;
     case Sense::kEntirely:
       if (!subjects_.empty() && !ThingFollows(at_ + 1, false)) {
@@ -376,6 +395,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     default:
       if (sense == Sense::kTo && ReadHalves()) break;
       if (sense == Sense::kTo && (IsInfinitive(at_) || IsSense(at_ + 1, Sense::kBothSides))) break;
+      if (sense == Sense::kTo && IsKind(at_ + 1, ChunkKind::kDirection)) break;  // "to its south"
       OpenSense(sense, chunk.lexeme.of_it);
       break;
   }

@@ -116,6 +116,9 @@ int Discourse::Create(const NounPhrase& phrase, std::size_t begin, std::size_t e
   plan_.features.push_back(std::move(feature));
   things_.push_back(std::move(thing));
   const int index = size() - 1;
+  if (phrase.noun->phrase.find("grid") != std::string_view::npos) {
+    this->feature(index).shape = ClaimShape::kGridded;
+  }
   Describe(phrase.qualities, index);
   std::vector<Zone> zones;
   for (const Place& place : phrase.places) zones.push_back(place.zone);

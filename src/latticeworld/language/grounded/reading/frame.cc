@@ -254,6 +254,9 @@ class Asserter {
       relation.object = ends[0];
       relation.second_object = ends[0];
     } else {
+      // "a village, connected by a road to the northern edge"
+      if (kind == RelationKind::kConnects)
+        Relate(RelationKind::kAdjacent, middle, ends[0], kTouchingSteps);
       return;
     }
     if (relation.second_object == middle) return;
@@ -354,7 +357,11 @@ class Asserter {
     }
     AssertWithin(pieces, land);
     PlannedFeature& around = d_.feature(land);
-    if (IsSpread(around) && around.zones.empty() && !around.share.has_value()) {
+    const bool placed = std::any_of(
+        d_.plan().relations.begin(), d_.plan().relations.end(), [&](const PlannedRelation& other) {
+          return other.kind == RelationKind::kDirection && other.subject == land;
+        });
+    if (IsSpread(around) && around.zones.empty() && !around.share.has_value() && !placed) {
       around.dominant = true;
     }
   }
@@ -373,6 +380,22 @@ class Asserter {
       const Heading there = HeadingOf(RegionOf(object().zones.front()));
       if (there.east != 0 || there.south != 0) AssertDirection({-there.east, -there.south});
     }
+    for (const PlannedRelation& relation : d_.plan().relations) {
+      // "next to the forest is a river; on its other side is a farm"
+      const bool beside =
+          (relation.kind == RelationKind::kAdjacent || relation.kind == RelationKind::kNear) &&
+          (relation.subject == object_ || relation.object == object_);
+      const int other = relation.subject == object_ ? relation.object : relation.subject;
+      if (beside && IsLine(object()) && other != subject_ && !IsLine(d_.feature(other))) {
+        PlannedRelation between;
+        between.kind = RelationKind::kBetween;
+        between.subject = object_;
+        between.object = other;
+        between.second_object = subject_;
+        d_.Relate(std::move(between));
+        break;
+      }
+    }
     Relate(RelationKind::kNear, subject_, object_, kNearSteps);
   }
 
@@ -383,6 +406,20 @@ class Asserter {
 };
 
 }  // namespace
+
+Heading HeadingOfFrame(const Frame& frame) {
+  if (frame.is_direction && frame.use != DirectionUse::kInside) return frame.heading;
+  switch (frame.sense) {
+    case Sense::kAbove:
+    case Sense::kBehind:
+      return {0, -1};
+    case Sense::kBelow:
+    case Sense::kInFront:
+      return {0, 1};
+    default:
+      return {0, 0};
+  }
+}
 
 bool IsCourse(Sense sense) {
   switch (sense) {

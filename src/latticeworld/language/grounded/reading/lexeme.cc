@@ -24,7 +24,7 @@ std::size_t SkipSideWord(const std::vector<Token>& tokens, std::size_t at) {
 
 // "north of the lake", "to its west", "on the southern shore of it".
 bool LexDirection(const std::vector<Token>& tokens, std::size_t at, Lexeme* lexeme) {
-  const bool own = IsWord(tokens, at, {"its", "their"});
+  const bool own = IsWord(tokens, at, {"its", "their", "whose"});
   const HeadingMatch match = MatchHeading(tokens, at + (own ? 1 : 0));
   if (match.tokens == 0) return false;
   std::size_t next = at + (own ? 1 : 0) + match.tokens;
@@ -33,7 +33,7 @@ bool LexDirection(const std::vector<Token>& tokens, std::size_t at, Lexeme* lexe
   const std::size_t side = SkipSideWord(tokens, next);
   next += side;
   const bool at_side = side > 0 || said_side;
-  const bool after_in = at > 0 && IsWord(tokens, at - 1, {"in", "at"});
+  const bool after_in = at > 0 && IsWord(tokens, at - 1, {"in"});
   if (own) {
     // "its northern half" is the map's, or its owner's: a place.
     if (IsWord(tokens, next, {"half", "third", "quarter", "part", "corner", "parts"})) return false;
@@ -180,7 +180,10 @@ class Lexer {
                       (end == tokens_.size() || tokens_[end].kind != TokenKind::kWord);
     // "forest covers the north" is no cover of forest.
     const bool verb = match.tokens > 1 && IsWord(tokens_, end - 1, {"covers"});
-    if (note || verb) {
+    // "a road crossing the river": what it does.
+    const bool does = match.tokens > 1 && IsWord(tokens_, end - 1, {"crossing"}) &&
+                      IsWord(tokens_, end, {"a", "an", "the", "this", "that", "it", "two", "both"});
+    if (note || verb || does) {
       const std::vector<Token> words(tokens_.begin() + static_cast<std::ptrdiff_t>(at),
                                      tokens_.begin() + static_cast<std::ptrdiff_t>(end - 1));
       const ClassWordMatch shorter = MatchClassWord(words, 0);
@@ -248,6 +251,12 @@ class Lexer {
     if (match.tokens > 2) {
       const PlaceMatch place = MatchPlace(tokens_, lexeme->first + 1);
       if (!place.of_other && place.tokens + 1 > match.tokens) match = {Sense::kIn, 1};
+    }
+    // "cuts across from the west" is no "across from the church".
+    if (match.tokens == 2 && IsWord(tokens_, lexeme->first + 1, {"from"}) &&
+        IsWord(tokens_, lexeme->first, {"across"})) {
+      const PlaceMatch place = MatchPlaceAfter("from", tokens_, lexeme->first + 2);
+      if (place.tokens > 0 && !place.of_other) match = {Sense::kFunction, 1};
     }
     if (!Take(match.tokens, LexemeKind::kSense, lexeme)) return;
     lexeme->sense = match.sense;

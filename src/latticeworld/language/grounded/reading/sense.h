@@ -148,9 +148,10 @@ enum class Sense : std::uint8_t {
   kLand,
   kShore,
   kBridge,
+  kThere,
 };
 
-constexpr std::array<EnumName<Sense>, 131> EnumNames(Sense) {
+constexpr std::array<EnumName<Sense>, 132> EnumNames(Sense) {
   return {{
       {Sense::kFunction, "function"},
       {Sense::kDefinite, "definite"},
@@ -283,6 +284,7 @@ constexpr std::array<EnumName<Sense>, 131> EnumNames(Sense) {
       {Sense::kLand, "land"},
       {Sense::kShore, "shore"},
       {Sense::kBridge, "bridge"},
+      {Sense::kThere, "there"},
   }};
 }
 
