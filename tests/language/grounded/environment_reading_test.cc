@@ -161,6 +161,8 @@ INSTANTIATE_TEST_SUITE_P(
         {"Two robots on wheels wait by the lake.", "2 wheeled robot idle upper left; "},
         {"a sheepdog robot in the fields", "1 robotic dog patrolling upper right; "},
         {"What I do not want: sheep or horses.", ""},
+        {"a shepherd and his flock of sixty",
+         "1 humanoid robot idle anywhere; 60 sheep grazing anywhere; "},
         {"Instead of sheep I want nine horses.", "9 horse grazing anywhere; "},
         {"a dozen swans drift over the lake", "12 eagle flying upper left; "},
         {"In the village five goblins, in the fields seven.",

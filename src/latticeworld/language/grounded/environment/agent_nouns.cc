@@ -90,6 +90,19 @@ std::size_t AgentReader::ReadLoneCount(const Count& count) {
     noted_.Mark(at_, end, &TokenNote::agent);
     return end - at_;
   }
+  if (of_them == 0 && more == 0 && noted_.IsAnyWord(at_, {"flock", "flocks"}) &&
+      LocomotionOf(whole.wish.categories.front()) == Locomotion::kLegs && last_ != kNone &&
+      whole.wish.categories.front() != AgentCategory::kSheep) {
+    // "a shepherd and his flock of sixty"
+    AddLike(last_, count, count.tokens);
+    AgentWish& flock = groups_[last_].wish;
+    flock.categories = {AgentCategory::kSheep};
+    flock.exact = true;
+    flock.name = "flock";
+    flock.state.reset();
+    noted_.Mark(at_, at_ + count.tokens, &TokenNote::agent);
+    return count.tokens;
+  }
   const std::size_t tokens = count.tokens + std::max(of_them, more);
   noted_.Mark(at_, at_ + tokens, &TokenNote::agent);
   if (corrected_ && of_them == 0 && more == 0) {
