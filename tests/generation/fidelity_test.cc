@@ -46,7 +46,7 @@ TEST(FidelityTest, MeasuresWhatTheWordsSayAndNotWhoAnswered) {
 TEST(FidelityTest, WarnsOfEveryMissAndOfWhatWasNotUnderstood) {
   const FidelityReport report = AssessFidelity("A lake in the north and a zorblax.",
                                                "a herd of quxes", Uniform('G'), Autumn());
-  const std::vector<std::string> warnings = WarningsOf(report);
+  const std::vector<std::string> warnings = WarningsOf(report, {});
   ASSERT_GE(warnings.size(), 2u);
   EXPECT_EQ(warnings.front().rfind("not satisfied: ", 0), 0u) << warnings.front();
   EXPECT_EQ(warnings.back().rfind("not understood: ", 0), 0u) << warnings.back();
@@ -54,11 +54,19 @@ TEST(FidelityTest, WarnsOfEveryMissAndOfWhatWasNotUnderstood) {
   EXPECT_NE(warnings.back().find("quxes"), std::string::npos) << warnings.back();
 }
 
+TEST(FidelityTest, WarnsOfNothingTwice) {
+  const FidelityReport report =
+      AssessFidelity("A lake in the north and a zorblax.", "", Uniform('G'), Autumn());
+  const std::vector<std::string> once = WarningsOf(report, {});
+  EXPECT_FALSE(once.empty());
+  EXPECT_TRUE(WarningsOf(report, once).empty());
+}
+
 TEST(FidelityTest, SaysNothingOfNoWords) {
   const FidelityReport report = AssessFidelity("", "", Uniform('G'), Autumn());
   EXPECT_TRUE(report.claims.empty());
   EXPECT_TRUE(report.not_understood.empty());
-  EXPECT_TRUE(WarningsOf(report).empty());
+  EXPECT_TRUE(WarningsOf(report, {}).empty());
 }
 
 TEST(FidelityJsonTest, IsReadBackAsWritten) {

@@ -53,17 +53,24 @@ FidelityReport AssessFidelity(std::string_view layout_instruction,
   return report;
 }
 
-std::vector<std::string> WarningsOf(const FidelityReport& report) {
+std::vector<std::string> WarningsOf(const FidelityReport& report,
+                                    const std::vector<std::string>& so_far) {
+  const auto is_quoted = [&so_far](const std::string& quote) {
+    return std::any_of(so_far.begin(), so_far.end(), [&quote](const std::string& warning) {
+      return warning.find(quote) != std::string::npos;
+    });
+  };
   std::vector<std::string> warnings;
   for (const ClaimOutcome& claim : report.claims) {
-    if (claim.satisfied) continue;
-    warnings.push_back("not satisfied: " + Quote(claim.words) + ": " + claim.explanation);
+    const std::string quote = Quote(claim.words);
+    if (claim.satisfied || is_quoted(quote)) continue;
+    warnings.push_back("not satisfied: " + quote + ": " + claim.explanation);
   }
-  if (!report.not_understood.empty()) {
-    std::vector<std::string> quoted;
-    for (const std::string& words : report.not_understood) quoted.push_back(Quote(words));
-    warnings.push_back("not understood: " + Join(quoted, ", "));
+  std::vector<std::string> quotes;
+  for (const std::string& words : report.not_understood) {
+    if (!is_quoted(Quote(words))) quotes.push_back(Quote(words));
   }
+  if (!quotes.empty()) warnings.push_back("not understood: " + Join(quotes, ", "));
   return warnings;
 }
 

@@ -45,8 +45,10 @@ FidelityReport AssessFidelity(std::string_view layout_instruction,
 // The same of a layout alone.
 FidelityReport AssessLayoutFidelity(std::string_view instruction, const SymbolicLayout& layout);
 
-// A line a claim that is not satisfied and one for the words that were not understood.
-std::vector<std::string> WarningsOf(const FidelityReport& report);
+// A line a claim that is not satisfied and one for the words that were not understood, leaving out
+// what one of the warnings so far quotes already.
+std::vector<std::string> WarningsOf(const FidelityReport& report,
+                                    const std::vector<std::string>& so_far);
 
 }  // namespace latticeworld
 

@@ -152,7 +152,7 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
   add_warnings(std::move(environment.warnings));
   world->fidelity = AssessFidelity(request.layout_instruction, request.environment_instruction,
                                    world->layout, world->environment);
-  add_warnings(WarningsOf(world->fidelity));
+  add_warnings(WarningsOf(world->fidelity, world->warnings));
 
   LW_ASSIGN_OR_RETURN(Terrain terrain, stages.Run("terrain", [&] {
     TerrainRequest terrain_request;
