@@ -231,6 +231,7 @@ std::vector<Sample> Samples() {
        kSuburb,
        {"course W western edge>eastern edge"}},
       // Relations.
+      {"The houses must be at least five cells from the water.", kSuburb, {"apart B W"}},
       {"Fields north and south of the river.", kSuburb, {"both_sides A W"}, {"direction A W S"}},
       {"A lake in the centre. To the east and west of it lie woods.", kSuburb, {"both_sides F W"}},
       {"Where the road meets the river stands an inn.", kSuburb, {"adjacent B R", "adjacent B W"}},

@@ -46,6 +46,10 @@ bool ClauseReader::SaysLeaving() const {
 }
 
 void ClauseReader::Open(Frame frame) {
+  if (gap_ > 0) {
+    frame.sense = Sense::kAway;
+    frame.steps = std::exchange(gap_, 0);
+  }
   if (frame.sense == Sense::kTo && IsThing(at_ + 1) && SaysLeaving()) frame.sense = Sense::kFrom;
   const Sense sense = frame.sense;
   // "Coming down from the north we left the snow, crossed scree, ...": things as they are passed.

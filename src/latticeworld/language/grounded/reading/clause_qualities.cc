@@ -1,3 +1,7 @@
+#include <string>
+#include <string_view>
+
+#include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/reading/clause_reader.h"
 
 namespace latticeworld {
@@ -37,6 +41,15 @@ void ClauseReader::ReadQualities(const Chunk& chunk) {
     return;
   }
   std::size_t next = at_ + 1;
+  // "at least five cells from the water"
+  if (said.count.has_value() && !subjects_.empty() &&
+      (IsSense(next, Sense::kFrom) || IsSense(next, Sense::kAway))) {
+    const std::string unit = ToLowerAscii(d_.Words(chunk.end, chunks_[next].begin));
+    for (const std::string_view word : {"cells", "tiles", "steps", "squares"}) {
+      if (unit.find(word) != std::string::npos) gap_ = said.count->least;
+    }
+    if (gap_ > 0) return;
+  }
   // "Lots of trees, please! At least half.": of what was spoken of.
   if (at_ == sentence_start_ && subjects_.empty() && lead_.empty() && EndsAt(next)) {
     for (const int index : d_.Antecedent({}, /*many=*/false)) d_.Describe(said, index);

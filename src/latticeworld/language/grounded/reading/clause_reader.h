@@ -166,6 +166,7 @@ class ClauseReader {
   bool comparing_ = false;  // "more forest than"
   bool comparing_less_ = false;
   std::vector<std::size_t> absences_;  // of this clause: a place belongs to them
+  int gap_ = 0;                        // cells that are said to lie between two things
   std::vector<Zone> last_zones_;
   std::vector<Zone> zones_before_;  // the same, from whatever sentence
   std::vector<Zone> there_;         // what "there" means, of an earlier sentence too

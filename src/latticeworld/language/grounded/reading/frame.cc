@@ -78,7 +78,8 @@ class Asserter {
         Relate(RelationKind::kNear, subject_, object_, kNearSteps);
         break;
       case Sense::kAway:
-        Relate(RelationKind::kApart, subject_, object_, kApartSteps);
+        Relate(RelationKind::kApart, subject_, object_,
+               frame_.steps > 0.0 ? frame_.steps : kApartSteps);
         break;
       case Sense::kSurrounds:
         AssertSurrounds(subject_, object_);
