@@ -71,6 +71,7 @@ void PrintTo(const Sample& sample, std::ostream* os) { *os << sample.instruction
 
 std::vector<Sample> Samples() {
   return {
+      {"Shrubs only near the brook.", kSuburb, {"present W", "adjacent G W"}},
       {"Dunes in the north, then scrub, then woods.",
        kSuburb,
        {"direction G D S", "direction F G S"}},
