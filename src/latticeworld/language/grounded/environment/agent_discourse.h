@@ -28,6 +28,7 @@ struct Group {
   std::size_t end = 0;
   std::size_t sentence = 0;
   bool removed = false;
+  bool purpose = false;  // only what the world is for ("to see how robots behave")
 };
 
 class AgentReader {
@@ -68,6 +69,15 @@ class AgentReader {
 
   // "the former", "the second group": of the two groups named last.
   std::size_t ReadFormerOrLatter();
+
+  // "two rovers and two drones, all four parked": of the groups that add up to so many.
+  std::size_t ReadAllOfThem();
+
+  // "the third one grazes"
+  std::size_t ReadOrdinal();
+
+  // "an eagle above them": where those are who were named before.
+  std::size_t ReadCompany();
 
   // "a second band" of whoever was named last.
   std::size_t ReadAnotherGroup();
@@ -118,6 +128,12 @@ class AgentReader {
 
   // "a goblin pack", "a goblin warband of 25"; "robots patrol" are no patrol.
   Count ReadPack(std::size_t end) const;
+
+  // A word that no table has, as in "humanoid rescue robots".
+  bool IsUnknownHere(std::size_t at) const;
+
+  // "we study how people move": nobody is asked for yet.
+  bool IsInPurpose() const;
 
   bool IsPossessive(std::size_t end) const;
 

@@ -9,8 +9,9 @@ namespace latticeworld {
 namespace internal {
 namespace {
 
-constexpr std::size_t kMaxGroups = 200;  // groups read; nobody means more
-const Count kSomeSeen{2, 3, 12, 0};      // what a bare plural stands for
+constexpr std::size_t kMaxGroups = 200;    // groups read; nobody means more
+constexpr std::size_t kPurposeTokens = 8;  // that "to study" reaches
+const Count kSomeSeen{2, 3, 12, 0};        // what a bare plural stands for
 
 bool Contains(const std::vector<AgentCategory>& all, const std::vector<AgentCategory>& some) {
   return std::all_of(some.begin(), some.end(), [&](AgentCategory category) {
@@ -26,6 +27,13 @@ std::size_t AgentReader::ReadNounPhrase() {
       words_.species.LengthAt(tokens_, at_) >= std::max<std::size_t>(1, count.tokens);
   if (count.tokens > 0 && !species_here) {
     const std::size_t next = at_ + count.tokens;
+    // "four wheels each" counts no agents.
+    if (noted_.IsAnyWord(next, {"wheels", "legs", "rotors", "propellers", "arms", "eyes", "feet",
+                                "wings", "tracks"})) {
+      const std::size_t parts = count.tokens + (noted_.IsWord(next + 1, "each") ? 2 : 1);
+      noted_.Mark(at_, at_ + parts, &TokenNote::agent);
+      return parts;
+    }
     if (NounAhead(next)) {
       pending_ = count;
       phrase_begin_ = std::min(phrase_begin_, tokens_[at_].begin);
@@ -216,6 +224,11 @@ std::size_t AgentReader::ReadSpecies() {
     return match.tokens;
   }
   // "robot sheep": the last noun says what they are, unless it is that of their kind ("dog robot").
+  if (!word.plural && IsUnknownHere(end) && words_.species.LengthAt(tokens_, end + 1) > 0) {
+    // "humanoid rescue robots"
+    const SpeciesWord& kind = *words_.species.At(tokens_, end + 1).rows.front();
+    if (kind.categories.size() > 1 && Contains(kind.categories, word.categories)) ++end;
+  }
   if (end < tokens_.size() && !word.plural && words_.species.LengthAt(tokens_, end) > 0 &&
       !IsVerbHere(end, false)) {
     const auto last = words_.species.At(tokens_, end);
@@ -257,6 +270,29 @@ bool AgentReader::IsBarePack() const {
   const std::size_t end = count_at_ + pending_.tokens;
   return pending_.least < pending_.most && end == at_ && at_ > 0 &&
          ReadCollective(noted_, words_, at_ - 1).tokens > 0;
+}
+
+bool AgentReader::IsUnknownHere(std::size_t at) const {
+  return !noted_.IsPause(at) && RoleAt(Role::kFunction, at) == 0 && RoleAt(Role::kIn, at) == 0 &&
+         RoleAt(Role::kNear, at) == 0 && RoleAt(Role::kBut, at) == 0 &&
+         words_.states.LengthAt(tokens_, at) == 0 && words_.species.LengthAt(tokens_, at) == 0 &&
+         ReadCount(noted_, words_, at).tokens == 0;
+}
+
+bool AgentReader::IsInPurpose() const {
+  if (pending_.tokens > 0) return false;
+  for (std::size_t i = at_; i > 0 && i + kPurposeTokens > at_; --i) {
+    if (tokens_[i - 1].kind == TokenKind::kStop || noted_.IsAnyWord(i - 1, {"so", "with", "put"})) {
+      return false;
+    }
+    if (!noted_.IsAnyWord(i - 1, {"study", "studying", "test", "testing", "check", "checking",
+                                  "verify", "verifying", "compare", "comparing", "investigate",
+                                  "research", "researching", "understand", "learn", "evaluate"})) {
+      continue;
+    }
+    return i > 1 && noted_.IsAnyWord(i - 2, {"to", "we", "i", "am", "m", "are", "re", "for"});
+  }
+  return false;
 }
 
 // "Their dog - a robot - runs": the kind of those just named.
@@ -389,6 +425,7 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   group.wish.most = said.most;
   group.wish.counted = count.tokens > 0 && count.least == count.most;
   group.wish.each = noted_.IsAnyWord(at_ > 0 ? at_ - 1 : at_, {"each", "every"});
+  group.purpose = IsInPurpose();
   group.wish.state = state_before_;
   group.begin = std::min(phrase_begin_, tokens_[at_].begin);
   group.end = tokens_[end - 1].end;

@@ -53,6 +53,7 @@ std::size_t AgentReader::Step() {
       return said;
     }
   }
+  if (const std::size_t tokens = ReadCompany(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadReference(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadNounPhrase(); tokens > 0) {
     clause_open_ = false;
@@ -231,6 +232,10 @@ std::string AgentReader::WordsOf(const Group& group) const {
 }
 
 void AgentReader::Finish() {
+  const bool asked = std::any_of(groups_.begin(), groups_.end(), [](const Group& group) {
+    return !group.purpose && !group.removed;
+  });
+  for (Group& group : groups_) group.removed = group.removed || (group.purpose && asked);
   for (Group& group : groups_) {
     if (group.removed || group.wish.quantity < 1) continue;
     group.wish.words = WordsOf(group);

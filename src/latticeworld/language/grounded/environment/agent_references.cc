@@ -53,6 +53,8 @@ std::size_t AgentReader::ReadReference() {
     Split({}, most ? (quantity * 2 + 2) / 3 : (quantity + 2) / 3, some);
     return some;
   }
+  if (const std::size_t all = ReadAllOfThem(); all > 0) return all;
+  if (const std::size_t ordinal = ReadOrdinal(); ordinal > 0) return ordinal;
   if (const std::size_t again = ReadAnotherGroup(); again > 0) return again;
   // "Goblins? None, please."
   if (noted_.IsWord(at_, "none") && noted_.IsPause(at_ + 1) && last_ != kNone &&
@@ -141,6 +143,74 @@ std::size_t AgentReader::ReadFormerOrLatter() {
   return 1 + group;
 }
 
+std::size_t AgentReader::ReadAllOfThem() {
+  const bool both = noted_.IsWord(at_, "both");
+  if (!both && !noted_.IsWord(at_, "all")) return 0;
+  const Count count = both ? Count{2, 2, 2, 0} : ReadCount(noted_, words_, at_ + 1);
+  if (!both && (count.tokens == 0 || count.least != count.most)) return 0;
+  std::size_t next = at_ + 1 + count.tokens;
+  next += next < tokens_.size() ? RoleAt(Role::kOfThem, next) : 0;
+  if (!EndsNounPhrase(next)) return 0;
+  std::vector<std::size_t> named;
+  int sum = 0;
+  for (std::size_t i = groups_.size(); i > 0 && sum < count.value; --i) {
+    const Group& group = groups_[i - 1];
+    if (group.removed || group.wish.each) continue;
+    sum += group.wish.quantity;
+    named.insert(named.begin(), i - 1);
+  }
+  if (sum != count.value || named.size() < 2) return 0;
+  noted_.Mark(at_, next, &TokenNote::agent);
+  subject_ = named;
+  previous_ = subject_;
+  joined_ = paused_ = acted_ = false;
+  return next - at_;
+}
+
+std::size_t AgentReader::ReadOrdinal() {
+  if (last_ == kNone || !noted_.IsWord(at_, "the")) return 0;
+  constexpr std::string_view kOrdinals[] = {"first", "second",  "third",  "fourth", "fifth",
+                                            "sixth", "seventh", "eighth", "ninth",  "tenth"};
+  int ordinal = 0;
+  for (std::size_t i = 0; i < std::size(kOrdinals); ++i) {
+    if (noted_.IsWord(at_ + 1, kOrdinals[i])) ordinal = static_cast<int>(i) + 1;
+  }
+  const std::size_t next = at_ + (noted_.IsWord(at_ + 2, "one") ? 3 : 2);
+  if (ordinal == 0 || noted_.IsPause(next) || !EndsNounPhrase(next)) return 0;
+  noted_.Mark(at_, next, &TokenNote::agent);
+  // One of those who were counted, or one that comes on top of them.
+  const bool among = groups_[last_].wish.quantity > 1 &&
+                     (part_ != kNone || groups_[last_].wish.quantity >= ordinal);
+  if (among) {
+    Split({}, 1, next - at_);
+  } else if (rest_ == last_ && groups_[last_].wish.quantity == 1 && part_ != kNone) {
+    TakeRest({});
+  } else {
+    AddLike(last_, {1, 1, 1, next - at_}, next - at_);
+  }
+  return next - at_;
+}
+
+std::size_t AgentReader::ReadCompany() {
+  if (subject_.empty()) return 0;
+  const std::size_t near = RoleAt(Role::kNear, at_);
+  const std::size_t in = RoleAt(Role::kIn, at_);
+  const std::size_t said = noted_.IsWord(at_, "with") ? 1 : std::max(near, in);
+  if (said == 0 || !noted_.IsAnyWord(at_ + said, {"them", "him", "her"})) return 0;
+  std::size_t model = subject_.front();
+  while (model > 0 && (model == subject_.front() || groups_[model].removed)) --model;
+  if (model == subject_.front() || groups_[model].removed) return 0;
+  for (const std::size_t index : subject_) {
+    AgentWish& wish = groups_[index].wish;
+    if (!wish.places.empty() || wish.feature.has_value()) continue;
+    wish.places = groups_[model].wish.places;
+    wish.feature = groups_[model].wish.feature;
+    Extend(index, tokens_[at_ + said].end);
+  }
+  noted_.Mark(at_, at_ + said + 1, &TokenNote::place);
+  return said + 1;
+}
+
 std::size_t AgentReader::ReadAnotherGroup() {
   const std::size_t more = RoleAt(Role::kMore, at_);
   if (more == 0 || last_ == kNone || at_ + more >= tokens_.size()) return 0;
@@ -151,6 +221,14 @@ std::size_t AgentReader::ReadAnotherGroup() {
     noted_.Mark(at_, pack_at, &TokenNote::agent);
     AddLike(last_, {1, 1, 1, more}, more);
     return more;
+  }
+  // "other ten in the south"
+  const Count ten = ReadCount(noted_, words_, pack_at);
+  if (ten.tokens > 0 && !NounAhead(pack_at + ten.tokens) && !noted_.IsPause(pack_at + ten.tokens) &&
+      EndsNounPhrase(pack_at + ten.tokens) && words_.species.LengthAt(tokens_, pack_at) == 0) {
+    noted_.Mark(at_, pack_at + ten.tokens, &TokenNote::agent);
+    AddLike(last_, ten, more + ten.tokens);
+    return more + ten.tokens;
   }
   const Count pack = ReadCollective(noted_, words_, pack_at);
   if (pack.tokens == 0 || words_.species.LengthAt(tokens_, pack_at) > 0 ||

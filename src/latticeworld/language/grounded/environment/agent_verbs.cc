@@ -37,6 +37,11 @@ std::size_t AgentReader::ReadState() {
       match.tokens == 1 && !IsParticiple(at_)) {
     return 0;
   }
+  // "until the storm is over"
+  if (noted_.IsAnyWord(at_ > 0 ? at_ - 1 : at_, {"until", "till", "during"}) && match.tokens == 1 &&
+      !IsParticiple(at_)) {
+    return 0;
+  }
   const bool fragment = subject_.empty() && !noun_ahead && IsParticiple(at_) && IsFragment();
   if (subject_.empty() && !noun_ahead && !fragment && !(corrected_ && !previous_.empty())) {
     return 0;

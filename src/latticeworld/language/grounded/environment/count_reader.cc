@@ -132,6 +132,12 @@ class CountReader {
       ++count.tokens;
       ++next;
     }
+    // "two more flocks of sheep"
+    if (noted_.IsAnyWord(next, {"more", "other", "further", "additional"}) &&
+        Vague(next + 1).tokens > 0 && IsGroup(next + 1)) {
+      ++count.tokens;
+      ++next;
+    }
     // "two flocks of sheep", "two flocks of ten sheep"
     if (const Count groups = Vague(next); groups.tokens > 0 && IsGroup(next)) {
       Count inner = Read(next + groups.tokens);
@@ -151,10 +157,14 @@ class CountReader {
     const std::size_t next = at + number.tokens;
     if (number.tokens > 0 && number.value == 0) return {};
     if (noted_.IsAnyWord(
-            next, {"m", "am", "pm", "o", "degrees", "degree", "metres", "meters", "metre", "meter",
-                   "km", "cm", "percent", "knots", "mph", "th", "hours", "minutes", "times"})) {
+            next, {"m", "am", "pm", "degrees", "degree", "metres", "meters", "metre", "meter", "km",
+                   "cm", "percent", "knots", "mph", "th", "hours", "minutes", "times"})) {
       return {};
     }
+    // "ten o'clock", but "a dozen o' sheep"
+    if (noted_.IsWord(next, "o") &&
+        (noted_.IsWord(next + 1, "clock") || noted_.Text(next, next + 1).size() > 2))
+      return {};
     const std::size_t end = next == at ? 0 : tokens_[next - 1].end;
     if (number.tokens > 0 && end < noted_.instruction.size() && noted_.instruction[end] == '%') {
       return {};

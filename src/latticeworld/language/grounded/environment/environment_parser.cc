@@ -31,6 +31,45 @@ void MendSpelling(std::vector<Token>* tokens, std::vector<std::string>* warnings
   }
 }
 
+// "up right" and "right up" are the upper right.
+void MendPlaces(std::vector<Token>* tokens) {
+  const auto word = [&](std::size_t at) -> std::string_view {
+    return at < tokens->size() ? std::string_view((*tokens)[at].text) : std::string_view();
+  };
+  const auto is_end = [&](std::size_t at) {
+    if (at >= tokens->size() || (*tokens)[at].kind == TokenKind::kComma ||
+        (*tokens)[at].kind == TokenKind::kStop) {
+      return true;
+    }
+    for (const std::string_view end :
+         {"corner", "side", "part", "zone", "area", "and", "quarter"}) {
+      if (word(at) == end) return true;
+    }
+    return false;
+  };
+  const auto level = [](std::string_view said) -> std::string_view {
+    return said == "up" ? "upper" : said == "down" ? "lower" : "";
+  };
+  const auto is_side = [](std::string_view said) { return said == "left" || said == "right"; };
+  for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
+    if (!is_end(at + 2)) continue;
+    if (!level(word(at)).empty() && is_side(word(at + 1))) {
+      (*tokens)[at].text = std::string(level(word(at)));
+    } else if (is_side(word(at)) && !level(word(at + 1)).empty()) {
+      const std::string side = (*tokens)[at].text;
+      (*tokens)[at].text = std::string(level(word(at + 1)));
+      (*tokens)[at + 1].text = side;
+    } else {
+      continue;
+    }
+    // "the corner up right"
+    if (at > 0 && word(at - 1) == "corner") {
+      std::swap((*tokens)[at - 1].text, (*tokens)[at].text);
+      std::swap((*tokens)[at].text, (*tokens)[at + 1].text);
+    }
+  }
+}
+
 // Numbers and places are known wherever they stand.
 void NoteCommonPhrases(NotedTokens* noted) {
   for (std::size_t at = 0; at < noted->size(); ++at) {
@@ -71,6 +110,7 @@ HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction) {
   HeardEnvironment heard;
   std::vector<Token> tokens = Tokenize(instruction);
   MendSpelling(&tokens, &heard.warnings);
+  MendPlaces(&tokens);
   NotedTokens noted = NoteScopes(instruction, std::move(tokens), words);
   std::vector<HeardMeasure> measures = ReadMeasures(&noted);
   ReadAgents(words, &noted, &heard);

@@ -119,7 +119,7 @@ class MeasureReader {
       ++end;
       sure = true;
     }
-    if (Is(end, {"o"})) {
+    if (Is(end, {"o"}) && (Is(end + 1, {"clock"}) || noted_.Text(end, end + 1).size() > 2)) {
       end += Is(end + 1, {"clock"}) ? 2 : 1;
       sure = true;
     }

@@ -27,6 +27,15 @@ class ScopeMarker {
 
   std::size_t Step(std::size_t at) {
     if (tokens_[at].kind == TokenKind::kComma || tokens_[at].kind == TokenKind::kStop) return 1;
+    if (IsException(at)) {
+      MarkScope(at, at + 1);
+      return 1;
+    }
+    if (const std::size_t out = OutAfter(at); out > 0) {
+      for (std::size_t i = at; i <= out; ++i) noted_->notes[i].known = true;
+      for (std::size_t i = at + 1; i < out; ++i) noted_->notes[i].negated = true;
+      return out + 1 - at;
+    }
     const std::size_t ignored = Role(Role::kIgnored, at);
     const std::size_t negator = Role(Role::kNot, at);
     if (noted_->IsAnyWord(at, {"prefer", "preferred"})) MarkDispreferred(at);
@@ -109,6 +118,24 @@ class ScopeMarker {
       noted_->notes[at].negated = true;
       if (Role(Role::kFunction, at) == 0 && !determiner) ++content;
     }
+  }
+
+  // "any season but winter"
+  bool IsException(std::size_t at) const {
+    if (!noted_->IsWord(at, "but") || at < 2) return false;
+    return noted_->IsAnyWord(at - 2, {"any", "every", "whatever"}) ||
+           noted_->IsAnyWord(at - 1, {"anything", "everything", "any"});
+  }
+
+  // "leave the fog out": where "out" stands; 0: it does not.
+  std::size_t OutAfter(std::size_t at) const {
+    if (!noted_->IsAnyWord(at, {"leave", "leaving", "keep", "take", "cut"})) return 0;
+    if (noted_->IsWord(at + 1, "out")) return 0;
+    for (std::size_t i = at + 2; i < at + 6 && !noted_->IsPause(i); ++i) {
+      if (noted_->IsWord(i, "out")) return noted_->IsAnyWord(i + 1, {"of", "in"}) ? 0 : i;
+      if (IsPreposition(i) || noted_->IsWord(i, "and")) return 0;
+    }
+    return 0;
   }
 
   bool IsPreposition(std::size_t at) const {
