@@ -74,7 +74,7 @@ bool TakeEverywhere(PlaceCursor* cursor, bool whole, ReadPlace* read) {
 bool TakeGroup(PlaceCursor* cursor, ReadPlace* read) {
   const std::size_t start = cursor->at();
   const std::string_view previous = cursor->previous();
-  bool each = cursor->Take({"all", "each", "every", "any"});
+  bool each = cursor->Take({"all", "each", "every", "any", "per"});
   bool one = false;
   bool two = false;
   if (!each && cursor->Take({"both", "either"})) two = true;

@@ -118,6 +118,8 @@ bool TakeWholeOfPart(PlaceCursor* cursor, int depth, ReadPlace* read) {
 
 // "upper left", "the southern half", "northern and southern edges", "the top corners".
 bool TakeDirectional(PlaceCursor* cursor, int depth, ReadPlace* read) {
+  const std::string_view before = cursor->previous();
+  const bool each = before == "each" || before == "every" || before == "per";
   // "both northern corners", "the two western quarters".
   if (cursor->Take({"both"})) cursor->Take({"the"});
   cursor->Take({"two"});
@@ -157,7 +159,7 @@ bool TakeDirectional(PlaceCursor* cursor, int depth, ReadPlace* read) {
       direction.heading = corner;
       read->places.push_back(MakePlace(direction, extent));
     }
-    if (!plural) {
+    if (!plural && !each) {
       // One of the two, whichever: both are its zone.
       std::vector<UnitBox> boxes;
       for (const Place& place : read->places) boxes.push_back(place.box);

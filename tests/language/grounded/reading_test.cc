@@ -93,6 +93,22 @@ std::vector<Sample> Samples() {
       {"meadow left village right",
        kSuburb,
        {"present G@western third", "present B@eastern third"}},
+      // What lies close by, to a side of what is told about, or along it.
+      {"A stream from north to south, with a hamlet on its eastern bank.",
+       kSuburb,
+       {"adjacent B W", "direction B W E"}},
+      {"A village with orchards to the west and a lake to the east.",
+       kSuburb,
+       {"direction W B E"},
+       {"present W@eastern third"}},
+      {"Shrubs grow only near the river. The river flows from west to east.", kWild, {"along B W"}},
+      {"A lake in the middle. A forest hugs its whole shore.", kWild, {"surrounds F W"}},
+      // One thing for each of several places, one share for each of several things.
+      {"Two ponds, one in each northern corner.",
+       kSuburb,
+       {"present W@north-west corner", "present W@north-east corner", "count W 2..2"}},
+      {"All sand and two small lakes.", kSuburb, {"rest D", "count W 2..2"}},
+      {"A hamlet beside a lake. Only one hamlet, please.", kSuburb, {"count B 1..1"}},
       // Places.
       {"A forest in the north-west.", kSuburb, {"present F@upper left"}},
       {"woods W, lake E", kSuburb, {"present F@western third", "present W@eastern third"}},

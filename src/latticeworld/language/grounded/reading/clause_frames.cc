@@ -29,10 +29,36 @@ void ClauseReader::ReadDirection(const Chunk& chunk) {
       return;
     }
   }
+  frame.touching = SaysClose(chunk);
   Open(std::move(frame));
 }
 
+// "on the northern bank", "just north of it", but not "north of it".
+bool ClauseReader::SaysClose(const Chunk& chunk) const {
+  const std::string words = ToLowerAscii(d_.Words(chunk.begin, chunk.end));
+  if (words.find("bank") != std::string::npos || words.find("shore") != std::string::npos) {
+    return true;
+  }
+  const std::string before = ToLowerAscii(d_.instruction().substr(0, chunk.begin));
+  for (const std::string_view close :
+       {"just to the ", "right to the ", "just ", "right ", "directly ", "immediately "}) {
+    if (before.size() >= close.size() &&
+        before.compare(before.size() - close.size(), close.size(), close) == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void ClauseReader::OpenSense(Sense sense, bool of_it) {
+  if (sense == Sense::kTo && ReadSideOfHost()) return;
+  // "trees grow only near the river": all along it
+  const bool only_near = (sense == Sense::kNear || sense == Sense::kNextTo) && at_ > 0 &&
+                         (IsSense(at_ - 1, Sense::kNothingElse) || IsSense(at_ - 1, Sense::kOnly));
+  if (only_near && !of_it) {
+    sense = Sense::kAlong;
+    confining_ = false;
+  }
   Frame frame;
   frame.sense = sense;
   frame.of_it = of_it || sense == Sense::kWithinIt;
@@ -190,6 +216,31 @@ void ClauseReader::TakeBackDenials() {
   }
   absences_.clear();
   negating_ = false;
+}
+
+// "a village with woods to the west and a lake to the east": of the village.
+bool ClauseReader::ReadSideOfHost() {
+  if (side_of_ < 0 || subjects_.empty() || subjects_.back() == side_of_ || frame_.has_value() ||
+      !IsKind(at_ + 1, ChunkKind::kPlace) || !IsPhrase(at_ - 1) ||
+      d_.feature(subjects_.back()).zones.size() > 0) {
+    return false;
+  }
+  const Chunk& place = chunks_[at_ + 1];
+  const std::string words = d_.Words(place.begin, place.end);
+  const bool plain = words.find(' ') == words.rfind(' ') && place.lexeme.places.size() == 1;
+  const bool ends =
+      EndsAt(at_ + 2) || IsKind(at_ + 2, ChunkKind::kComma) || IsSense(at_ + 2, Sense::kAnd);
+  const Heading heading = HeadingOf(RegionOf(place.lexeme.places.front().zone));
+  if (!plain || !ends || (heading.east == 0 && heading.south == 0)) return false;
+  Frame frame;
+  frame.is_direction = true;
+  frame.heading = heading;
+  frame.objects = {side_of_};
+  Assert(frame, subjects_.back(), &d_);
+  d_.Extend(subjects_.back(), place.end);
+  open_list_ = false;
+  ++at_;
+  return true;
 }
 
 // What "its" means; banks and shores are those of water.

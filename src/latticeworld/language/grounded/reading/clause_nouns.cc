@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "latticeworld/common/text.h"
@@ -225,6 +226,16 @@ void ClauseReader::Deny(char letter, const std::vector<Zone>& zones, const Chunk
 
 void ClauseReader::TakeObjects(const std::vector<int>& found) {
   Frame& frame = *frame_;
+  // "the forest hugs its whole shoreline"
+  const Chunk& chunk = chunks_[at_];
+  const bool whole_shore = chunk.phrase.head == Head::kShore &&
+                           (frame.sense == Sense::kNextTo || frame.sense == Sense::kAlong);
+  if (whole_shore) {
+    const std::string words = ToLowerAscii(d_.Words(chunk.begin, chunk.end));
+    for (const std::string_view all : {"whole", "entire", "all "}) {
+      if (words.find(all) != std::string::npos) frame.sense = Sense::kSurrounds;
+    }
+  }
   for (const int index : found) {
     frame.objects.push_back(index);
     if (frame.fronted) continue;
@@ -288,6 +299,12 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
     PlannedFeature& feature = d_.feature(index);
     if (rest_next_) feature.fills_rest = true;
     if (only_next_ && !IsLine(index) && !(fronted && frame_->is_direction)) OnlyThis(index, is_new);
+    // "all snow and three lakes"
+    const bool all = is_new && phrase.each && !phrase.definite && lead_.empty() &&
+                     feature.form == FeatureForm::kSpread &&
+                     (EndsAt(at_ + 1) || IsKind(at_ + 1, ChunkKind::kComma) ||
+                      IsSense(at_ + 1, Sense::kAnd) || IsSense(at_ + 1, Sense::kWith));
+    if (all) feature.fills_rest = true;
     if (mostly_next_) feature.dominant = true;
     const bool named = is_new || phrase.noun != nullptr;
     if (!lead_.empty() && !excepting_ && named) {

@@ -82,6 +82,15 @@ void ClauseReader::ReadQualities(const Chunk& chunk) {
   // "grass and a road bending to the left": the road does.
   const bool of_line = said.shape == ClaimShape::kWinding || said.shape == ClaimShape::kStraight;
   if (of_line && LineOf(about) >= 0) about = {LineOf(about)};
+  // "sand, grass and trees, each taking a third of the map"
+  const bool each = IsSense(at_ - 1, Sense::kAll) ||
+                    (IsSense(at_ - 1, Sense::kCovers) && at_ > 1 && IsSense(at_ - 2, Sense::kAll));
+  if (each && said.share.has_value() && at_ > 0) {
+    about = ordering_ ? order_ : subjects_;
+    open_list_ = false;
+  } else if (said.mostly && about.size() > 1 && IsThing(at_ - 1)) {
+    about = {about.back()};
+  }
   if (frame_.has_value() && frame_->expecting && frame_->objects.empty() &&
       (frame_->sense == Sense::kCovers || frame_->sense == Sense::kDominates)) {
     about = frame_->subjects;

@@ -80,6 +80,7 @@ void ClauseReader::EndSentence() {
   to_.reset();
   then_after_ = -1;
   last_zones_.clear();
+  side_of_ = -1;
   d_.NextSentence();
   sentence_first_feature_ = d_.size();
 }
@@ -87,7 +88,7 @@ void ClauseReader::EndSentence() {
 // "a forest with a lake": nothing more was said of the lake than that the forest has it.
 void ClauseReader::EndHost() {
   if (host_ >= 0 && hosted_ >= 0 && d_.plan().relations.size() == host_relations_ &&
-      (d_.feature(hosted_).zones.empty() || d_.thing(hosted_).zones_from_lead)) {
+      (d_.feature(hosted_).zones.empty() || d_.thing(hosted_).zones_from_lead || IsSpot(host_))) {
     Frame frame;
     frame.sense = Sense::kHas;
     frame.objects = {hosted_};
@@ -97,6 +98,13 @@ void ClauseReader::EndHost() {
     Assert(frame, host_, &d_);
   }
   host_ = hosted_ = -1;
+}
+
+// "a clearing with a pond in the middle of the map": where the pond is, there is the clearing.
+bool ClauseReader::IsSpot(int index) const {
+  const PlannedFeature& feature = d_.feature(index);
+  return feature.form == FeatureForm::kPatch && feature.letter != 'B' && feature.zones.empty() &&
+         feature.pieces <= 1 && !d_.thing(index).plural;
 }
 
 void ClauseReader::ReadComma() {

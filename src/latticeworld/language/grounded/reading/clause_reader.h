@@ -67,6 +67,8 @@ class ClauseReader {
   void TakeObjects(const std::vector<int>& found);
   void Cover(int index, const Chunk& chunk);
   void OnlyThis(int index, bool is_new);
+  bool IsElsewhere(const NounPhrase& phrase, int known) const;
+  bool CountsAgain(const Chunk& chunk, int known) const;
   void Island(int index);
   void Beside(int index, Sense beside);
 
@@ -104,12 +106,15 @@ class ClauseReader {
   void TakeBackDenials();
   void CloseFrame();
   bool Fronts(std::size_t at) const;
+  bool SaysClose(const Chunk& chunk) const;
+  bool ReadSideOfHost();
   int LineOf(const std::vector<int>& indices) const;
 
   // Clauses.
   void BeginClause();
   void EndSentence();
   void EndHost();
+  bool IsSpot(int index) const;
   void FinishOrder();
   void BeginOrder(Heading heading);
 
@@ -179,9 +184,10 @@ class ClauseReader {
   std::vector<int> order_;
   std::size_t order_begin_ = 0;
   bool traveling_ = false;
-  int first_ = -1;  // "the first lake", which no words before it named
-  int split_ = -1;  // what is left of it is "the other"
-  int host_ = -1;   // "a forest with ..."
+  int first_ = -1;    // "the first lake", which no words before it named
+  int split_ = -1;    // what is left of it is "the other"
+  int host_ = -1;     // "a forest with ..."
+  int side_of_ = -1;  // "a village with fields to the west, a lake to the east": the village
   int hosted_ = -1;
   std::size_t host_relations_ = 0;
   std::size_t sentence_start_ = 0;  // chunk

@@ -141,7 +141,12 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
       split_ = last;
       return {d_.SplitOff(last)};
     }
-    if (points_back && !(counted && single)) {
+    if (known.size() == 1 && CountsAgain(chunk, last)) {
+      d_.Describe(phrase.qualities, last);
+      d_.Mention(last);
+      return {last};
+    }
+    if (points_back && !(counted && single) && !IsElsewhere(phrase, last)) {
       if (!chunk.phrase.qualities.count.has_value()) {
         for (const int index : known) d_.Describe(phrase.qualities, index);
       }
@@ -199,6 +204,8 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
     // "water: winding brook"
     if (last == LastSubject() && IsKind(at_ - 1, ChunkKind::kComma) && at_ >= 2 &&
         IsThing(at_ - 2) && d_.feature(last).zones.empty()) {
+      // "a runway (use road)": the same, said in another way
+      if (d_.instruction()[chunks_[at_ - 1].begin] == '(') return {last};
       d_.Drop(last);
       subjects_.clear();
       open_list_ = joining_ = false;
@@ -250,9 +257,11 @@ std::vector<int> ClauseReader::OneMore(const Chunk& chunk) {
 // "in each corner", "to each of the edges"
 bool ClauseReader::IsEach(std::size_t at) const {
   if (IsSense(at, Sense::kIn) || IsSense(at, Sense::kTo)) ++at;
+  if (IsSense(at, Sense::kAll)) ++at;
   if (!IsKind(at, ChunkKind::kPlace) || chunks_[at].lexeme.places.size() < 2) return false;
   const std::string words = ToLowerAscii(d_.Words(chunks_[at - 1].begin, chunks_[at].end));
-  return words.find("each") != std::string::npos || words.find("every") != std::string::npos;
+  return words.find("each") != std::string::npos || words.find("every") != std::string::npos ||
+         words.find("per ") != std::string::npos;
 }
 
 // What "one" is one of: what there are several of, else what was named last.
@@ -281,6 +290,32 @@ int ClauseReader::Unplaced(int model) {
     if (d_.feature(like[i]).zones.empty()) return like[i];
   }
   return -1;
+}
+
+// "... a village by a lake. Just one village, please.": no other one.
+bool ClauseReader::CountsAgain(const Chunk& chunk, int known) const {
+  const NounPhrase& phrase = chunk.phrase;
+  if (!phrase.qualities.count.has_value() || phrase.another || !phrase.places.empty() ||
+      d_.feature(known).pieces_least > 0 || d_.thing(known).sentence == d_.sentence() ||
+      !(d_.thing(known).noun == phrase.noun ||
+        EndsWithWord(d_.thing(known).noun->phrase, phrase.noun->phrase))) {
+    return false;
+  }
+  const bool alone = at_ == sentence_start_ || (at_ == sentence_start_ + 1 && subjects_.empty());
+  return alone && (EndsAt(at_ + 1) || (IsKind(at_ + 1, ChunkKind::kComma) && EndsAt(at_ + 2)));
+}
+
+// "On the left are the fields of corn, on the right the fields of wheat": not the same fields.
+bool ClauseReader::IsElsewhere(const NounPhrase& phrase, int known) const {
+  const PlannedFeature& feature = d_.feature(known);
+  if (phrase.head != Head::kThing || IsLine(known) || lead_.empty() || lead_.used ||
+      (frame_.has_value() && frame_->expecting) || feature.zones.empty() ||
+      d_.thing(known).sentence != d_.sentence()) {
+    return false;
+  }
+  return std::none_of(feature.zones.begin(), feature.zones.end(), [&](const Zone& zone) {
+    return RegionOf(zone) == RegionOf(lead_.zones.front());
+  });
 }
 
 // Land that lies in water; in the lake that was spoken of.

@@ -93,6 +93,9 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       if (!subjects_.empty() || !absences_.empty()) BeginClause();
       d_.SetTopic(host >= 0 ? std::vector<int>{host} : std::vector<int>());
       if (host >= 0 && !IsLine(host)) host_ = host;
+      if (host >= 0 && d_.feature(host).form == FeatureForm::kPatch && !d_.thing(host).is_island) {
+        side_of_ = host;
+      }
       lead_.used = true;
       break;
     }
@@ -132,6 +135,8 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       if (at_ == sentence_start_ && at_ > 0 && d_.instruction()[chunks_[at_ - 1].begin] == '?') {
         DropQuestion(chunk);
       }
+      break;
+    case Sense::kAll:
       break;
     case Sense::kNot:
       not_next_ = true;

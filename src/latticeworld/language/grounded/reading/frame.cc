@@ -57,8 +57,9 @@ class Asserter {
     relation.object = object_;
     relation.heading = {heading.east, heading.south};
     d_.Relate(std::move(relation));
-    if (frame_.use == DirectionUse::kAtSide && !IsLine(object())) {
-      Relate(RelationKind::kAdjacent, subject_, object_, kTouchingSteps);
+    if (frame_.touching || (frame_.use == DirectionUse::kAtSide && !IsLine(object()))) {
+      Relate(RelationKind::kAdjacent, subject_, object_,
+             frame_.use == DirectionUse::kAtSide ? kTouchingSteps : kNearSteps);
     }
   }
 
@@ -373,6 +374,12 @@ class Asserter {
     for (const PlannedRelation& relation : d_.plan().relations) {
       if (relation.kind == RelationKind::kDirection && relation.subject == object_) {
         AssertDirection({relation.heading.east, relation.heading.south});
+        return;
+      }
+      // "a town north of the river, and fields on the other side of it"
+      if (relation.kind == RelationKind::kDirection && relation.object == object_ &&
+          relation.subject != subject_) {
+        AssertDirection({-relation.heading.east, -relation.heading.south});
         return;
       }
     }
