@@ -100,6 +100,8 @@ def main():
     print(f"\n{world.world_id}, seed {world.seed}, generator {world.generator}, "
           f"answered in {answered_s:.2f} s\n")
     print(colored(world.layout, world.vocabulary))
+    satisfied = sum(claim.satisfied for claim in world.fidelity)
+    print(f"\nfidelity: {satisfied} of {len(world.fidelity)} claims of the words are satisfied")
     print("\nstages")
     for stage in world.stages:
         print(f"  {stage.name:<12} {stage.seconds:7.3f} s")
