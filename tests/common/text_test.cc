@@ -50,5 +50,13 @@ TEST(TextTest, SplitAndJoinAreInverse) {
   EXPECT_EQ(Join(Split("a,,b", ','), ","), "a,,b");
 }
 
+TEST(TextTest, StartsAndEndsAreFoundWhereTheyAreWhole) {
+  EXPECT_TRUE(StartsWith("data: x", "data:"));
+  EXPECT_FALSE(StartsWith("dat", "data:"));
+  EXPECT_TRUE(EndsWith("houses", "es"));
+  EXPECT_FALSE(EndsWith("s", "es"));
+  EXPECT_TRUE(StartsWith("", "") && EndsWith("", ""));
+}
+
 }  // namespace
 }  // namespace latticeworld

@@ -14,6 +14,13 @@ namespace latticeworld {
 // that names `what`, the byte offset or the length given, and the limit.
 Status ValidateText(std::string_view what, std::string_view text, std::size_t max_bytes);
 
+inline bool StartsWith(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
+}
+inline bool EndsWith(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
 std::string ToLowerAscii(std::string_view text);
 std::vector<std::string> Split(std::string_view text, char separator);
 std::string Join(const std::vector<std::string>& parts, std::string_view separator);

@@ -85,20 +85,8 @@ double ValueOf(ParameterKey key, const FineAttribute& fine) {
 }
 
 const Range& LegalRange(const EnvironmentClaim& claim) {
-  if (claim.kind == EnvironmentClaimKind::kDensity) return kDensityRange;
-  switch (claim.parameter_key) {
-    case ParameterKey::kRotationYaw:
-      return kRotationRange;
-    case ParameterKey::kScale:
-      return kScaleRange;
-    case ParameterKey::kHeight:
-      return kHeightRange;
-    case ParameterKey::kWind:
-      return kWindRange;
-    case ParameterKey::kSlope:
-      return kSlopeRange;
-  }
-  return kDensityRange;
+  return claim.kind == EnvironmentClaimKind::kDensity ? kDensityRange
+                                                      : RangeOf(claim.parameter_key);
 }
 
 template <typename Enum>
@@ -331,6 +319,22 @@ int CountAgents(const EnvironmentClaim& claim, const EnvironmentConfig& config) 
 }
 
 }  // namespace
+
+const Range& RangeOf(ParameterKey key) {
+  switch (key) {
+    case ParameterKey::kRotationYaw:
+      return kRotationRange;
+    case ParameterKey::kScale:
+      return kScaleRange;
+    case ParameterKey::kHeight:
+      return kHeightRange;
+    case ParameterKey::kWind:
+      return kWindRange;
+    case ParameterKey::kSlope:
+      return kSlopeRange;
+  }
+  return kDensityRange;
+}
 
 std::vector<Violation> Validate(const EnvironmentClaim& claim) {
   return ClaimValidator(claim).Run();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "latticeworld/common/enum_names.h"
+#include "latticeworld/common/range.h"
 #include "latticeworld/common/status.h"
 #include "latticeworld/environment/environment_config.h"
 
@@ -51,6 +52,9 @@ constexpr std::array<EnumName<ParameterKey>, 5> EnumNames(ParameterKey) {
            {ParameterKey::kWind, "wind_mps"},
            {ParameterKey::kSlope, "slope_deg"}}};
 }
+
+// The legal values of a parameter.
+const Range& RangeOf(ParameterKey key);
 
 // One thing that an instruction says about an environment, checkable on the configuration alone.
 // Which fields count depends on the kind; the others keep their defaults.

@@ -77,22 +77,6 @@ class ClaimReader {
     }
   }
 
-  static const Range& RangeOf(ParameterKey key) {
-    switch (key) {
-      case ParameterKey::kRotationYaw:
-        return kRotationRange;
-      case ParameterKey::kScale:
-        return kScaleRange;
-      case ParameterKey::kHeight:
-        return kHeightRange;
-      case ParameterKey::kWind:
-        return kWindRange;
-      case ParameterKey::kSlope:
-        break;
-    }
-    return kSlopeRange;
-  }
-
   const Json* Find(const std::string& key) {
     known_.insert(key);
     const auto found = json_.find(key);

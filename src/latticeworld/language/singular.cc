@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "latticeworld/common/text.h"
 #include "latticeworld/language/tokens.h"
 
 namespace latticeworld {
@@ -76,10 +77,6 @@ constexpr Irregular kIrregular[] = {
     {"women", "woman"},
     {"yes", "yes"},
 };
-
-bool EndsWith(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
 
 }  // namespace
 

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "latticeworld/common/text.h"
+
 namespace latticeworld {
 namespace {
 
@@ -133,10 +135,6 @@ std::string LowerAscii(std::string_view text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   return lower;
-}
-
-bool EndsWith(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
 bool IsAsciiDigit(char c) { return c >= '0' && c <= '9'; }

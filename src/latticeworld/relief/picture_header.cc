@@ -9,10 +9,6 @@
 namespace latticeworld::internal {
 namespace {
 
-bool StartsWith(std::string_view bytes, std::string_view signature) {
-  return bytes.substr(0, signature.size()) == signature;
-}
-
 // What a file that is no height map probably is, for the message.
 std::string Describe(std::string_view bytes) {
   using namespace std::string_view_literals;

@@ -19,10 +19,6 @@ std::string_view SkipBlanks(std::string_view text) {
   return begin == std::string_view::npos ? "" : text.substr(begin);
 }
 
-bool StartsWith(std::string_view text, std::string_view start) {
-  return text.substr(0, start.size()) == start;
-}
-
 // nullptr: there is no such member, or it is null.
 const Json* Member(const Json& json, const char* name) {
   if (!json.is_object()) return nullptr;

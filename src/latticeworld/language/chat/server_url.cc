@@ -23,10 +23,6 @@ std::string Part(CURLU* url, CURLUPart part) {
   return copy;
 }
 
-bool EndsWith(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
-
 // Names are resolved by whoever answers for them; only those that always mean this machine count.
 bool IsLoopback(const std::string& host) {
   return host == "localhost" || EndsWith(host, ".localhost") || host == "[::1]" ||

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "latticeworld/common/text.h"
+
 namespace latticeworld {
 namespace {
 
@@ -25,10 +27,6 @@ constexpr std::array<Irregular, 44> kIrregular = {{
 }};
 
 bool IsVowel(char c) { return c == 'a' || c == 'e' || c == 'i' || c == 'o' || c == 'u'; }
-
-bool EndsWith(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
 
 // "swim", "patrol": the last consonant doubles before -ing and -ed.
 bool Doubles(std::string_view word) {

@@ -24,10 +24,6 @@ bool NamesIsland(const ClassWord& noun) {
          noun.phrase.find("islet") != std::string_view::npos;
 }
 
-bool EndsWith(std::string_view phrase, std::string_view end) {
-  return phrase.size() >= end.size() && phrase.substr(phrase.size() - end.size()) == end;
-}
-
 // A word for one of the many small things that a class is made of.
 bool IsCrowd(const ClassWord& noun) {
   for (const std::string_view one : {"tree", "trees", "bush", "bushes", "shrub", "shrubs", "rock",
