@@ -153,10 +153,12 @@ TEST_F(FidelityBenchmarkTest, TheBenchmarkThatIsShippedIsReadAndLargeEnough) {
       EXPECT_FALSE(item.claims.empty()) << item.id;
     }
   }
-  EXPECT_GE(layouts, 120u);
-  EXPECT_GE(environments, 60u);
-  EXPECT_NEAR(static_cast<double>(test_layouts) / layouts, 0.25, 0.03);
-  EXPECT_NEAR(static_cast<double>(test_environments) / environments, 0.25, 0.03);
+  constexpr std::size_t kLeastLayouts = 120, kLeastEnvironments = 60;
+  EXPECT_GE(layouts, kLeastLayouts);
+  EXPECT_GE(environments, kLeastEnvironments);
+  // A quarter of these at least is set aside; what is written later may all be for work.
+  EXPECT_GE(test_layouts, kLeastLayouts / 4);
+  EXPECT_GE(test_environments, kLeastEnvironments / 4);
 }
 
 }  // namespace
