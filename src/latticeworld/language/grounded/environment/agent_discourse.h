@@ -6,6 +6,7 @@
 // of the subject of their clause, and references ("three of them", "the others") and corrections
 // ("no, make it six") go back to groups that were named before.
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -20,6 +21,15 @@ namespace latticeworld::internal {
 
 inline constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 inline constexpr std::size_t kPhraseTokens = 6;  // a noun phrase, from its count to its noun
+inline constexpr Count kSomeSeen{2, 3, 12, 0};   // what a bare plural stands for
+
+// Whether each of `some` is one of `all`.
+inline bool Contains(const std::vector<AgentCategory>& all,
+                     const std::vector<AgentCategory>& some) {
+  return std::all_of(some.begin(), some.end(), [&](AgentCategory category) {
+    return std::find(all.begin(), all.end(), category) != all.end();
+  });
+}
 
 // A group as it is read, with what the reader needs to know of it.
 struct Group {

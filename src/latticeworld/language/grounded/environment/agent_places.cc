@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/environment/agent_discourse.h"
 
 namespace latticeworld {

@@ -1,0 +1,224 @@
+// Reading about agents: what a noun phrase does to the groups: names new ones, refers to
+// those of before, corrects or denies them.
+
+#include <algorithm>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/environment/agent_discourse.h"
+
+namespace latticeworld {
+namespace internal {
+
+void AgentReader::ReadAbsence(const SpeciesWord& word, std::size_t end) {
+  EnvironmentClaim claim;
+  claim.kind = EnvironmentClaimKind::kNoAgents;
+  claim.categories = AbsentCategories(word, end - at_);
+  claim.words = std::string(noted_.Text(at_, end));
+  if (at_ > 0 && !noted_.IsPause(at_ - 1)) {
+    std::size_t first = at_;
+    while (first > 0 && noted_.notes[first - 1].known && !noted_.IsPause(first - 1) &&
+           at_ - first < 3) {
+      --first;
+    }
+    claim.words = std::string(noted_.Text(first, end));
+  }
+  const bool placed = PlaceFollows(end);
+  absent_here_ = placed;
+  const bool other = at_ > 0 && noted_.IsWord(at_ - 1, "other");
+  // A word of a species that we lack denies that species only, not the one that stands for it.
+  if (!placed && !other) {
+    for (Group& group : groups_) {
+      const bool same = std::any_of(
+          claim.categories.begin(), claim.categories.end(),
+          [&](AgentCategory category) { return category == group.wish.categories.front(); });
+      if (same && (word.exact || group.wish.name == NameHere(end))) group.removed = true;
+    }
+    if (word.exact || claim.categories.size() > 1) heard_.absences.push_back(std::move(claim));
+  }
+  state_before_.reset();
+}
+
+std::vector<AgentCategory> AgentReader::AbsentCategories(const SpeciesWord& word,
+                                                         std::size_t tokens) const {
+  const auto kind = words_.kinds.At(tokens_, at_);
+  if (kind.tokens >= tokens && !kind.rows.empty()) return kind.rows.front()->categories;
+  return word.categories;
+}
+
+void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective, std::size_t end) {
+  Count count = pending_;
+  if (collective.tokens > 0) count = collective;
+  // "three wolf packs"
+  if (collective.tokens == 1 && pending_.tokens > 0 && pending_.value <= 12) {
+    count = {collective.least * pending_.value, collective.value * pending_.value,
+             collective.most * pending_.value, 1};
+  }
+  const std::vector<std::size_t> same = GroupsOf(word, end);
+  if (!same.empty() && (IsDefinite() || corrected_)) {
+    ReferTo(same, count, end);
+    return;
+  }
+  if (corrected_ && last_ != kNone && !groups_[last_].removed && !told_since_correction_) {
+    Replace(word, count, end);
+    return;
+  }
+  DropVagueKinds(word);
+  if (const std::size_t vague = VagueBefore(same, count, end); vague != kNone) {
+    ReferTo({vague}, {}, end);
+    SetCount(count, &groups_[vague]);
+    return;
+  }
+  Group group;
+  group.wish.categories = word.categories;
+  group.wish.exact = word.exact;
+  group.wish.name = NameHere(end);
+  const Count said = count.tokens > 0 ? count : DefaultCount(word);
+  group.wish.least = said.least;
+  group.wish.quantity = said.value;
+  group.wish.most = said.most;
+  group.wish.counted = count.tokens > 0 && count.least == count.most;
+  group.wish.each = noted_.IsAnyWord(at_ > 0 ? at_ - 1 : at_, {"each", "every"});
+  group.purpose = IsInPurpose();
+  group.wish.state = state_before_;
+  group.begin = std::min(phrase_begin_, tokens_[at_].begin);
+  group.end = tokens_[end - 1].end;
+  group.sentence = sentence_;
+  ApplyLead(&group);
+  // "goblins chase sheep": the chased are no subject.
+  const bool object =
+      acted_ && !subject_.empty() && !state_before_.has_value() && !joined_ && !paused_;
+  groups_.push_back(std::move(group));
+  const std::size_t index = groups_.size() - 1;
+  last_ = index;
+  part_ = rest_ = kNone;
+  split_state_ = false;
+  state_before_.reset();
+  if (object) {
+    object_ = index;
+    object_end_ = end;
+    return;
+  }
+  if (!(joined_ || paused_) || GroupIsTold() || new_clause_) subject_.clear();
+  subject_.push_back(index);
+  previous_ = subject_;
+  joined_ = false;
+  paused_ = false;
+  acted_ = false;
+  new_clause_ = false;
+  object_ = kNone;
+}
+
+void AgentReader::DropVagueKinds(const SpeciesWord& word) {
+  for (Group& group : groups_) {
+    const AgentWish& wish = group.wish;
+    const bool told =
+        wish.counted || wish.state.has_value() || !wish.places.empty() || wish.feature.has_value();
+    if (wish.categories.size() < 2 || word.categories.size() > 1 || told) continue;
+    if (group.sentence != sentence_ && Contains(wish.categories, word.categories)) {
+      group.removed = true;
+    }
+  }
+}
+
+std::size_t AgentReader::VagueBefore(const std::vector<std::size_t>& same, const Count& count,
+                                     std::size_t end) const {
+  const bool alone = noted_.IsPause(end) || noted_.IsWord(end, "and");
+  if (same.size() != 1 || count.tokens == 0 || !alone || lead_set_ || state_before_.has_value()) {
+    return kNone;
+  }
+  const Group& group = groups_[same.front()];
+  const AgentWish& wish = group.wish;
+  const bool bare = wish.least == kSomeSeen.least && wish.most == kSomeSeen.most;
+  return bare && group.sentence != sentence_ ? same.front() : kNone;
+}
+
+std::vector<std::size_t> AgentReader::GroupsOf(const SpeciesWord& word, std::size_t end) const {
+  std::vector<std::size_t> same;
+  const std::string name = Singular(NameHere(end));
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    const AgentWish& wish = groups_[i].wish;
+    if (groups_[i].removed || wish.categories != word.categories) continue;
+    // Wolves and bears are both read as goblins, and stay apart.
+    if (!wish.exact && !word.exact && Singular(wish.name) != name) continue;
+    if (wish.exact != word.exact) continue;
+    same.push_back(i);
+  }
+  return same;
+}
+
+void AgentReader::ReferTo(const std::vector<std::size_t>& same, const Count& count,
+                          std::size_t end) {
+  std::vector<std::size_t> groups = same;
+  if (corrected_) groups = {same.back()};
+  if (count.tokens > 0) {
+    std::vector<std::size_t> equal;
+    for (const std::size_t i : same) {
+      if (groups_[i].wish.quantity == count.value) equal.push_back(i);
+    }
+    if (!equal.empty()) groups = equal;
+    if (equal.empty() && corrected_) SetCount(count, &groups_[groups.back()]);
+  }
+  const bool object = acted_ && !subject_.empty() && !state_before_.has_value() && !joined_ &&
+                      !paused_ && !corrected_;
+  if (object) return;
+  subject_ = groups;
+  previous_ = groups;
+  last_ = groups.back();
+  part_ = rest_ = kNone;
+  if (state_before_.has_value()) {
+    for (const std::size_t i : groups) groups_[i].wish.state = state_before_;
+    state_before_.reset();
+  }
+  if (corrected_ || lead_set_) {
+    for (const std::size_t i : groups) ApplyLead(&groups_[i]);
+  }
+  for (const std::size_t i : groups) {
+    if (groups_[i].sentence == sentence_) Extend(i, tokens_[end - 1].end);
+  }
+  joined_ = paused_ = acted_ = false;
+  told_since_correction_ = true;
+}
+
+void AgentReader::Replace(const SpeciesWord& word, const Count& count, std::size_t end) {
+  Group& group = groups_[last_];
+  heard_.warnings.push_back(Quote(WordsOf(group)) + " was taken back for " +
+                            Quote(noted_.Text(at_, end)));
+  group.wish.categories = word.categories;
+  group.wish.exact = word.exact;
+  group.wish.name = NameHere(end);
+  if (count.tokens > 0) SetCount(count, &group);
+  if (!group.wish.counted) {
+    const Count said = DefaultCount(word);
+    group.wish.least = said.least;
+    group.wish.quantity = said.value;
+    group.wish.most = said.most;
+  }
+  if (state_before_.has_value()) group.wish.state = state_before_;
+  state_before_.reset();
+  group.begin = std::min(phrase_begin_, tokens_[at_].begin);
+  group.end = tokens_[end - 1].end;
+  subject_ = {last_};
+  previous_ = subject_;
+  told_since_correction_ = true;
+  joined_ = paused_ = false;
+  ApplyLead(&group);
+}
+
+void AgentReader::ApplyLead(Group* group) const {
+  if (!lead_places_.empty()) group->wish.places = lead_places_;
+  if (lead_feature_.has_value()) group->wish.feature = lead_feature_;
+  if (lead_each_) group->wish.each = true;
+}
+
+bool AgentReader::GroupIsTold() const {
+  return std::any_of(subject_.begin(), subject_.end(), [&](std::size_t index) {
+    const AgentWish& wish = groups_[index].wish;
+    const bool placed = (!wish.places.empty() && lead_places_.empty()) ||
+                        (wish.feature.has_value() && !lead_feature_.has_value());
+    return placed || (wish.state.has_value() && acted_on_ == sentence_ + 1);
+  });
+}
+
+}  // namespace internal
+
+}  // namespace latticeworld

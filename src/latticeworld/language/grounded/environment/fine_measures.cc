@@ -1,0 +1,199 @@
+#include "latticeworld/language/grounded/environment/fine_measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "latticeworld/environment/ranges.h"
+#include "latticeworld/language/grounded/environment/fine_wishes.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr std::size_t kContext = 24;  // tokens to either side that a measure can be said of
+constexpr double kTolerance = 0.1;    // of a measured share, to either side
+constexpr double kYawTolerance_deg = 15.0;
+
+class FineMeasureReader {
+ public:
+  FineMeasureReader(const EnvironmentWords& words, std::vector<HeardMeasure>* measures,
+                    NotedTokens* noted, HeardEnvironment* heard)
+      : words_(words),
+        measures_(*measures),
+        noted_(*noted),
+        tokens_(noted->tokens),
+        wishes_(noted, heard) {}
+
+  void Run() {
+    measures_.erase(std::remove_if(measures_.begin(), measures_.end(),
+                                   [&](const HeardMeasure& measure) { return Use(measure); }),
+                    measures_.end());
+  }
+
+ private:
+  // [first, last) of the tokens of the sentence that the measure stands in.
+  void FindSentence(const HeardMeasure& measure, std::size_t* first, std::size_t* last) const {
+    *first = measure.first;
+    while (*first > 0 && *first + kContext > measure.first &&
+           tokens_[*first - 1].kind != TokenKind::kStop) {
+      --*first;
+    }
+    *last = measure.last;
+    while (*last < measure.last + kContext && !noted_.IsEnd(*last)) ++*last;
+  }
+
+  bool Says(const HeardMeasure& measure, std::initializer_list<std::string_view> any) const {
+    std::size_t first = 0, last = 0;
+    FindSentence(measure, &first, &last);
+    for (std::size_t i = first; i < last; ++i) {
+      if (noted_.IsAnyWord(i, any)) return true;
+    }
+    return false;
+  }
+
+  // The asset type that a measure is said of: the nearest noun of its sentence.
+  std::optional<AssetType> NearestAsset(const HeardMeasure& measure,
+                                        bool (*suits)(AssetType)) const {
+    std::size_t first = 0, last = 0;
+    FindSentence(measure, &first, &last);
+    std::optional<AssetType> nearest;
+    std::size_t least = tokens_.size() + 1;
+    std::size_t next = first;
+    for (std::size_t i = first; i < last; i = next) {
+      next = i + 1;
+      std::vector<AssetType> assets;
+      const auto named = words_.assets.At(tokens_, i);
+      for (const AssetWord* word : named.rows) assets.push_back(word->asset);
+      next = std::max(next, i + named.tokens);
+      for (const VariantWord* word : words_.variants.At(tokens_, i).rows) {
+        if (word->alone) assets.push_back(word->asset);
+      }
+      for (const AssetType asset : assets) {
+        const std::size_t apart = i < measure.first ? measure.first - i : i - measure.last + 1;
+        if (!suits(asset) || apart >= least) continue;
+        least = apart;
+        nearest = asset;
+      }
+    }
+    return nearest;
+  }
+
+  bool Use(const HeardMeasure& measure) {
+    const auto any = [](AssetType) { return true; };
+    switch (measure.kind) {
+      case MeasureKind::kSpeed: {
+        if (!Says(measure, {"wind", "winds", "breeze", "gale", "storm", "sandstorm", "blows",
+                            "blowing", "gusts", "force", "beaufort", "bft", "air", "windy"})) {
+          return false;
+        }
+        const double speed_mps = std::clamp(measure.value, kWindRange.low, kWindRange.high);
+        wishes_.AddNumber(EnvironmentClaimKind::kParameter, AssetType::kDesert, ParameterKey::kWind,
+                          0.9 * speed_mps, speed_mps, std::min(kWindRange.high, 1.1 * speed_mps),
+                          measure.first, measure.last);
+        return true;
+      }
+      case MeasureKind::kShare:
+      case MeasureKind::kDecimal: {
+        const bool scale =
+            measure.kind == MeasureKind::kDecimal && Says(measure, {"scale", "scaled", "size"});
+        if (scale || (measure.kind == MeasureKind::kShare &&
+                      Says(measure, {"scale", "scaled", "size", "sized", "shrink", "shrunk",
+                                     "enlarge", "enlarged"}))) {
+          return WishScale(measure);
+        }
+        // "Dead wood: 0.2"
+        const bool listed = measure.first > 1 &&
+                            tokens_[measure.first - 1].kind == TokenKind::kComma &&
+                            tokens_[measure.first - 1].text == ":";
+        const bool density = listed || Says(measure, {"density", "densities", "cover", "coverage",
+                                                      "covered", "covers", "dense", "densely"});
+        const auto asset = NearestAsset(measure, any);
+        if (!density || !asset.has_value() || measure.value > 1.0) return false;
+        wishes_.AddNumber(EnvironmentClaimKind::kDensity, *asset, {},
+                          std::max(0.0, measure.value - kTolerance), measure.value,
+                          std::min(1.0, measure.value + kTolerance), measure.first, measure.last);
+        return true;
+      }
+      case MeasureKind::kFactor:
+        return WishScale(measure);
+      case MeasureKind::kLength:
+        return WishLevel(measure);
+      case MeasureKind::kDegrees:
+        return WishAngle(measure);
+      default:
+        return false;
+    }
+  }
+
+  bool WishScale(const HeardMeasure& measure) {
+    const auto built = [](AssetType asset) { return ValuesOf(asset).has_scale; };
+    const auto asset = NearestAsset(measure, built);
+    if (!asset.has_value()) return false;
+    const double scale = std::clamp(measure.value, kScaleRange.low, kScaleRange.high);
+    wishes_.AddNumber(EnvironmentClaimKind::kParameter, *asset, ParameterKey::kScale,
+                      std::max(kScaleRange.low, 0.9 * scale), scale,
+                      std::min(kScaleRange.high, 1.1 * scale), measure.first, measure.last);
+    return true;
+  }
+
+  // "the lake lies two metres lower"
+  bool WishLevel(const HeardMeasure& measure) {
+    const auto watery = [](AssetType asset) { return ValuesOf(asset).has_height; };
+    if (!NearestAsset(measure, watery).has_value()) return false;
+    double level_m = measure.value;
+    if (level_m < 0.0) {
+      // "lake -1.5 m"
+    } else if (Says(measure, {"below", "lower", "lowered", "under", "beneath", "down", "fallen",
+                              "dropped", "sunk", "sunken", "less", "receded", "drop", "drops",
+                              "fall", "falls", "shrunk", "minus"})) {
+      level_m = -std::abs(level_m);
+    } else if (!Says(measure, {"above", "higher", "raised", "over", "up", "level", "risen",
+                               "height", "high", "flooded"})) {
+      return false;
+    }
+    level_m = std::clamp(level_m, kHeightRange.low, kHeightRange.high);
+    wishes_.AddNumber(EnvironmentClaimKind::kParameter, AssetType::kLake, ParameterKey::kHeight,
+                      std::max(kHeightRange.low, level_m - 0.25), level_m,
+                      std::min(kHeightRange.high, level_m + 0.25), measure.first, measure.last);
+    return true;
+  }
+
+  bool WishAngle(const HeardMeasure& measure) {
+    if (Says(measure, {"slope", "slopes", "steep", "steepness", "incline", "inclined", "steeper",
+                       "gradient", "inclination", "faces"}) &&
+        measure.value >= kSlopeRange.low) {
+      const double slope_deg = std::min(measure.value, kSlopeRange.high);
+      wishes_.AddNumber(EnvironmentClaimKind::kParameter, AssetType::kSnowMountain,
+                        ParameterKey::kSlope, std::max(kSlopeRange.low, slope_deg - 5.0), slope_deg,
+                        std::min(kSlopeRange.high, slope_deg + 5.0), measure.first, measure.last);
+      return true;
+    }
+    if (!Says(measure, {"rotated", "rotate", "rotation", "turned", "turn", "yaw", "angle",
+                        "oriented", "orientation", "heading", "facing", "aligned", "rows"})) {
+      return false;
+    }
+    const auto turns = [](AssetType asset) { return ValuesOf(asset).has_rotation; };
+    const auto asset = NearestAsset(measure, turns);
+    if (!asset.has_value()) return false;
+    const double yaw_deg = std::fmod(std::fmod(measure.value, 360.0) + 360.0, 360.0);
+    wishes_.AddNumber(EnvironmentClaimKind::kParameter, *asset, ParameterKey::kRotationYaw,
+                      std::fmod(yaw_deg - kYawTolerance_deg + 360.0, 360.0), yaw_deg,
+                      std::fmod(yaw_deg + kYawTolerance_deg, 360.0), measure.first, measure.last);
+    return true;
+  }
+
+  const EnvironmentWords& words_;
+  std::vector<HeardMeasure>& measures_;
+  NotedTokens& noted_;
+  const std::vector<Token>& tokens_;
+  FineWishes wishes_;
+};
+
+}  // namespace
+
+void ReadFineMeasures(const EnvironmentWords& words, std::vector<HeardMeasure>* measures,
+                      NotedTokens* noted, HeardEnvironment* heard) {
+  FineMeasureReader(words, measures, noted, heard).Run();
+}
+
+}  // namespace latticeworld
