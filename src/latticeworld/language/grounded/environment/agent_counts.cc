@@ -6,15 +6,31 @@
 
 namespace latticeworld {
 namespace internal {
+namespace {
 
-std::size_t AgentReader::ReadLoneCount(const Count& count) {
+constexpr std::size_t kPlaceAhead_tokens = 8;
+
+}  // namespace
+
+std::size_t AgentReader::ReadLoneCount(const Count& said) {
+  Count count = said;
   std::size_t next = at_ + count.tokens;
   if (last_ == kNone || next > tokens_.size()) return 0;
   const std::size_t of_them = next < tokens_.size() ? RoleAt(Role::kOfThem, next) : 0;
   std::size_t more = next < tokens_.size() && noted_.IsAnyWord(next, {"more", "others"}) ? 1 : 0;
   if (noted_.IsWord(next, "in") && noted_.IsAnyWord(next + 1, {"number", "all", "total"})) more = 2;
   // "sixty heads", "five to a corner"
-  if (noted_.IsAnyWord(next, {"heads", "head", "members", "individuals", "strong"})) more = 1;
+  const bool heads = noted_.IsAnyWord(next, {"heads", "head", "members", "individuals", "strong"});
+  if (heads) more = 1;
+  // "one team in the north": as many as a team has.
+  const bool packs = unit_ > 1 && ReadCollective(noted_, words_, next).tokens > 0;
+  if (packs) {
+    ++count.tokens;
+    ++next;
+  }
+  if (unit_ > 1 && of_them == 0 && more == 0 && ReadCollective(noted_, words_, at_).tokens == 0) {
+    count = {count.least * unit_, count.value * unit_, count.most * unit_, count.tokens};
+  }
   const bool each =
       noted_.IsAnyWord(next, {"each", "apiece"}) ||
       (noted_.IsAnyWord(next, {"to", "per", "in", "at", "for"}) &&
@@ -30,10 +46,7 @@ std::size_t AgentReader::ReadLoneCount(const Count& count) {
     noted_.Mark(at_, end, &TokenNote::agent);
     return end - at_;
   }
-  if (of_them == 0 && more == 0 && noted_.IsAnyWord(at_, {"flock", "flocks"}) &&
-      LocomotionOf(whole.wish.categories.front()) == Locomotion::kLegs && last_ != kNone &&
-      whole.wish.categories.front() != AgentCategory::kSheep) {
-    // "a shepherd and his flock of sixty"
+  if (of_them == 0 && more == 0 && IsFlockOf(whole)) {
     AddLike(last_, count, count.tokens);
     AgentWish& flock = groups_[last_].wish;
     flock.categories = {AgentCategory::kSheep};
@@ -45,47 +58,44 @@ std::size_t AgentReader::ReadLoneCount(const Count& count) {
   }
   const std::size_t tokens = count.tokens + std::max(of_them, more);
   noted_.Mark(at_, at_ + tokens, &TokenNote::agent);
-  if (corrected_ && of_them == 0 && more == 0) {
-    SetCount(count, &whole);
-    Extend(last_, tokens_[at_ + count.tokens - 1].end);
+  const bool plain = of_them == 0 && more == 0;
+  const auto tell_count = [&](std::size_t end) {
+    SetCount(count, &groups_[last_]);
+    Extend(last_, tokens_[end - 1].end);
     subject_ = {last_};
-    return tokens;
-  }
-  // "goblins x4 in the north"
-  const std::size_t noun_end = at_ > 0 && noted_.IsWord(at_ - 1, "x") ? at_ - 1 : at_;
-  const bool follows =
-      noun_end > 0 && noted_.notes[noun_end - 1].agent && tokens_[noun_end - 1].end == whole.end;
-  if (follows && of_them == 0 && more == 0 && !whole.wish.counted) {
-    SetCount(count, &whole);
-    Extend(last_, tokens_[at_ + count.tokens - 1].end);
-    return tokens;
-  }
-  const bool told = !whole.wish.places.empty() || whole.wish.feature.has_value();
+    joined_ = paused_ = false;
+    return end - at_;
+  };
+  if (corrected_ && plain) return tell_count(at_ + tokens);
   const bool bare = noted_.IsPause(at_ + tokens);
-  // "a herd of horses, nine of them", "an ambush: six of them lie in wait", "sheep, five in number"
-  const bool more_than_said = of_them > 0 && count.least > whole.wish.most;
-  const bool heads = noted_.IsAnyWord(next, {"heads", "head", "members", "individuals", "strong"});
-  if (!whole.wish.counted && ((bare && (of_them > 0 || more == 2 || heads)) || more_than_said)) {
-    SetCount(count, &whole);
-    subject_ = {last_};
-    return tokens;
+  if (!whole.wish.counted) {
+    if (plain && FollowsNoun(whole)) return tell_count(at_ + tokens);
+    // "a herd of horses, nine of them", "an ambush: six of them lie in wait", "sheep, five in
+    // number"
+    const bool more_than_said = of_them > 0 && count.least > whole.wish.most;
+    if ((bare && (of_them > 0 || more == 2 || heads)) || more_than_said) {
+      return tell_count(at_ + tokens);
+    }
+    if (plain && IsAnnounced(whole, bare)) return tell_count(at_ + tokens);
   }
-  if (bare && of_them == 0 && more == 0 && whole.wish.counted && lead_set_ && at_ > 0 &&
-      noted_.notes[at_ - 1].place) {
+  if (bare && plain && whole.wish.counted && lead_.set && at_ > 0 && noted_.notes[at_ - 1].place) {
     // "in the north five goblins, in the south seven"
     AddLike(last_, count, tokens);
     return tokens;
   }
-  if (bare && of_them == 0 && more == 0) {
+  if (bare && plain) {
     // "sheep: lower left, nine", "... There are four."
     const bool told_so = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"are", "is", "were"});
     if (!whole.wish.counted && (whole.sentence == sentence_ || told_so)) SetCount(count, &whole);
     return tokens;
   }
-  const int left = part_ != kNone ? groups_[last_].wish.quantity : whole.wish.quantity;
+  const int left = whole.wish.quantity;
+  const bool told = !whole.wish.places.empty() || whole.wish.feature.has_value();
+  // "Ten sheep graze in the north. Four are asleep." Four in the south would be others.
+  const bool elsewhere = whole.sentence == sentence_ || count.value >= left || IsPlaceAhead(next);
   const bool splits =
-      of_them > 0 || (!told && more == 0 && count.value <= left && (left > 1 || part_ != kNone) &&
-                      (whole.wish.counted || part_ != kNone));
+      of_them > 0 || ((!told || !elsewhere) && more == 0 && count.value <= left &&
+                      (left > 1 || part_ != kNone) && (whole.wish.counted || part_ != kNone));
   if (splits) {
     Split(count, std::min(count.value, std::max(1, left)), tokens);
     return tokens + RenamePart(at_ + tokens);
@@ -93,6 +103,50 @@ std::size_t AgentReader::ReadLoneCount(const Count& count) {
   // "two goblins in the north and three in the south"
   AddLike(last_, count, tokens);
   return tokens;
+}
+
+bool AgentReader::FollowsNoun(const Group& group) const {
+  // "goblins x4 in the north", "horses: eight"
+  std::size_t end = at_;
+  while (end > 0 && (noted_.IsWord(end - 1, "x") || tokens_[end - 1].kind == TokenKind::kComma)) {
+    if (tokens_[end - 1].text == ",") break;
+    --end;
+  }
+  return end > 0 && noted_.notes[end - 1].agent && tokens_[end - 1].end == group.end;
+}
+
+bool AgentReader::IsAnnounced(const Group& group, bool bare) const {
+  const AgentWish& wish = group.wish;
+  if (wish.least != kSomeSeen.least && wish.quantity < 2) return false;
+  std::size_t first = at_;
+  while (first > 0 && noted_.IsAnyWord(first - 1, {"say", "and", "there", "are", "maybe", "so",
+                                                   "about", "let", "have"})) {
+    --first;
+  }
+  // "I want ponies. At least twenty, please."
+  const bool starts = first == 0 || tokens_[first - 1].kind == TokenKind::kStop;
+  const bool untold = !wish.state.has_value() && wish.places.empty() && !wish.feature.has_value();
+  if (starts && bare) return true;
+  // "Goblins attack the village: five in the north, ..."
+  if (first > 0 && tokens_[first - 1].kind == TokenKind::kComma && tokens_[first - 1].text != ",") {
+    return group.sentence == sentence_ && (wish.places.empty() || wish.feature.has_value());
+  }
+  // "Eagles belong there, so three are circling."
+  return untold && !NounAhead(at_ + 1);
+}
+
+bool AgentReader::IsFlockOf(const Group& group) const {
+  // "a shepherd and his flock of sixty"
+  return noted_.IsAnyWord(at_, {"flock", "flocks"}) &&
+         LocomotionOf(group.wish.categories.front()) == Locomotion::kLegs &&
+         group.wish.categories.front() != AgentCategory::kSheep;
+}
+
+bool AgentReader::IsPlaceAhead(std::size_t at) const {
+  for (std::size_t i = at; i < at + kPlaceAhead_tokens && !noted_.IsPause(i); ++i) {
+    if (PlacePhraseAt(i) > 0 || MatchPlace(tokens_, i).tokens > 1) return true;
+  }
+  return false;
 }
 
 void AgentReader::SetCount(const Count& count, Group* group) {

@@ -38,7 +38,18 @@ struct Group {
   std::size_t end = 0;
   std::size_t sentence = 0;
   bool removed = false;
-  bool purpose = false;  // only what the world is for ("to see how robots behave")
+  std::size_t with = kNone;  // beside the group that is at this place in the order of naming
+  bool purpose = false;      // only what the world is for ("to see how robots behave")
+};
+
+// What a clause says of where its agents are before it names them.
+struct Lead {
+  bool set = false;
+  std::vector<Place> places;
+  std::optional<FeaturePlace> feature;
+  bool each = false;
+  std::size_t with = kNone;  // as the group of that place
+  std::size_t end = kNone;   // the token after its words
 };
 
 class AgentReader {
@@ -83,14 +94,52 @@ class AgentReader {
   // "two rovers and two drones, all four parked": of the groups that add up to so many.
   std::size_t ReadAllOfThem();
 
-  // "the third one grazes"
+  // "the third one grazes", "a fourth has run away", "the last are asleep"
   std::size_t ReadOrdinal();
 
-  // "an eagle above them": where those are who were named before.
+  // Which place in a row the word means; 0: none.
+  int OrdinalAt(std::size_t at) const;
+
+  // "an eagle above them", "next to the horses": where those are who were named before; "above it":
+  // the land that was named before.
   std::size_t ReadCompany();
+
+  bool IsSubject(std::size_t index) const {
+    return std::find(subject_.begin(), subject_.end(), index) != subject_.end();
+  }
+
+  // The group that the words at `at` go back to in a phrase of company, and how many they are.
+  // of_others: none of the subject itself.
+  struct Reference {
+    std::size_t tokens = 0;  // 0: no reference
+    std::size_t group = kNone;
+    bool land = false;  // may be of land just as well
+    bool plural = false;
+  };
+  Reference ReferenceAt(std::size_t at, bool of_others) const;
+
+  // The group named before that a pronoun means.
+  std::size_t GroupBefore(bool plural, bool of_others) const;
+
+  // The land that was named last before at_, at most a few sentences ago; `placed`: also where
+  // groups were placed.
+  std::optional<FeaturePlace> LandBefore(bool plural, bool placed) const;
 
   // "a second band" of whoever was named last.
   std::size_t ReadAnotherGroup();
+
+  // "all of them are asleep", "everybody waits": all whose state was not told, at least those who
+  // were named last.
+  std::size_t ReadEverybody();
+
+  // "all but one", "all except two of them".
+  std::size_t ReadAllBut();
+
+  // "half", "a third of them", "two thirds of the flock".
+  std::size_t ReadFraction();
+
+  // "six dogs in three pairs": what "one" of them is.
+  std::size_t ReadUnit();
 
   // Another group of the same agents, whose state and place are still to be told.
   void AddLike(std::size_t model, const Count& count, std::size_t tokens);
@@ -106,6 +155,18 @@ class AgentReader {
 
   Group* Last();
 
+  // Comparisons
+
+  // "as many", "twice as many goblins as knights", "the same number of": so many as are in a group
+  // named before. The words that say which one are ignored from then on.
+  Count ReadComparedCount();
+
+  // The group in "... as there are knights"; kNone: none is said.
+  std::size_t MeasureAhead(std::size_t at);
+
+  // "25 against 15", "eight on each side": of groups that have no count yet.
+  std::size_t ReadCountsOfSides();
+
   // Noun phrases
 
   // A count, a noun, or both.
@@ -120,6 +181,16 @@ class AgentReader {
 
   // A count without a noun of its own: of them, of those named before, or a correction.
   std::size_t ReadLoneCount(const Count& count);
+
+  // Whether the count that begins here stands right behind the group's noun, or its label.
+  bool FollowsNoun(const Group& group) const;
+
+  // Whether the group was only announced, without a number, and the count that begins here is its.
+  bool IsAnnounced(const Group& group, bool bare) const;
+
+  bool IsFlockOf(const Group& group) const;
+
+  bool IsPlaceAhead(std::size_t at) const;
 
   // What may follow a noun phrase.
   bool EndsNounPhrase(std::size_t at) const;
@@ -173,7 +244,9 @@ class AgentReader {
   std::size_t VagueBefore(const std::vector<std::size_t>& same, const Count& count,
                           std::size_t end) const;
 
-  std::vector<std::size_t> GroupsOf(const SpeciesWord& word, std::size_t end) const;
+  // Those of before whose name is that of tokens [first, end).
+  std::vector<std::size_t> GroupsOf(const SpeciesWord& word, std::size_t first,
+                                    std::size_t end) const;
 
   void ReferTo(const std::vector<std::size_t>& same, const Count& count, std::size_t end);
 
@@ -245,6 +318,12 @@ class AgentReader {
   // A place at the head of a clause, before the agents that it is said of.
   bool IsFronted(std::size_t end) const;
 
+  // How many tokens a phrase of place or company takes that begins at `at` with a preposition.
+  std::size_t PlacePhraseAt(std::size_t at) const;
+
+  // The places within those that the clause began with; all of them where none is.
+  std::vector<Place> NarrowedByLead(const std::vector<Place>& places) const;
+
   void SetPlace(const std::vector<Place>& places, const std::optional<FeaturePlace>& feature,
                 bool each, const std::vector<std::size_t>& owners, std::size_t end);
 
@@ -264,6 +343,12 @@ class AgentReader {
   void Extend(std::size_t index, std::size_t end);
 
   std::string WordsOf(const Group& group) const;
+
+  // "a drone above ten horses": the subject is where the new group is.
+  void JoinSubjectTo(std::size_t index);
+
+  // Gives those who are with others the place of those.
+  void JoinCompany();
 
   void Finish();
 
@@ -295,23 +380,22 @@ class AgentReader {
   bool new_clause_ = false;
   bool absent_here_ = false;  // who was just denied a place
   bool clause_open_ = true;   // nothing but pauses and prepositions so far
-  std::vector<Place> lead_places_;
-  std::optional<FeaturePlace> lead_feature_;
-  bool lead_each_ = false;
-  bool lead_set_ = false;
+  Lead lead_;
 
   // The text so far.
   std::vector<std::size_t> previous_;  // subjects that a pronoun goes back to
   std::size_t last_ = kNone;           // the group named last
   std::size_t part_ = kNone;           // split off it last
   std::size_t rest_ = kNone;           // what it was split off
-  std::size_t halved_ = kNone;
-  std::vector<Place> there_;  // the place named last
+  int whole_quantity_ = 0;             // of the group named last, before any part was taken
+  int unit_ = 1;                       // so many of it are one pair, or one team
+  std::vector<Place> there_;           // the place named last
   std::optional<FeaturePlace> there_feature_;
   int part_of_ = 0;           // of the group that is being named, so many are meant
   bool split_state_ = false;  // the subject's state is only inherited
   std::size_t placed_ = kNone;
   std::size_t placed_sentence_ = 0;
+  bool everybody_ = false;  // the subject is all of them
   bool corrected_ = false;
   bool told_since_correction_ = false;
 };

@@ -53,7 +53,7 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
     count = {collective.least * pending_.value, collective.value * pending_.value,
              collective.most * pending_.value, 1};
   }
-  const std::vector<std::size_t> same = GroupsOf(word, end);
+  const std::vector<std::size_t> same = GroupsOf(word, at_, end);
   if (!same.empty() && (IsDefinite() || corrected_)) {
     ReferTo(same, count, end);
     return;
@@ -89,8 +89,11 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
       acted_ && !subject_.empty() && !state_before_.has_value() && !joined_ && !paused_;
   groups_.push_back(std::move(group));
   const std::size_t index = groups_.size() - 1;
+  JoinSubjectTo(index);
   last_ = index;
   part_ = rest_ = kNone;
+  unit_ = 1;
+  everybody_ = false;
   split_state_ = false;
   state_before_.reset();
   if (object) {
@@ -123,7 +126,7 @@ void AgentReader::DropVagueKinds(const SpeciesWord& word) {
 std::size_t AgentReader::VagueBefore(const std::vector<std::size_t>& same, const Count& count,
                                      std::size_t end) const {
   const bool alone = noted_.IsPause(end) || noted_.IsWord(end, "and");
-  if (same.size() != 1 || count.tokens == 0 || !alone || lead_set_ || state_before_.has_value()) {
+  if (same.size() != 1 || count.tokens == 0 || !alone || lead_.set || state_before_.has_value()) {
     return kNone;
   }
   const Group& group = groups_[same.front()];
@@ -132,9 +135,10 @@ std::size_t AgentReader::VagueBefore(const std::vector<std::size_t>& same, const
   return bare && group.sentence != sentence_ ? same.front() : kNone;
 }
 
-std::vector<std::size_t> AgentReader::GroupsOf(const SpeciesWord& word, std::size_t end) const {
+std::vector<std::size_t> AgentReader::GroupsOf(const SpeciesWord& word, std::size_t first,
+                                               std::size_t end) const {
   std::vector<std::size_t> same;
-  const std::string name = Singular(NameHere(end));
+  const std::string name = Singular(JoinWords(tokens_, first, end));
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     const AgentWish& wish = groups_[i].wish;
     if (groups_[i].removed || wish.categories != word.categories) continue;
@@ -169,7 +173,7 @@ void AgentReader::ReferTo(const std::vector<std::size_t>& same, const Count& cou
     for (const std::size_t i : groups) groups_[i].wish.state = state_before_;
     state_before_.reset();
   }
-  if (corrected_ || lead_set_) {
+  if (corrected_ || lead_.set) {
     for (const std::size_t i : groups) ApplyLead(&groups_[i]);
   }
   for (const std::size_t i : groups) {
@@ -205,16 +209,17 @@ void AgentReader::Replace(const SpeciesWord& word, const Count& count, std::size
 }
 
 void AgentReader::ApplyLead(Group* group) const {
-  if (!lead_places_.empty()) group->wish.places = lead_places_;
-  if (lead_feature_.has_value()) group->wish.feature = lead_feature_;
-  if (lead_each_) group->wish.each = true;
+  if (!lead_.places.empty()) group->wish.places = lead_.places;
+  if (lead_.feature.has_value()) group->wish.feature = lead_.feature;
+  if (lead_.each) group->wish.each = true;
+  if (lead_.with != kNone) group->with = lead_.with;
 }
 
 bool AgentReader::GroupIsTold() const {
   return std::any_of(subject_.begin(), subject_.end(), [&](std::size_t index) {
     const AgentWish& wish = groups_[index].wish;
-    const bool placed = (!wish.places.empty() && lead_places_.empty()) ||
-                        (wish.feature.has_value() && !lead_feature_.has_value());
+    const bool placed = (!wish.places.empty() && lead_.places.empty()) ||
+                        (wish.feature.has_value() && !lead_.feature.has_value());
     return placed || (wish.state.has_value() && acted_on_ == sentence_ + 1);
   });
 }

@@ -14,7 +14,11 @@ constexpr std::size_t kPurposeTokens = 8;  // that "to study" reaches
 }  // namespace
 
 std::size_t AgentReader::ReadNounPhrase() {
-  const Count count = pending_.tokens > 0 ? Count{} : ReadCount(noted_, words_, at_);
+  Count count;
+  if (pending_.tokens == 0) {
+    count = ReadComparedCount();
+    if (count.tokens == 0) count = ReadCount(noted_, words_, at_);
+  }
   const bool species_here =
       words_.species.LengthAt(tokens_, at_) >= std::max<std::size_t>(1, count.tokens);
   if (count.tokens > 0 && !species_here) {
@@ -75,9 +79,9 @@ bool AgentReader::EndsNounPhrase(std::size_t at) const {
   if (MatchPlace(tokens_, at).tokens > 0) return true;
   if (words_.states.LengthAt(tokens_, at) > 0) return true;
   return noted_.IsAnyWord(
-      at, {"is",     "are",    "and",  "or",   "instead", "please", "there", "here",
-           "should", "will",   "were", "was",  "that",    "who",    "have",  "has",
-           "not",    "rather", "more", "only", "each",    "then",   "may",   "can"});
+      at, {"is",   "are",  "and",  "or",  "instead", "please", "there", "here",   "should", "will",
+           "were", "was",  "that", "who", "have",    "has",    "not",   "rather", "more",   "only",
+           "each", "then", "may",  "can", "where",   "which",  "with",  "whose"});
 }
 
 bool AgentReader::IsVerbHere(std::size_t at, bool counted) const {
@@ -154,7 +158,6 @@ std::size_t AgentReader::ReadSpecies() {
     ReadPresence(word, collective, end);
     if (part_of_ > 0 && last_ != kNone && groups_[last_].wish.quantity > part_of_) {
       Split({part_of_, part_of_, part_of_, 1}, part_of_, end - at_);
-      halved_ = rest_;
     }
   }
   part_of_ = 0;

@@ -59,10 +59,10 @@ std::size_t AgentReader::ReadPlace() {
   const bool fronted = !after_aside && IsFronted(end);
   if (owners.empty() && !fronted && !AgentsAhead(end) && !absent_here_ && IsFragment())
     owners = previous_;
-  if (owners.empty() && !fronted && (!AgentsAhead(end) || EndsOtherClause(end))) return 0;
-  noted_.Mark(at_, end, &TokenNote::place);
   there_ = place.places;
   there_feature_ = feature;
+  if (owners.empty() && !fronted && (!AgentsAhead(end) || EndsOtherClause(end))) return 0;
+  noted_.Mark(at_, end, &TokenNote::place);
   // "no goblins in the north": nobody is there.
   if (negated || (absent_here_ && owners.empty())) return end - at_;
   SetPlace(place.places, feature, each, fronted ? std::vector<std::size_t>{} : owners, end);
@@ -204,7 +204,8 @@ std::optional<FeaturePlace> AgentReader::ReadFeature(std::size_t* end, bool near
       }
       if (relative && place.places.size() == 1) {
         // "in the north of the forest" is inside, "north of the lake" is not.
-        const bool inside = place_at > 0 && noted_.IsWord(place_at - 1, "the");
+        const bool inside =
+            noted_.IsWord(place_at, "the") || (place_at > 0 && noted_.IsWord(place_at - 1, "the"));
         feature.shore = noted_.IsAnyWord(shore, {"shore", "shores", "bank", "banks"});
         feature.near = !inside || feature.shore;
         feature.on = HeadingOf(place.places.front().main);
@@ -227,7 +228,14 @@ bool AgentReader::IsFronted(std::size_t end) const {
   if (!clause_open_) return false;
   std::size_t at = end;
   if (at < tokens_.size() && tokens_[at].kind == TokenKind::kComma) ++at;
-  for (std::size_t i = at; i < at + kPhraseTokens && !noted_.IsPause(i); ++i) {
+  // "under the oak, leaning on his spear, a knight"
+  if (at > end && !noted_.IsPause(at) && IsDoing(at)) {
+    std::size_t pause = at;
+    while (!noted_.IsPause(pause)) ++pause;
+    if (!noted_.IsEnd(pause)) at = pause + 1;
+  }
+  std::size_t plain = 0;
+  for (std::size_t i = at; plain < kPhraseTokens && !noted_.IsPause(i);) {
     const Count count = ReadCount(noted_, words_, i);
     if (count.tokens > 0 && i + count.tokens < tokens_.size() &&
         RoleAt(Role::kOfThem, i + count.tokens) > 0) {
@@ -237,43 +245,78 @@ bool AgentReader::IsFronted(std::size_t end) const {
         (noted_.IsWord(i, "another") && !groups_.empty())) {
       return true;
     }
+    // "on the bridge between them stands a knight"
+    if (const std::size_t phrase = PlacePhraseAt(i); phrase > 0) {
+      i += phrase;
+      if (i < tokens_.size() && tokens_[i].kind == TokenKind::kComma) ++i;
+      continue;
+    }
     if (RoleAt(Role::kIn, i) > 0 || RoleAt(Role::kNear, i) > 0 || noted_.IsWord(i, "and")) {
       return false;
     }
+    ++i;
+    ++plain;
   }
   return false;
+}
+
+std::size_t AgentReader::PlacePhraseAt(std::size_t at) const {
+  constexpr std::size_t kAdjectives = 2;
+  const std::size_t preposition = std::max(RoleAt(Role::kIn, at), RoleAt(Role::kNear, at));
+  if (preposition == 0) return 0;
+  std::size_t next = at + preposition;
+  if (noted_.IsAnyWord(next, {"them", "it", "him", "her", "both"})) return preposition + 1;
+  while (noted_.IsAnyWord(next, {"the", "a", "an", "its", "their", "this", "that", "our"})) ++next;
+  for (std::size_t i = next; i <= next + kAdjectives && !noted_.IsPause(i); ++i) {
+    if (words_.species.LengthAt(tokens_, i) > 0) return 0;
+    const std::size_t land =
+        std::max(words_.features.LengthAt(tokens_, i), MatchPlace(tokens_, i).tokens);
+    if (land > 0) return i + land - at;
+  }
+  return 0;
 }
 
 void AgentReader::SetPlace(const std::vector<Place>& places,
                            const std::optional<FeaturePlace>& feature, bool each,
                            const std::vector<std::size_t>& owners, std::size_t end) {
   if (owners.empty()) {
-    if (clause_open_) {
-      lead_places_.clear();
-      lead_feature_.reset();
-      lead_each_ = false;
+    // "on the sand, in the corner, ten knights" adds to what the clause began with.
+    const std::size_t last = at_ > 0 && noted_.IsPause(at_ - 1) ? at_ - 1 : at_;
+    if (clause_open_ && lead_.end != last) {
+      lead_ = {};
       subject_.clear();
     }
-    lead_places_.insert(lead_places_.end(), places.begin(), places.end());
-    if (feature.has_value()) lead_feature_ = feature;
-    lead_each_ = lead_each_ || each;
-    lead_set_ = true;
+    const std::vector<Place> narrowed = NarrowedByLead(places);
+    if (lead_.end == last && clause_open_ && !places.empty()) lead_.places.clear();
+    lead_.places.insert(lead_.places.end(), narrowed.begin(), narrowed.end());
+    if (feature.has_value()) lead_.feature = feature;
+    lead_.each = lead_.each || each;
+    lead_.set = true;
+    lead_.end = end;
     return;
   }
   const bool also = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"and", "or"});
   for (const std::size_t index : owners) {
     AgentWish& wish = groups_[index].wish;
+    // "Five knights on the bridge. Ten sheep. All of them in the south."
+    const bool placed = !wish.places.empty() || wish.feature.has_value();
+    if (everybody_ && placed && groups_[index].sentence != sentence_) continue;
     const bool fresh = placed_sentence_ != sentence_ + 1 || placed_ != index;
     if (corrected_ || (fresh && groups_[index].sentence != sentence_)) {
       wish.places.clear();
       wish.feature.reset();
     }
-    if (wish.places.empty() || also) {
+    const bool led_here = lead_.set && fresh && !places.empty() && !wish.places.empty() &&
+                          wish.places.size() == lead_.places.size() &&
+                          wish.places.front().main == lead_.places.front().main;
+    if (led_here) {
+      wish.places = NarrowedByLead(places);
+    } else if (wish.places.empty() || also) {
       wish.places.insert(wish.places.end(), places.begin(), places.end());
     }
     // What is said at the agents themselves counts over what the clause began with.
-    const bool led = lead_feature_.has_value() && wish.feature.has_value() &&
-                     wish.feature->name == lead_feature_->name;
+    const bool led = lead_.feature.has_value() && wish.feature.has_value() &&
+                     wish.feature->name == lead_.feature->name;
     if (feature.has_value() && (led || !wish.feature.has_value())) wish.feature = feature;
     wish.each = wish.each || each;
     Extend(index, tokens_[end - 1].end);
@@ -282,6 +325,27 @@ void AgentReader::SetPlace(const std::vector<Place>& places,
   placed_sentence_ = sentence_ + 1;
   joined_ = false;
   split_state_ = false;
+}
+
+std::vector<Place> AgentReader::NarrowedByLead(const std::vector<Place>& places) const {
+  std::vector<Place> narrowed = places;
+  for (Place& place : narrowed) {
+    std::vector<Region> common;
+    for (const Region region : place.regions) {
+      const bool led =
+          std::any_of(lead_.places.begin(), lead_.places.end(), [&](const Place& lead) {
+            return std::find(lead.regions.begin(), lead.regions.end(), region) !=
+                   lead.regions.end();
+          });
+      if (led) common.push_back(region);
+    }
+    if (common.empty()) continue;
+    place.regions = common;
+    if (std::find(common.begin(), common.end(), place.main) == common.end()) {
+      place.main = common[common.size() / 2];
+    }
+  }
+  return narrowed;
 }
 
 }  // namespace internal

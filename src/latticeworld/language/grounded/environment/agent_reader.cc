@@ -53,6 +53,7 @@ std::size_t AgentReader::Step() {
     }
   }
   if (const std::size_t tokens = ReadCompany(); tokens > 0) return tokens;
+  if (const std::size_t tokens = ReadCountsOfSides(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadReference(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadNounPhrase(); tokens > 0) {
     clause_open_ = false;
@@ -69,13 +70,16 @@ std::size_t AgentReader::Step() {
   }
   if (noted_.IsWord(at_, "where") && FollowsPlace()) {
     // "to the village, where knights wait"
+    if (!noted_.notes[at_ - 1].place && !(at_ > 1 && noted_.notes[at_ - 2].place)) {
+      there_.clear();
+      there_feature_ = LandBefore(false, true);
+    }
     EndClause();
     subject_.clear();
-    lead_places_ = there_;
-    lead_feature_ = there_feature_;
-    lead_set_ = true;
+    lead_ = {true, there_, there_feature_, false, kNone, at_ + 1};
   }
   if (noted_.IsWord(at_, "with") && !subject_.empty()) joined_ = true;
+  if (noted_.IsAnyWord(at_, {"vs", "vs.", "versus", "v"}) && !subject_.empty()) joined_ = true;
   if (RoleAt(Role::kBut, at_) > 0 && !noted_.IsAnyWord(at_, {"with", "by", "for"})) EndClause();
   return 1;
 }
@@ -83,8 +87,14 @@ std::size_t AgentReader::Step() {
 bool AgentReader::FollowsPlace() const {
   std::size_t before = at_;
   if (before > 0 && tokens_[before - 1].kind == TokenKind::kComma) --before;
-  return before > 0 && noted_.notes[before - 1].place &&
-         (!there_.empty() || there_feature_.has_value());
+  if (before > 0 && noted_.notes[before - 1].place) {
+    return !there_.empty() || there_feature_.has_value();
+  }
+  // "Their base is the village, where ..."
+  for (; before > 0 && !noted_.IsEnd(before - 1) && !noted_.notes[before - 1].agent; --before) {
+    if (words_.features.LengthAt(tokens_, before - 1) > 0) return true;
+  }
+  return false;
 }
 
 bool AgentReader::Corrects(std::size_t said) const {
@@ -180,11 +190,9 @@ void AgentReader::EndSentence() {
   paused_ = false;
   if (!subject_.empty()) previous_ = subject_;
   subject_.clear();
-  lead_places_.clear();
-  lead_feature_.reset();
-  lead_each_ = false;
-  lead_set_ = false;
+  lead_ = {};
   corrected_ = false;
+  everybody_ = false;
   told_since_correction_ = false;
   new_clause_ = false;
   split_state_ = false;
@@ -198,8 +206,10 @@ void AgentReader::DropAnnouncedTotal() {
     if (!total.wish.counted) continue;
     int sum = 0;
     for (std::size_t j = i + 1; j < groups_.size(); ++j) {
-      if (!groups_[j].removed && groups_[j].wish.categories.size() == 1) {
-        sum += groups_[j].wish.quantity;
+      const AgentWish& part = groups_[j].wish;
+      if (!groups_[j].removed && part.categories.size() == 1 &&
+          Contains(total.wish.categories, part.categories)) {
+        sum += part.quantity;
       }
     }
     if (sum == 0 || sum > total.wish.quantity) continue;
@@ -230,7 +240,26 @@ std::string AgentReader::WordsOf(const Group& group) const {
   return std::string(words);
 }
 
+void AgentReader::JoinCompany() {
+  for (Group& group : groups_) {
+    AgentWish& wish = group.wish;
+    std::size_t with = group.with;
+    for (std::size_t steps = 0; with != kNone && steps < groups_.size(); ++steps) {
+      const AgentWish& other = groups_[with].wish;
+      if (!other.places.empty() || other.feature.has_value()) {
+        if (wish.places.empty() && !wish.feature.has_value()) {
+          wish.places = other.places;
+          wish.feature = other.feature;
+        }
+        break;
+      }
+      with = groups_[with].with;
+    }
+  }
+}
+
 void AgentReader::Finish() {
+  JoinCompany();
   const bool asked = std::any_of(groups_.begin(), groups_.end(), [](const Group& group) {
     return !group.purpose && !group.removed;
   });

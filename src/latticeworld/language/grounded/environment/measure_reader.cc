@@ -227,10 +227,14 @@ class MeasureReader {
 
   std::optional<HeardMeasure> ReadQuantity(std::size_t at) const {
     if (Is(at + 1, {"as", "the", "their", "its", "size", "sized", "scale", "normal", "height"})) {
-      if (Is(at, {"twice", "double"})) return Factor(2.0, at, at + 1);
+      if (Is(at, {"twice", "double"})) {
+        if (IsOfNumber(at + 1)) return {};
+        return Factor(2.0, at, at + 1);
+      }
       if (Is(at, {"thrice", "triple"})) return Factor(3.0, at, at + 1);
     }
-    if (Is(at, {"half"}) && (Is(at + 1, {"the", "as"}) || Is(at + 1, {"size", "scale", "sized"})) &&
+    if (Is(at, {"half"}) && !IsOfNumber(at + 1) &&
+        (Is(at + 1, {"the", "as"}) || Is(at + 1, {"size", "scale", "sized"})) &&
         (Is(at + 2, {"size", "scale", "usual", "normal", "large", "big", "tall", "high"}) ||
          Is(at + 1, {"size", "scale", "sized"}))) {
       return Factor(0.5, at, at + 1);
@@ -254,7 +258,10 @@ class MeasureReader {
     if (Is(end, {"and"}) && Is(end + 1, {"a"}) && Is(end + 2, {"half"}) && Is(end + 3, {"times"})) {
       return Factor(number.value + 0.5, at, end + 4);
     }
-    if (Is(end, {"times"})) return Factor(number.value, at, end + 1);
+    if (Is(end, {"times"})) {
+      if (IsOfNumber(end + 1)) return {};
+      return Factor(number.value, at, end + 1);
+    }
     if (auto temperature = ReadDegrees(sign * number.value, at, end)) return temperature;
     double unit_m = 0.0;
     if (Is(end, {"m", "metre", "metres", "meter", "meters"})) unit_m = 1.0;
@@ -272,6 +279,12 @@ class MeasureReader {
     if (number.fraction || density)
       return HeardMeasure{MeasureKind::kDecimal, number.value, at, end};
     return {};
+  }
+
+  // "twice as many goblins"
+  bool IsOfNumber(std::size_t at) const {
+    return (Is(at, {"as"}) && Is(at + 1, {"many"})) ||
+           (Is(at, {"the"}) && Is(at + 1, {"number", "count"}));
   }
 
   std::optional<HeardMeasure> Factor(double factor, std::size_t at, std::size_t end) const {

@@ -1,0 +1,137 @@
+// Reading about agents: counts by comparison with other groups, and for each of two sides.
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "latticeworld/language/grounded/environment/agent_discourse.h"
+#include "latticeworld/language/numbers.h"
+
+namespace latticeworld {
+namespace internal {
+namespace {
+
+constexpr std::size_t kToMeasure_tokens = 6;  // from "as many" to the group it is measured by
+
+Count Exactly(int value, std::size_t tokens) { return {value, value, value, tokens}; }
+
+}  // namespace
+
+Count AgentReader::ReadComparedCount() {
+  std::size_t next = at_;
+  int times = 1;
+  bool half = false;
+  constexpr std::array<std::string_view, 5> kTimes = {"twice", "double", "thrice", "triple",
+                                                      "half"};
+  constexpr std::array<int, 5> kFactors = {2, 2, 3, 3, 1};
+  for (std::size_t i = 0; i < kTimes.size(); ++i) {
+    if (!noted_.IsWord(at_, kTimes[i])) continue;
+    times = kFactors[i];
+    half = kTimes[i] == "half";
+    next = at_ + 1;
+  }
+  const NumberMatch number = MatchNumber(tokens_, at_);
+  if (next == at_ && number.tokens > 0 && noted_.IsWord(at_ + number.tokens, "times")) {
+    times = number.value;
+    next = at_ + number.tokens + 1;
+  }
+  while (noted_.IsAnyWord(next, {"just", "exactly", "equally", "the", "an", "again"})) ++next;
+  if (noted_.IsWord(next, "as") && noted_.IsWord(next + 1, "many")) {
+    next += 2;
+    // "as many as twenty" is a bound.
+    if (noted_.IsWord(next, "as") && ReadCount(noted_, words_, next + 1).tokens > 0) return {};
+  } else if (noted_.IsAnyWord(next, {"same", "equal", "identical"}) &&
+             noted_.IsAnyWord(next + 1, {"number", "count", "amount"})) {
+    next += noted_.IsWord(next + 2, "of") ? 3 : 2;
+  } else if (next > at_ && noted_.IsWord(next - 1, "equally") && noted_.IsWord(next, "many")) {
+    ++next;
+  } else if (next > at_ && noted_.IsWord(next, "number") && times > 1) {
+    next += noted_.IsWord(next + 1, "of") ? 2 : 1;
+  } else {
+    return {};
+  }
+  std::size_t measure = MeasureAhead(next);
+  if (measure == kNone) {
+    for (std::size_t i = groups_.size(); i > 0 && measure == kNone; --i) {
+      const bool itself = i - 1 == last_ && !groups_[i - 1].wish.counted;
+      if (!groups_[i - 1].removed && !itself) measure = i - 1;
+    }
+  }
+  if (measure == kNone) return {};
+  const int whole = groups_[measure].wish.quantity;
+  return Exactly(std::max(1, half ? whole / 2 : std::min(kMaxAgents, whole * times)), next - at_);
+}
+
+std::size_t AgentReader::MeasureAhead(std::size_t at) {
+  for (std::size_t i = at; i < at + kToMeasure_tokens && !noted_.IsEnd(i); ++i) {
+    if (!noted_.IsWord(i, "as")) continue;
+    std::size_t noun = i + 1;
+    while (noted_.IsAnyWord(noun, {"there", "are", "the", "of"})) ++noun;
+    const auto match = words_.species.At(tokens_, noun);
+    if (match.tokens == 0) return kNone;
+    const std::vector<std::size_t> same = GroupsOf(*match.rows.front(), noun, noun + match.tokens);
+    if (same.empty()) return kNone;
+    noted_.Mark(i, noun + match.tokens, &TokenNote::ignored);
+    return same.back();
+  }
+  return kNone;
+}
+
+std::size_t AgentReader::ReadCountsOfSides() {
+  const Count first = pending_.tokens > 0 ? Count{} : ReadCount(noted_, words_, at_);
+  if (first.tokens == 0 || last_ == kNone) return 0;
+  std::size_t next = at_ + first.tokens;
+  // Groups that wait for their counts.
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    if (!groups_[i].removed && !groups_[i].wish.counted) open.push_back(i);
+  }
+  if (open.size() < 2) return 0;
+  Count second;
+  if (noted_.IsAnyWord(next, {"against", "vs", "vs.", "versus", "v"})) {
+    second = ReadCount(noted_, words_, next + 1);
+    if (second.tokens == 0 || NounAhead(next + 1 + second.tokens)) return 0;
+    next += 1 + second.tokens;
+    open.erase(open.begin(), open.end() - 2);
+  } else if (noted_.IsWord(next, "and") && open.size() == 2) {
+    // "goblins and knights, 25 and 15 respectively"
+    second = ReadCount(noted_, words_, next + 1);
+    if (second.tokens == 0 || !noted_.IsWord(next + 1 + second.tokens, "respectively")) return 0;
+    next += 2 + second.tokens;
+  } else {
+    if (noted_.IsAnyWord(next, {"each", "apiece", "aside"})) {
+      ++next;
+    } else if (noted_.IsWord(next, "of") && noted_.IsWord(next + 1, "each")) {
+      next += noted_.IsAnyWord(next + 2, {"kind", "sort", "type", "species"}) ? 3 : 2;
+    } else if (noted_.IsAnyWord(next, {"on", "per", "to", "for", "a", "in"})) {
+      while (noted_.IsAnyWord(next,
+                              {"on", "per", "to", "for", "a", "in", "each", "every", "either"})) {
+        ++next;
+      }
+      if (!noted_.IsAnyWord(next, {"side", "team", "party", "army", "band", "group"})) return 0;
+      ++next;
+    } else {
+      return 0;
+    }
+    std::vector<std::size_t> here;
+    for (const std::size_t i : open) {
+      if (groups_[i].sentence + 1 >= sentence_) here.push_back(i);
+    }
+    if (here.size() < 2) return 0;
+    open = here;
+    second = first;
+  }
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    SetCount(i == 0 ? first : second, &groups_[open[i]]);
+    Extend(open[i], tokens_[next - 1].end);
+  }
+  noted_.Mark(at_, next, &TokenNote::agent);
+  subject_ = open;
+  previous_ = open;
+  joined_ = paused_ = acted_ = false;
+  return next - at_;
+}
+
+}  // namespace internal
+
+}  // namespace latticeworld

@@ -1,0 +1,243 @@
+// Who is in the world, in which state and where: instructions in many voices.
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "environment_country.h"
+
+namespace latticeworld {
+namespace {
+
+struct Sample {
+  std::string instruction;
+  std::string expected;
+};
+void PrintTo(const Sample& sample, std::ostream* os) { *os << sample.instruction; }
+
+class AgentVoices : public testing::TestWithParam<Sample> {};
+
+TEST_P(AgentVoices, AreReadAsMeant) {
+  const EnvironmentAnswer answer = GenerateInCountry(GetParam().instruction);
+  std::string text;
+  for (const AgentGroup& group : answer.environment.agents) {
+    text += std::to_string(group.quantity) + " " + std::string(NameOf(group.category)) + " " +
+            std::string(NameOf(group.state)) + " " + std::string(NameOf(group.position)) + "; ";
+  }
+  EXPECT_EQ(text, GetParam().expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Counts, AgentVoices,
+                         testing::ValuesIn(std::vector<Sample>{
+                             {"half a dozen sheep", "6 sheep grazing anywhere; "},
+                             {"a score of horses", "20 horse grazing anywhere; "},
+                             {"between five and nine goblins", "7 goblin patrolling anywhere; "},
+                             {"no more than four eagles", "4 eagle flying anywhere; "},
+                             {"two flocks of ten sheep", "20 sheep grazing anywhere; "},
+                             {"a herd of thirty horses", "30 horse grazing anywhere; "},
+                             {"six hundred sheep",
+                              "500 sheep grazing anywhere; 100 sheep grazing anywhere; "},
+                             {"a goblin warband of 25", "25 goblin patrolling anywhere; "},
+                             {"a trio of drones", "3 aerial robot flying anywhere; "},
+                             {"3-5 goblins", "4 goblin patrolling anywhere; "},
+                         }));
+
+INSTANTIATE_TEST_SUITE_P(
+    References, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"Three goblins in the north. No, make it five.", "5 goblin patrolling upper; "},
+        {"Two knights guard the east. Sorry, four knights.",
+         "4 ancient warrior patrolling middle right; "},
+        {"Eight horses graze. Three of them are in the west, the rest sleep in the east.",
+         "5 horse idle middle right; 3 horse grazing middle left; "},
+        {"Six drones: two in the west, three in the north and one in the south.",
+         "2 aerial robot flying middle left; 3 aerial robot flying upper; "
+         "1 aerial robot flying lower; "},
+        {"two goblins in the north and three in the south",
+         "2 goblin patrolling upper; 3 goblin patrolling lower; "},
+        {"Ten sheep. Half of them rest.", "5 sheep grazing anywhere; 5 sheep idle anywhere; "},
+        {"Five sheep. They sleep in the south.", "5 sheep idle lower; "},
+        {"Two goblins chase the sheep in the west. The goblins are green.",
+         "2 goblin pursuing middle left; 3 sheep grazing middle left; "},
+        {"Sheep are guarded by two knights.",
+         "3 sheep grazing anywhere; 2 ancient warrior patrolling anywhere; "},
+        {"Three goblins here, no goblins after all.", ""},
+        {"Sheep, horses and goblins rest in the east.",
+         "3 sheep idle middle right; 3 horse idle middle right; 3 goblin idle middle right; "},
+        {"one knight in each corner",
+         "1 ancient warrior patrolling upper left; 1 ancient warrior patrolling upper right; "
+         "1 ancient warrior patrolling lower left; 1 ancient warrior patrolling lower right; "},
+        {"Three knights and two goblins. The former sleep in the east, the latter walk in the "
+         "west.",
+         "3 ancient warrior idle middle right; 2 goblin patrolling middle left; "},
+        {"Four knights in the north, six goblins in the south, all asleep.",
+         "4 ancient warrior idle upper; 6 goblin idle lower; "},
+        {"25 agents: 20 sheep in the west and the rest are goblins.",
+         "20 sheep grazing middle left; 5 goblin patrolling anywhere; "},
+        {"Let goblins attack the village. Nine goblins.", "9 goblin attacking center; "},
+        {"This is for my robot. One rover waits in the east.",
+         "1 wheeled robot idle middle right; "},
+        {"Three of the eight sheep are in the west, the others rest in the east.",
+         "5 sheep idle middle right; 3 sheep grazing middle left; "},
+        {"Half of the ten knights sleep in the north, the other half march in the south.",
+         "5 ancient warrior patrolling lower; 5 ancient warrior idle upper; "},
+        {"Two goblins march to the village, where five knights wait.",
+         "2 goblin patrolling center; 5 ancient warrior idle center; "},
+        {"Nobody except a shepherd, in the west.", "1 humanoid robot idle middle left; "},
+        {"Four rovers on the road, none of them parked.",
+         "4 wheeled robot patrolling lower left; "},
+        {"The robots stand in the village, three of them, charging.",
+         "3 wheeled robot idle center; "},
+        {"Mist lies over the road, and three mares doze in the fields.",
+         "3 horse idle upper right; "},
+        {"A rover - a robot - waits in the east.", "1 wheeled robot idle middle right; "},
+        {"A goblin gathering near the village, nine of them sleeping.", "9 goblin idle center; "},
+        {"In the north stands a knight, in the south another.",
+         "1 ancient warrior idle upper; 1 ancient warrior idle lower; "},
+    }));
+
+INSTANTIATE_TEST_SUITE_P(
+    PlacesAndNegations, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"a whale swims in the lake", "1 whale swimming upper left; "},
+        {"three knights guard the village", "3 ancient warrior patrolling center; "},
+        {"a rover drives along the road", "1 wheeled robot patrolling lower left; "},
+        {"an android rests at the forest edge", "1 humanoid robot idle lower right; "},
+        {"four goblins lurk in the fields", "4 goblin patrolling upper right; "},
+        {"no animals, no robots, just one knight", "1 ancient warrior patrolling anywhere; "},
+        {"Not a soul, neither man nor beast.", ""},
+        {"two rovers parked by the lake", "2 wheeled robot idle upper left; "},
+        {"No goblins in the north, but four goblins in the south.", "4 goblin patrolling lower; "},
+        {"agents: 3 horses (idle, NE)", "3 horse idle upper right; "},
+        {"goblins everywhere! like 40 of them, attacking", "40 goblin attacking anywhere; "},
+        {"instead of goblins, two knights", "2 ancient warrior patrolling anywhere; "},
+        {"robots fly over the village", "3 aerial robot flying center; "},
+        {"the statue of a knight and the eagle's nest", ""},
+        {"The goblins do not attack, they sleep.", "3 goblin idle anywhere; "},
+        {"No sheep in the village, but two knights stand there.",
+         "2 ancient warrior idle center; "},
+        {"3 goblins attacking @ village", "3 goblin attacking center; "},
+        {"Two robots on wheels wait by the lake.", "2 wheeled robot idle upper left; "},
+        {"a sheepdog robot in the fields", "1 robotic dog patrolling upper right; "},
+        {"What I do not want: sheep or horses.", ""},
+        {"a shepherd and his flock of sixty",
+         "1 humanoid robot idle anywhere; 60 sheep grazing anywhere; "},
+        {"Instead of sheep I want nine horses.", "9 horse grazing anywhere; "},
+        {"a dozen swans drift over the lake", "12 eagle flying upper left; "},
+        {"In the village five goblins, in the fields seven.",
+         "5 goblin patrolling center; 7 goblin patrolling upper right; "},
+        {"Two knights guard the fields. Nobody is in the village.",
+         "2 ancient warrior patrolling upper right; "},
+        {"Leave the animals out. One knight in the east.",
+         "1 ancient warrior patrolling middle right; "},
+        {"the village is full of goblins", "3 goblin patrolling center; "},
+        {"two knights on the southern shore", "2 ancient warrior patrolling upper left; "},
+        {"a goblin sits on a stone in the south", "1 goblin idle lower; "},
+        {"a knight in the middle of the forest", "1 ancient warrior patrolling lower right; "},
+        {"drones x4 over the fields", "4 aerial robot flying upper right; "},
+        {"a pack mule by the road", "1 horse grazing lower left; "},
+        {"drone footage of three horses", "3 horse grazing anywhere; "},
+    }));
+
+INSTANTIATE_TEST_SUITE_P(
+    AsidesAndFragments, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"Nine sheep graze. Make it a foggy night, with one eagle over the village.",
+         "9 sheep grazing anywhere; 1 eagle flying center; "},
+        {"one rover (patrolling) in the village, two knights by the lake",
+         "1 wheeled robot patrolling center; 2 ancient warrior patrolling upper left; "},
+        {"Six horses trotting... okay, only resting, in the east.", "6 horse idle middle right; "},
+        {"four robots with wheels, parked in the south", "4 wheeled robot idle lower; "},
+        {"Snow on the fields, and one eagle soars over the village.", "1 eagle flying center; "},
+        {"two dozen goats south of the village", "24 sheep grazing lower; "},
+        {"three delivery robots (six wheels each) wait in the village",
+         "3 wheeled robot idle center; "},
+        {"One drone and two rovers, all three parked in the village.",
+         "1 aerial robot idle center; 2 wheeled robot idle center; "},
+        {"Two horses rest in the east, the third grazes in the south.",
+         "2 horse idle middle right; 1 horse grazing lower; "},
+        {"Six horses graze in the east and another eight in the south.",
+         "6 horse grazing middle right; 8 horse grazing lower; "},
+        {"Four knights guard the village, with one eagle above them.",
+         "4 ancient warrior patrolling center; 1 eagle flying center; "},
+        {"two more groups of four goblins in the south", "8 goblin patrolling lower; "},
+        {"five rovers in the corner down left", "5 wheeled robot idle lower left; "},
+        {"two horses in the part down left", "2 horse grazing lower left; "},
+        {"five humanoid courier robots in the east", "5 humanoid robot idle middle right; "},
+        {"We want to test how robots cope with rain, so put two rovers in the south.",
+         "2 wheeled robot idle lower; "},
+        {"a dozen o' goblins", "12 goblin patrolling anywhere; "},
+        {"four drons patroll", "4 aerial robot patrolling anywhere; "},
+    }));
+
+INSTANTIATE_TEST_SUITE_P(
+    Parts, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"Of the twenty horses in the fields all but two are asleep. The other two graze.",
+         "2 horse grazing upper right; 18 horse idle upper right; "},
+        {"Twelve drones. Half are parked in the village, half hover over the lake.",
+         "6 aerial robot idle center; 6 aerial robot flying upper left; "},
+        {"Nine goblins: a third of them sleep in the north, the rest march in the south.",
+         "6 goblin patrolling lower; 3 goblin idle upper; "},
+        {"Eight dogs in four pairs: one pair in the north, one in the south, another in the west, "
+         "the last by the lake.",
+         "2 robotic dog patrolling upper left; 2 robotic dog patrolling upper; "
+         "2 robotic dog patrolling lower; 2 robotic dog patrolling middle left; "},
+        {"Six rovers in teams of three: one team in the village, another in the fields.",
+         "3 wheeled robot idle center; 3 wheeled robot idle upper right; "},
+        {"Ten knights have camped in the forest. Nine are asleep; the tenth keeps watch.",
+         "1 ancient warrior patrolling lower right; 9 ancient warrior idle lower right; "},
+        {"Two eagles soar over the lake, a third is perched in the village.",
+         "2 eagle flying upper left; 1 eagle idle center; "},
+        {"Goblins are on a raid: four in the north, six in the east.",
+         "4 goblin attacking upper; 6 goblin attacking middle right; "},
+        {"One flock of forty sheep in the south. One of thirty goats in the west.",
+         "40 sheep grazing lower; 30 sheep grazing middle left; "},
+    }));
+
+INSTANTIATE_TEST_SUITE_P(
+    Comparisons, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"Five knights, and goblins three times as many, all asleep.",
+         "5 ancient warrior idle anywhere; 15 goblin idle anywhere; "},
+        {"There are seven rovers in the village and just as many drones over the lake.",
+         "7 wheeled robot idle center; 7 aerial robot flying upper left; "},
+        {"Four horses and twice as many sheep as horses.",
+         "4 horse grazing anywhere; 8 sheep grazing anywhere; "},
+        {"Goblins against knights, 30 against 20, both attacking.",
+         "30 goblin attacking anywhere; 20 ancient warrior attacking anywhere; "},
+        {"robots versus goblins in the east, six on each side",
+         "6 wheeled robot idle middle right; 6 goblin patrolling middle right; "},
+    }));
+
+INSTANTIATE_TEST_SUITE_P(
+    Company, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"Ten knights camp in the village. Above them circle three eagles.",
+         "10 ancient warrior idle center; 3 eagle flying center; "},
+        {"The fields are ripe. Two drones hover over them.", "2 aerial robot flying upper right; "},
+        {"A dog lies next to the sheep, which graze in the south.",
+         "1 robotic dog idle lower; 3 sheep grazing lower; "},
+        {"An android waits in the village, and with it two robot dogs.",
+         "1 humanoid robot idle center; 2 robotic dog patrolling center; "},
+        {"The lake is calm. Three drones hover above it.", "3 aerial robot flying upper left; "},
+        {"Headquarters is the village, where two androids wait.", "2 humanoid robot idle center; "},
+        {"On the sand, in the corner down right, stand nine knights.",
+         "9 ancient warrior idle lower right; "},
+    }));
+
+INSTANTIATE_TEST_SUITE_P(
+    AllOfThem, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"Rovers: 4. Drones: 2. All of them are parked, in the village.",
+         "4 wheeled robot idle center; 2 aerial robot idle center; "},
+        {"Three goblins in the north. Ten sheep in the south. Everybody is asleep.",
+         "3 goblin idle upper; 10 sheep idle lower; "},
+        {"I would like some ponies. Twenty-five, please, in the fields, grazing.",
+         "25 horse grazing upper right; "},
+    }));
+
+}  // namespace
+}  // namespace latticeworld
