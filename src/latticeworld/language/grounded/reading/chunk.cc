@@ -333,6 +333,10 @@ class Chunker {
           EmitPronoun(*pronoun, at, std::move(phrase));
           return true;
         }
+        // "nothing rocky", but not "nothing because ..."
+        if (tokens_[lexeme.first].text == "nothing" && lexeme.Is(Sense::kNo) && !IsNounAt(at + 1)) {
+          return false;
+        }
         if (AddModifier(lexeme, &phrase)) {
           said_something = true;
           continue;

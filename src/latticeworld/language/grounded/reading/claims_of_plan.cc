@@ -312,9 +312,7 @@ class ClaimMaker {
     if (same) return;
     // Which of them is meant counts for what must hold for all cells of a class.
     const bool for_all =
-        relation.kind == RelationKind::kDirection || relation.kind == RelationKind::kApart ||
-        relation.kind == RelationKind::kWithin || relation.kind == RelationKind::kAlong ||
-        relation.kind == RelationKind::kSurrounds;
+        relation.kind == RelationKind::kApart || relation.kind == RelationKind::kAlong;
     const bool told =
         (Tell(subject, &claim.zone) || AllOfClass(relation)) && Tell(object, &claim.object_zone);
     if (for_all && !told) return;

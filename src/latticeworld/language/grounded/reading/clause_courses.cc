@@ -196,7 +196,10 @@ void ClauseReader::ReadAxis(const Chunk& chunk) {
   }
   const int line = LineOf(subjects_);
   if (line >= 0) {
-    const std::vector<int> lines = subjects_;
+    // "stream north to south, road east to west": the road does.
+    const std::vector<int> lines =
+        list_has_and_ || verb_said_ ? subjects_ : std::vector<int>{line};
+    open_list_ = false;
     for (int index : lines) {
       if (!IsLine(index)) continue;
       // "two roads, north-south and east-west"

@@ -6,7 +6,19 @@
 #include "latticeworld/language/grounded/reading/place_phrases.h"
 
 namespace latticeworld {
-// qualities
+namespace {
+
+constexpr double kFarSteps = 6.0;
+
+// "far from", "nowhere near", but not "away from".
+bool SaysFar(const std::string& words) {
+  for (const std::string_view word : {"far", "long way", "nowhere near", "remote", "distant"}) {
+    if (words.find(word) != std::string::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 void ClauseReader::ReadDirection(const Chunk& chunk) {
   Frame frame;
@@ -62,6 +74,7 @@ void ClauseReader::OpenSense(Sense sense, bool of_it) {
   Frame frame;
   frame.sense = sense;
   frame.of_it = of_it || sense == Sense::kWithinIt;
+  if (sense == Sense::kBothSides) frame.heading = chunks_[at_].lexeme.heading;
   Open(std::move(frame));
 }
 
@@ -178,6 +191,7 @@ void ClauseReader::Open(Frame frame) {
   }
   frame.subjects = subjects_;
   if (words.substr(0, 5) == "touch") frame.steps = 1.0;
+  if (sense == Sense::kAway && frame.steps == 0.0 && SaysFar(words)) frame.steps = kFarSteps;
   if (IsCourse(sense) || sense == Sense::kBetween) {
     const int near_line = LineOf(nearest);
     const int line = LineOf(subjects_);
@@ -205,9 +219,57 @@ void ClauseReader::Open(Frame frame) {
     if (!frame.objects.empty()) {
       for (const int subject : frame.subjects) Assert(frame, subject, &d_);
       if (!frame.subjects.empty()) NoteAxis(frame, frame.subjects.back());
+      if (frame.is_direction) AssertMoreSides(frame);
     }
   }
   frame_ = std::move(frame);
+}
+
+// "to its north, west and south", "to the north and south": the sides after the first.
+void ClauseReader::AssertMoreSides(Frame frame) {
+  const auto skip = [&](std::size_t at) {
+    if (IsKind(at, ChunkKind::kComma)) ++at;
+    if (IsSense(at, Sense::kAnd)) ++at;
+    if (IsSense(at, Sense::kTo) || IsSense(at, Sense::kIn)) ++at;
+    return at;
+  };
+  const auto is_bare_side = [&](std::size_t at) {
+    if (!IsKind(at, ChunkKind::kPlace) || chunks_[at].lexeme.places.size() != 1) return false;
+    const Heading side = HeadingOf(chunks_[at].lexeme.places.front().main);
+    return (side.east != 0 || side.south != 0) &&
+           chunks_[at].lexeme.places.front().zone == ZoneOf(side);
+  };
+  // They end the list, and "and" stands before the last.
+  std::size_t last = at_;
+  std::vector<Heading> sides;
+  for (std::size_t at = skip(at_ + 1); at > last + 1 && is_bare_side(at); at = skip(at + 1)) {
+    const bool ends = EndsAt(at + 1) || IsKind(at + 1, ChunkKind::kComma) ||
+                      IsSense(at + 1, Sense::kAnd) || IsKind(at + 1, ChunkKind::kPlace);
+    if (!ends) return;
+    sides.push_back(HeadingOf(chunks_[at].lexeme.places.front().main));
+    last = at;
+  }
+  if (sides.empty() || !(IsSense(last - 1, Sense::kAnd) || IsSense(last - 2, Sense::kAnd))) return;
+  at_ = last;
+  if (sides.size() == 1) {
+    frame.heading = sides.front();
+    for (const int subject : frame.subjects) Assert(frame, subject, &d_);
+    return;
+  }
+  // On three sides of it or four: around it.
+  std::vector<PlannedRelation>& relations = d_.plan().relations;
+  if (!relations.empty() && relations.back().kind == RelationKind::kDirection) relations.pop_back();
+  for (const Heading side : sides) {
+    frame.heading = {frame.heading.east + side.east, frame.heading.south + side.south};
+  }
+  const bool open = frame.heading.east != 0 || frame.heading.south != 0;
+  for (const int subject : frame.subjects) {
+    if (open) Assert(frame, subject, &d_);
+    Frame around;
+    around.sense = Sense::kSurrounds;
+    around.objects = frame.objects;
+    Assert(around, subject, &d_);
+  }
 }
 
 void ClauseReader::TakeBackDenials() {
@@ -236,10 +298,12 @@ bool ClauseReader::ReadSideOfHost() {
   frame.is_direction = true;
   frame.heading = heading;
   frame.objects = {side_of_};
+  frame.subjects = {subjects_.back()};
   Assert(frame, subjects_.back(), &d_);
   d_.Extend(subjects_.back(), place.end);
   open_list_ = false;
   ++at_;
+  AssertMoreSides(std::move(frame));
   return true;
 }
 

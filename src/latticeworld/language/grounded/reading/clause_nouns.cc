@@ -11,6 +11,7 @@ namespace latticeworld {
 namespace {
 
 constexpr double kCoveringShare = 0.5;  // "the northern half is forest": at least
+constexpr double kOnlyShare = 0.6;      // "nothing but forest": at least
 
 }  // namespace
 
@@ -106,12 +107,45 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
     comparing_ = false;
     return;
   }
+  if (IsSameThing(found, is_new)) {
+    Merge(subjects_[0], found[0]);
+    subjects_ = found;
+    return;
+  }
   if (frame_.has_value() && frame_->expecting) {
     TakeObjects(found);
   } else {
     TakeSubjects(found, is_new, chunk);
   }
   if (correcting_) correcting_ = false;
+}
+
+// "The only water is one small reservoir": one thing, said twice.
+bool ClauseReader::IsSameThing(const std::vector<int>& found, bool is_new) const {
+  if (!is_new || found.size() != 1 || subjects_.size() != 1 || frame_.has_value() || at_ == 0 ||
+      !IsSense(at_ - 1, Sense::kBe)) {
+    return false;
+  }
+  const int known = subjects_[0];
+  return known != found[0] && d_.thing(known).sentence == d_.sentence() &&
+         d_.feature(known).letter == d_.feature(found[0]).letter && IsLine(known) == IsLine(found[0]);
+}
+
+// What was said of the one is said of the other, which stays.
+void ClauseReader::Merge(int known, int other) {
+  PlannedFeature& from = d_.feature(known);
+  PlannedFeature& to = d_.feature(other);
+  if (to.zones.empty()) to.zones = from.zones;
+  if (to.pieces_least == 0) {
+    to.pieces = from.pieces;
+    to.pieces_least = from.pieces_least;
+    to.pieces_most = from.pieces_most;
+  }
+  if (!to.share.has_value()) to.share = from.share;
+  to.dominant = to.dominant || from.dominant;
+  to.fills_rest = to.fills_rest || from.fills_rest;
+  d_.thing(other).begin = d_.thing(known).begin;
+  d_.Drop(known);
 }
 
 // "six trees or tree groups": the same things in other words.
@@ -196,7 +230,6 @@ void ClauseReader::ReadRest(const Chunk& chunk) {
 void ClauseReader::ReadAbsence(const Chunk& chunk) {
   const char letter = chunk.phrase.noun->LetterIn(d_.plan().vocabulary);
   if (letter == '\0') return;
-  if (frame_.has_value() && !frame_->objects.empty()) CloseFrame();
   d_.SetTopic(subjects_);
   subjects_.clear();
   open_list_ = false;
@@ -204,6 +237,12 @@ void ClauseReader::ReadAbsence(const Chunk& chunk) {
   negating_ = true;
   std::vector<Zone> zones = ZonesOf(chunk.phrase.places);
   if (zones.empty() && !lead_.empty()) zones = lead_.zones;
+  // "above it there is not one tree"
+  if (zones.empty() && frame_.has_value() && frame_->fronted) {
+    const Heading side = HeadingOfFrame(*frame_);
+    if (side.east != 0 || side.south != 0) zones = {ZoneOf(side)};
+  }
+  if (frame_.has_value() && !frame_->objects.empty()) CloseFrame();
   // "ponds in the south; no trees there"
   const std::string after = ToLowerAscii(d_.Words(chunk.end, d_.instruction().size())).substr(0, 6);
   if (zones.empty() && after == " there") zones = zones_before_;
@@ -235,6 +274,17 @@ void ClauseReader::TakeObjects(const std::vector<int>& found) {
     for (const std::string_view all : {"whole", "entire", "all "}) {
       if (words.find(all) != std::string::npos) frame.sense = Sense::kSurrounds;
     }
+  }
+  // "snow nowhere but on one peak in the corner": the peak's is all there is.
+  if (confining_ && frame.sense == Sense::kIn && found.size() == 1 && !frame.fronted &&
+      frame.subjects.size() == 1 && frame.subjects[0] != found[0] &&
+      d_.feature(frame.subjects[0]).letter == d_.feature(found[0]).letter) {
+    d_.Drop(frame.subjects[0]);
+    d_.feature(found[0]).confined = true;
+    confining_ = false;
+    frame_.reset();
+    subjects_ = found;
+    return;
   }
   for (const int index : found) {
     frame.objects.push_back(index);
@@ -298,7 +348,17 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
   for (const int index : found) {
     PlannedFeature& feature = d_.feature(index);
     if (rest_next_) feature.fills_rest = true;
-    if (only_next_ && !IsLine(index) && !(fronted && frame_->is_direction)) OnlyThis(index, is_new);
+    if (only_next_ && !IsLine(index)) {
+      const Heading side = fronted ? HeadingOfFrame(*frame_) : Heading{0, 0};
+      if (side.east == 0 && side.south == 0) {
+        OnlyThis(index, is_new);
+      } else if (feature.zones.empty() && feature.form == FeatureForm::kSpread) {
+        // "below it nothing but trees"
+        d_.AddZones(index, {ZoneOf(side)});
+        feature.dominant = true;
+        feature.share_least = std::max(feature.share_least.value_or(0.0), kOnlyShare);
+      }
+    }
     // "all snow and three lakes"
     const bool all = is_new && phrase.each && !phrase.definite && lead_.empty() &&
                      feature.form == FeatureForm::kSpread &&
@@ -404,7 +464,7 @@ void ClauseReader::OnlyThis(int index, bool is_new) {
     feature.fills_rest = true;
     return;
   }
-  feature.share_least = std::max(feature.share_least.value_or(0.0), 0.6);
+  feature.share_least = std::max(feature.share_least.value_or(0.0), kOnlyShare);
 }
 
 // "the northern half is forest": it has more than anything else there, and half of it at least

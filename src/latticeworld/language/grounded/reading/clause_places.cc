@@ -51,7 +51,8 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
       chunks_[at_ - 1].phrase.noun == nullptr && IsMany(zones)) {
     zones = OtherZones(std::move(zones), ToLowerAscii(words));
   }
-  const bool extent = chunk.lexeme.whole || SaysExtent(words);
+  const bool extent =
+      chunk.lexeme.whole || SaysExtent(words) || (zones.size() == 1 && IsExtent(zones.front()));
   if (SaysAnywhere(chunk.lexeme.places)) {
     // "forest everywhere", "no water anywhere", "houses all over"
     const bool frames = frame_.has_value() && frame_->sense == Sense::kSurrounds &&
@@ -196,7 +197,8 @@ void ClauseReader::Lead_(const std::vector<Zone>& zones, const Chunk& chunk) {
   lead_ = Lead();
   lead_.zones = zones;
   lead_.is_subject = at_ == 0 || !chunks_[at_ - 1].Is(Sense::kIn);
-  lead_.extent = chunk.lexeme.whole || SaysExtent(d_.Words(chunk.begin, chunk.end));
+  lead_.extent = chunk.lexeme.whole || SaysExtent(d_.Words(chunk.begin, chunk.end)) ||
+                 (zones.size() == 1 && IsExtent(zones.front()));
   lead_.along = at_ > 0 && chunks_[at_ - 1].Is(Sense::kAlong);
   lead_.begin = chunk.begin;
 }

@@ -79,6 +79,16 @@ void ClauseReader::ReadQualities(const Chunk& chunk) {
   } else if (about.size() > 1 && !list_has_and_ && !verb_said_) {
     about = {about.back()};
   }
+  // "heath peppered with small ponds, ten or more": the ponds are.
+  if (said.count.has_value() && !said.share.has_value() && d_.LastMentioned() >= 0) {
+    const int last = d_.LastMentioned();
+    const bool countable = d_.feature(last).form == FeatureForm::kPatch && d_.thing(last).plural &&
+                           d_.thing(last).sentence == d_.sentence() &&
+                           d_.feature(last).pieces_least == 0;
+    const bool about_mass = about.size() == 1 && about[0] != last &&
+                            d_.feature(about[0]).form == FeatureForm::kSpread;
+    if (countable && about_mass) about = {last};
+  }
   // "grass and a road bending to the left": the road does.
   const bool of_line = said.shape == ClaimShape::kWinding || said.shape == ClaimShape::kStraight;
   if (of_line && LineOf(about) >= 0) about = {LineOf(about)};

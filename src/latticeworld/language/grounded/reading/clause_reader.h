@@ -67,6 +67,8 @@ class ClauseReader {
   void TakeObjects(const std::vector<int>& found);
   void Cover(int index, const Chunk& chunk);
   void OnlyThis(int index, bool is_new);
+  bool IsSameThing(const std::vector<int>& found, bool is_new) const;
+  void Merge(int known, int other);
   bool IsElsewhere(const NounPhrase& phrase, int known) const;
   bool CountsAgain(const Chunk& chunk, int known) const;
   void Island(int index);
@@ -88,6 +90,8 @@ class ClauseReader {
   bool AfterAll() const;
   void ReadNext();
   void DropQuestion(const Chunk& chunk);
+  bool ReadSideWithout(const Chunk& chunk);
+  void ReadToThere();
   void DenyAround(char letter, const Chunk& chunk);
 
   // Frames.
@@ -108,6 +112,7 @@ class ClauseReader {
   bool Fronts(std::size_t at) const;
   bool SaysClose(const Chunk& chunk) const;
   bool ReadSideOfHost();
+  void AssertMoreSides(Frame frame);
   int LineOf(const std::vector<int>& indices) const;
 
   // Clauses.

@@ -176,7 +176,13 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
     const bool same_map_share =
         !map_share_.has_value() ||
         (d_.feature(last).share.has_value() && *d_.feature(last).share == map_share_->value);
-    if (bare_name && same_share && same_map_share && (spread || d_.feature(last).zones.empty())) {
+    // "a stream under the road. Stream north to south, road east to west"
+    const bool line_without_course = IsLine(last) && !d_.feature(last).from.has_value() &&
+                                     !d_.feature(last).to.has_value() &&
+                                     d_.feature(last).pieces <= 1 &&
+                                     d_.thing(last).sentence != d_.sentence();
+    if (bare_name && same_share && same_map_share &&
+        (spread || line_without_course || d_.feature(last).zones.empty())) {
       if (!phrase.qualities.share.has_value()) d_.Describe(phrase.qualities, last);
       d_.Mention(last);
       return {last};

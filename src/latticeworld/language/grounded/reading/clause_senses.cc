@@ -139,6 +139,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     case Sense::kAll:
       break;
     case Sense::kNot:
+      if (ReadSideWithout(chunk)) break;
       not_next_ = true;
       break;
     case Sense::kNothingElse:
@@ -282,6 +283,9 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       }
       break;
     }
+    case Sense::kToThere:
+      ReadToThere();
+      break;
     case Sense::kFromThere: {
       const int line = LineOf(subjects_);
       if (line >= 0) {
@@ -424,6 +428,23 @@ void ClauseReader::ReadNext() {
   frame_ = std::move(frame);
 }
 
+// "villas with one drive leading in": to the villas.
+void ClauseReader::ReadToThere() {
+  verb_said_ = true;
+  const int line = LineOf(subjects_);
+  int place = line < 0 ? -1 : d_.Latest('B', FeatureForm::kPatch);
+  if (line >= 0 && place < 0) {
+    const std::vector<int> found = d_.Antecedent(subjects_, false);
+    if (!found.empty()) place = found.back();
+  }
+  if (place < 0 || place == line) return;
+  Frame frame;
+  frame.sense = Sense::kTo;
+  frame.subjects = {line};
+  frame.objects = {place};
+  Assert(frame, line, &d_);
+}
+
 // What the sentence before asked for is not to be.
 void ClauseReader::DropQuestion(const Chunk& chunk) {
   for (int i = 0; i < d_.size(); ++i) {
@@ -434,6 +455,18 @@ void ClauseReader::DropQuestion(const Chunk& chunk) {
     Deny(d_.feature(i).letter, {}, about);
   }
   absences_.clear();
+}
+
+// "its western side is wooded, its eastern side is not": none of it there.
+bool ClauseReader::ReadSideWithout(const Chunk& chunk) {
+  const bool sided = frame_.has_value() && frame_->fronted && frame_->is_direction &&
+                     axis_.subject >= 0 && axis_.sentence == d_.sentence() &&
+                     (EndsAt(at_ + 1) || IsKind(at_ + 1, ChunkKind::kComma));
+  if (!sided) return false;
+  Deny(d_.feature(axis_.subject).letter, {RimZoneOf(frame_->heading)}, chunk);
+  absences_.clear();
+  frame_.reset();
+  return true;
 }
 
 bool ClauseReader::AfterAll() const {

@@ -349,6 +349,19 @@ int Discourse::SplitOff(int index) {
   return size() - 1;
 }
 
+int Discourse::Twin(int index) {
+  if (feature(index).pieces >= 2) return SplitOff(index);
+  if (things_.size() >= kMaxFeatures) return index;
+  PlannedFeature twin = feature(index);
+  twin.zones.clear();
+  twin.fills_rest = false;
+  twin.dominant = false;
+  Thing thing = this->thing(index);
+  plan_.features.push_back(std::move(twin));
+  things_.push_back(std::move(thing));
+  return size() - 1;
+}
+
 int Discourse::Latest(char letter, FeatureForm form) const {
   for (int i = size() - 1; i >= 0; --i) {
     if (!thing(i).dropped && feature(i).letter == letter && feature(i).form == form) return i;
@@ -501,7 +514,20 @@ void Discourse::SettleRest() {
   if (land >= 0) feature(land).fills_rest = true;
 }
 
+// "a wooded spit sticks out from the western edge into the lake": it lies there, and runs nowhere.
+void Discourse::SettleOpenEnds() {
+  for (int i = 0; i < size(); ++i) {
+    PlannedFeature& feature = this->feature(i);
+    if (feature.form == FeatureForm::kLine) continue;
+    if (feature.from.has_value() && feature.from->feature < 0 && !feature.to.has_value()) {
+      AddZones(i, {feature.from->zone});
+      feature.from.reset();
+    }
+  }
+}
+
 LayoutPlan Discourse::Finish() {
+  SettleOpenEnds();
   SettleDenials();
   SettleIslands();
   WidenMiddles();

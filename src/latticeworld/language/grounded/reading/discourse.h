@@ -43,6 +43,8 @@ class Discourse {
   std::vector<int> LastTwo(const std::vector<int>& subjects) const;
   // One piece of a feature as one of its own, for "one in the north, the other in the south".
   int SplitOff(int index);
+  // The same thing once more, to lie elsewhere: "fields to the north and to the south".
+  int Twin(int index);
   // A feature of the letter of `word`, the latest first; -1: none.
   int Latest(char letter, FeatureForm form) const;
 
@@ -82,6 +84,7 @@ class Discourse {
   void SettleDenials();
   void SettleIslands();
   void SettleRest();
+  void SettleOpenEnds();
   bool Matches(const NounPhrase& phrase, int index) const;
 
   std::string_view instruction_;

@@ -51,6 +51,18 @@ class Asserter {
       AssertWithin(subject_, object_);
       return;
     }
+    // "fields to its north and to its south": some here, some there.
+    for (const PlannedRelation& known : d_.plan().relations) {
+      const bool opposite = known.kind == RelationKind::kDirection && known.subject == subject_ &&
+                            known.object == object_ && known.heading.east == -heading.east &&
+                            known.heading.south == -heading.south;
+      if (opposite && !IsLine(subject())) {
+        if (IsLine(object())) Relate(RelationKind::kNear, subject_, object_, kNearSteps);
+        subject_ = d_.Twin(subject_);
+        if (IsLine(object())) Relate(RelationKind::kNear, subject_, object_, kNearSteps);
+        break;
+      }
+    }
     PlannedRelation relation;
     relation.kind = RelationKind::kDirection;
     relation.subject = subject_;
@@ -101,7 +113,7 @@ class Asserter {
         AssertHas();
         break;
       case Sense::kBothSides:
-        Relate(RelationKind::kBothSides, subject_, object_);
+        AssertBothSides();
         break;
       case Sense::kFlankedBy:
         Relate(RelationKind::kBothSides, object_, subject_);
@@ -176,6 +188,20 @@ class Asserter {
         break;
       default:
         break;
+    }
+  }
+
+  // "fields north and south of the village": the sides are named.
+  void AssertBothSides() {
+    const Heading heading = frame_.heading;
+    if ((heading.east == 0 && heading.south == 0) || IsLine(subject())) {
+      Relate(RelationKind::kBothSides, subject_, object_);
+      return;
+    }
+    const int whole = subject_;
+    for (const int sign : {1, -1}) {
+      subject_ = whole;
+      AssertDirection({sign * heading.east, sign * heading.south});
     }
   }
 

@@ -13,6 +13,7 @@
 #include "latticeworld/language/grounded/reading/claims_of_plan.h"
 #include "latticeworld/language/grounded/reading/clause_reader.h"
 #include "latticeworld/language/grounded/reading/discourse.h"
+#include "latticeworld/language/grounded/reading/elided_words.h"
 #include "latticeworld/language/grounded/reading/sense.h"
 #include "latticeworld/language/grounded/reading/settle_plan.h"
 #include "latticeworld/language/spelling.h"
@@ -150,6 +151,7 @@ LayoutPlan ParseLayoutInstruction(std::string_view instruction, Vocabulary vocab
   std::vector<Token> tokens =
       WithoutRepeats(instruction, Tokenize(instruction), &discourse.plan().warnings);
   CorrectSpelling(instruction, &tokens, &discourse.plan().warnings);
+  tokens = WithElidedWords(std::move(tokens));
   const Chunks chunks = ChunkLayout(tokens);
   ClauseReader(chunks.chunks, &discourse).Read();
   LayoutPlan plan = discourse.Finish();

@@ -135,6 +135,7 @@ class Lexer {
       lexeme.kind = LexemeKind::kSense;
       lexeme.sense = Sense::kBothSides;
       lexeme.last = at + sides;
+      lexeme.heading = MatchHeading(tokens_, at).heading;
       return lexeme;
     }
     if (LexDirection(tokens_, at, &lexeme)) return lexeme;

@@ -27,6 +27,10 @@ bool SaysExtent(std::string_view words) {
   return false;
 }
 
+bool IsExtent(const Zone& zone) {
+  return EndsWithWord(zone.name, "half") || EndsWithWord(zone.name, "quarter");
+}
+
 Zone EndZoneOf(const Zone& zone, std::string_view words) {
   const Region region = RegionOf(zone);
   if (region == Region::kAnywhere || region == Region::kCenter) return zone;

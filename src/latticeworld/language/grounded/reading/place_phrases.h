@@ -17,6 +17,8 @@ std::vector<Zone> ZonesOf(const std::vector<Place>& places);
 bool SaysAnywhere(const std::vector<Place>& places);  // "everywhere"
 // "half", "third", "quarter" among the words of a place: all of it is meant.
 bool SaysExtent(std::string_view words);
+// The same of a zone, where the word itself was left out.
+bool IsExtent(const Zone& zone);
 // Where a course ends that the words only give a side: at the edge of the map there.
 Zone EndZoneOf(const Zone& zone, std::string_view words);
 // "along the south" is along the southern edge.

@@ -149,9 +149,10 @@ enum class Sense : std::uint8_t {
   kShore,
   kBridge,
   kThere,
+  kToThere,
 };
 
-constexpr std::array<EnumName<Sense>, 132> EnumNames(Sense) {
+constexpr std::array<EnumName<Sense>, 133> EnumNames(Sense) {
   return {{
       {Sense::kFunction, "function"},
       {Sense::kDefinite, "definite"},
@@ -285,6 +286,7 @@ constexpr std::array<EnumName<Sense>, 132> EnumNames(Sense) {
       {Sense::kShore, "shore"},
       {Sense::kBridge, "bridge"},
       {Sense::kThere, "there"},
+      {Sense::kToThere, "to_there"},
   }};
 }
 

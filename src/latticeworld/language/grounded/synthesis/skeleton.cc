@@ -245,6 +245,12 @@ class Solver {
     return {sum.row / weight, sum.col / weight};
   }
 
+  int FeaturesOf(char letter) const {
+    return static_cast<int>(
+        std::count_if(plan_.features.begin(), plan_.features.end(),
+                      [&](const PlannedFeature& feature) { return feature.letter == letter; }));
+  }
+
   // The middle of all that is of a letter; weight 0: nothing is.
   std::pair<Spot, double> LetterPoint(char letter) const {
     Spot sum;
@@ -550,7 +556,8 @@ class Solver {
     if (claim.kind == ClaimKind::kDirection) {
       const auto [subject, weight] = LetterPoint(claim.subject);
       const auto [object, other] = LetterPoint(claim.object);
-      if (weight == 0.0 || other == 0.0) return 0.0;
+      // Of several of a class the relations tell which is meant.
+      if (weight == 0.0 || other == 0.0 || FeaturesOf(claim.subject) > 1) return 0.0;
       return DirectionEnergy(subject, object, claim.heading, 4.0);
     }
     if (claim.kind != ClaimKind::kOrder) return 0.0;
