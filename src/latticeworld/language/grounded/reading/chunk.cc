@@ -381,8 +381,10 @@ class Chunker {
   }
   // Words that a thing is placed with follow, and no noun.
   bool StandsAlone(std::size_t at) const {
+    while (at + 1 < lexemes_.size() && lexemes_[at + 1].Is(Sense::kFunction)) ++at;
     if (at + 1 >= lexemes_.size()) return false;
     const Lexeme& next = lexemes_[at + 1];
+    if (next.kind == LexemeKind::kAxis) return true;
     if (next.kind == LexemeKind::kPlace) return !IsAdjectivePlace(at + 1);
     if (next.kind == LexemeKind::kDirection) return true;
     if (next.kind != LexemeKind::kSense) return false;

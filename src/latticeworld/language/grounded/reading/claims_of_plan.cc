@@ -185,6 +185,24 @@ class ClaimMaker {
     claim.least = least;
     if (bounded) claim.most = most;
     Add(std::move(claim));
+    ClaimCountThere(feature);
+  }
+
+  // "five in the southern half, one in the northern": each number where it was said, where no two
+  // of them overlap.
+  void ClaimCountThere(const PlannedFeature& feature) {
+    if (IsLine(feature) || IsAlone(feature) || feature.zones.size() != 1) return;
+    const LayoutMask own = MaskOf(feature.zones.front());
+    for (const PlannedFeature& other : plan_.features) {
+      if (&other == &feature || other.letter != feature.letter) continue;
+      if (other.zones.size() != 1) return;
+      if (!(MaskOf(other.zones.front()) & own).empty()) return;
+    }
+    Claim claim = Of(ClaimKind::kCount, feature.letter, feature.words);
+    claim.zone = feature.zones.front();
+    claim.least = feature.pieces_least;
+    if (feature.pieces_most > 0) claim.most = feature.pieces_most;
+    Add(std::move(claim));
   }
 
   void ClaimRest(const PlannedFeature& feature) {

@@ -82,6 +82,10 @@ bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
       PlannedFeature& feature = d_.feature(index);
       const bool first =
           sense == Sense::kFrom || (sense == Sense::kConnects && !feature.from.has_value());
+      // "heads north to the edge of the map": the northern one.
+      const bool any_edge = waypoint.zone.name == "edges" && !first && feature.to.has_value() &&
+                            feature.to->feature < 0;
+      if (any_edge) continue;
       (first ? feature.from : feature.to) = waypoint;
       d_.Extend(index, chunk.end);
     }
@@ -255,64 +259,6 @@ void ClauseReader::ReadAxis(const Chunk& chunk) {
     to_ = to;
   } else {
     BeginOrder(axis.to);
-  }
-}
-
-void ClauseReader::BeginOrder(Heading heading) {
-  if (ordering_) return;
-  ordering_ = true;
-  order_heading_ = heading;
-  order_.clear();
-  order_begin_ = at_ < chunks_.size() ? chunks_[at_].begin : 0;
-}
-
-// The ordered things lie in bands one after the other, where no place of their own was said.
-void ClauseReader::FinishOrder() {
-  if (!ordering_) return;
-  ordering_ = false;
-  std::vector<int> features;
-  for (const int index : order_) {
-    if (!d_.thing(index).dropped) features.push_back(index);
-  }
-  order_.clear();
-  if (features.size() < 2) return;
-  PlannedOrder order;
-  order.features = features;
-  order.heading = {order_heading_.east, order_heading_.south};
-  order.words = d_.Words(std::min(order_begin_, d_.thing(features.front()).begin),
-                         d_.thing(features.back()).end);
-  d_.plan().orders.push_back(std::move(order));
-  const double count = static_cast<double>(features.size());
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    PlannedFeature& feature = d_.feature(features[i]);
-    if (!feature.zones.empty() && !d_.thing(features[i]).zones_from_lead) continue;
-    const bool ends = i == 0 || i + 1 == features.size();
-    Heading side = order_heading_;
-    if (i == 0) side = {-side.east, -side.south};
-    if (ends && features.size() <= 3) {
-      feature.zones = {ZoneOf(side)};
-      continue;
-    }
-    double low = static_cast<double>(i) / count;
-    double high = static_cast<double>(i + 1) / count;
-    const bool backwards = order_heading_.east < 0 || order_heading_.south < 0;
-    if (backwards) {
-      low = 1.0 - low - 1.0 / count;
-      high = low + 1.0 / count;
-    }
-    Zone zone;
-    zone.name = "band " + std::to_string(i + 1) + " of " + std::to_string(features.size());
-    UnitBox box;
-    if (order_heading_.south != 0) {
-      box.v_min = low;
-      box.v_max = high;
-    }
-    if (order_heading_.east != 0) {
-      box.u_min = low;
-      box.u_max = high;
-    }
-    zone.boxes = {box};
-    feature.zones = {zone};
   }
 }
 

@@ -272,14 +272,6 @@ void ClauseReader::AssertMoreSides(Frame frame) {
   }
 }
 
-void ClauseReader::TakeBackDenials() {
-  for (std::size_t i = absences_.size(); i-- > 0;) {
-    if (absences_[i] + 1 == d_.plan().absences.size()) d_.TakeBackDenial();
-  }
-  absences_.clear();
-  negating_ = false;
-}
-
 // "a village with woods to the west and a lake to the east": of the village.
 bool ClauseReader::ReadSideOfHost() {
   if (side_of_ < 0 || subjects_.empty() || subjects_.back() == side_of_ || frame_.has_value() ||
@@ -320,6 +312,8 @@ std::vector<int> ClauseReader::Own(const Frame& frame, const std::vector<int>& s
 
 // "forest north of it, fields south of it": of the same thing both times.
 std::vector<int> ClauseReader::InContrast(const Frame& frame, const std::vector<int>& found) const {
+  // "behind it": behind what was named last.
+  if (frame.sense == Sense::kBehind || frame.sense == Sense::kBeyond) return found;
   const Heading heading = HeadingOfFrame(frame);
   const bool contrast =
       axis_.object >= 0 && d_.sentence() <= axis_.sentence + 1 &&
@@ -359,34 +353,6 @@ bool ClauseReader::TakeContrast(const std::vector<Zone>& zones) {
   for (const int subject : frame_->subjects) Assert(frame, subject, &d_);
   frame_.reset();
   return true;
-}
-
-// "snow in the north, then rock, then forest": each farther on than the one before.
-void ClauseReader::Follow(int index) {
-  const int before = std::exchange(then_after_, -1);
-  if (before < 0 || before == index || ordering_ || !lead_.empty() || IsLine(index)) return;
-  Heading heading =
-      axis_.subject == before && axis_.sentence == d_.sentence() ? axis_.heading : Heading{0, 0};
-  const std::vector<Zone>& zones = d_.feature(before).zones;
-  if (heading.east == 0 && heading.south == 0 && zones.size() == 1) {
-    const Heading there = HeadingOf(RegionOf(zones.front()));
-    heading = {-there.east, -there.south};
-  }
-  if ((heading.east != 0) == (heading.south != 0)) return;
-  // A place of its own that is elsewhere begins something new.
-  std::size_t next = at_ + 1;
-  if (IsSense(next, Sense::kIn)) ++next;
-  if (IsKind(next, ChunkKind::kDirection)) return;
-  if (IsKind(next, ChunkKind::kPlace) && !chunks_[next].lexeme.places.empty()) {
-    const Heading own = HeadingOf(RegionOf(chunks_[next].lexeme.places.front().zone));
-    if (own.east != heading.east || own.south != heading.south) return;
-  }
-  Frame frame;
-  frame.is_direction = true;
-  frame.heading = heading;
-  frame.objects = {before};
-  Assert(frame, index, &d_);
-  NoteAxis(frame, index);
 }
 
 // A relation without an object is to what was spoken of: "with houses on both sides".

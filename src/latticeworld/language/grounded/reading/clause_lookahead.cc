@@ -57,6 +57,7 @@ bool ClauseReader::ThingFollows(std::size_t at, bool over_comma) const {
   }
   if (IsKind(at, ChunkKind::kQualities) && IsThing(at + 1)) ++at;
   return IsThing(at) || (IsPhrase(at) && (chunks_[at].phrase.head == Head::kOther ||
+                                          chunks_[at].phrase.head == Head::kAnother ||
                                           chunks_[at].phrase.head == Head::kOne));
 }
 

@@ -227,42 +227,6 @@ void ClauseReader::ReadRest(const Chunk& chunk) {
   if (frame_.has_value() && frame_->objects.empty()) frame_.reset();
 }
 
-void ClauseReader::ReadAbsence(const Chunk& chunk) {
-  const char letter = chunk.phrase.noun->LetterIn(d_.plan().vocabulary);
-  if (letter == '\0') return;
-  d_.SetTopic(subjects_);
-  subjects_.clear();
-  open_list_ = false;
-  if (!negating_) absences_.clear();
-  negating_ = true;
-  std::vector<Zone> zones = ZonesOf(chunk.phrase.places);
-  if (zones.empty() && !lead_.empty()) zones = lead_.zones;
-  // "above it there is not one tree"
-  if (zones.empty() && frame_.has_value() && frame_->fronted) {
-    const Heading side = HeadingOfFrame(*frame_);
-    if (side.east != 0 || side.south != 0) zones = {ZoneOf(side)};
-  }
-  if (frame_.has_value() && !frame_->objects.empty()) CloseFrame();
-  // "ponds in the south; no trees there"
-  const std::string after = ToLowerAscii(d_.Words(chunk.end, d_.instruction().size())).substr(0, 6);
-  if (zones.empty() && after == " there") zones = zones_before_;
-  Deny(letter, zones, chunk);
-}
-
-void ClauseReader::Deny(char letter, const std::vector<Zone>& zones, const Chunk& chunk) {
-  const auto add = [&](const Zone& zone) {
-    PlannedAbsence absence;
-    absence.letter = letter;
-    absence.zone = zone;
-    absence.words = d_.Words(chunk.begin, chunk.end);
-    absences_.push_back(d_.plan().absences.size());
-    d_.Deny(std::move(absence));
-  };
-  if (d_.plan().absences.size() > 64) return;
-  if (zones.empty()) add(Zone());
-  for (const Zone& zone : zones) add(zone);
-}
-
 void ClauseReader::TakeObjects(const std::vector<int>& found) {
   Frame& frame = *frame_;
   // "the forest hugs its whole shoreline"
@@ -288,6 +252,7 @@ void ClauseReader::TakeObjects(const std::vector<int>& found) {
   }
   for (const int index : found) {
     frame.objects.push_back(index);
+    ResolveBehind(&frame);
     if (frame.fronted) continue;
     if (WantsTwo(frame.sense) && frame.objects.size() < 2 && found.size() == 1) continue;
     if (frame.sense == Sense::kSeparatedBy || frame.sense == Sense::kConnectedBy) {
@@ -320,7 +285,8 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
   const NounPhrase& phrase = chunk.phrase;
   if (ordering_) {
     for (const int index : found) {
-      if (!IsLine(index) && std::find(order_.begin(), order_.end(), index) == order_.end()) {
+      const bool passed = !IsLine(index) || (host_ < 0 && !frame_.has_value());
+      if (passed && std::find(order_.begin(), order_.end(), index) == order_.end()) {
         order_.push_back(index);
       }
     }
@@ -409,9 +375,10 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
   rest_next_ = mostly_next_ = only_next_ = false;
   if (sharing_ > 0) --sharing_;
   if (sharing_ == 0) map_share_.reset();
-  if (!fronted && is_new) Follow(found.back());
+  if (is_new && (!fronted || frame_->sense == Sense::kNextTo)) Follow(found.back());
   then_after_ = -1;
   if (fronted) {
+    ResolveBehind(&*frame_);
     NoteAxis(*frame_, found.back());
     frame_->subjects = found;
     const bool two_at_once = WantsTwo(frame_->sense);

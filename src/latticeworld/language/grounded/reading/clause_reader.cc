@@ -45,12 +45,6 @@ void ClauseReader::ReadChunk(const Chunk& chunk) {
   }
 }
 
-// "advance north through: pasture; then a belt of trees; then houses"
-bool ClauseReader::OrderGoesOn() const {
-  return ordering_ && d_.instruction()[chunks_[at_].begin] == ';' &&
-         (IsThing(at_ + 1) || (IsSense(at_ + 1, Sense::kThen) && IsThing(at_ + 2)));
-}
-
 // What was spoken of is the topic; something new may come.
 void ClauseReader::BeginClause() {
   CloseFrame();

@@ -92,6 +92,10 @@ class ClauseReader {
   void DropQuestion(const Chunk& chunk);
   bool ReadSideWithout(const Chunk& chunk);
   void ReadToThere();
+  void StepOnto();
+  void ResolveBehind(Frame* frame) const;
+  void ReadAllButOne();
+  void ReadMeeting();
   void DenyAround(char letter, const Chunk& chunk);
 
   // Frames.
@@ -122,6 +126,8 @@ class ClauseReader {
   bool IsSpot(int index) const;
   void FinishOrder();
   void BeginOrder(Heading heading);
+  static Zone BandOf(Heading heading, double low, double high, const std::string& name);
+  void LayInBand(int index, const Zone& band);
 
   // What lies ahead.
   const Chunk* ChunkAt(std::size_t at) const {
@@ -137,6 +143,7 @@ class ClauseReader {
   bool IsOtherWord(const Chunk& chunk) const;
   bool OrderGoesOn() const;
   int OneOfSeveral() const;
+  bool OneAgain() const;
   int Unplaced(int model);
   bool IsEach(std::size_t at) const;
   bool EndsAt(std::size_t at) const;  // the sentence or the instruction

@@ -85,6 +85,7 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
           }
         }
         if (split_ >= 0) return {std::exchange(split_, -1)};
+        if (phrase.head == Head::kOne && OneAgain()) return OneMore(chunk);
         // "The first lake is round, the second is long": there are two of them.
         if (phrase.head == Head::kOther && first_ >= 0 && first_ < d_.size()) {
           NounPhrase like;
@@ -268,6 +269,15 @@ bool ClauseReader::IsEach(std::size_t at) const {
   const std::string words = ToLowerAscii(d_.Words(chunks_[at - 1].begin, chunks_[at].end));
   return words.find("each") != std::string::npos || words.find("every") != std::string::npos ||
          words.find("per ") != std::string::npos;
+}
+
+// "One road runs north-south, one east-west": the first was one, and is placed.
+bool ClauseReader::OneAgain() const {
+  const int last = d_.LastMentioned();
+  if (last < 0 || d_.thing(last).sentence != d_.sentence()) return false;
+  const PlannedFeature& feature = d_.feature(last);
+  return feature.pieces_least == 1 && feature.pieces_most == 1 &&
+         (!feature.zones.empty() || feature.from.has_value() || feature.to.has_value());
 }
 
 // What "one" is one of: what there are several of, else what was named last.

@@ -42,7 +42,10 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     case Sense::kThen:
       negating_ = false;
       then_after_ = LastSubject();
-      if (!ordering_ && IsPhrase(at_ + 1) && !subjects_.empty()) ReadNext();
+      if (!ordering_ && !subjects_.empty() &&
+          (IsPhrase(at_ + 1) || (IsSense(at_ + 1, Sense::kNothingElse) && IsThing(at_ + 2)))) {
+        ReadNext();
+      }
       break;
     case Sense::kExists:
       if (IsKind(at_ + 1, ChunkKind::kQualities) && chunks_[at_ + 1].qualities.none) break;
@@ -283,6 +286,15 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       }
       break;
     }
+    case Sense::kStepsOnto:
+      StepOnto();
+      break;
+    case Sense::kAllButOne:
+      ReadAllButOne();
+      break;
+    case Sense::kMeets:
+      ReadMeeting();
+      break;
     case Sense::kToThere:
       ReadToThere();
       break;
@@ -407,222 +419,6 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       if (sense == Sense::kTo && IsKind(at_ + 1, ChunkKind::kDirection)) break;  // "to its south"
       OpenSense(sense, chunk.lexeme.of_it);
       break;
-  }
-}
-
-// "sand above the sea, then a road, then houses": on in the same direction.
-void ClauseReader::ReadNext() {
-  const int last = LastSubject();
-  const std::vector<PlannedRelation>& relations = d_.plan().relations;
-  const bool goes_on = IsThing(at_ + 1) && !relations.empty() &&
-                       relations.back().kind == RelationKind::kDirection &&
-                       relations.back().subject == last && d_.thing(last).sentence == d_.sentence();
-  BeginClause();
-  if (!goes_on) return;
-  Frame frame;
-  frame.is_direction = true;
-  frame.heading = {relations.back().heading.east, relations.back().heading.south};
-  frame.objects = {last};
-  frame.expecting = false;
-  frame.fronted = true;
-  frame_ = std::move(frame);
-}
-
-// "villas with one drive leading in": to the villas.
-void ClauseReader::ReadToThere() {
-  verb_said_ = true;
-  const int line = LineOf(subjects_);
-  int place = line < 0 ? -1 : d_.Latest('B', FeatureForm::kPatch);
-  if (line >= 0 && place < 0) {
-    const std::vector<int> found = d_.Antecedent(subjects_, false);
-    if (!found.empty()) place = found.back();
-  }
-  if (place < 0 || place == line) return;
-  Frame frame;
-  frame.sense = Sense::kTo;
-  frame.subjects = {line};
-  frame.objects = {place};
-  Assert(frame, line, &d_);
-}
-
-// What the sentence before asked for is not to be.
-void ClauseReader::DropQuestion(const Chunk& chunk) {
-  for (int i = 0; i < d_.size(); ++i) {
-    if (d_.thing(i).dropped || d_.thing(i).sentence + 1 != d_.sentence()) continue;
-    Chunk about = chunk;
-    about.begin = d_.thing(i).begin;
-    d_.Drop(i);
-    Deny(d_.feature(i).letter, {}, about);
-  }
-  absences_.clear();
-}
-
-// "its western side is wooded, its eastern side is not": none of it there.
-bool ClauseReader::ReadSideWithout(const Chunk& chunk) {
-  const bool sided = frame_.has_value() && frame_->fronted && frame_->is_direction &&
-                     axis_.subject >= 0 && axis_.sentence == d_.sentence() &&
-                     (EndsAt(at_ + 1) || IsKind(at_ + 1, ChunkKind::kComma));
-  if (!sided) return false;
-  Deny(d_.feature(axis_.subject).letter, {RimZoneOf(frame_->heading)}, chunk);
-  absences_.clear();
-  frame_.reset();
-  return true;
-}
-
-bool ClauseReader::AfterAll() const {
-  if (at_ == 0) return false;
-  const Chunk& before = chunks_[at_ - 1];
-  return before.Is(Sense::kEntirely) ||
-         (before.kind == ChunkKind::kNounPhrase && before.phrase.head == Head::kMap) ||
-         (before.kind == ChunkKind::kPlace && SaysAnywhere(before.lexeme.places));
-}
-
-// "forest except in the south", "fields except for a village"
-void ClauseReader::ReadExcept() {
-  excepting_ = true;
-  negating_ = false;
-  if (IsThing(at_ + 1)) {
-    for (const int index : subjects_) {
-      PlannedFeature& feature = d_.feature(index);
-      const bool all = feature.form == FeatureForm::kSpread && feature.zones.empty() &&
-                       !feature.share.has_value() && !feature.fills_rest;
-      if (all) feature.dominant = true;
-    }
-    BeginClause();
-    excepting_ = true;
-    map_share_.reset();
-    cover_next_ = false;
-  }
-}
-
-// "a treeless plain": where the plain is, if there are trees elsewhere.
-void ClauseReader::DenyAround(char letter, const Chunk& chunk) {
-  std::vector<Zone> zones = lead_.zones;
-  bool asked = false;
-  for (int i = 0; i < d_.size(); ++i) {
-    asked = asked || (!d_.thing(i).dropped && d_.feature(i).letter == letter);
-  }
-  if (asked && zones.empty() && !subjects_.empty()) zones = d_.feature(LastSubject()).zones;
-  if (asked && zones.empty()) return;
-  const std::vector<std::size_t> focus = absences_;
-  Deny(letter, zones, chunk);
-  absences_ = focus;
-}
-
-// "Where the road meets the river stands an inn": near both; false, and nothing read, where no
-// thing follows.
-bool ClauseReader::ReadWhere() {
-  constexpr std::size_t kReach = 8;  // chunks
-  std::size_t verb = at_ + 1;
-  std::vector<std::size_t> phrases;
-  bool crosses = false;
-  for (; verb < std::min(chunks_.size(), at_ + kReach); ++verb) {
-    if (IsSense(verb, Sense::kStands) || IsSense(verb, Sense::kExists) || EndsAt(verb)) break;
-    if (IsSense(verb, Sense::kBe) && IsThing(verb + 1)) break;
-    if (IsKind(verb, ChunkKind::kComma)) break;
-    if (IsPhrase(verb)) phrases.push_back(verb);
-    crosses = crosses || IsSense(verb, Sense::kCrosses);
-  }
-  const bool told = !phrases.empty() && phrases.size() <= 2 && phrases.front() == at_ + 1 &&
-                    !EndsAt(verb) && ThingFollows(verb, true);
-  if (!told) return false;
-  BeginClause();
-  Frame frame;
-  frame.sense = Sense::kNear;
-  frame.fronted = true;
-  frame.expecting = false;
-  const std::size_t where = at_;
-  for (const std::size_t at : phrases) {
-    at_ = at;
-    for (const int index : Refer(chunks_[at])) frame.objects.push_back(index);
-  }
-  at_ = where;
-  if (frame.objects.empty()) return false;
-  if (frame.objects.size() == 2 && (crosses || LineOf(frame.objects) >= 0)) {
-    Frame meeting;
-    meeting.sense = crosses ? Sense::kCrosses : Sense::kNextTo;
-    meeting.objects = {frame.objects[1]};
-    Assert(meeting, frame.objects[0], &d_);
-  }
-  frame_ = std::move(frame);
-  at_ = verb - 1;
-  return true;
-}
-
-// "a river splits the map into a northern and a southern part": it runs between them.
-bool ClauseReader::ReadHalves() {
-  const int line = LineOf(subjects_);
-  const bool of_map = at_ > 0 && IsPhrase(at_ - 1) && chunks_[at_ - 1].phrase.head == Head::kMap;
-  const bool two = IsKind(at_ + 1, ChunkKind::kPlace) && IsSense(at_ + 2, Sense::kAnd) &&
-                   IsKind(at_ + 3, ChunkKind::kPlace);
-  const bool one = IsKind(at_ + 1, ChunkKind::kPlace) && chunks_[at_ + 1].lexeme.places.size() == 2;
-  if (line < 0 || !of_map || !(two || one) || d_.feature(line).from.has_value()) return false;
-  const Heading side = HeadingOf(RegionOf(chunks_[at_ + 1].lexeme.places.front().zone));
-  if ((side.east == 0) == (side.south == 0)) return false;
-  Waypoint from;
-  from.zone = RimZoneOf({side.south != 0 ? -1 : 0, side.east != 0 ? -1 : 0});
-  Waypoint to;
-  to.zone = RimZoneOf({side.south != 0 ? 1 : 0, side.east != 0 ? 1 : 0});
-  d_.feature(line).from = from;
-  d_.feature(line).to = to;
-  frame_.reset();
-  at_ += two ? 3 : 1;
-  d_.Extend(line, chunks_[at_].end);
-  return true;
-}
-
-// "possible to have", "ought to be", "to surround the lake": no way leads there.
-bool ClauseReader::IsInfinitive(std::size_t at) const {
-  if (d_.Words(chunks_[at].begin, chunks_[at].end).size() > 2) return false;
-  for (const Sense verb :
-       {Sense::kHas, Sense::kBe, Sense::kStands, Sense::kRuns, Sense::kWinds, Sense::kCovers,
-        Sense::kSurrounds, Sense::kConnects, Sense::kCrosses, Sense::kDominates}) {
-    if (IsSense(at + 1, verb)) return true;
-  }
-  return false;
-}
-
-// A bridge takes a road over the river that was spoken of, or that comes.
-void ClauseReader::ReadBridge(const Chunk& chunk) {
-  if (d_.plan().vocabulary == Vocabulary::kWild) return;
-  int road = d_.Latest('R', FeatureForm::kLine);
-  const int river = d_.Latest('W', FeatureForm::kLine);
-  const bool road_comes = IsThing(at_ + 1) && chunks_[at_ + 1].phrase.noun->suburb == 'R';
-  if (road < 0 && !road_comes) {
-    const std::vector<Token> word = Tokenize("road");
-    NounPhrase phrase;
-    phrase.noun = MatchClassWord(word, 0).word;
-    if (phrase.noun != nullptr) road = d_.Create(phrase, chunk.begin, chunk.end);
-  }
-  if (road < 0) return;
-  CloseFrame();
-  if (subjects_.empty()) subjects_ = {road};
-  if (river < 0) return;
-  PlannedRelation relation;
-  relation.kind = RelationKind::kCrosses;
-  relation.subject = road;
-  relation.object = river;
-  d_.Relate(std::move(relation));
-}
-
-// "Inside the loop: grass": the ring that was spoken of goes round what comes.
-void ClauseReader::ReadInsideRing() {
-  for (int i = d_.size() - 1; i >= 0; --i) {
-    const bool ring = d_.feature(i).shape == ClaimShape::kRing;
-    if (d_.thing(i).dropped || !ring) continue;
-    Frame frame;
-    frame.sense = Sense::kSurroundedBy;
-    frame.objects = {i};
-    frame.expecting = false;
-    if (ThingFollows(at_ + 1, true)) {
-      if (!subjects_.empty()) BeginClause();
-      CloseFrame();
-      frame.fronted = true;
-      frame_ = std::move(frame);
-    } else {
-      for (const int subject : subjects_) Assert(frame, subject, &d_);
-    }
-    return;
   }
 }
 

@@ -465,6 +465,43 @@ void Discourse::WidenMiddles() {
   }
 }
 
+// "NW forest, NE houses, SW fields, SE bare soil": four that share the map by its quarters.
+void Discourse::WidenQuarters() {
+  for (int first = 0; first < size(); ++first) {
+    std::vector<int> quarters;
+    for (int i = first; i < size() && thing(i).sentence == thing(first).sentence; ++i) {
+      const PlannedFeature& feature = this->feature(i);
+      const bool counted = feature.pieces_least > 0 || feature.form == FeatureForm::kLine;
+      if (thing(i).dropped || counted || feature.zones.size() != 1) continue;
+      const Heading at = HeadingOf(RegionOf(feature.zones.front()));
+      const bool ninth = at.IsDiagonal() && feature.zones.front() == ZoneOf(at);
+      const bool again = std::any_of(quarters.begin(), quarters.end(), [&](int other) {
+        return this->feature(other).zones == feature.zones;
+      });
+      if (ninth && !again) quarters.push_back(i);
+    }
+    if (quarters.size() != 4) continue;
+    const std::string words = ToLowerAscii(instruction_);
+    const bool said = words.find("quadrant") != std::string::npos ||
+                      words.find("quarter") != std::string::npos;
+    const bool spread = std::all_of(quarters.begin(), quarters.end(), [&](int i) {
+      return feature(i).form == FeatureForm::kSpread || thing(i).plural;
+    });
+    if (!said && !spread) continue;
+    for (const int i : quarters) {
+      PlannedFeature& feature = this->feature(i);
+      const Heading at = HeadingOf(RegionOf(feature.zones.front()));
+      const std::string name = std::string(at.south < 0 ? "north" : "south") +
+                               (at.east < 0 ? "-western" : "-eastern") + " quarter";
+      feature.zones = {*FindZone(name)};
+      feature.form = FeatureForm::kSpread;
+      feature.pieces = 0;
+      feature.dominant = true;
+      if (said) feature.share_least = std::max(feature.share_least.value_or(0.0), 0.5);
+    }
+  }
+}
+
 // An island needs water to lie in.
 void Discourse::SettleIslands() {
   bool water = false;
@@ -514,6 +551,19 @@ void Discourse::SettleRest() {
   if (land >= 0) feature(land).fills_rest = true;
 }
 
+// "All but one lie in the forest that fills the lower half": so they lie there.
+void Discourse::PlaceContained() {
+  for (const PlannedRelation& relation : plan_.relations) {
+    if (relation.kind != RelationKind::kWithin) continue;
+    PlannedFeature& inner = feature(relation.subject);
+    const PlannedFeature& outer = feature(relation.object);
+    const bool counted = inner.pieces_least > 0 && inner.form == FeatureForm::kPatch;
+    if (counted && inner.zones.empty() && outer.zones.size() == 1 && outer.dominant) {
+      inner.zones = outer.zones;
+    }
+  }
+}
+
 // "a wooded spit sticks out from the western edge into the lake": it lies there, and runs nowhere.
 void Discourse::SettleOpenEnds() {
   for (int i = 0; i < size(); ++i) {
@@ -531,6 +581,8 @@ LayoutPlan Discourse::Finish() {
   SettleDenials();
   SettleIslands();
   WidenMiddles();
+  WidenQuarters();
+  PlaceContained();
   SettleRest();
   std::vector<int> moved(things_.size(), -1);
   std::vector<PlannedFeature> features;

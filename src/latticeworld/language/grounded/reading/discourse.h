@@ -81,9 +81,11 @@ class Discourse {
 
  private:
   void WidenMiddles();
+  void WidenQuarters();
   void SettleDenials();
   void SettleIslands();
   void SettleRest();
+  void PlaceContained();
   void SettleOpenEnds();
   bool Matches(const NounPhrase& phrase, int index) const;
 

@@ -173,6 +173,13 @@ class Lexer {
   void ReadNoun(Lexeme* lexeme) {
     const ClassWordMatch match = MatchClassWord(tokens_, lexeme->first);
     if (match.word == nullptr) return;
+    // "keep the rest free" is no keep.
+    if (match.tokens == 1 && match.word->phrase == "keep" &&
+        !(lexeme->first > 0 &&
+          IsWord(tokens_, lexeme->first - 1,
+                 {"a", "the", "one", "this", "that", "old", "ruined", "lone", "single"}))) {
+      return;
+    }
     // "village centre; woods W": of notes without articles the centre is the map's.
     const std::size_t at = lexeme->first;
     const std::size_t end = at + match.tokens;
@@ -258,6 +265,11 @@ class Lexer {
         IsWord(tokens_, lexeme->first, {"across"})) {
       const PlaceMatch place = MatchPlaceAfter("from", tokens_, lexeme->first + 2);
       if (place.tokens > 0 && !place.of_other) match = {Sense::kFunction, 1};
+    }
+    // "the coast road" is no coast.
+    if (match.sense == Sense::kShore && match.tokens > 1) {
+      const std::size_t last = lexeme->first + match.tokens - 1;
+      if (MatchClassWord(tokens_, last).tokens > 1) match = MatchSense({tokens_[lexeme->first]}, 0);
     }
     if (!Take(match.tokens, LexemeKind::kSense, lexeme)) return;
     lexeme->sense = match.sense;

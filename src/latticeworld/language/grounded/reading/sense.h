@@ -150,9 +150,12 @@ enum class Sense : std::uint8_t {
   kBridge,
   kThere,
   kToThere,
+  kStepsOnto,
+  kAllButOne,
+  kMeets,
 };
 
-constexpr std::array<EnumName<Sense>, 133> EnumNames(Sense) {
+constexpr std::array<EnumName<Sense>, 136> EnumNames(Sense) {
   return {{
       {Sense::kFunction, "function"},
       {Sense::kDefinite, "definite"},
@@ -287,6 +290,9 @@ constexpr std::array<EnumName<Sense>, 133> EnumNames(Sense) {
       {Sense::kBridge, "bridge"},
       {Sense::kThere, "there"},
       {Sense::kToThere, "to_there"},
+      {Sense::kStepsOnto, "steps_onto"},
+      {Sense::kAllButOne, "all_but_one"},
+      {Sense::kMeets, "meets"},
   }};
 }
 

@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/reading/clause_reader.h"
+#include "latticeworld/language/grounded/reading/place_phrases.h"
+
+// What shall not be, and what is excepted.
+namespace latticeworld {
+
+void ClauseReader::ReadAbsence(const Chunk& chunk) {
+  const char letter = chunk.phrase.noun->LetterIn(d_.plan().vocabulary);
+  if (letter == '\0') return;
+  d_.SetTopic(subjects_);
+  subjects_.clear();
+  open_list_ = false;
+  if (!negating_) absences_.clear();
+  negating_ = true;
+  std::vector<Zone> zones = ZonesOf(chunk.phrase.places);
+  if (zones.empty() && !lead_.empty()) zones = lead_.zones;
+  // "above it there is not one tree"
+  if (zones.empty() && frame_.has_value() && frame_->fronted) {
+    const Heading side = HeadingOfFrame(*frame_);
+    if (side.east != 0 || side.south != 0) zones = {ZoneOf(side)};
+  }
+  if (frame_.has_value() && !frame_->objects.empty()) CloseFrame();
+  // "ponds in the south; no trees there"
+  const std::string after = ToLowerAscii(d_.Words(chunk.end, d_.instruction().size())).substr(0, 6);
+  if (zones.empty() && after == " there") zones = zones_before_;
+  Deny(letter, zones, chunk);
+}
+
+void ClauseReader::Deny(char letter, const std::vector<Zone>& zones, const Chunk& chunk) {
+  const auto add = [&](const Zone& zone) {
+    PlannedAbsence absence;
+    absence.letter = letter;
+    absence.zone = zone;
+    absence.words = d_.Words(chunk.begin, chunk.end);
+    absences_.push_back(d_.plan().absences.size());
+    d_.Deny(std::move(absence));
+  };
+  if (d_.plan().absences.size() > 64) return;
+  if (zones.empty()) add(Zone());
+  for (const Zone& zone : zones) add(zone);
+}
+
+// What the sentence before asked for is not to be.
+void ClauseReader::DropQuestion(const Chunk& chunk) {
+  for (int i = 0; i < d_.size(); ++i) {
+    if (d_.thing(i).dropped || d_.thing(i).sentence + 1 != d_.sentence()) continue;
+    Chunk about = chunk;
+    about.begin = d_.thing(i).begin;
+    d_.Drop(i);
+    Deny(d_.feature(i).letter, {}, about);
+  }
+  absences_.clear();
+}
+
+// "its western side is wooded, its eastern side is not": none of it there.
+bool ClauseReader::ReadSideWithout(const Chunk& chunk) {
+  const bool sided = frame_.has_value() && frame_->fronted && frame_->is_direction &&
+                     axis_.subject >= 0 && axis_.sentence == d_.sentence() &&
+                     (EndsAt(at_ + 1) || IsKind(at_ + 1, ChunkKind::kComma));
+  if (!sided) return false;
+  Deny(d_.feature(axis_.subject).letter, {RimZoneOf(frame_->heading)}, chunk);
+  absences_.clear();
+  frame_.reset();
+  return true;
+}
+
+bool ClauseReader::AfterAll() const {
+  if (at_ == 0) return false;
+  const Chunk& before = chunks_[at_ - 1];
+  return before.Is(Sense::kEntirely) ||
+         (before.kind == ChunkKind::kNounPhrase && before.phrase.head == Head::kMap) ||
+         (before.kind == ChunkKind::kPlace && SaysAnywhere(before.lexeme.places));
+}
+
+// "forest except in the south", "fields except for a village"
+void ClauseReader::ReadExcept() {
+  excepting_ = true;
+  negating_ = false;
+  if (IsThing(at_ + 1)) {
+    for (const int index : subjects_) {
+      PlannedFeature& feature = d_.feature(index);
+      const bool all = feature.form == FeatureForm::kSpread && feature.zones.empty() &&
+                       !feature.share.has_value() && !feature.fills_rest;
+      if (all) feature.dominant = true;
+    }
+    BeginClause();
+    excepting_ = true;
+    map_share_.reset();
+    cover_next_ = false;
+  }
+}
+
+// "a treeless plain": where the plain is, if there are trees elsewhere.
+void ClauseReader::DenyAround(char letter, const Chunk& chunk) {
+  std::vector<Zone> zones = lead_.zones;
+  bool asked = false;
+  for (int i = 0; i < d_.size(); ++i) {
+    asked = asked || (!d_.thing(i).dropped && d_.feature(i).letter == letter);
+  }
+  if (asked && zones.empty() && !subjects_.empty()) zones = d_.feature(LastSubject()).zones;
+  if (asked && zones.empty()) return;
+  const std::vector<std::size_t> focus = absences_;
+  Deny(letter, zones, chunk);
+  absences_ = focus;
+}
+
+void ClauseReader::TakeBackDenials() {
+  for (std::size_t i = absences_.size(); i-- > 0;) {
+    if (absences_[i] + 1 == d_.plan().absences.size()) d_.TakeBackDenial();
+  }
+  absences_.clear();
+  negating_ = false;
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/reading/clause_reader.h"
+#include "latticeworld/language/grounded/reading/place_phrases.h"
+
+// Turns of phrase that are read as a whole, several chunks at once.
+namespace latticeworld {
+
+// "Where the road meets the river stands an inn": near both; false, and nothing read, where no
+// thing follows.
+bool ClauseReader::ReadWhere() {
+  constexpr std::size_t kReach = 8;  // chunks
+  std::size_t verb = at_ + 1;
+  std::vector<std::size_t> phrases;
+  bool crosses = false;
+  for (; verb < std::min(chunks_.size(), at_ + kReach); ++verb) {
+    if (IsSense(verb, Sense::kStands) || IsSense(verb, Sense::kExists) || EndsAt(verb)) break;
+    if (IsSense(verb, Sense::kBe) && IsThing(verb + 1)) break;
+    if (IsKind(verb, ChunkKind::kComma)) break;
+    if (IsPhrase(verb)) phrases.push_back(verb);
+    crosses = crosses || IsSense(verb, Sense::kCrosses);
+  }
+  const bool told = !phrases.empty() && phrases.size() <= 2 && phrases.front() == at_ + 1 &&
+                    !EndsAt(verb) && ThingFollows(verb, true);
+  if (!told) return false;
+  BeginClause();
+  Frame frame;
+  frame.sense = Sense::kNear;
+  frame.fronted = true;
+  frame.expecting = false;
+  const std::size_t where = at_;
+  for (const std::size_t at : phrases) {
+    at_ = at;
+    for (const int index : Refer(chunks_[at])) frame.objects.push_back(index);
+  }
+  at_ = where;
+  if (frame.objects.empty()) return false;
+  if (frame.objects.size() == 2 && (crosses || LineOf(frame.objects) >= 0)) {
+    Frame meeting;
+    meeting.sense = crosses ? Sense::kCrosses : Sense::kNextTo;
+    meeting.objects = {frame.objects[1]};
+    Assert(meeting, frame.objects[0], &d_);
+  }
+  frame_ = std::move(frame);
+  at_ = verb - 1;
+  return true;
+}
+
+// "a river splits the map into a northern and a southern part": it runs between them.
+bool ClauseReader::ReadHalves() {
+  const int line = LineOf(subjects_);
+  const bool of_map = at_ > 0 && IsPhrase(at_ - 1) && chunks_[at_ - 1].phrase.head == Head::kMap;
+  const bool two = IsKind(at_ + 1, ChunkKind::kPlace) && IsSense(at_ + 2, Sense::kAnd) &&
+                   IsKind(at_ + 3, ChunkKind::kPlace);
+  const bool one = IsKind(at_ + 1, ChunkKind::kPlace) && chunks_[at_ + 1].lexeme.places.size() == 2;
+  if (line < 0 || !of_map || !(two || one) || d_.feature(line).from.has_value()) return false;
+  const Heading side = HeadingOf(RegionOf(chunks_[at_ + 1].lexeme.places.front().zone));
+  if ((side.east == 0) == (side.south == 0)) return false;
+  Waypoint from;
+  from.zone = RimZoneOf({side.south != 0 ? -1 : 0, side.east != 0 ? -1 : 0});
+  Waypoint to;
+  to.zone = RimZoneOf({side.south != 0 ? 1 : 0, side.east != 0 ? 1 : 0});
+  d_.feature(line).from = from;
+  d_.feature(line).to = to;
+  frame_.reset();
+  at_ += two ? 3 : 1;
+  d_.Extend(line, chunks_[at_].end);
+  return true;
+}
+
+// "possible to have", "ought to be", "to surround the lake": no way leads there.
+bool ClauseReader::IsInfinitive(std::size_t at) const {
+  if (d_.Words(chunks_[at].begin, chunks_[at].end).size() > 2) return false;
+  for (const Sense verb :
+       {Sense::kHas, Sense::kBe, Sense::kStands, Sense::kRuns, Sense::kWinds, Sense::kCovers,
+        Sense::kSurrounds, Sense::kConnects, Sense::kCrosses, Sense::kDominates}) {
+    if (IsSense(at + 1, verb)) return true;
+  }
+  return false;
+}
+
+// A bridge takes a road over the river that was spoken of, or that comes.
+void ClauseReader::ReadBridge(const Chunk& chunk) {
+  if (d_.plan().vocabulary == Vocabulary::kWild) return;
+  int road = d_.Latest('R', FeatureForm::kLine);
+  const int river = d_.Latest('W', FeatureForm::kLine);
+  const bool road_comes = IsThing(at_ + 1) && chunks_[at_ + 1].phrase.noun->suburb == 'R';
+  if (road < 0 && !road_comes) {
+    const std::vector<Token> word = Tokenize("road");
+    NounPhrase phrase;
+    phrase.noun = MatchClassWord(word, 0).word;
+    if (phrase.noun != nullptr) road = d_.Create(phrase, chunk.begin, chunk.end);
+  }
+  if (road < 0) return;
+  CloseFrame();
+  if (subjects_.empty()) subjects_ = {road};
+  if (river < 0) return;
+  PlannedRelation relation;
+  relation.kind = RelationKind::kCrosses;
+  relation.subject = road;
+  relation.object = river;
+  d_.Relate(std::move(relation));
+}
+
+// "Inside the loop: grass": the ring that was spoken of goes round what comes.
+void ClauseReader::ReadInsideRing() {
+  for (int i = d_.size() - 1; i >= 0; --i) {
+    const bool ring = d_.feature(i).shape == ClaimShape::kRing;
+    if (d_.thing(i).dropped || !ring) continue;
+    Frame frame;
+    frame.sense = Sense::kSurroundedBy;
+    frame.objects = {i};
+    frame.expecting = false;
+    if (ThingFollows(at_ + 1, true)) {
+      if (!subjects_.empty()) BeginClause();
+      CloseFrame();
+      frame.fronted = true;
+      frame_ = std::move(frame);
+    } else {
+      for (const int subject : subjects_) Assert(frame, subject, &d_);
+    }
+    return;
+  }
+}
+
+// "villas with one drive leading in": to the villas.
+void ClauseReader::ReadToThere() {
+  verb_said_ = true;
+  const int line = LineOf(subjects_);
+  int place = line < 0 ? -1 : d_.Latest('B', FeatureForm::kPatch);
+  if (line >= 0 && place < 0) {
+    const std::vector<int> found = d_.Antecedent(subjects_, false);
+    if (!found.empty()) place = found.back();
+  }
+  if (place < 0 || place == line) return;
+  Frame frame;
+  frame.sense = Sense::kTo;
+  frame.subjects = {line};
+  frame.objects = {place};
+  Assert(frame, line, &d_);
+}
+
+// "Six ponds. All but one lie in the forest; the odd one out ...": one is told from the others.
+void ClauseReader::ReadAllButOne() {
+  for (int i = d_.size() - 1; i >= 0; --i) {
+    if (d_.thing(i).dropped || d_.feature(i).pieces < 2) continue;
+    BeginClause();
+    split_ = d_.SplitOff(i);
+    subjects_ = {i};
+    return;
+  }
+}
+
+// "Two rivers, one from the west, one from the east, flow together and leave through the south":
+// what follows is said of both.
+void ClauseReader::ReadMeeting() {
+  const int line = LineOf(subjects_);
+  if (line < 0) return;
+  CloseFrame();
+  std::vector<int> lines;
+  for (int i = 0; i < d_.size(); ++i) {
+    const bool alike = IsLine(i) && !d_.thing(i).dropped &&
+                       d_.feature(i).letter == d_.feature(line).letter &&
+                       d_.sentence() <= d_.thing(i).sentence + 1;
+    if (alike) lines.push_back(i);
+  }
+  subjects_ = lines;
+  list_has_and_ = true;
+  verb_said_ = true;
+}
+
+}  // namespace latticeworld
