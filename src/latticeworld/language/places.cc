@@ -34,6 +34,24 @@ bool TakeBetween(PlaceCursor* cursor, int depth, ReadPlace* read) {
   return true;
 }
 
+// "halfway down the left side", "midway along the northern edge".
+bool TakeHalfway(PlaceCursor* cursor, int depth, ReadPlace* read) {
+  if (!cursor->Take({"halfway", "midway"})) {
+    const bool half_way = IsOneOf(cursor->word(), {"half", "mid"}) && cursor->word(1) == "way";
+    if (!half_way) return false;
+    cursor->Skip(2);
+  }
+  if (!cursor->Take({"down", "up", "along", "across"})) return false;
+  const ReadPlace side = TakePlace(cursor, depth);
+  const Heading& heading = side.direction.heading;
+  const bool one = side.places.size() == 1 && !side.of_other && side.direction.found;
+  if (!one || side.direction.center || (heading.east != 0) == (heading.south != 0)) return false;
+  Direction middle = side.direction;
+  middle.center = true;
+  *read = FoundPlace(MakePlace(middle, side.extent));
+  return true;
+}
+
 // "a strip along the southern edge", "a narrow band across the middle".
 bool TakeBand(PlaceCursor* cursor, int depth, ReadPlace* read) {
   cursor->Take({"a", "one"});
@@ -194,6 +212,9 @@ ReadPlace TakePlace(PlaceCursor* cursor, int depth) {
     return false;
   };
   if (depth > 0 && attempt(start, [&] { return TakeBetween(cursor, depth - 1, &read); })) {
+    return read;
+  }
+  if (depth > 0 && attempt(start, [&] { return TakeHalfway(cursor, depth - 1, &read); })) {
     return read;
   }
   if (attempt(start, [&] { return TakeBesideCenter(cursor, &read); })) return read;

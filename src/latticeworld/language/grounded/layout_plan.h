@@ -82,7 +82,7 @@ struct PlannedRelation {
   int subject = -1;  // indices into LayoutPlan::features
   int object = -1;
   int second_object = -1;  // kBetween, kConnects
-  Claim::Heading heading;  // kDirection
+  Claim::Heading heading;  // kDirection; kBothSides: one of the two sides, if they were named
   double steps = 0.0;      // kAdjacent, kNear, kApart: the gap that the words allow; 0: not said
   std::string words;
 };

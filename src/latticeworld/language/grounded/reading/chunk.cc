@@ -350,7 +350,10 @@ class Chunker {
           continue;
         }
         if (lexeme.sense == Sense::kShore) {
-          if (SenseAt(at + 1, Sense::kOfPlace) && NounSoon(at + 2)) continue;
+          if (SenseAt(at + 1, Sense::kOfPlace) && NounSoon(at + 2)) {
+            phrase.shore = true;
+            continue;
+          }
           if (!unknown.empty()) return false;
           EmitPronoun(Head::kShore, at, std::move(phrase));
           return true;
@@ -363,8 +366,20 @@ class Chunker {
           NounSoon(at + 1)) {
         continue;
       }
+      // "starts at the first, passes the second and ends at the third"
+      if (lexeme.kind == LexemeKind::kShare && lexeme.share.ordinal && IsThirdOfThese(at)) {
+        EmitPronoun(Head::kThird, at, std::move(phrase));
+        return true;
+      }
       if (!AddQuality(lexeme, &phrase.qualities)) return false;
       said_something = true;
+    }
+    return false;
+  }
+  bool IsThirdOfThese(std::size_t at) const {
+    if (tokens_[lexemes_[at].last - 1].text != "third" || IsNounAt(at + 1)) return false;
+    for (std::size_t i = at; i > 0 && lexemes_[i - 1].kind != LexemeKind::kStop; --i) {
+      if (lexemes_[i - 1].Is(Sense::kFirst)) return true;
     }
     return false;
   }
@@ -381,10 +396,16 @@ class Chunker {
   }
   // Words that a thing is placed with follow, and no noun.
   bool StandsAlone(std::size_t at) const {
+    const bool another = SenseAt(at, Sense::kAnother);
     while (at + 1 < lexemes_.size() && lexemes_[at + 1].Is(Sense::kFunction)) ++at;
-    if (at + 1 >= lexemes_.size()) return false;
+    if (at + 1 >= lexemes_.size()) return another;
     const Lexeme& next = lexemes_[at + 1];
     if (next.kind == LexemeKind::kAxis) return true;
+    // "from the south another comes up and ends at it"
+    if (another && (next.kind == LexemeKind::kComma || next.kind == LexemeKind::kStop ||
+                    next.Is(Sense::kAnd))) {
+      return true;
+    }
     if (next.kind == LexemeKind::kPlace) return !IsAdjectivePlace(at + 1);
     if (next.kind == LexemeKind::kDirection) return true;
     if (next.kind != LexemeKind::kSense) return false;

@@ -51,6 +51,7 @@ enum class Head {
   kOther,
   kAnother,
   kFirst,
+  kThird,
   kShore,  // of the water that was spoken of
 };
 
@@ -63,6 +64,7 @@ struct NounPhrase {
   bool another = false;
   bool each = false;
   bool negated = false;
+  bool shore = false;  // "the shore of the lake"
   Qualities qualities;
   std::vector<Place> places;  // "the northern lake"
 };

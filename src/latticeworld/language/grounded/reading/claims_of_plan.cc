@@ -228,6 +228,11 @@ class ClaimMaker {
       if (!end.has_value() || !end->said) return std::nullopt;
       if (end->feature < 0) return end->zone;
       const PlannedFeature& at = At(end->feature);
+      // The arm of a river comes from where the river comes from.
+      if (IsLine(at) && at.letter == feature.letter && at.from.has_value() && at.from->said &&
+          at.from->feature < 0) {
+        return at.from->zone;
+      }
       if (at.zones.size() != 1 || IsLine(at)) return std::nullopt;
       return at.zones.front();
     };
@@ -315,9 +320,6 @@ class ClaimMaker {
         Add(std::move(claim));
         return;
       case RelationKind::kCrosses:
-        if (same) return;
-        Add(std::move(claim));
-        return;
       case RelationKind::kParallel:
         Add(std::move(claim));
         return;
@@ -350,6 +352,17 @@ class ClaimMaker {
         break;
       case RelationKind::kDirection:
         claim.heading = relation.heading;
+        break;
+      case RelationKind::kBothSides:
+        // "fields north and south of the river"
+        if (relation.heading.east != 0 || relation.heading.south != 0) {
+          for (const int sign : {1, -1}) {
+            Claim side = Of(ClaimKind::kDirection, subject.letter, relation.words);
+            side.object = object.letter;
+            side.heading = {sign * relation.heading.east, sign * relation.heading.south};
+            Add(std::move(side));
+          }
+        }
         break;
       default:
         break;

@@ -72,6 +72,16 @@ bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
   if (sense == Sense::kTo && SplitsMap(zones, words)) return true;
   const bool between = sense == Sense::kThrough || sense == Sense::kCrosses ||
                        sense == Sense::kPast || sense == Sense::kAlong || sense == Sense::kIn;
+  // "a road hugging the southern edge"
+  const bool hugs = sense == Sense::kNextTo && EndsWithWord(zones.front().name, "edge") &&
+                    zones.size() == 1 && LineOf(frame_->subjects) >= 0 && !frame_->negated;
+  if (hugs) {
+    const int index = LineOf(frame_->subjects);
+    d_.feature(index).along = zones.front();
+    d_.Extend(index, chunk.end);
+    frame_.reset();
+    return true;
+  }
   if (!end && !between) return false;
   Waypoint waypoint;
   waypoint.zone = end ? EndZoneOf(zones.front(), words) : zones.front();
@@ -201,8 +211,7 @@ void ClauseReader::ReadAxis(const Chunk& chunk) {
   const int line = LineOf(subjects_);
   if (line >= 0) {
     // "stream north to south, road east to west": the road does.
-    const std::vector<int> lines =
-        list_has_and_ || verb_said_ ? subjects_ : std::vector<int>{line};
+    const std::vector<int> lines = list_has_and_ || verb_said_ ? subjects_ : std::vector<int>{line};
     open_list_ = false;
     for (int index : lines) {
       if (!IsLine(index)) continue;

@@ -63,7 +63,7 @@ bool ClauseReader::SaysClose(const Chunk& chunk) const {
 }
 
 void ClauseReader::OpenSense(Sense sense, bool of_it) {
-  if (sense == Sense::kTo && ReadSideOfHost()) return;
+  if (sense == Sense::kTo && (ReadSideToCome() || ReadSideOfHost())) return;
   // "trees grow only near the river": all along it
   const bool only_near = (sense == Sense::kNear || sense == Sense::kNextTo) && at_ > 0 &&
                          (IsSense(at_ - 1, Sense::kNothingElse) || IsSense(at_ - 1, Sense::kOnly));
@@ -75,6 +75,8 @@ void ClauseReader::OpenSense(Sense sense, bool of_it) {
   frame.sense = sense;
   frame.of_it = of_it || sense == Sense::kWithinIt;
   if (sense == Sense::kBothSides) frame.heading = chunks_[at_].lexeme.heading;
+  frame.inside =
+      sense == Sense::kIn && ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[at_].end)) == "in";
   Open(std::move(frame));
 }
 
@@ -134,6 +136,13 @@ void ClauseReader::Open(Frame frame) {
   if (sense == Sense::kNear && frame_.has_value() && IsCourse(frame_->sense) &&
       !frame_->objects.empty() && at_ > 0 && IsThing(at_ - 1) &&
       IsKind(at_ + 1, ChunkKind::kPlace) && !frame.negated) {
+    return;
+  }
+  // "between a lake to its west and a wood to its east, the village": of what is to come.
+  if (frame.is_direction && frame.of_it && frame_.has_value() && frame_->fronted &&
+      frame_->sense == Sense::kBetween && !frame_->objects.empty() && at_ > 1 &&
+      (IsPhrase(at_ - 1) || (IsSense(at_ - 1, Sense::kTo) && IsPhrase(at_ - 2)))) {
+    sides_to_come_.push_back({frame_->objects.back(), frame.heading});
     return;
   }
   const bool was_fronted = frame_.has_value() && frame_->fronted;
@@ -216,6 +225,12 @@ void ClauseReader::Open(Frame frame) {
   if (frame.of_it) {
     frame.objects = owner >= 0 ? std::vector<int>{owner} : Own(frame, frame.subjects);
     frame.expecting = false;
+    // "With a lake to its west, the village ..."
+    const bool first = frame.objects.empty() && d_.size() == sentence_first_feature_ + 1;
+    if (frame.is_direction && (first || !sides_to_come_.empty())) {
+      sides_to_come_.push_back({frame.subjects.back(), frame.heading});
+      return;
+    }
     if (!frame.objects.empty()) {
       for (const int subject : frame.subjects) Assert(frame, subject, &d_);
       if (!frame.subjects.empty()) NoteAxis(frame, frame.subjects.back());
@@ -270,6 +285,23 @@ void ClauseReader::AssertMoreSides(Frame frame) {
     around.objects = frame.objects;
     Assert(around, subject, &d_);
   }
+}
+
+// "With fields to the north and a river to the south, a hamlet ...": of the hamlet.
+bool ClauseReader::ReadSideToCome() {
+  const bool begins = IsSense(sentence_start_, Sense::kWith) && verbs_said_ == 0;
+  const bool one = subjects_.size() == 1 && IsPhrase(at_ - 1) && !frame_.has_value();
+  if (!begins || !one || !IsKind(at_ + 1, ChunkKind::kPlace)) return false;
+  const Place& place = chunks_[at_ + 1].lexeme.places.front();
+  const Heading side = HeadingOf(place.main);
+  const bool goes_on =
+      IsSense(at_ + 2, Sense::kAnd) || (IsKind(at_ + 2, ChunkKind::kComma) && IsThing(at_ + 3));
+  if ((side.east == 0 && side.south == 0) || !(place.zone == ZoneOf(side)) || !goes_on)
+    return false;
+  sides_to_come_.push_back({subjects_.back(), side});
+  open_list_ = false;
+  ++at_;
+  return true;
 }
 
 // "a village with woods to the west and a lake to the east": of the village.

@@ -107,6 +107,18 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
     comparing_ = false;
     return;
   }
+  // "The shore of the lake is sand all the way round."
+  const bool of_shore = at_ >= 2 && IsSense(at_ - 1, Sense::kBe) && IsThing(at_ - 2) &&
+                        chunks_[at_ - 2].phrase.shore && subjects_.size() == 1 &&
+                        !frame_.has_value();
+  if (of_shore) {
+    Frame frame;
+    frame.sense = SaysAround(at_ + 1) ? Sense::kSurrounds : Sense::kNextTo;
+    frame.objects = subjects_;
+    for (const int index : found) Assert(frame, index, &d_);
+    subjects_ = found;
+    return;
+  }
   if (IsSameThing(found, is_new)) {
     Merge(subjects_[0], found[0]);
     subjects_ = found;
@@ -115,9 +127,32 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
   if (frame_.has_value() && frame_->expecting) {
     TakeObjects(found);
   } else {
+    TakeSides(found);
     TakeSubjects(found, is_new, chunk);
   }
   if (correcting_) correcting_ = false;
+}
+
+// "With a lake to its west and a wood to its east, the village ...": of the village.
+void ClauseReader::TakeSides(const std::vector<int>& found) {
+  const bool after_comma = at_ > 0 && IsKind(at_ - 1, ChunkKind::kComma);
+  if (sides_to_come_.empty() || !after_comma || found.size() != 1) return;
+  for (const auto& [thing, heading] : sides_to_come_) {
+    Frame frame;
+    frame.is_direction = true;
+    frame.heading = heading;
+    frame.objects = found;
+    if (thing != found[0]) Assert(frame, thing, &d_);
+  }
+  sides_to_come_.clear();
+}
+
+// "all the way round", "all around" right after a thing
+bool ClauseReader::SaysAround(std::size_t at) const {
+  if (EndsAt(at)) return false;
+  const std::string words =
+      ToLowerAscii(d_.Words(chunks_[at - 1].end, d_.instruction().size())).substr(0, 24);
+  return words.find("round") != std::string::npos;
 }
 
 // "The only water is one small reservoir": one thing, said twice.
@@ -128,7 +163,8 @@ bool ClauseReader::IsSameThing(const std::vector<int>& found, bool is_new) const
   }
   const int known = subjects_[0];
   return known != found[0] && d_.thing(known).sentence == d_.sentence() &&
-         d_.feature(known).letter == d_.feature(found[0]).letter && IsLine(known) == IsLine(found[0]);
+         d_.feature(known).letter == d_.feature(found[0]).letter &&
+         IsLine(known) == IsLine(found[0]);
 }
 
 // What was said of the one is said of the other, which stays.
@@ -166,6 +202,13 @@ void ClauseReader::ReadMap(const Chunk& chunk) {
     feature.share = comparing_less_ ? 0.4 : 0.58;
     (comparing_less_ ? feature.share_most : feature.share_least) = 0.5;
     comparing_ = false;
+    return;
+  }
+  // "forest on two fifths of the map"
+  if (frame_.has_value() && frame_->sense == Sense::kIn && frame_->objects.empty() &&
+      !frame_->fronted && said.share.has_value()) {
+    for (const int index : frame_->subjects) d_.Describe(said, index);
+    frame_.reset();
     return;
   }
   if (frame_.has_value() && frame_->expecting && frame_->objects.empty()) {
@@ -220,6 +263,10 @@ void ClauseReader::ReadRest(const Chunk& chunk) {
     rest_next_ = true;
     return;
   }
+  // "forest: everything else"
+  const bool value = subjects_.empty() && at_ >= 2 && IsKind(at_ - 1, ChunkKind::kComma) &&
+                     IsThing(at_ - 2) && d_.LastMentioned() >= 0;
+  if (value) subjects_ = {d_.LastMentioned()};
   for (const int index : subjects_) {
     d_.feature(index).fills_rest = true;
     d_.Extend(index, chunk.end);
@@ -314,6 +361,7 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
   for (const int index : found) {
     PlannedFeature& feature = d_.feature(index);
     if (rest_next_) feature.fills_rest = true;
+    if (only_next_ && IsLine(index) && ListLength(at_) > 1 && lead_.empty()) d_.AllIsSaid();
     if (only_next_ && !IsLine(index)) {
       const Heading side = fronted ? HeadingOfFrame(*frame_) : Heading{0, 0};
       if (side.east == 0 && side.south == 0) {

@@ -172,4 +172,21 @@ void ClauseReader::ReadMeeting() {
   verb_said_ = true;
 }
 
+// "Beyond the ring of trees farmland": the land there surrounds the ring.
+void ClauseReader::FrontRing() {
+  std::size_t next = SkipVerbs(at_ + 1);
+  if (IsKind(next, ChunkKind::kComma)) next = SkipVerbs(next + 1);
+  if (!IsThing(next) || chunks_[next].phrase.noun->shape != WordShape::kMass) return;
+  for (int i = d_.size() - 1; i >= 0; --i) {
+    if (d_.thing(i).dropped || d_.feature(i).shape != ClaimShape::kRing || IsLine(i)) continue;
+    Frame frame;
+    frame.sense = Sense::kSurrounds;
+    frame.objects = {i};
+    frame.fronted = true;
+    frame.expecting = false;
+    frame_ = std::move(frame);
+    return;
+  }
+}
+
 }  // namespace latticeworld

@@ -81,6 +81,7 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
   }
   last_zones_ = zones;
   zones_before_ = zones;
+  if (zones.size() == 1 && IsExtent(zones.front())) halves_.push_back(zones.front());
   // "the settlement (west)": of what stands right before it.
   if (chunk.begin > 0 && d_.instruction()[chunk.begin - 1] == '(' && at_ >= 2 && IsThing(at_ - 2) &&
       d_.size() > 0) {
@@ -376,6 +377,18 @@ void ClauseReader::ReadOtherSide(const Chunk& chunk) {
     place.lexeme.places = {std::move(opposite)};
     ReadPlace(place);
     return;
+  }
+}
+
+// "The left half mirrors the right: a lake in each."
+void ClauseReader::PlaceInEach() {
+  if (halves_.size() < 2) return;
+  for (const int index : subjects_) {
+    PlannedFeature& feature = d_.feature(index);
+    if (IsLine(index)) continue;
+    feature.zones = {halves_[halves_.size() - 2], halves_.back()};
+    d_.thing(index).zones_from_lead = false;
+    if (feature.form == FeatureForm::kPatch && feature.pieces < 2) feature.pieces = 2;
   }
 }
 

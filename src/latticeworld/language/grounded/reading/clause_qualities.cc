@@ -85,8 +85,8 @@ void ClauseReader::ReadQualities(const Chunk& chunk) {
     const bool countable = d_.feature(last).form == FeatureForm::kPatch && d_.thing(last).plural &&
                            d_.thing(last).sentence == d_.sentence() &&
                            d_.feature(last).pieces_least == 0;
-    const bool about_mass = about.size() == 1 && about[0] != last &&
-                            d_.feature(about[0]).form == FeatureForm::kSpread;
+    const bool about_mass =
+        about.size() == 1 && about[0] != last && d_.feature(about[0]).form == FeatureForm::kSpread;
     if (countable && about_mass) about = {last};
   }
   // "grass and a road bending to the left": the road does.

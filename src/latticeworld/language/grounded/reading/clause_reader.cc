@@ -74,6 +74,11 @@ void ClauseReader::EndSentence() {
   to_.reset();
   then_after_ = -1;
   last_zones_.clear();
+  for (const auto& [thing, side] : sides_to_come_) {
+    if (!IsLine(thing) && d_.feature(thing).zones.empty()) d_.AddZones(thing, {ZoneOf(side)});
+  }
+  sides_to_come_.clear();
+  verbs_said_ = 0;
   side_of_ = -1;
   d_.NextSentence();
   sentence_first_feature_ = d_.size();

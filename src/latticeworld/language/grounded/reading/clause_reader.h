@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "latticeworld/language/grounded/reading/chunk.h"
@@ -64,11 +65,13 @@ class ClauseReader {
   int SameObject() const;
   void Place_(int index, const Chunk& chunk);
   void TakeSubjects(const std::vector<int>& found, bool is_new, const Chunk& chunk);
+  void TakeSides(const std::vector<int>& found);
   void TakeObjects(const std::vector<int>& found);
   void Cover(int index, const Chunk& chunk);
   void OnlyThis(int index, bool is_new);
   bool IsSameThing(const std::vector<int>& found, bool is_new) const;
   void Merge(int known, int other);
+  bool SaysAround(std::size_t at) const;
   bool IsElsewhere(const NounPhrase& phrase, int known) const;
   bool CountsAgain(const Chunk& chunk, int known) const;
   void Island(int index);
@@ -95,6 +98,7 @@ class ClauseReader {
   void StepOnto();
   void ResolveBehind(Frame* frame) const;
   void ReadAllButOne();
+  void FrontRing();
   void ReadMeeting();
   void DenyAround(char letter, const Chunk& chunk);
 
@@ -115,6 +119,7 @@ class ClauseReader {
   void CloseFrame();
   bool Fronts(std::size_t at) const;
   bool SaysClose(const Chunk& chunk) const;
+  bool ReadSideToCome();
   bool ReadSideOfHost();
   void AssertMoreSides(Frame frame);
   int LineOf(const std::vector<int>& indices) const;
@@ -144,6 +149,12 @@ class ClauseReader {
   bool OrderGoesOn() const;
   int OneOfSeveral() const;
   bool OneAgain() const;
+  int NthOfThese(std::size_t n) const;
+  std::vector<int> Likes(int index, const std::vector<int>& about) const;
+  std::vector<int> Arm(const Chunk& chunk);
+  void BranchOff(int arm, int river);
+  std::vector<int> IslandOf(const NounPhrase& phrase);
+  void PlaceInEach();
   int Unplaced(int model);
   bool IsEach(std::size_t at) const;
   bool EndsAt(std::size_t at) const;  // the sentence or the instruction
@@ -164,6 +175,7 @@ class ClauseReader {
   bool list_has_and_ = false;
   bool joining_ = false;  // the next one does
   bool verb_said_ = false;
+  int verbs_said_ = 0;  // in this sentence
   std::optional<Frame> frame_;
   std::optional<Frame> paused_;  // waits for its second object: "between X, which ..., and Y"
   Lead lead_;
@@ -186,10 +198,12 @@ class ClauseReader {
   int gap_ = 0;                        // cells that are said to lie between two things
   std::vector<Zone> last_zones_;
   std::vector<Zone> zones_before_;  // the same, from whatever sentence
+  std::vector<Zone> halves_;        // the last two halves or other like places that were named
   std::vector<Zone> there_;         // what "there" means, of an earlier sentence too
   Axis axis_;
-  int then_after_ = -1;           // "..., then": what comes next follows it
-  std::optional<Waypoint> from_;  // of a line that is to come
+  std::vector<std::pair<int, Heading>> sides_to_come_;  // of a thing that is yet to be named
+  int then_after_ = -1;                                 // "..., then": what comes next follows it
+  std::optional<Waypoint> from_;                        // of a line that is to come
   std::optional<Waypoint> to_;
   bool ordering_ = false;
   Heading order_heading_;
@@ -197,6 +211,7 @@ class ClauseReader {
   std::size_t order_begin_ = 0;
   bool traveling_ = false;
   int first_ = -1;    // "the first lake", which no words before it named
+  int fork_ = -1;     // a river that forks; its first arm is the river itself
   int split_ = -1;    // what is left of it is "the other"
   int host_ = -1;     // "a forest with ..."
   int side_of_ = -1;  // "a village with fields to the west, a lake to the east": the village

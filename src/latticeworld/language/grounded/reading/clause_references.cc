@@ -43,13 +43,22 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
         return {phrase.head == Head::kFormer ? two[0] : two[1]};
       }
       case Head::kFirst: {
+        if (const int nth = NthOfThese(0); nth >= 0) return {nth};
         const std::vector<int> two = d_.LastTwo({});
         return two.empty() ? two : std::vector<int>{two[0]};
+      }
+      case Head::kThird: {
+        const int nth = NthOfThese(2);
+        return nth < 0 ? std::vector<int>() : std::vector<int>{nth};
       }
       case Head::kAnother:
         return OneMore(chunk);
       case Head::kOne:
       case Head::kOther: {
+        const std::string words = ToLowerAscii(d_.Words(chunk.begin, chunk.end));
+        if (EndsWithWord(words, "second")) {
+          if (const int nth = NthOfThese(1); nth >= 0) return {nth};
+        }
         const int model = OneOfSeveral();
         if (!phrase.places.empty() && model >= 0) {
           // "the northern lake and the southern one"
@@ -79,19 +88,28 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
           if (d_.thing(i).dropped) continue;
           const bool several = d_.feature(i).pieces > 1;
           if (phrase.head == Head::kOne && several) {
-            if (IsEach(at_ + 1)) return {i};  // "four huts, one in each corner"
+            // "four huts, one in each corner", "one on each side of the road"
+            if (IsEach(at_ + 1) || IsSense(at_ + 1, Sense::kBothSides)) return {i};
             split_ = i;
             return {d_.SplitOff(i)};
           }
         }
         if (split_ >= 0) return {std::exchange(split_, -1)};
         if (phrase.head == Head::kOne && OneAgain()) return OneMore(chunk);
+        // "close to one of them": whichever.
+        if (EndsWithWord(words, "them") || EndsWithWord(words, "these")) {
+          const std::vector<int> many = d_.Antecedent(about, /*many=*/true);
+          if (many.size() >= 2) return {many.back()};
+          const int line = d_.LastMentioned();
+          if (line >= 0 && frame_.has_value()) return Likes(line, about);
+        }
         // "The first lake is round, the second is long": there are two of them.
         if (phrase.head == Head::kOther && first_ >= 0 && first_ < d_.size()) {
           NounPhrase like;
           like.noun = d_.thing(first_).noun;
-          first_ = -1;
+          const int model_of_it = std::exchange(first_, -1);
           const int created = d_.Create(like, chunk.begin, chunk.end);
+          if (created >= 0 && model_of_it == fork_) BranchOff(created, fork_);
           return created < 0 ? std::vector<int>() : std::vector<int>{created};
         }
         // The one that no clause since has told of.
@@ -115,6 +133,8 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
         return {};
     }
   }
+  if (const std::vector<int> arm = Arm(chunk); !arm.empty()) return arm;
+  if (const std::vector<int> island = IslandOf(phrase); !island.empty()) return island;
   const bool counted = phrase.qualities.count.has_value();
   // "rocks: three separate fields", in the wild: fields of rock.
   if (counted && !phrase.noun->IsExactIn(d_.plan().vocabulary) && LastSubject() >= 0 && at_ > 0 &&
@@ -135,6 +155,13 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
     if (single && d_.feature(last).pieces > 1 && !phrase.indefinite) {
       split_ = last;
       return {d_.SplitOff(last)};
+    }
+    // "that is the only road": the one there is.
+    const std::string words = ToLowerAscii(d_.Words(chunk.begin, chunk.end));
+    if (single && known.size() == 1 && words.find("only ") != std::string::npos &&
+        phrase.places.empty() && d_.feature(last).pieces_least == 0) {
+      d_.Describe(phrase.qualities, last);
+      return {last};
     }
     if (phrase.head == Head::kOther && split_ >= 0) return {std::exchange(split_, -1)};
     // "Two huts. The first hut is in the north, the second one ..."
@@ -178,10 +205,9 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
         !map_share_.has_value() ||
         (d_.feature(last).share.has_value() && *d_.feature(last).share == map_share_->value);
     // "a stream under the road. Stream north to south, road east to west"
-    const bool line_without_course = IsLine(last) && !d_.feature(last).from.has_value() &&
-                                     !d_.feature(last).to.has_value() &&
-                                     d_.feature(last).pieces <= 1 &&
-                                     d_.thing(last).sentence != d_.sentence();
+    const bool line_without_course =
+        IsLine(last) && !d_.feature(last).from.has_value() && !d_.feature(last).to.has_value() &&
+        d_.feature(last).pieces <= 1 && d_.thing(last).sentence != d_.sentence();
     if (bare_name && same_share && same_map_share &&
         (spread || line_without_course || d_.feature(last).zones.empty())) {
       if (!phrase.qualities.share.has_value()) d_.Describe(phrase.qualities, last);
@@ -370,6 +396,80 @@ void ClauseReader::Beside(int index, Sense beside) {
   relation.object = other;
   relation.steps = 2.0;
   d_.Relate(std::move(relation));
+}
+
+// "A lake, a village, a wood. A path starts at the first, passes the second and ends at the third":
+// by the order of being introduced, in the sentences before; -1: there are no three.
+int ClauseReader::NthOfThese(std::size_t n) const {
+  const std::string said = ToLowerAscii(d_.instruction());
+  if (said.find("the third") == std::string::npos) return -1;
+  std::vector<int> these;
+  for (int i = 0; i < d_.size(); ++i) {
+    if (!d_.thing(i).dropped && d_.thing(i).sentence < d_.sentence()) these.push_back(i);
+  }
+  return these.size() == 3 ? these[n] : -1;
+}
+
+// The last of the things that a thing is one of, but for those that the words are about.
+std::vector<int> ClauseReader::Likes(int index, const std::vector<int>& about) const {
+  for (int i = d_.size() - 1; i >= 0; --i) {
+    const bool same = d_.thing(i).dropped ||
+                      std::find(about.begin(), about.end(), i) != about.end() ||
+                      (about.size() > 0 && d_.feature(i).letter == d_.feature(about[0]).letter);
+    if (!same && (d_.thing(i).plural || d_.feature(i).pieces_least > 0 || IsLine(i))) return {i};
+  }
+  return {index};
+}
+
+// "The river forks: one arm leaves in the west, the other in the east": the first arm is the river
+// itself, the second one branches off it.
+std::vector<int> ClauseReader::Arm(const Chunk& chunk) {
+  const NounPhrase& phrase = chunk.phrase;
+  const std::string_view noun = phrase.noun->phrase;
+  if (noun != "arm" && noun != "branch" && noun != "distributary" && noun != "river branch") {
+    return {};
+  }
+  const int river = d_.Latest('W', FeatureForm::kLine);
+  if (river < 0 || phrase.plural) return {};
+  if (fork_ != river && !d_.feature(river).to.has_value()) {
+    fork_ = first_ = river;
+    return {river};
+  }
+  const int created = d_.Create(phrase, chunk.begin, chunk.end);
+  if (created < 0) return {};
+  BranchOff(created, river);
+  first_ = -1;
+  return {created};
+}
+
+void ClauseReader::BranchOff(int arm, int river) {
+  Waypoint from;
+  from.feature = river;
+  d_.feature(arm).from = from;
+  d_.feature(arm).pieces = d_.feature(arm).pieces_least = d_.feature(arm).pieces_most = 0;
+}
+
+// "two islands, one of them bare rock, the other wooded": of another class than islands are.
+std::vector<int> ClauseReader::IslandOf(const NounPhrase& phrase) {
+  if (phrase.head != Head::kOne && phrase.head != Head::kOther) return {};
+  const char letter = phrase.noun->LetterIn(d_.plan().vocabulary);
+  int island = -1;
+  if (phrase.head == Head::kOther && split_ >= 0) island = std::exchange(split_, -1);
+  for (int i = d_.size() - 1; i >= 0 && island < 0 && phrase.head == Head::kOne; --i) {
+    if (d_.thing(i).dropped || !d_.thing(i).is_island || d_.feature(i).pieces < 2) continue;
+    split_ = i;
+    island = d_.SplitOff(i);
+    for (const PlannedRelation& relation : std::vector<PlannedRelation>(d_.plan().relations)) {
+      if (relation.kind != RelationKind::kWithin || relation.subject != i) continue;
+      PlannedRelation within = relation;
+      within.subject = island;
+      d_.Relate(std::move(within));
+    }
+  }
+  if (island < 0 || !d_.thing(island).is_island || letter == '\0') return {};
+  d_.feature(island).letter = letter;
+  d_.thing(island).noun = phrase.noun;
+  return {island};
 }
 
 }  // namespace latticeworld

@@ -55,6 +55,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     case Sense::kBe:
     case Sense::kStands:
       verb_said_ = true;
+      ++verbs_said_;
       if (subjects_.empty() && absences_.empty() &&
           ((!lead_.empty() && lead_.is_subject && sense == Sense::kBe) ||
            (map_is_subject_ && sense == Sense::kBe))) {
@@ -74,6 +75,11 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       if (frame_.has_value() && frame_->sense == Sense::kConnects && frame_->expecting &&
           !frame_->subjects.empty() && IsKind(at_ + 1, ChunkKind::kPlace)) {
         break;  // "connects the north with the south"
+      }
+      // "A village holds the middle."
+      if (sense == Sense::kHas && !subjects_.empty() && IsKind(at_ + 1, ChunkKind::kPlace) &&
+          EndsAt(at_ + 2)) {
+        break;
       }
       // "has drawn a bow through the fields": no more than a verb.
       if (sense == Sense::kHas && !subjects_.empty() &&
@@ -252,6 +258,12 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     case Sense::kRuns:
     case Sense::kWinds: {
       verb_said_ = true;
+      // "passes the village"
+      const std::string verb = ToLowerAscii(d_.Words(chunk.begin, chunk.end)).substr(0, 4);
+      if (verb == "pass" && IsPhrase(at_ + 1) && LineOf(subjects_) >= 0) {
+        OpenSense(Sense::kPast, false);
+        break;
+      }
       if (frame_.has_value() && frame_->fronted && !frame_->objects.empty()) {
         frame_->expecting = false;
       }
@@ -288,6 +300,9 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     }
     case Sense::kStepsOnto:
       StepOnto();
+      break;
+    case Sense::kInEach:
+      PlaceInEach();
       break;
     case Sense::kAllButOne:
       ReadAllButOne();
@@ -363,6 +378,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
         if (!subjects_.empty()) BeginClause();
         lead_ = Lead();
         rest_next_ = true;
+        FrontRing();
       } else {
         for (const int index : subjects_) {
           if (!IsLine(index)) d_.feature(index).fills_rest = true;

@@ -324,7 +324,8 @@ std::vector<int> Discourse::LastTwo(const std::vector<int>& subjects) const {
   const std::size_t reach = mentioned_.size() > 16 ? mentioned_.size() - 16 : 0;
   for (std::size_t i = mentioned_.size(); i-- > reach && two.size() < 2;) {
     const int index = mentioned_[i];
-    if (!Holds(subjects, index) && !Holds(two, index) && !thing(index).dropped) {
+    if (!Holds(subjects, index) && !Holds(two, index) && !thing(index).dropped &&
+        !feature(index).fills_rest) {
       two.push_back(index);
     }
   }
@@ -482,8 +483,8 @@ void Discourse::WidenQuarters() {
     }
     if (quarters.size() != 4) continue;
     const std::string words = ToLowerAscii(instruction_);
-    const bool said = words.find("quadrant") != std::string::npos ||
-                      words.find("quarter") != std::string::npos;
+    const bool said =
+        words.find("quadrant") != std::string::npos || words.find("quarter") != std::string::npos;
     const bool spread = std::all_of(quarters.begin(), quarters.end(), [&](int i) {
       return feature(i).form == FeatureForm::kSpread || thing(i).plural;
     });
@@ -551,6 +552,24 @@ void Discourse::SettleRest() {
   if (land >= 0) feature(land).fills_rest = true;
 }
 
+// What runs along an edge, and nothing more is said, runs all along it.
+void Discourse::SettleAlong() {
+  for (int i = 0; i < size(); ++i) {
+    PlannedFeature& line = feature(i);
+    const bool open = line.form == FeatureForm::kLine && line.along.has_value() &&
+                      !line.from.has_value() && !line.to.has_value() && line.pieces <= 1;
+    if (!open || !EndsWith(line.along->name, " edge")) continue;
+    const Heading side = HeadingOf(RegionOf(*line.along));
+    const Heading way = {side.south != 0 ? 1 : 0, side.east != 0 ? 1 : 0};
+    Waypoint from;
+    from.zone = RimZoneOf({side.east - way.east, side.south - way.south});
+    Waypoint to;
+    to.zone = RimZoneOf({side.east + way.east, side.south + way.south});
+    line.from = from;
+    line.to = to;
+  }
+}
+
 // "All but one lie in the forest that fills the lower half": so they lie there.
 void Discourse::PlaceContained() {
   for (const PlannedRelation& relation : plan_.relations) {
@@ -578,6 +597,7 @@ void Discourse::SettleOpenEnds() {
 
 LayoutPlan Discourse::Finish() {
   SettleOpenEnds();
+  SettleAlong();
   SettleDenials();
   SettleIslands();
   WidenMiddles();

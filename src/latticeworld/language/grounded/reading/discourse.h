@@ -85,6 +85,7 @@ class Discourse {
   void SettleDenials();
   void SettleIslands();
   void SettleRest();
+  void SettleAlong();
   void PlaceContained();
   void SettleOpenEnds();
   bool Matches(const NounPhrase& phrase, int index) const;

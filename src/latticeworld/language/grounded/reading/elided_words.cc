@@ -56,8 +56,7 @@ struct NamedPlace {
 std::string_view ElidedNoun(const NamedPlace& said, Heading heading, bool adjective) {
   const bool same = heading.east == said.heading.east && heading.south == said.heading.south;
   if (same || heading.IsDiagonal() != said.heading.IsDiagonal()) return {};
-  const bool opposite =
-      heading.east == -said.heading.east && heading.south == -said.heading.south;
+  const bool opposite = heading.east == -said.heading.east && heading.south == -said.heading.south;
   if (IsHalfNoun(said.noun) && opposite) return said.noun;
   if (IsCornerNoun(said.noun) && heading.IsDiagonal()) return said.noun;
   return adjective ? std::string_view(said.noun) : std::string_view();
@@ -80,10 +79,11 @@ bool OpensPlace(const std::vector<Token>& tokens, std::size_t at) {
 // A place may end before this word: it is no noun that the direction goes with.
 bool MayFollowPlace(const std::vector<Token>& tokens, std::size_t at) {
   if (IsPause(tokens, at)) return true;
-  return IsOneOf(WordAt(tokens, at),
-                 {"and", "or", "with", "while", "but", "is", "are", "was", "for", "to", "has",
-                  "have", "as", "so", "where", "which", "then", "there", "by", "belongs", "should",
-                  "must", "will", "can", "goes", "stays", "holds", "please", "instead"});
+  return IsOneOf(
+      WordAt(tokens, at),
+      {"and",    "or",   "with", "while", "but",   "is",    "are",   "was",    "for",    "to",
+       "has",    "have", "as",   "so",    "where", "which", "then",  "there",  "by",     "belongs",
+       "should", "must", "will", "can",   "goes",  "stays", "holds", "please", "instead"});
 }
 
 // "north of", "north and south of": a direction from something, and no place.
@@ -142,8 +142,8 @@ std::vector<Token> WithPlaceNouns(std::vector<Token> tokens) {
   return whole;
 }
 
-// "farmland 45, grass 25, forest 30": numbers that make a hundred together, each beside a class, are
-// shares of it.
+// "farmland 45, grass 25, forest 30": numbers that make a hundred together, each beside a class,
+// are shares of it.
 std::vector<Token> WithPercent(std::vector<Token> tokens) {
   constexpr int kLeastNumbers = 3;
   int sum = 0;
@@ -169,8 +169,8 @@ std::vector<Token> WithPercent(std::vector<Token> tokens) {
   return whole;
 }
 
-constexpr std::array<Heading, 8> kRound = {{{0, -1}, {1, -1}, {1, 0}, {1, 1},
-                                            {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
+constexpr std::array<Heading, 8> kRound = {
+    {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
 
 std::vector<std::string_view> WordsOf(Heading heading) {
   std::vector<std::string_view> words = {"in", "the"};
@@ -187,7 +187,8 @@ std::vector<Token> WithRounds(std::vector<Token> tokens) {
     const bool back = IsOneOf(word, {"anticlockwise", "counterclockwise", "widdershins"});
     if (word != "clockwise" && !back) continue;
     std::size_t next = at + 1;
-    while (IsOneOf(WordAt(tokens, next), {"from", "starting", "beginning", "at", "in", "with", "the"})) {
+    while (IsOneOf(WordAt(tokens, next),
+                   {"from", "starting", "beginning", "at", "in", "with", "the"})) {
       ++next;
     }
     PlaceCursor cursor(tokens, next);
@@ -210,8 +211,10 @@ std::vector<Token> WithRounds(std::vector<Token> tokens) {
     for (int items = 0; items < 4 && !IsStop(tokens, i); ++items) {
       const Token before = tokens[i - 1];
       for (; !IsPause(tokens, i) && WordAt(tokens, i) != "and"; ++i) whole.push_back(tokens[i]);
-      for (const std::string_view said : WordsOf(kRound[step])) whole.push_back(Added(said, whole.empty() ? before : whole.back()));
-      while (!IsStop(tokens, i) && (tokens[i].kind == TokenKind::kComma || WordAt(tokens, i) == "and")) {
+      for (const std::string_view said : WordsOf(kRound[step]))
+        whole.push_back(Added(said, whole.empty() ? before : whole.back()));
+      while (!IsStop(tokens, i) &&
+             (tokens[i].kind == TokenKind::kComma || WordAt(tokens, i) == "and")) {
         whole.push_back(tokens[i++]);
       }
       step = (step + (back ? kRound.size() - 2 : 2)) % kRound.size();

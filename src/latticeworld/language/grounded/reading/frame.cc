@@ -194,8 +194,14 @@ class Asserter {
   // "fields north and south of the village": the sides are named.
   void AssertBothSides() {
     const Heading heading = frame_.heading;
-    if ((heading.east == 0 && heading.south == 0) || IsLine(subject())) {
-      Relate(RelationKind::kBothSides, subject_, object_);
+    const bool named = heading.east != 0 || heading.south != 0;
+    if (!named || IsLine(subject()) || IsLine(object())) {
+      PlannedRelation relation;
+      relation.kind = RelationKind::kBothSides;
+      relation.subject = subject_;
+      relation.object = object_;
+      relation.heading = {heading.east, heading.south};
+      d_.Relate(std::move(relation));
       return;
     }
     const int whole = subject_;
@@ -242,7 +248,13 @@ class Asserter {
 
   // "a village on the lake" lies beside it, an island within it.
   void AssertIn() {
-    const bool beside = object().letter == 'W' && !d_.thing(subject_).is_island;
+    const bool inside = frame_.inside && !IsLine(object()) && subject().letter == 'B' &&
+                        d_.plan().vocabulary == Vocabulary::kSuburb;
+    const bool beside = object().letter == 'W' && !d_.thing(subject_).is_island && !inside;
+    if (inside && object().letter == 'W') {
+      AssertWithin(subject_, object_);
+      return;
+    }
     if (beside) {
       Relate(RelationKind::kAdjacent, subject_, object_, kTouchingSteps);
     } else if (IsSpread(object()) || d_.thing(subject_).is_island || d_.thing(object_).is_island) {
@@ -406,6 +418,13 @@ class Asserter {
       if (relation.kind == RelationKind::kDirection && relation.object == object_ &&
           relation.subject != subject_) {
         AssertDirection({-relation.heading.east, -relation.heading.south});
+        return;
+      }
+    }
+    // "a ring of trees around the town, fields beyond it"
+    for (const PlannedRelation& relation : d_.plan().relations) {
+      if (relation.kind == RelationKind::kSurrounds && relation.subject == object_) {
+        AssertSurrounds(subject_, object_);
         return;
       }
     }

@@ -266,10 +266,18 @@ class Lexer {
       const PlaceMatch place = MatchPlaceAfter("from", tokens_, lexeme->first + 2);
       if (place.tokens > 0 && !place.of_other) match = {Sense::kFunction, 1};
     }
+    // "from the keep to the lake"
+    if (lexeme->kind == LexemeKind::kNoun && lexeme->noun->phrase == "keep") return;
     // "the coast road" is no coast.
     if (match.sense == Sense::kShore && match.tokens > 1) {
       const std::size_t last = lexeme->first + match.tokens - 1;
       if (MatchClassWord(tokens_, last).tokens > 1) match = MatchSense({tokens_[lexeme->first]}, 0);
+    }
+    // "in each corner" is no "in each".
+    const std::size_t next = lexeme->first + match.tokens;
+    if (match.sense == Sense::kInEach && next < tokens_.size() &&
+        tokens_[next].kind == TokenKind::kWord && !IsWord(tokens_, next, {"and", "but", "with"})) {
+      match = MatchSense({tokens_[lexeme->first]}, 0);
     }
     if (!Take(match.tokens, LexemeKind::kSense, lexeme)) return;
     lexeme->sense = match.sense;

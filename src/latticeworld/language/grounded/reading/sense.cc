@@ -40,7 +40,9 @@ std::vector<std::string> Inflected(std::string_view phrase) {
   const bool drops_e = EndsWithAny(verb, {"e"}) && !EndsWithAny(verb, {"ee"});
   const bool is_lie = EndsWithAny(verb, {"ie"});
   // "hug", "skid": the last letter is doubled.
-  const auto is_vowel = [](char c) { return std::string_view("aeiou").find(c) != std::string::npos; };
+  const auto is_vowel = [](char c) {
+    return std::string_view("aeiou").find(c) != std::string::npos;
+  };
   const std::size_t n = verb.size();
   const bool doubles = n >= 3 && n <= 4 && !is_vowel(verb[n - 1]) && is_vowel(verb[n - 2]) &&
                        !is_vowel(verb[n - 3]) && !EndsWithAny(verb, {"w", "x", "y"});

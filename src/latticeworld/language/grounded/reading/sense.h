@@ -153,9 +153,10 @@ enum class Sense : std::uint8_t {
   kStepsOnto,
   kAllButOne,
   kMeets,
+  kInEach,
 };
 
-constexpr std::array<EnumName<Sense>, 136> EnumNames(Sense) {
+constexpr std::array<EnumName<Sense>, 137> EnumNames(Sense) {
   return {{
       {Sense::kFunction, "function"},
       {Sense::kDefinite, "definite"},
@@ -293,6 +294,7 @@ constexpr std::array<EnumName<Sense>, 136> EnumNames(Sense) {
       {Sense::kStepsOnto, "steps_onto"},
       {Sense::kAllButOne, "all_but_one"},
       {Sense::kMeets, "meets"},
+      {Sense::kInEach, "in_each"},
   }};
 }
 

@@ -245,10 +245,16 @@ class Solver {
     return {sum.row / weight, sum.col / weight};
   }
 
-  int FeaturesOf(char letter) const {
-    return static_cast<int>(
+  // Whether all that is of the claim's class is to lie on that one side.
+  bool HasOneSide(const Claim& claim) const {
+    const auto features =
         std::count_if(plan_.features.begin(), plan_.features.end(),
-                      [&](const PlannedFeature& feature) { return feature.letter == letter; }));
+                      [&](const PlannedFeature& other) { return other.letter == claim.subject; });
+    return features == 1 &&
+           std::none_of(plan_.claims.begin(), plan_.claims.end(), [&](const Claim& other) {
+             return other.kind == ClaimKind::kDirection && other.subject == claim.subject &&
+                    other.object == claim.object && !(other.heading == claim.heading);
+           });
   }
 
   // The middle of all that is of a letter; weight 0: nothing is.
@@ -557,7 +563,7 @@ class Solver {
       const auto [subject, weight] = LetterPoint(claim.subject);
       const auto [object, other] = LetterPoint(claim.object);
       // Of several of a class the relations tell which is meant.
-      if (weight == 0.0 || other == 0.0 || FeaturesOf(claim.subject) > 1) return 0.0;
+      if (weight == 0.0 || other == 0.0 || !HasOneSide(claim)) return 0.0;
       return DirectionEnergy(subject, object, claim.heading, 4.0);
     }
     if (claim.kind != ClaimKind::kOrder) return 0.0;
