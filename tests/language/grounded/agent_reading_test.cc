@@ -239,5 +239,60 @@ INSTANTIATE_TEST_SUITE_P(
          "25 horse grazing upper right; "},
     }));
 
+INSTANTIATE_TEST_SUITE_P(
+    Denials, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"Goblins have no place here. Two knights.", "2 ancient warrior patrolling anywhere; "},
+        {"Eagles: none. Rovers: 3. Whales: 0.", "3 wheeled robot idle anywhere; "},
+        {"Ten robots, but no rovers and no drones.", "10 humanoid robot idle anywhere; "},
+        {"Three knights and four horses. All are idle except for the horses, which graze.",
+         "3 ancient warrior idle anywhere; 4 horse grazing anywhere; "},
+        {"Everybody sleeps except two dogs, which patrol the village.",
+         "2 robotic dog patrolling center; "},
+        {"Seven wolves in the fields; if you have no wolves, use robot dogs.",
+         "7 robotic dog patrolling upper right; "},
+        {"Eight goblins by the lake. Not by the lake, in the village.",
+         "8 goblin patrolling center; "},
+    }));
+
+INSTANTIATE_TEST_SUITE_P(
+    EachOfThem, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"Three knights guard the village, each with a horse at his side.",
+         "3 ancient warrior patrolling center; 3 horse grazing center; "},
+        {"Two shepherds wait in the fields. Each of them has two dogs.",
+         "2 humanoid robot idle upper right; 4 robotic dog patrolling upper right; "},
+        {"Five androids in the village with a drone each.",
+         "5 humanoid robot idle center; 5 aerial robot flying center; "},
+        {"A knight and a goblin meet in the village. The two fight.",
+         "1 ancient warrior attacking center; 1 goblin attacking center; "},
+        {"Three knights and three goblins. Apart from these six nobody is there.",
+         "3 ancient warrior patrolling anywhere; 3 goblin patrolling anywhere; "},
+    }));
+
+INSTANTIATE_TEST_SUITE_P(
+    LandAndOrder, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"Halfway between the lake and the forest stand two knights.",
+         "2 ancient warrior idle center; "},
+        {"Five rovers drive from the lake to the village.",
+         "5 wheeled robot patrolling upper left; "},
+        {"Six horses on the far side of the village, seen from the lake.",
+         "6 horse grazing center; "},
+        {"The village is quiet: one dog dozes, another patrols.",
+         "1 robotic dog idle center; 1 robotic dog patrolling center; "},
+        {"Along the top, from left to right: two knights, three goblins, four sheep.",
+         "2 ancient warrior patrolling upper left; 3 goblin patrolling upper; "
+         "4 sheep grazing upper right; "},
+        {"From north to south there are a drone, a rover and an android.",
+         "1 aerial robot flying upper; 1 wheeled robot idle center; 1 humanoid robot idle lower; "},
+        {"By the lake, with the fields to its east, four knights have made camp.",
+         "4 ancient warrior idle upper left; "},
+        {"Nine drones: six soar over the fields, the rest are on the ground in the village.",
+         "3 aerial robot idle center; 6 aerial robot flying upper right; "},
+        {"Leaning on her staff, a shepherdess waits in the fields.",
+         "1 humanoid robot idle upper right; "},
+    }));
+
 }  // namespace
 }  // namespace latticeworld

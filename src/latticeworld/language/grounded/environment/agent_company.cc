@@ -60,14 +60,20 @@ std::size_t AgentReader::ReadCompany() {
 
 AgentReader::Reference AgentReader::ReferenceAt(std::size_t at, bool of_others) const {
   if (noted_.IsPause(at)) return {};
-  if (noted_.IsAnyWord(at, {"them", "these", "those", "both"})) {
+  const bool bare = noted_.IsAnyWord(at, {"these", "those", "both"}) && EndsNounPhrase(at + 1);
+  if (noted_.IsWord(at, "them") || bare) {
     return {1, GroupBefore(true, of_others), true, true};
   }
   if (noted_.IsAnyWord(at, {"him", "her"}) && EndsNounPhrase(at + 1)) {
     return {1, GroupBefore(false, of_others), false, false};
   }
   if (noted_.IsWord(at, "it")) return {1, GroupBefore(false, of_others), true, false};
-  if (!noted_.IsAnyWord(at, {"the", "their", "these", "those", "his", "her"})) return {};
+  if (!noted_.IsAnyWord(at, {"the", "their", "these", "those", "his", "her", "its"})) return {};
+  // "at his side"
+  if (noted_.IsAnyWord(at + 1, {"side", "sides", "feet", "heels", "company", "midst", "ranks"}) &&
+      !noted_.IsWord(at, "the")) {
+    return {2, GroupBefore(noted_.IsWord(at, "their"), of_others)};
+  }
   // "between the two", "next to the first one"
   const std::size_t one = noted_.IsAnyWord(at + 2, {"one", "ones", "group"}) ? 1 : 0;
   if (noted_.IsWord(at + 1, "two") && EndsNounPhrase(at + 2))
@@ -146,17 +152,20 @@ void AgentReader::JoinSubjectTo(std::size_t index) {
 }
 
 std::optional<FeaturePlace> AgentReader::LandBefore(bool plural, bool placed) const {
+  const FeatureWord* other = nullptr;  // of the other number
   for (std::size_t i = at_; i > 0 && i + kMemory_tokens > at_; --i) {
     const std::size_t at = i - 1;
     const auto match = words_.features.At(tokens_, at);
     if (match.tokens == 0 || noted_.notes[at].agent) continue;
-    if (noted_.notes[at].place && !placed) return std::nullopt;
+    if (noted_.notes[at].place && !placed) break;
     const std::string& last = tokens_[at + match.tokens - 1].text;
-    if ((Singular(last) != last) != plural && !placed) continue;
-    const FeatureWord& word = *match.rows.front();
-    return FeaturePlace{word.name, word.suburb, word.wild, false, {}};
+    const FeatureWord* word = match.rows.front();
+    if ((Singular(last) != last) == plural)
+      return FeaturePlace{word->name, word->suburb, word->wild, false, {}};
+    if (other == nullptr) other = word;
   }
-  return std::nullopt;
+  if (other == nullptr || !placed) return std::nullopt;
+  return FeaturePlace{other->name, other->suburb, other->wild, false, {}};
 }
 
 }  // namespace internal

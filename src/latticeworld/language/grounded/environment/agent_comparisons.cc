@@ -132,6 +132,33 @@ std::size_t AgentReader::ReadCountsOfSides() {
   return next - at_;
 }
 
+std::size_t AgentReader::ReadEachHas() {
+  if (!noted_.IsAnyWord(at_, {"each", "every"}) || noted_.notes[at_].negated) return 0;
+  std::size_t next = at_ + 1;
+  if (noted_.IsWord(next, "one")) ++next;
+  next += next < tokens_.size() ? RoleAt(Role::kOfThem, next) : 0;
+  while (noted_.IsAnyWord(next, {"is", "are", "being"})) ++next;
+  std::size_t verb = 0;
+  if (noted_.IsAnyWord(next, {"with", "has", "have", "having", "leads", "leading", "rides",
+                              "carrying", "carries", "brings", "keeps"})) {
+    verb = 1;
+  }
+  if (noted_.IsAnyWord(next, {"accompanied", "followed", "escorted", "flanked", "joined"}) &&
+      noted_.IsWord(next + 1, "by")) {
+    verb = 2;
+  }
+  const std::vector<std::size_t> owners = subject_.empty() ? previous_ : subject_;
+  if (verb == 0 || owners.empty() ||
+      !(NounAhead(next + verb) || ReadCount(noted_, words_, next + verb).tokens > 0))
+    return 0;
+  subject_ = owners;
+  times_ = TotalOf(owners);
+  joined_ = true;
+  paused_ = false;
+  Known(next + verb - at_);
+  return next + verb - at_;
+}
+
 }  // namespace internal
 
 }  // namespace latticeworld

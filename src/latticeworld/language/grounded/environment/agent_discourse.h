@@ -76,6 +76,14 @@ class AgentReader {
 
   void Known(std::size_t tokens);
 
+  // "each with", "every one of them has": of who follows there are as many as of the subject.
+  std::size_t ReadEachHas();
+
+  // Whether the noun phrase here is what the subject has ("with a dog").
+  bool IsHad() const;
+
+  int TotalOf(const std::vector<std::size_t>& groups) const;
+
   std::size_t ReadNobody(std::size_t tokens);
 
   // References
@@ -220,6 +228,18 @@ class AgentReader {
 
   void ReadAbsence(const SpeciesWord& word, std::size_t end);
 
+  // How many tokens deny who is named up to `end`: "Whales do not belong there", "whales: none".
+  std::size_t UnwantedAfter(std::size_t end) const;
+
+  // "all are idle except the horses, which graze": then the horses are the subject.
+  bool ReadExcepted(const SpeciesWord& word, std::size_t end);
+
+  // Whether the group named last, of a species that we lack, gives way to one that follows.
+  bool IsSubstituted(const std::vector<AgentCategory>& categories) const;
+
+  // Of "ten robots, no drones" none is a drone.
+  void NarrowDeniedKinds();
+
   std::string NameHere(std::size_t end) const { return JoinWords(tokens_, at_, end); }
 
   // A kind's word denies all of the kind ("no robots").
@@ -264,6 +284,11 @@ class AgentReader {
 
   bool SubjectIsRobots() const;
 
+  bool IsSubjectWinged() const;
+
+  // "the drones are on the ground"
+  std::size_t ReadGrounded();
+
   // "guarded by two knights", but "parked by the lake".
   bool AgentsAfterBy(std::size_t at) const;
 
@@ -287,6 +312,13 @@ class AgentReader {
   // Places
 
   std::size_t ReadPlace();
+
+  // "not by the lake, in the fields": the owners are not where they were said to be.
+  void TakeBackPlace(const PlaceMatch& place, const std::optional<FeaturePlace>& feature,
+                     const std::vector<std::size_t>& owners);
+
+  // How many tokens only say where other land is: "with the forest to their south".
+  std::size_t SurroundingsAt(std::size_t at) const;
 
   // "there" goes back to the place named last.
   std::size_t ReadThere();
@@ -315,6 +347,15 @@ class AgentReader {
   std::optional<FeaturePlace> ReadFeature(std::size_t* end, bool near, const PlaceMatch& place,
                                           std::size_t place_at) const;
 
+  // The land that is named at *at, past articles and adjectives; moves *at behind its name.
+  std::optional<FeatureWord> LandAt(std::size_t* at) const;
+
+  // "(between the lake) and the village", "(from the lake) to the village".
+  void ReadOtherEnd(std::size_t first, FeaturePlace* feature, std::size_t* end) const;
+
+  // "far side of the lake, seen from the village"
+  std::optional<FeaturePlace> ReadFarSide(std::size_t* at) const;
+
   // A place at the head of a clause, before the agents that it is said of.
   bool IsFronted(std::size_t end) const;
 
@@ -326,6 +367,11 @@ class AgentReader {
 
   void SetPlace(const std::vector<Place>& places, const std::optional<FeaturePlace>& feature,
                 bool each, const std::vector<std::size_t>& owners, std::size_t end);
+
+  // "from left to right: three knights, two goblins"
+  std::size_t ReadOrder();
+
+  void PutInOrder();
 
   // Clauses
 
@@ -366,6 +412,7 @@ class AgentReader {
   Count pending_;
   std::size_t count_at_ = 0;
   std::optional<AgentState> state_before_;
+  std::size_t state_at_ = 0;
   std::size_t phrase_begin_ = kNone;  // byte
 
   // The clause.
@@ -382,6 +429,9 @@ class AgentReader {
   bool clause_open_ = true;   // nothing but pauses and prepositions so far
   Lead lead_;
 
+  std::optional<AxisMatch> order_;  // along which the groups are told
+  std::size_t order_first_ = 0;     // the first of them
+
   // The text so far.
   std::vector<std::size_t> previous_;  // subjects that a pronoun goes back to
   std::size_t last_ = kNone;           // the group named last
@@ -395,7 +445,9 @@ class AgentReader {
   bool split_state_ = false;  // the subject's state is only inherited
   std::size_t placed_ = kNone;
   std::size_t placed_sentence_ = 0;
-  bool everybody_ = false;  // the subject is all of them
+  std::size_t substituted_ = kNone;  // the group that gives way to who is named next
+  int times_ = 1;                    // "each with a dog": so many of who is named next
+  bool everybody_ = false;           // the subject is all of them
   bool corrected_ = false;
   bool told_since_correction_ = false;
 };

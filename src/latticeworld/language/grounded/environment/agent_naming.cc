@@ -9,42 +9,6 @@
 namespace latticeworld {
 namespace internal {
 
-void AgentReader::ReadAbsence(const SpeciesWord& word, std::size_t end) {
-  EnvironmentClaim claim;
-  claim.kind = EnvironmentClaimKind::kNoAgents;
-  claim.categories = AbsentCategories(word, end - at_);
-  claim.words = std::string(noted_.Text(at_, end));
-  if (at_ > 0 && !noted_.IsPause(at_ - 1)) {
-    std::size_t first = at_;
-    while (first > 0 && noted_.notes[first - 1].known && !noted_.IsPause(first - 1) &&
-           at_ - first < 3) {
-      --first;
-    }
-    claim.words = std::string(noted_.Text(first, end));
-  }
-  const bool placed = PlaceFollows(end);
-  absent_here_ = placed;
-  const bool other = at_ > 0 && noted_.IsWord(at_ - 1, "other");
-  // A word of a species that we lack denies that species only, not the one that stands for it.
-  if (!placed && !other) {
-    for (Group& group : groups_) {
-      const bool same = std::any_of(
-          claim.categories.begin(), claim.categories.end(),
-          [&](AgentCategory category) { return category == group.wish.categories.front(); });
-      if (same && (word.exact || group.wish.name == NameHere(end))) group.removed = true;
-    }
-    if (word.exact || claim.categories.size() > 1) heard_.absences.push_back(std::move(claim));
-  }
-  state_before_.reset();
-}
-
-std::vector<AgentCategory> AgentReader::AbsentCategories(const SpeciesWord& word,
-                                                         std::size_t tokens) const {
-  const auto kind = words_.kinds.At(tokens_, at_);
-  if (kind.tokens >= tokens && !kind.rows.empty()) return kind.rows.front()->categories;
-  return word.categories;
-}
-
 void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective, std::size_t end) {
   Count count = pending_;
   if (collective.tokens > 0) count = collective;
@@ -53,7 +17,22 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
     count = {collective.least * pending_.value, collective.value * pending_.value,
              collective.most * pending_.value, 1};
   }
+  if (substituted_ != kNone) {
+    last_ = substituted_;
+    substituted_ = kNone;
+    Replace(word, count, end);
+    return;
+  }
   const std::vector<std::size_t> same = GroupsOf(word, at_, end);
+  // "each knight has a dog"
+  const bool every = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"each", "every"});
+  if (every && !same.empty() && count.tokens == 0) {
+    ReferTo(same, {}, end);
+    if (noted_.IsAnyWord(end, {"has", "leads", "carries", "rides", "with", "walks", "keeps"})) {
+      times_ = TotalOf(same);
+    }
+    return;
+  }
   if (!same.empty() && (IsDefinite() || corrected_)) {
     ReferTo(same, count, end);
     return;
@@ -78,6 +57,19 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   group.wish.most = said.most;
   group.wish.counted = count.tokens > 0 && count.least == count.most;
   group.wish.each = noted_.IsAnyWord(at_ > 0 ? at_ - 1 : at_, {"each", "every"});
+  // "four knights with a dog each"
+  if (times_ == 1 && noted_.IsAnyWord(end, {"each", "apiece"}) && IsHad()) {
+    times_ = TotalOf(subject_);
+    if (group.with == kNone) group.with = subject_.front();
+  }
+  if (times_ > 1) {
+    group.wish.least *= times_;
+    group.wish.quantity *= times_;
+    group.wish.most *= times_;
+    group.wish.counted = group.wish.least == group.wish.most;
+    if (group.with == kNone && !subject_.empty()) group.with = subject_.front();
+  }
+  times_ = 1;
   group.purpose = IsInPurpose();
   group.wish.state = state_before_;
   group.begin = std::min(phrase_begin_, tokens_[at_].begin);
@@ -109,6 +101,22 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   acted_ = false;
   new_clause_ = false;
   object_ = kNone;
+}
+
+bool AgentReader::IsHad() const {
+  if (subject_.empty()) return false;
+  std::size_t first = pending_.tokens > 0 ? count_at_ : at_;
+  while (first > 0 && noted_.IsAnyWord(first - 1, {"a", "an", "their", "own", "his", "her"})) {
+    --first;
+  }
+  return first > 0 && noted_.IsAnyWord(first - 1, {"with", "have", "has", "lead", "leading",
+                                                   "having", "bring", "bringing", "carrying"});
+}
+
+int AgentReader::TotalOf(const std::vector<std::size_t>& groups) const {
+  int total = 0;
+  for (const std::size_t index : groups) total += groups_[index].wish.quantity;
+  return std::clamp(total, 1, kMaxAgents);
 }
 
 void AgentReader::DropVagueKinds(const SpeciesWord& word) {

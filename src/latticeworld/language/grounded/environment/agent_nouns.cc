@@ -152,9 +152,14 @@ std::size_t AgentReader::ReadSpecies() {
   // "wolf pack", but "swans drift"
   const Count collective = word.plural && !word.singular ? Count{} : ReadPack(end);
   noted_.Mark(end, end + collective.tokens, &TokenNote::agent);
-  if (noted_.notes[at_].negated) {
+  std::size_t unwanted = pending_.tokens == 0 ? UnwantedAfter(end) : 0;
+  if (noted_.notes[at_].negated && ReadExcepted(word, end)) {
+    // Told by what follows.
+  } else if (noted_.notes[at_].negated || unwanted > 0) {
     ReadAbsence(word, end);
+    noted_.Mark(end, end + unwanted, &TokenNote::agent);
   } else {
+    unwanted = 0;
     ReadPresence(word, collective, end);
     if (part_of_ > 0 && last_ != kNone && groups_[last_].wish.quantity > part_of_) {
       Split({part_of_, part_of_, part_of_, 1}, part_of_, end - at_);
@@ -163,7 +168,7 @@ std::size_t AgentReader::ReadSpecies() {
   part_of_ = 0;
   pending_ = {};
   phrase_begin_ = kNone;
-  return end + collective.tokens - at_;
+  return end + collective.tokens + unwanted - at_;
 }
 
 bool AgentReader::IsBarePack() const {

@@ -7,7 +7,23 @@
 namespace latticeworld {
 namespace internal {
 
+std::size_t AgentReader::SurroundingsAt(std::size_t at) const {
+  if (!noted_.IsAnyWord(at, {"with", "having"})) return 0;
+  bool turned = false;
+  std::size_t end = at + 1;
+  for (; !noted_.IsPause(end); ++end) {
+    if (words_.species.LengthAt(tokens_, end) > 0) return 0;
+    turned = turned || (noted_.IsAnyWord(end, {"its", "their", "his", "her", "our"}) &&
+                        end + 1 < tokens_.size() && MatchHeading(tokens_, end + 1).tokens > 0);
+  }
+  return turned ? end - at : 0;
+}
+
 std::size_t AgentReader::ReadPlace() {
+  if (const std::size_t aside = SurroundingsAt(at_); aside > 0) {
+    noted_.Mark(at_, at_ + aside, &TokenNote::place);
+    return aside;
+  }
   if (const std::size_t facing = RoleAt(Role::kFacing, at_); facing > 0) {
     // "facing north" says no place.
     std::size_t next = at_ + facing;
@@ -61,12 +77,29 @@ std::size_t AgentReader::ReadPlace() {
     owners = previous_;
   there_ = place.places;
   there_feature_ = feature;
+  if (owners.empty() && negated && !fronted) owners = previous_;
   if (owners.empty() && !fronted && (!AgentsAhead(end) || EndsOtherClause(end))) return 0;
   noted_.Mark(at_, end, &TokenNote::place);
   // "no goblins in the north": nobody is there.
+  if (negated && !absent_here_) TakeBackPlace(place, feature, owners.empty() ? previous_ : owners);
   if (negated || (absent_here_ && owners.empty())) return end - at_;
   SetPlace(place.places, feature, each, fronted ? std::vector<std::size_t>{} : owners, end);
   return end - at_;
+}
+
+void AgentReader::TakeBackPlace(const PlaceMatch& place, const std::optional<FeaturePlace>& feature,
+                                const std::vector<std::size_t>& owners) {
+  for (const std::size_t index : owners) {
+    AgentWish& wish = groups_[index].wish;
+    const bool same_land =
+        feature.has_value() && wish.feature.has_value() && feature->name == wish.feature->name;
+    const bool same_place = !place.places.empty() && !wish.places.empty() &&
+                            place.places.front().main == wish.places.front().main;
+    if (!same_land && !same_place) continue;
+    wish.places.clear();
+    wish.feature.reset();
+    corrected_ = true;
+  }
 }
 
 bool AgentReader::EndsOtherClause(std::size_t end) const {
@@ -89,30 +122,6 @@ std::size_t AgentReader::ReadThere() {
   }
   SetPlace(there_, there_feature_, false, subject_, at_ + 1);
   return 1;
-}
-
-bool AgentReader::IsHeading(std::size_t at) const {
-  const std::size_t feature = words_.features.LengthAt(tokens_, at);
-  return feature > 0 && at + feature < tokens_.size() &&
-         tokens_[at + feature].kind == TokenKind::kComma && tokens_[at + feature].text != "," &&
-         words_.species.LengthAt(tokens_, at) == 0;
-}
-
-bool AgentReader::IsFilled(std::size_t at) const {
-  const std::size_t feature = words_.features.LengthAt(tokens_, at);
-  if (feature == 0 || words_.species.LengthAt(tokens_, at) > 0) return false;
-  std::size_t next = at + feature;
-  while (noted_.IsAnyWord(next, {"is", "are", "must", "should", "be", "will", "being", "all",
-                                 "completely", "totally", "just", "now", "shall"})) {
-    ++next;
-  }
-  const bool holds =
-      noted_.IsAnyWord(next, {"has", "have", "contains", "contain", "hosts", "houses", "gets"}) ||
-      (noted_.IsAnyWord(next, {"full", "filled", "teeming", "crawling", "swarming", "packed",
-                               "crowded", "home", "populated", "inhabited", "occupied", "bustling",
-                               "overrun", "infested", "lively"}) &&
-       noted_.IsAnyWord(next + 1, {"of", "with", "to", "by"}));
-  return holds && AgentsAhead(next);
 }
 
 std::vector<std::size_t> AgentReader::Owners() const {
@@ -159,75 +168,13 @@ bool AgentReader::IsBarePlace(const PlaceMatch& place, std::size_t at) const {
          words_.features.LengthAt(tokens_, end) > 0;
 }
 
-std::optional<FeaturePlace> AgentReader::ReadFeature(std::size_t* end, bool near,
-                                                     const PlaceMatch& place,
-                                                     std::size_t place_at) const {
-  std::size_t at = *end;
-  bool relative = false;
-  if (place.tokens > 0) {
-    // "north of the lake"; "the northern lake" only narrows it down.
-    if (noted_.IsWord(at, "of")) {
-      relative = true;
-      ++at;
-    } else if (RoleAt(Role::kIn, at) > 0 || RoleAt(Role::kNear, at) > 0) {
-      const std::size_t in = RoleAt(Role::kIn, at);
-      const std::size_t beside = RoleAt(Role::kNear, at);
-      near = beside > in;
-      at += std::max(in, beside);
-    }
-  }
-  const std::size_t shore = place_at + std::max<std::size_t>(1, place.tokens) - 1;
-  if (!relative && !place.of_other && place.tokens > 1 && place.places.size() == 1 &&
-      noted_.IsAnyWord(shore, {"shore", "shores", "bank", "banks"})) {
-    // "on the western shore": of the lake, not of the map.
-    const FeatureWord& word = *words_.features.At(tokens_, shore).rows.front();
-    return FeaturePlace{
-        word.name, word.suburb, word.wild, true, HeadingOf(place.places.front().main), true};
-  }
-  bool outside = false;
-  for (int i = 0; i < 4 && at < tokens_.size(); ++i) {
-    if (noted_.IsPause(at)) return {};
-    const auto match = words_.features.At(tokens_, at);
-    if (match.tokens > 0) {
-      const FeatureWord& word = *match.rows.front();
-      // To sit on a stone is to be anywhere.
-      if (word.name == "rock" && noted_.IsAnyWord(at - 1, {"a", "one"})) return {};
-      FeaturePlace feature{word.name, word.suburb, word.wild, near || outside, {}};
-      at += match.tokens;
-      if (noted_.IsAnyWord(at, {"edge", "border", "margin", "shore", "side", "fringe", "bank",
-                                "rim", "edges", "outskirts"})) {
-        feature.near = true;
-        ++at;
-      }
-      if (match.tokens > 1 && noted_.IsAnyWord(at - 1, {"edge", "margin", "border"})) {
-        feature.near = true;
-      }
-      if (relative && place.places.size() == 1) {
-        // "in the north of the forest" is inside, "north of the lake" is not.
-        const bool inside =
-            noted_.IsWord(place_at, "the") || (place_at > 0 && noted_.IsWord(place_at - 1, "the"));
-        feature.shore = noted_.IsAnyWord(shore, {"shore", "shores", "bank", "banks"});
-        feature.near = !inside || feature.shore;
-        feature.on = HeadingOf(place.places.front().main);
-      }
-      *end = at;
-      return feature;
-    }
-    if (noted_.IsAnyWord(at, {"edge", "edges", "shore", "shores", "bank", "banks", "fringe", "rim",
-                              "border", "foot", "outskirts", "margin"})) {
-      outside = true;
-    } else if (words_.species.LengthAt(tokens_, at) > 0 || RoleAt(Role::kIn, at) > 0) {
-      return {};
-    }
-    ++at;
-  }
-  return {};
-}
-
 bool AgentReader::IsFronted(std::size_t end) const {
   if (!clause_open_) return false;
   std::size_t at = end;
   if (at < tokens_.size() && tokens_[at].kind == TokenKind::kComma) ++at;
+  if (const std::size_t aside = SurroundingsAt(at); aside > 0 && !noted_.IsEnd(at + aside)) {
+    at += aside + 1;
+  }
   // "under the oak, leaning on his spear, a knight"
   if (at > end && !noted_.IsPause(at) && IsDoing(at)) {
     std::size_t pause = at;
@@ -301,6 +248,10 @@ void AgentReader::SetPlace(const std::vector<Place>& places,
     // "Five knights on the bridge. Ten sheep. All of them in the south."
     const bool placed = !wish.places.empty() || wish.feature.has_value();
     if (everybody_ && placed && groups_[index].sentence != sentence_) continue;
+    // "wherever you like" takes no place away.
+    const bool anywhere =
+        !feature.has_value() && !places.empty() && places.front().main == Region::kAnywhere;
+    if (anywhere && (placed || groups_[index].with != kNone)) continue;
     const bool fresh = placed_sentence_ != sentence_ + 1 || placed_ != index;
     if (corrected_ || (fresh && groups_[index].sentence != sentence_)) {
       wish.places.clear();

@@ -10,8 +10,7 @@ namespace latticeworld {
 namespace internal {
 namespace {
 
-constexpr std::size_t kMaxWords = 200;     // bytes kept of the words of one group
-constexpr std::size_t kNobodyTokens = 12;  // what else a "nobody" denies
+constexpr std::size_t kMaxWords = 200;  // bytes kept of the words of one group
 
 }  // namespace
 
@@ -52,16 +51,20 @@ std::size_t AgentReader::Step() {
       return said;
     }
   }
+  if (const std::size_t tokens = ReadOrder(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadCompany(); tokens > 0) return tokens;
+  if (const std::size_t tokens = ReadEachHas(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadCountsOfSides(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadReference(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadNounPhrase(); tokens > 0) {
     clause_open_ = false;
     return tokens;
   }
+  if (const std::size_t tokens = ReadGrounded(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadPlace(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadState(); tokens > 0) {
-    clause_open_ = false;
+    // "in the air above it four drones": nobody is named yet.
+    clause_open_ = clause_open_ && subject_.empty() && state_before_.has_value();
     return tokens;
   }
   if (noted_.IsWord(at_, "and")) {
@@ -117,26 +120,6 @@ void AgentReader::Known(std::size_t tokens) {
   }
 }
 
-std::size_t AgentReader::ReadNobody(std::size_t tokens) {
-  // "no life" denies all; "no one but a shepherd" is denied by the shepherd later on.
-  EnvironmentClaim claim;
-  claim.kind = EnvironmentClaimKind::kNoAgents;
-  claim.words = std::string(noted_.Text(at_, at_ + tokens));
-  heard_.absences.push_back(std::move(claim));
-  noted_.Mark(at_, at_ + tokens, &TokenNote::agent);
-  absent_here_ = true;
-  // "not a soul, man or beast"
-  const std::size_t first = at_ + tokens;
-  for (std::size_t i = first; i < first + kNobodyTokens && !noted_.IsEnd(i); ++i) {
-    if (RoleAt(Role::kBut, i) > 0 || ReadCount(noted_, words_, i).tokens > 0 ||
-        noted_.IsAnyWord(i, {"except", "save", "apart", "besides"})) {
-      break;
-    }
-    if (words_.species.LengthAt(tokens_, i) > 0) noted_.notes[i].negated = true;
-  }
-  return tokens;
-}
-
 void AgentReader::BeginSentence() {
   clause_open_ = true;
   // "... instead" at a sentence's end turns all of it into a correction.
@@ -158,7 +141,10 @@ void AgentReader::EndPhrase() {
   joined_ = false;
   paused_ = true;
   acted_ = false;
-  state_before_.reset();
+  // "leaning on his spear, a knight"
+  const bool fronted = state_before_.has_value() && subject_.empty() && IsDoing(state_at_) &&
+                       (state_at_ == 0 || noted_.IsPause(state_at_ - 1));
+  if (!fronted) state_before_.reset();
   phrase_begin_ = kNone;
   clause_open_ = true;
   object_ = kNone;
@@ -186,12 +172,16 @@ void AgentReader::EndClause() {
 
 void AgentReader::EndSentence() {
   EndPhrase();
+  PutInOrder();
+  state_before_.reset();
   DropAnnouncedTotal();
   paused_ = false;
   if (!subject_.empty()) previous_ = subject_;
   subject_.clear();
   lead_ = {};
   corrected_ = false;
+  substituted_ = kNone;
+  times_ = 1;
   everybody_ = false;
   told_since_correction_ = false;
   new_clause_ = false;
@@ -269,19 +259,12 @@ void AgentReader::Finish() {
     group.wish.words = WordsOf(group);
     heard_.agents.push_back(std::move(group.wish));
   }
+  NarrowDeniedKinds();
   // Who is named is not absent: "nobody but a shepherd".
   auto& absences = heard_.absences;
   absences.erase(std::remove_if(absences.begin(), absences.end(),
                                 [&](const EnvironmentClaim& claim) { return IsDenied(claim); }),
                  absences.end());
-}
-
-bool AgentReader::IsDenied(const EnvironmentClaim& claim) const {
-  if (claim.kind != EnvironmentClaimKind::kNoAgents) return false;
-  return std::any_of(heard_.agents.begin(), heard_.agents.end(), [&](const AgentWish& wish) {
-    return claim.categories.empty() || std::find(claim.categories.begin(), claim.categories.end(),
-                                                 wish.categories.front()) != claim.categories.end();
-  });
 }
 
 }  // namespace internal

@@ -132,7 +132,7 @@ std::size_t AgentReader::ReadFormerOrLatter() {
 
 std::size_t AgentReader::ReadAllOfThem() {
   const bool both = noted_.IsWord(at_, "both");
-  if (!both && !noted_.IsWord(at_, "all")) return 0;
+  if (!both && !noted_.IsAnyWord(at_, {"all", "these", "those", "the"})) return 0;
   const Count count = both ? Count{2, 2, 2, 0} : ReadCount(noted_, words_, at_ + 1);
   if (!both && (count.tokens == 0 || count.least != count.most)) return 0;
   std::size_t next = at_ + 1 + count.tokens;

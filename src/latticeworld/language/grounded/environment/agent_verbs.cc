@@ -17,6 +17,18 @@ bool IsAgainst(AgentState state) {
 
 }  // namespace
 
+std::size_t AgentReader::ReadGrounded() {
+  if (!IsSubjectWinged() || !noted_.IsWord(at_, "on") || !noted_.IsAnyWord(at_ + 2, {"ground"})) {
+    return 0;
+  }
+  for (const std::size_t index : subject_) {
+    groups_[index].wish.state = AgentState::kIdle;
+    Extend(index, tokens_[at_ + 2].end);
+  }
+  noted_.Mark(at_, at_ + 3, &TokenNote::agent);
+  return 3;
+}
+
 std::size_t AgentReader::ReadState() {
   const auto match = words_.states.At(tokens_, at_);
   // "rolling hills" is land, a sky "swept clean of clouds" is clear.
@@ -64,6 +76,7 @@ std::size_t AgentReader::ReadState() {
                          !IsFinite(at_);
   if (by || adjective || (subject_.empty() && noun_ahead)) {
     state_before_ = state;
+    state_at_ = at_;
     phrase_begin_ = std::min(phrase_begin_, tokens_[at_].begin);
     noted_.Mark(at_, end, &TokenNote::agent);
     if (by) subject_.clear();
@@ -103,6 +116,12 @@ bool AgentReader::SubjectIsRobots() const {
       default:
         return false;
     }
+  });
+}
+
+bool AgentReader::IsSubjectWinged() const {
+  return !subject_.empty() && std::all_of(subject_.begin(), subject_.end(), [&](std::size_t index) {
+    return LocomotionOf(groups_[index].wish.categories.front()) == Locomotion::kWings;
   });
 }
 

@@ -51,6 +51,15 @@ void MendPlaces(std::vector<Token>* tokens) {
     return said == "up" ? "upper" : said == "down" ? "lower" : "";
   };
   const auto is_side = [](std::string_view said) { return said == "left" || said == "right"; };
+  for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
+    // "up to the left", "down on the right"
+    const bool apart = (word(at + 1) == "to" || word(at + 1) == "on" || word(at + 1) == "in") &&
+                       word(at + 2) == "the" && is_side(word(at + 3)) && is_end(at + 4);
+    if (level(word(at)).empty() || !apart) continue;
+    (*tokens)[at + 2].text = std::string(level(word(at)));
+    (*tokens)[at].text = "at";
+    (*tokens)[at + 1].text = "the";
+  }
   for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
     if (!is_end(at + 2)) continue;
     if (!level(word(at)).empty() && is_side(word(at + 1))) {

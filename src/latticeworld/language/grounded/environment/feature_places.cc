@@ -43,20 +43,34 @@ Grid<unsigned char> OwnCells(std::string_view letters, const SymbolicLayout& lay
   return cells;
 }
 
-// The middle of the largest piece that has one of the letters.
+// The middle of the largest piece that has one of the letters; of "R&W" of all such cells.
 bool FindMiddle(std::string_view letters, const SymbolicLayout& layout, double* row, double* col) {
   std::size_t largest = 0;
-  for (const char letter : letters.substr(0, letters.find('&'))) {
-    const std::vector<LayoutComponent> pieces = ComponentsOf(layout, letter);
-    if (pieces.empty() || pieces.front().cells.size() <= largest) continue;
-    largest = pieces.front().cells.size();
+  const auto average = [&](const std::vector<CellIndex>& cells) {
+    if (cells.size() <= largest) return;
+    largest = cells.size();
     *row = *col = 0.0;
-    for (const CellIndex cell : pieces.front().cells) {
+    for (const CellIndex cell : cells) {
       *row += cell.row;
       *col += cell.col;
     }
     *row /= static_cast<double>(largest);
     *col /= static_cast<double>(largest);
+  };
+  if (Contains(letters, '&')) {
+    const Grid<unsigned char> own = OwnCells(letters, layout);
+    std::vector<CellIndex> cells;
+    for (int r = 0; r < kLayoutSize; ++r) {
+      for (int c = 0; c < kLayoutSize; ++c) {
+        if (own(r, c) != 0) cells.push_back({r, c});
+      }
+    }
+    average(cells);
+    return largest > 0;
+  }
+  for (const char letter : letters) {
+    const std::vector<LayoutComponent> pieces = ComponentsOf(layout, letter);
+    if (!pieces.empty()) average(pieces.front().cells);
   }
   return largest > 0;
 }
@@ -105,11 +119,58 @@ Grid<unsigned char> CellsBeyond(std::string_view letters, const Heading& on,
   return cells;
 }
 
+// The cells around the stretch from one land to another, without its ends.
+Grid<unsigned char> CellsBetween(const FeaturePlace& feature, std::string_view from,
+                                 std::string_view to, const SymbolicLayout& layout) {
+  constexpr int kSteps = 64;
+  constexpr double kStretch = 0.25;  // of the way that is left out at either end
+  constexpr double kHalfway = 0.42;
+  Grid<unsigned char> cells(kLayoutSize, kLayoutSize, 0);
+  double row = 0.0, col = 0.0, to_row = 0.0, to_col = 0.0;
+  if (!FindMiddle(from, layout, &row, &col) || !FindMiddle(to, layout, &to_row, &to_col)) {
+    return cells;
+  }
+  const double left_out = feature.way == FeaturePlace::Way::kHalfway ? kHalfway : kStretch;
+  for (int step = 0; step <= kSteps; ++step) {
+    const double way = static_cast<double>(step) / kSteps;
+    if (way < left_out || way > 1.0 - left_out) continue;
+    const int at_row = static_cast<int>(std::lround(row + way * (to_row - row)));
+    const int at_col = static_cast<int>(std::lround(col + way * (to_col - col)));
+    for (int r = at_row - 1; r <= at_row + 1; ++r) {
+      for (int c = at_col - 1; c <= at_col + 1; ++c) {
+        if (layout.cells.Contains({r, c})) cells(r, c) = 1;
+      }
+    }
+  }
+  return cells;
+}
+
+// Of the cells those on the side of `letters` that is turned away from `viewpoint`.
+void KeepFarSide(std::string_view letters, std::string_view viewpoint, const SymbolicLayout& layout,
+                 Grid<unsigned char>* cells) {
+  double row = 0.0, col = 0.0, from_row = 0.0, from_col = 0.0;
+  if (!FindMiddle(letters, layout, &row, &col)) return;
+  if (!FindMiddle(viewpoint, layout, &from_row, &from_col)) return;
+  const double south = row - from_row, east = col - from_col;
+  for (int r = 0; r < kLayoutSize; ++r) {
+    for (int c = 0; c < kLayoutSize; ++c) {
+      const double along = (r - row) * south + (c - col) * east;
+      const double across = std::abs((r - row) * east - (c - col) * south);
+      if (along <= 0.0 || along < across) (*cells)(r, c) = 0;
+    }
+  }
+}
+
 }  // namespace
 
 Grid<unsigned char> CellsAt(const FeaturePlace& feature, const SymbolicLayout& layout) {
   const std::string_view letters =
       layout.vocabulary == Vocabulary::kSuburb ? feature.suburb : feature.wild;
+  const std::string_view other =
+      layout.vocabulary == Vocabulary::kSuburb ? feature.other_suburb : feature.other_wild;
+  if (feature.way == FeaturePlace::Way::kBetween || feature.way == FeaturePlace::Way::kHalfway) {
+    return CellsBetween(feature, letters, other, layout);
+  }
   Grid<unsigned char> own = OwnCells(letters, layout);
   if (feature.name == "copse") KeepSmallest(letters.front(), layout, &own);
   Grid<unsigned char> cells(kLayoutSize, kLayoutSize, 0);
@@ -129,6 +190,7 @@ Grid<unsigned char> CellsAt(const FeaturePlace& feature, const SymbolicLayout& l
       }
     }
   }
+  if (feature.way == FeaturePlace::Way::kBehind) KeepFarSide(letters, other, layout, &cells);
   if (feature.on.has_value() && feature.near && !feature.shore) {
     const Grid<unsigned char> beyond = CellsBeyond(letters, *feature.on, layout);
     for (int row = 0; row < kLayoutSize; ++row) {

@@ -2,6 +2,7 @@
 #define LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_HEARD_ENVIRONMENT_H_
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,11 @@ struct FeaturePlace {
   bool near = false;          // beside it rather than in it
   std::optional<Heading> on;  // "north of the lake"; of no direction: in its middle
   bool shore = false;         // "on the northern shore": beside it, not beyond
+  // Other land that it is told by: "between the lake and the village", "on the far side of the
+  // lake, seen from the village".
+  enum class Way : std::uint8_t { kNone, kBetween, kHalfway, kBehind } way = Way::kNone;
+  std::string other_suburb{};
+  std::string other_wild{};
 };
 
 // Agents as an instruction asks for them, before they are fitted to a world.

@@ -105,7 +105,9 @@ class ScopeMarker {
         if (content == 0 || !ListGoesOn(at + 1)) return;
         continue;
       }
-      if (Role(Role::kBut, at) > 0 && !noted_->IsWord(at, "for")) return;
+      // "not by the lake"
+      const bool place = at == first && noted_->IsWord(at, "by");
+      if (Role(Role::kBut, at) > 0 && !noted_->IsWord(at, "for") && !place) return;
       if (noted_->IsWord(at, "and") && (!joins_by_and || !IsBare(at + 1))) return;
       // "instead of sheep I would like horses"
       if (content > 0 && noted_->IsAnyWord(at, {"i", "we", "please", "let", "put"})) return;

@@ -104,9 +104,10 @@ enum class Role : std::uint8_t {
   kFacing,
   kAfterSpecies,
   kBeforeSpecies,
-  kNobody
+  kNobody,
+  kUnwanted
 };
-constexpr std::array<EnumName<Role>, 24> EnumNames(Role) {
+constexpr std::array<EnumName<Role>, 25> EnumNames(Role) {
   return {{{Role::kFunction, "function"},
            {Role::kIgnored, "ignored"},
            {Role::kNot, "not"},
@@ -130,7 +131,8 @@ constexpr std::array<EnumName<Role>, 24> EnumNames(Role) {
            {Role::kFacing, "facing"},
            {Role::kAfterSpecies, "after_species"},
            {Role::kBeforeSpecies, "before_species"},
-           {Role::kNobody, "nobody"}}};
+           {Role::kNobody, "nobody"},
+           {Role::kUnwanted, "unwanted"}}};
 }
 
 // Rows, and the phrases that lead to them.
