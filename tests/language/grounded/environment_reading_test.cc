@@ -39,50 +39,52 @@ TEST_P(CoarseVoices, GiveTheAttributeAway) {
   EXPECT_TRUE(measure.holds) << measure.explanation;
 }
 
-INSTANTIATE_TEST_SUITE_P(Voices, CoarseVoices,
-                         testing::ValuesIn(std::vector<CoarseSample>{
-                             {"the pumpkins glow, it is Halloween", CoarseKey::kSeason, "autumn"},
-                             {"Diwali lamps everywhere", CoarseKey::kSeason, "autumn"},
-                             {"the cherry trees are white with cherry blossom", CoarseKey::kSeason,
-                              "spring"},
-                             {"-12 \xC2\xB0"
-                              "C and icicles",
-                              CoarseKey::kSeason, "winter"},
-                             {"95 degrees Fahrenheit in the shade", CoarseKey::kSeason, "summer"},
-                             {"a frozen lake", CoarseKey::kSeason, "winter"},
-                             {"everyone wears mittens", CoarseKey::kSeason, "winter"},
-                             {"May.", CoarseKey::kSeason, "spring"},
-                             {"it may be hot", CoarseKey::kSeason, "summer"},
-                             {"goblins march through a cold January", CoarseKey::kSeason, "winter"},
-                             {"half past nine in the evening", CoarseKey::kTimeOfDay, "night"},
-                             {"it is 18:30", CoarseKey::kTimeOfDay, "dusk"},
-                             {"at 6 am", CoarseKey::kTimeOfDay, "dawn"},
-                             {"at three in the afternoon", CoarseKey::kTimeOfDay, "afternoon"},
-                             {"the sun is directly overhead", CoarseKey::kTimeOfDay, "noon"},
-                             {"long shadows", CoarseKey::kTimeOfDay, "dusk"},
-                             {"pitch dark", CoarseKey::kTimeOfDay, "night"},
-                             {"it never rains", CoarseKey::kWeather, "sunny"},
-                             {"no sun at all", CoarseKey::kWeather, "cloudy"},
-                             {"a storm of arrows flies", CoarseKey::kWeather, "sunny"},
-                             {"white flakes come down", CoarseKey::kWeather, "snow"},
-                             {"the mornign is fogyg", CoarseKey::kTimeOfDay, "morning"},
-                             {"not summer but autumn", CoarseKey::kSeason, "autumn"},
-                             {"heavy rain, dark clouds", CoarseKey::kWeather, "rain"},
-                             {"rain, no, just cloudy", CoarseKey::kWeather, "cloudy"},
-                             {"the sky, which is grey", CoarseKey::kWeather, "cloudy"},
-                             {"I prefer autumn to winter", CoarseKey::kSeason, "autumn"},
-                             {"eagles fly above the snow, no clouds", CoarseKey::kWeather, "sunny"},
-                             {"a gloomy autumn day", CoarseKey::kSeason, "autumn"},
-                             {"nobody is there, at dawn", CoarseKey::kTimeOfDay, "dawn"},
-                             {"make it like a cartoon", CoarseKey::kArtisticStyle, "cartoon"},
-                             {"rainny", CoarseKey::kWeather, "rain"},
-                             {"like a comic book", CoarseKey::kArtisticStyle, "cartoon"},
-                             {"the sun was just going down", CoarseKey::kTimeOfDay, "dusk"},
-                             {"any weather but sun", CoarseKey::kWeather, "cloudy"},
-                             {"a foggy day? no, keep the fog out", CoarseKey::kWeather, "sunny"},
-                             {"it poured", CoarseKey::kWeather, "rain"},
-                             {"holograms and neon", CoarseKey::kArtisticStyle, "cyberpunk"},
-                         }));
+INSTANTIATE_TEST_SUITE_P(
+    Voices, CoarseVoices,
+    testing::ValuesIn(std::vector<CoarseSample>{
+        {"the pumpkins glow, it is Halloween", CoarseKey::kSeason, "autumn"},
+        {"Diwali lamps everywhere", CoarseKey::kSeason, "autumn"},
+        {"the cherry trees are white with cherry blossom", CoarseKey::kSeason, "spring"},
+        {"-12 \xC2\xB0"
+         "C and icicles",
+         CoarseKey::kSeason, "winter"},
+        {"95 degrees Fahrenheit in the shade", CoarseKey::kSeason, "summer"},
+        {"a frozen lake", CoarseKey::kSeason, "winter"},
+        {"everyone wears mittens", CoarseKey::kSeason, "winter"},
+        {"May.", CoarseKey::kSeason, "spring"},
+        {"it may be hot", CoarseKey::kSeason, "summer"},
+        {"Rain. Sorry, the sun instead.", CoarseKey::kWeather, "sunny"},
+        {"realistic, nothing cartoonish", CoarseKey::kArtisticStyle, "realistic"},
+        {"goblins march through a cold January", CoarseKey::kSeason, "winter"},
+        {"half past nine in the evening", CoarseKey::kTimeOfDay, "night"},
+        {"it is 18:30", CoarseKey::kTimeOfDay, "dusk"},
+        {"at 6 am", CoarseKey::kTimeOfDay, "dawn"},
+        {"at three in the afternoon", CoarseKey::kTimeOfDay, "afternoon"},
+        {"the sun is directly overhead", CoarseKey::kTimeOfDay, "noon"},
+        {"long shadows", CoarseKey::kTimeOfDay, "dusk"},
+        {"pitch dark", CoarseKey::kTimeOfDay, "night"},
+        {"it never rains", CoarseKey::kWeather, "sunny"},
+        {"no sun at all", CoarseKey::kWeather, "cloudy"},
+        {"a storm of arrows flies", CoarseKey::kWeather, "sunny"},
+        {"white flakes come down", CoarseKey::kWeather, "snow"},
+        {"the mornign is fogyg", CoarseKey::kTimeOfDay, "morning"},
+        {"not summer but autumn", CoarseKey::kSeason, "autumn"},
+        {"heavy rain, dark clouds", CoarseKey::kWeather, "rain"},
+        {"rain, no, just cloudy", CoarseKey::kWeather, "cloudy"},
+        {"the sky, which is grey", CoarseKey::kWeather, "cloudy"},
+        {"I prefer autumn to winter", CoarseKey::kSeason, "autumn"},
+        {"eagles fly above the snow, no clouds", CoarseKey::kWeather, "sunny"},
+        {"a gloomy autumn day", CoarseKey::kSeason, "autumn"},
+        {"nobody is there, at dawn", CoarseKey::kTimeOfDay, "dawn"},
+        {"make it like a cartoon", CoarseKey::kArtisticStyle, "cartoon"},
+        {"rainny", CoarseKey::kWeather, "rain"},
+        {"like a comic book", CoarseKey::kArtisticStyle, "cartoon"},
+        {"the sun was just going down", CoarseKey::kTimeOfDay, "dusk"},
+        {"any weather but sun", CoarseKey::kWeather, "cloudy"},
+        {"a foggy day? no, keep the fog out", CoarseKey::kWeather, "sunny"},
+        {"it poured", CoarseKey::kWeather, "rain"},
+        {"holograms and neon", CoarseKey::kArtisticStyle, "cyberpunk"},
+    }));
 
 TEST(EnvironmentReadingTest, EveryVariantAndMaterialHasWordsOfItsOwn) {
   const EnvironmentWords& words = GetEnvironmentWords();
@@ -188,6 +190,25 @@ TEST(EnvironmentReadingTest, FineWishesAreHeard) {
   EXPECT_EQ(environment.fine_of(AssetType::kDesert).wind_mps, 12.0);
   EXPECT_EQ(environment.fine_of(AssetType::kLake).material, "silty");
   EXPECT_EQ(environment.fine_of(AssetType::kLake).height_m, -2.0);
+}
+
+TEST(EnvironmentReadingTest, FineWishesAreHeardInOtherWords) {
+  const EnvironmentConfig snowy =
+      GenerateInCountry(
+          "There is still snow on the road although the sky is clear. Moss grows on the trunks. "
+          "The houses are half their usual size, and flowers grow far and wide, plenty of them.")
+          .environment;
+  EXPECT_EQ(snowy.fine_of(AssetType::kRoad).season_variant, "snow-covered");
+  EXPECT_EQ(snowy.coarse.season, Season::kWinter);
+  EXPECT_EQ(snowy.coarse.weather, Weather::kSunny);
+  EXPECT_EQ(snowy.fine_of(AssetType::kForest).material, "mossy bark");
+  EXPECT_EQ(snowy.fine_of(AssetType::kArchitecture).scale, 0.5);
+  EXPECT_GT(snowy.fine_of(AssetType::kFlower).density, 0.6);
+  const EnvironmentConfig listed =
+      GenerateInCountry("Grass density at 80 percent, stones at 20, dead wood 40.").environment;
+  EXPECT_EQ(listed.fine_of(AssetType::kGrass).density, 0.8);
+  EXPECT_EQ(listed.fine_of(AssetType::kStone).density, 0.2);
+  EXPECT_EQ(listed.fine_of(AssetType::kDeadBranch).density, 0.4);
 }
 
 TEST(EnvironmentReadingTest, ASmallWorldHasNoLakeForAWhale) {

@@ -141,6 +141,11 @@ class CoarseReader {
       if (word.value == "snow") Hint(CoarseKey::kSeason, "winter", words);
       return;
     }
+    // "snow clings to the slopes": it has fallen before.
+    if (word.key == CoarseKey::kWeather && word.value == "snow" && IsLying(first, last)) {
+      Hint(CoarseKey::kSeason, "winter", words);
+      return;
+    }
     // "fog until midday": where a time ends is not when it is.
     if (word.key == CoarseKey::kTimeOfDay && first > 0 &&
         noted_.IsAnyWord(first - 1, {"until", "till", "til", "since"})) {
@@ -153,15 +158,35 @@ class CoarseReader {
       restricted_ =
           restricted_ || noted_.IsAnyWord(i - 1, {"just", "only", "merely", "now", "but"});
     }
-    restricted_ = restricted_ || noted_.IsAnyWord(last, {"instead", "only", "now"});
+    restricted_ = restricted_ || noted_.IsAnyWord(last, {"instead", "only", "now"}) ||
+                  (noted_.IsWord(last, "after") && noted_.IsWord(last + 1, "all"));
     if (first > 0 && noted_.IsPause(first - 1) && first > 1) {
       restricted_ = restricted_ || noted_.IsAnyWord(first - 2, {"no", "sorry", "actually", "wait"});
     }
-    if (hints) {
+    // "sorry, let's have sun instead": what corrects is no mere hint.
+    const bool corrects = restricted_ && noted_.IsAnyWord(last, {"instead", "after"}) &&
+                          (word.key == CoarseKey::kWeather || word.key == CoarseKey::kTimeOfDay);
+    if (hints && !corrects) {
       Hint(word.key, word.value, words);
     } else {
       Say(word.key, word.value, words);
     }
+  }
+
+  bool IsLying(std::size_t first, std::size_t last) const {
+    if (last != first + 1 || !noted_.IsWord(first, "snow")) return false;
+    std::size_t at = last;
+    while (noted_.IsAnyWord(at, {"still", "only", "left", "should", "must", "will", "is", "there",
+                                 "deep", "thick", "all"})) {
+      ++at;
+    }
+    if (noted_.IsAnyWord(at, {"on", "upon", "atop"})) {
+      return noted_.IsAnyWord(at + 1, {"the", "all", "every", "its", "their", "top", "roofs"});
+    }
+    if (noted_.IsWord(at, "in")) return noted_.IsWord(at + 1, "patches");
+    return noted_.IsAnyWord(
+        at, {"cling", "clings", "lies", "lie", "lying", "covers", "covering", "cover", "remains",
+             "lingers", "melts", "patches", "blankets", "sits", "stays"});
   }
 
   // "like a storm", "as white as snow".

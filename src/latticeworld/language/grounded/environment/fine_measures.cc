@@ -6,6 +6,7 @@
 
 #include "latticeworld/environment/ranges.h"
 #include "latticeworld/language/grounded/environment/fine_wishes.h"
+#include "latticeworld/language/numbers.h"
 
 namespace latticeworld {
 namespace {
@@ -25,12 +26,39 @@ class FineMeasureReader {
         wishes_(noted, heard) {}
 
   void Run() {
+    for (const HeardMeasure& measure : measures_) {
+      if (measure.kind == MeasureKind::kShare && Says(measure, {"density", "densities"})) {
+        ReadListedShares(measure);
+      }
+    }
     measures_.erase(std::remove_if(measures_.begin(), measures_.end(),
                                    [&](const HeardMeasure& measure) { return Use(measure); }),
                     measures_.end());
   }
 
  private:
+  // "Stone density at 10 percent, grass at 90, flowers 50": the unit is said once.
+  void ReadListedShares(const HeardMeasure& measure) {
+    for (std::size_t at = measure.last; !noted_.IsEnd(at); ++at) {
+      const auto asset = words_.assets.At(tokens_, at);
+      if (asset.tokens == 0) continue;
+      std::size_t number_at = at + asset.tokens;
+      while (noted_.IsAnyWord(number_at, {"at", "to", "is", "of", "density", ":", "="}))
+        ++number_at;
+      if (noted_.IsEnd(number_at) || noted_.notes[number_at].measure) continue;
+      const NumberMatch number = MatchNumber(tokens_, number_at);
+      const std::size_t end = number_at + number.tokens;
+      if (number.tokens == 0 || number.value > 100 ||
+          !(noted_.IsPause(end) || noted_.IsWord(end, "and"))) {
+        continue;
+      }
+      const double share = number.value / 100.0;
+      wishes_.AddNumber(EnvironmentClaimKind::kDensity, asset.rows.front()->asset, {},
+                        std::max(0.0, share - kTolerance), share, std::min(1.0, share + kTolerance),
+                        at, end);
+    }
+  }
+
   // [first, last) of the tokens of the sentence that the measure stands in.
   void FindSentence(const HeardMeasure& measure, std::size_t* first, std::size_t* last) const {
     *first = measure.first;
@@ -55,7 +83,19 @@ class FineMeasureReader {
   std::optional<AssetType> NearestAsset(const HeardMeasure& measure,
                                         bool (*suits)(AssetType)) const {
     std::size_t first = 0, last = 0;
+    // "stone at 10 %, grass at 90": the noun between the same commas before all others.
+    std::size_t comma = measure.first;
+    while (comma > 0 && !noted_.IsPause(comma - 1)) --comma;
+    std::size_t pause = measure.last;
+    while (!noted_.IsPause(pause)) ++pause;
+    if (const auto own = NearestAssetIn(comma, pause, measure, suits); own.has_value()) return own;
     FindSentence(measure, &first, &last);
+    return NearestAssetIn(first, last, measure, suits);
+  }
+
+  std::optional<AssetType> NearestAssetIn(std::size_t first, std::size_t last,
+                                          const HeardMeasure& measure,
+                                          bool (*suits)(AssetType)) const {
     std::optional<AssetType> nearest;
     std::size_t least = tokens_.size() + 1;
     std::size_t next = first;

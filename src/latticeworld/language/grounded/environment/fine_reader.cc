@@ -9,7 +9,8 @@
 namespace latticeworld {
 namespace {
 
-constexpr std::size_t kReach = 5;  // tokens from an adjective to its noun
+constexpr std::size_t kPhraseTokens = 6;  // of a phrase, not counting small words
+constexpr std::size_t kReach = 5;         // tokens from an adjective to its noun
 
 // An adjective that waits for its noun, or looks back to it.
 struct Quality {
@@ -51,7 +52,8 @@ class FineReader {
   }
 
   std::size_t Step(std::size_t at) {
-    const auto variant = words_.variants.At(tokens_, at);
+    if (const std::size_t cover = ReadCover(at); cover > 0) return cover;
+    const auto variant = VariantAt(at);
     const auto parameter = words_.parameters.At(tokens_, at);
     const auto density = words_.densities.At(tokens_, at);
     const auto asset = words_.assets.At(tokens_, at);
@@ -114,6 +116,72 @@ class FineReader {
       ReadQuality(std::move(quality));
     }
     return longest;
+  }
+
+  // The longest phrase that starts here, whether or not small words stand within: "moss growing on
+  // the bark" is "moss on the bark".
+  WordTable<VariantWord>::Match VariantAt(std::size_t at) const {
+    const auto exact = words_.variants.At(tokens_, at);
+    if (noted_.IsPause(at) || IsFiller(at)) return exact;
+    std::vector<Token> heavy;
+    std::vector<std::size_t> ends;
+    for (std::size_t i = at; !noted_.IsPause(i) && heavy.size() < kPhraseTokens; ++i) {
+      if (IsFiller(i)) continue;
+      heavy.push_back(tokens_[i]);
+      ends.push_back(i + 1 - at);
+    }
+    auto loose = words_.variants.At(heavy, 0);
+    if (loose.tokens < 2 || ends[loose.tokens - 1] <= exact.tokens) return exact;
+    loose.tokens = ends[loose.tokens - 1];
+    return loose;
+  }
+
+  bool IsFiller(std::size_t at) const {
+    return noted_.IsAnyWord(
+        at,
+        {"growing", "lying",      "standing", "only",   "just",    "now",    "still",  "already",
+         "all",     "completely", "entirely", "fully",  "totally", "mostly", "very",   "quite",
+         "really",  "rather",     "been",     "almost", "nearly",  "deeply", "freshly"});
+  }
+
+  // "snow still lies on the road", "moss covers the rocks": the road is "snow covered".
+  std::size_t ReadCover(std::size_t at) {
+    constexpr std::size_t kReach_tokens = 4;  // from what covers to the word that says so
+    if (noted_.notes[at].negated || !noted_.IsAnyWord(at, {"snow", "moss", "ice", "frost", "leaves",
+                                                           "mud", "sand", "dust", "lichen"})) {
+      return 0;
+    }
+    std::size_t next = at + 1;
+    while (next < at + 1 + kReach_tokens &&
+           (IsFiller(next) || noted_.IsAnyWord(next, {"lies", "is", "has", "left", "there", "grows",
+                                                      "deep", "thick", "thickly", "everywhere"}))) {
+      ++next;
+    }
+    if (!noted_.IsAnyWord(next, {"on", "upon", "over", "covers", "covering", "coats", "coating",
+                                 "blankets", "blanketing", "carpets", "hides", "buries"})) {
+      return 0;
+    }
+    ++next;
+    while (noted_.IsAnyWord(next, {"the", "all", "its", "their", "every", "each", "of", "both"})) {
+      ++next;
+    }
+    const auto asset = words_.assets.At(tokens_, next);
+    if (asset.tokens == 0) return 0;
+    Token covered = tokens_[at];
+    covered.text = "covered";
+    const std::vector<Token> phrase = {tokens_[at], covered};
+    const auto match = words_.variants.At(phrase, 0);
+    if (match.tokens < 2) return 0;
+    const std::size_t end = next + asset.tokens;
+    for (const VariantWord* word : match.rows) {
+      if (word->alone || word->asset != asset.rows.front()->asset) continue;
+      wishes_.AddVariant(*word, at, end);
+      Known(at, end);
+      noun_ = {word->asset};
+      noun_end_ = end;
+      return end - at;
+    }
+    return 0;
   }
 
   // The length of a phrase of place, weather or time that begins here.
@@ -193,13 +261,23 @@ class FineReader {
     if (noun_.has_value() && !NounFollows(quality)) {
       for (const AssetType asset : *noun_) {
         if (!IsSaidOf(quality)) break;
-        if (Apply(quality, asset, quality.first, quality.last)) return;
+        if (!Apply(quality, asset, quality.first, quality.last)) continue;
+        noun_end_ = std::max(noun_end_, quality.last);  // "..., and plenty of it"
+        return;
       }
     }
     waiting_.push_back(std::move(quality));
   }
 
-  bool IsSaidOf(const Quality& quality) const { return quality.first <= noun_end_ + 2 * kReach; }
+  bool IsSaidOf(const Quality& quality) const {
+    // "on the road although the sky is clear": of the sky.
+    for (std::size_t i = noun_end_; i < quality.first; ++i) {
+      if (noted_.IsAnyWord(i, {"sky", "skies", "weather", "air", "sun", "moon", "night", "day"})) {
+        return false;
+      }
+    }
+    return quality.first <= noun_end_ + 2 * kReach;
+  }
 
   bool NounFollows(const Quality& quality) const {
     // These are said of a noun before them only.

@@ -233,6 +233,16 @@ class MeasureReader {
       }
       if (Is(at, {"thrice", "triple"})) return Factor(3.0, at, at + 1);
     }
+    // "half their usual size"
+    if (Is(at, {"half"}) && Is(at + 1, {"the", "their", "its", "of"})) {
+      for (std::size_t i = at + 2; i < at + 5; ++i) {
+        if (Is(i, {"size", "scale", "height"})) return Factor(0.5, at, at + 1);
+        if (!Is(i, {"usual", "normal", "regular", "original", "standard", "real", "the", "their",
+                    "its", "ordinary", "natural"})) {
+          break;
+        }
+      }
+    }
     if (Is(at, {"half"}) && !IsOfNumber(at + 1) &&
         (Is(at + 1, {"the", "as"}) || Is(at + 1, {"size", "scale", "sized"})) &&
         (Is(at + 2, {"size", "scale", "usual", "normal", "large", "big", "tall", "high"}) ||
