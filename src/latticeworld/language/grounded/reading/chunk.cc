@@ -166,7 +166,7 @@ class Chunker {
       // "a river that flows from the north"
       const std::string_view word = tokens_[lexemes_[i].first].text;
       if (lexemes_[i].Is(Sense::kDefinite) && word == "that" && IsNounAt(i - 1) &&
-          i + 1 < lexemes_.size() && IsVerb(lexemes_[i + 1])) {
+          i + 1 < lexemes_.size() && (IsVerb(lexemes_[i + 1]) || IsPlainVerb(lexemes_[i + 1]))) {
         lexemes_[i].sense = Sense::kWhich;
       }
       // "trees around that, ...": what was spoken of.
@@ -178,6 +178,15 @@ class Chunker {
                           lexemes_[i + 1].kind == LexemeKind::kStop);
       if (alone) lexemes_[i].sense = Sense::kIt;
     }
+  }
+  // Verbs that mean nothing by themselves.
+  bool IsPlainVerb(const Lexeme& lexeme) const {
+    const std::string_view word = tokens_[lexeme.first].text;
+    for (const std::string_view verb :
+         {"goes", "comes", "grows", "starts", "begins", "ends", "stays", "remains", "reaches"}) {
+      if (word == verb) return true;
+    }
+    return false;
   }
   static bool IsVerb(const Lexeme& lexeme) {
     if (lexeme.kind != LexemeKind::kSense) return false;
@@ -421,6 +430,7 @@ class Chunker {
       case Sense::kWith:
       case Sense::kWithin:
       case Sense::kAlong:
+      case Sense::kBothSides:
         return true;
       default:
         return false;

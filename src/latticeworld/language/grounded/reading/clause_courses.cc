@@ -155,7 +155,20 @@ bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
     PlannedFeature& feature = d_.feature(index);
     const bool pair = sense == Sense::kFrom && IsSense(at_ + 1, Sense::kTo);
     const bool second = sense == Sense::kTo && feature.from.has_value();
+    // "an inlet cuts in from the north and ends in the middle"
+    Thing& thing = d_.thing(index);
+    if (sense == Sense::kTo && thing.start.has_value() && feature.letter == 'W') {
+      feature.from = *std::exchange(thing.start, std::nullopt);
+      feature.to = waypoint;
+      feature.form = FeatureForm::kLine;
+      feature.wide = true;
+      feature.zones.clear();
+      d_.Extend(index, chunk.end);
+      frame_.reset();
+      return true;
+    }
     if (!pair && !second) {
+      if (sense == Sense::kFrom) thing.start = waypoint;
       frame_.reset();
       Attach(zones, false, chunk);
       return true;
@@ -263,7 +276,11 @@ void ClauseReader::ReadAxis(const Chunk& chunk) {
   std::size_t next = SkipVerbs(at_ + 1);
   if (IsKind(next, ChunkKind::kComma)) next = SkipVerbs(next + 1);
   const bool line_next = IsThing(next) && chunks_[next].phrase.noun->shape == WordShape::kLine;
-  if (line_next && !traveling_) {
+  // "on the right, from top to bottom, lies the lake"
+  const bool long_next = IsThing(next) && next > at_ + 2 && IsSense(next - 1, Sense::kStands) &&
+                         chunks_[next].phrase.noun->shape == WordShape::kThing &&
+                         ListLength(next) == 1;
+  if ((line_next || long_next) && !traveling_) {
     from_ = from;
     to_ = to;
   } else {

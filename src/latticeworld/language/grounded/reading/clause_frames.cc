@@ -151,8 +151,11 @@ void ClauseReader::Open(Frame frame) {
                             !frame_->objects.empty() && IsCourse(frame_->sense)
                         ? frame_->objects.back()
                         : -1;
+  const bool after_object =
+      at_ > 1 && (IsPhrase(at_ - 1) ||
+                  (IsKind(at_ - 1, ChunkKind::kQualities) && IsPhrase(at_ - 2)));
   const std::vector<int> nearest =
-      frame_.has_value() && !was_fronted && !frame_->objects.empty() && at_ > 0 && IsPhrase(at_ - 1)
+      frame_.has_value() && !was_fronted && !frame_->objects.empty() && after_object
           ? std::vector<int>{frame_->objects.back()}
           : std::vector<int>();
   if (frame_.has_value() && WantsTwo(frame_->sense) && frame_->objects.size() == 1 &&

@@ -85,6 +85,13 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
     }
   }
   if (IsOtherWord(chunk)) return;
+  // "three clearings, grassy ones"
+  const std::string after = ToLowerAscii(d_.Words(chunk.end, d_.instruction().size())).substr(0, 5);
+  if (after == " ones" && phrase.noun != nullptr && !subjects_.empty() && at_ > 0 &&
+      IsKind(at_ - 1, ChunkKind::kComma)) {
+    d_.Extend(subjects_.back(), chunk.end);
+    return;
+  }
   if (phrase.head == Head::kOther && phrase.noun == nullptr && IsKind(at_ + 1, ChunkKind::kPlace) &&
       IsMany(ZonesOf(chunks_[at_ + 1].lexeme.places))) {
     if (!subjects_.empty()) BeginClause();
@@ -406,6 +413,12 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
     if (IsLine(index) && lead_.along && !lead_.empty() && is_new) {
       feature.along = AlongZone(lead_.zones.front());
       feature.zones.clear();
+    }
+    const bool runs = from_.has_value() && to_.has_value() && found.size() == 1 &&
+                      feature.form == FeatureForm::kPatch && feature.letter == 'W';
+    if (runs) {  // "from top to bottom lies the lake"
+      feature.form = FeatureForm::kLine;
+      feature.wide = true;
     }
     if (IsLine(index)) {
       if (from_.has_value()) d_.feature(index).from = from_;

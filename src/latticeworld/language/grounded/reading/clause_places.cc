@@ -164,6 +164,7 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
       absences_.clear();
       return;
     }
+    if (covers) covered_ = d_.sentence();
     if (covers || !IsCourse(sense)) frame_.reset();
     if (frame_.has_value()) frame_.reset();
     Attach(zones, extent, chunk);
@@ -176,7 +177,9 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
                   (IsSense(at_ - 1, Sense::kIn) && at_ > 1 &&
                    (IsKind(at_ - 2, ChunkKind::kComma) || IsSense(at_ - 2, Sense::kAnd) ||
                     IsSense(at_ - 2, Sense::kThen))));
-  const bool is_subject = IsSense(at_ + 1, Sense::kBe) && !IsSense(at_ - 1, Sense::kIn);
+  const bool is_subject = (IsSense(at_ + 1, Sense::kBe) || IsSense(at_ + 1, Sense::kCoveredBy) ||
+                           IsSense(at_ + 1, Sense::kDominatedBy)) &&
+                          at_ > 0 && !IsSense(at_ - 1, Sense::kIn);
   const bool leads = nothing_yet || (after_break && (is_subject || ThingFollows(at_ + 1, false)));
   if (leads) {
     const bool joins =
@@ -190,6 +193,12 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
     if (frame_.has_value() && frame_->fronted && frame_->objects.empty()) frame_.reset();
     Lead_(zones, chunk);
     return;
+  }
+  // "Forest covers the north, fields the south.": covers it too.
+  if (covered_ == d_.sentence() && at_ > 0 && IsPhrase(at_ - 1) && subjects_.size() == 1 &&
+      !IsLine(subjects_[0]) && !frame_.has_value() && !verb_said_) {
+    d_.feature(subjects_[0]).dominant = true;
+    if (extent) d_.feature(subjects_[0]).share_least = kCoveringShare;
   }
   Attach(zones, extent, chunk);
 }

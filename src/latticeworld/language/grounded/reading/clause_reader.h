@@ -176,6 +176,7 @@ class ClauseReader {
   bool joining_ = false;  // the next one does
   bool verb_said_ = false;
   int verbs_said_ = 0;  // in this sentence
+  int covered_ = -1;    // the last sentence that said what covers a place
   std::optional<Frame> frame_;
   std::optional<Frame> paused_;  // waits for its second object: "between X, which ..., and Y"
   Lead lead_;

@@ -570,6 +570,40 @@ void Discourse::SettleAlong() {
   }
 }
 
+// "sea, behind it a beach, behind that a town": what goes on in one direction is an order.
+void Discourse::SettleChains() {
+  const std::vector<PlannedRelation>& relations = plan_.relations;
+  const auto next_of = [&](int object, Claim::Heading heading) {
+    for (const PlannedRelation& relation : relations) {
+      if (relation.kind == RelationKind::kDirection && relation.object == object &&
+          relation.heading == heading && !thing(relation.subject).dropped) {
+        return relation.subject;
+      }
+    }
+    return -1;
+  };
+  for (const PlannedRelation& first : relations) {
+    if (first.kind != RelationKind::kDirection || thing(first.object).dropped) continue;
+    const bool begins = std::none_of(
+        relations.begin(), relations.end(), [&](const PlannedRelation& other) {
+          return other.kind == RelationKind::kDirection && other.subject == first.object &&
+                 other.heading == first.heading;
+        });
+    if (!begins) continue;
+    PlannedOrder order;
+    order.heading = first.heading;
+    order.words = first.words;
+    for (int at = first.object; at >= 0 && order.features.size() < 8;
+         at = next_of(at, first.heading)) {
+      order.features.push_back(at);
+    }
+    const bool known = std::any_of(
+        plan_.orders.begin(), plan_.orders.end(),
+        [&](const PlannedOrder& other) { return other.features.front() == order.features.front(); });
+    if (order.features.size() >= 3 && !known) plan_.orders.push_back(std::move(order));
+  }
+}
+
 // "All but one lie in the forest that fills the lower half": so they lie there.
 void Discourse::PlaceContained() {
   for (const PlannedRelation& relation : plan_.relations) {
@@ -603,6 +637,7 @@ LayoutPlan Discourse::Finish() {
   WidenMiddles();
   WidenQuarters();
   PlaceContained();
+  SettleChains();
   SettleRest();
   std::vector<int> moved(things_.size(), -1);
   std::vector<PlannedFeature> features;

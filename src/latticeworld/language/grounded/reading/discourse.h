@@ -2,6 +2,7 @@
 #define LATTICEWORLD_LANGUAGE_GROUNDED_READING_DISCOURSE_H_
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@ struct Thing {
   bool is_island = false;
   bool zones_from_lead = false;  // "In the north ...": a place of its own replaces it
   bool dropped = false;          // "scratch that"
+  std::optional<Waypoint> start;  // of what may yet turn out to run: "cuts in from the north"
   int sentence = 0;
   std::size_t begin = 0;  // bytes of the instruction
   std::size_t end = 0;
@@ -85,6 +87,7 @@ class Discourse {
   void SettleDenials();
   void SettleIslands();
   void SettleRest();
+  void SettleChains();
   void SettleAlong();
   void PlaceContained();
   void SettleOpenEnds();
