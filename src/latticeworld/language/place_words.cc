@@ -166,7 +166,7 @@ bool IsNoDirection(const PlaceCursor& cursor) {
                           "along",  "across", "on",    "up",     "down",  "under",  "above",
                           "around", "after",  "now",   "away",   "here",  "there",  "near",
                           "inside", "into",   "over",  "to",     "and",   "before", "outside",
-                          "amid",   "among",  "below", "beyond", "close", "where",  "against"}) &&
+                          "amid",   "among",  "below", "beyond", "close", "where",  "against", "past", "between", "alongside", "onto", "within"}) &&
            !(next == "and" && IsOneOf(cursor.word(2), {"left", "top", "bottom", "the"}));
   }
   if (word == "left") {

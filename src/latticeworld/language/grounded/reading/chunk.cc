@@ -238,6 +238,7 @@ class Chunker {
   bool IsAdjectivePlace(std::size_t at) const {
     if (at > 0) {
       const Lexeme& before = lexemes_[at - 1];
+      if (before.Is(Sense::kTravel) && !IsAttributive(lexemes_[at])) return false;  // "going east"
       if (before.kind == LexemeKind::kSense &&
           (before.sense == Sense::kIn || before.sense == Sense::kFrom ||
            before.sense == Sense::kTo || before.sense == Sense::kThrough ||

@@ -117,4 +117,18 @@ void ClauseReader::TakeBackDenials() {
   negating_ = false;
 }
 
+// "no houses on the west side of the river": none in the west.
+void ClauseReader::PlaceDenials(const Frame& frame) {
+  if (frame.use == DirectionUse::kInside || frame.heading.IsDiagonal()) {
+    TakeBackDenials();
+    return;
+  }
+  for (const std::size_t i : absences_) {
+    PlannedAbsence& absence = d_.plan().absences[i];
+    if (absence.zone.is_anywhere()) absence.zone = RimZoneOf(frame.heading);
+  }
+  absences_.clear();
+  negating_ = false;
+}
+
 }  // namespace latticeworld

@@ -176,11 +176,14 @@ void ClauseReader::Open(Frame frame) {
   const bool may_lead =
       leads || frame.of_it || IsCourse(sense) || sense == Sense::kBetween || !IsPhrase(at_ + 1);
   if (subjects_.empty() && !may_lead) {
-    if (frame.is_direction) TakeBackDenials();
+    if (frame.is_direction) PlaceDenials(frame);
     absences_.clear();
     return;  // "the player starts in a field": the field is what is spoken of
   }
-  const bool fronted = subjects_.empty() || (after_break && leads);
+  // "..., and separate the two with a belt of trees"
+  const bool imperative = sense == Sense::kBetween && after_break && IsPhrase(at_ + 1) &&
+                          (words == "separate" || words == "divide" || words == "part");
+  const bool fronted = subjects_.empty() || (after_break && leads) || imperative;
   if (fronted) {
     if (!subjects_.empty()) BeginClause();
     if (lead_.used) lead_ = Lead();

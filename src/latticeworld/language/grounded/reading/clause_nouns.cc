@@ -500,7 +500,7 @@ void ClauseReader::OnlyThis(int index, bool is_new) {
 void ClauseReader::Cover(int index, const Chunk& chunk) {
   PlannedFeature& feature = d_.feature(index);
   const bool counted = chunk.phrase.qualities.count.has_value() || feature.pieces > 1;
-  if (IsLine(index) || counted) return;
+  if (IsLine(index) || counted || host_ >= 0) return;
   const bool verb_before =
       at_ > 0 && (IsSense(at_ - 1, Sense::kBe) || IsSense(at_ - 1, Sense::kCoveredBy));
   const bool extent = !lead_.empty() && lead_.extent && verb_before && host_ < 0;

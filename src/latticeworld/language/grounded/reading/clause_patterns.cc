@@ -189,4 +189,37 @@ void ClauseReader::FrontRing() {
   }
 }
 
+// "The forest is a crescent; inside the crescent there is a village": close by it.
+void ClauseReader::ReadInsideBend() {
+  for (int i = d_.size() - 1; i >= 0; --i) {
+    const bool bent = d_.feature(i).shape == ClaimShape::kBent || IsLine(i);
+    if (d_.thing(i).dropped || !bent) continue;
+    Frame frame;
+    frame.sense = Sense::kNear;
+    frame.objects = {i};
+    frame.expecting = false;
+    if (ThingFollows(at_ + 1, true)) {
+      if (!subjects_.empty()) BeginClause();
+      frame.fronted = true;
+      frame_ = std::move(frame);
+    } else {
+      for (const int subject : subjects_) Assert(frame, subject, &d_);
+    }
+    return;
+  }
+}
+
+// "islands covered with trees": of that class.
+bool ClauseReader::ClotheIsland(int host) {
+  const bool land = host >= 0 && d_.thing(host).is_island && IsThing(at_ + 1) &&
+                    chunks_[at_ + 1].phrase.noun->shape == WordShape::kMass;
+  const char letter =
+      land ? chunks_[at_ + 1].phrase.noun->LetterIn(d_.plan().vocabulary) : '\0';
+  if (letter == '\0' || letter == 'W') return false;
+  d_.feature(host).letter = letter;
+  d_.Extend(host, chunks_[at_ + 1].end);
+  ++at_;
+  return true;
+}
+
 }  // namespace latticeworld

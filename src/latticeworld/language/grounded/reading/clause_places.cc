@@ -11,6 +11,7 @@ namespace latticeworld {
 namespace {
 
 constexpr double kCoveringShare = 0.5;  // "forest covers the northern half": at least
+constexpr int kCityCells = 60;          // what is so large may lie everywhere
 
 }  // namespace
 
@@ -51,6 +52,7 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
       chunks_[at_ - 1].phrase.noun == nullptr && IsMany(zones)) {
     zones = OtherZones(std::move(zones), ToLowerAscii(words));
   }
+  OppositePlace(ToLowerAscii(words), &zones);
   const bool extent =
       chunk.lexeme.whole || SaysExtent(words) || (zones.size() == 1 && IsExtent(zones.front()));
   if (SaysAnywhere(chunk.lexeme.places)) {
@@ -66,9 +68,9 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
       }
       if (feature.form == FeatureForm::kSpread && feature.texture == Texture::kUnsaid) {
         feature.dominant = true;
-      } else if (feature.form == FeatureForm::kPatch && feature.letter == 'G' &&
-                 !d_.thing(index).plural && feature.pieces == 0) {
-        feature.form = FeatureForm::kSpread;  // "lawn everywhere"
+      } else if (feature.form == FeatureForm::kPatch && feature.pieces == 0 &&
+                 !d_.thing(index).plural && (feature.letter == 'G' || feature.cells >= kCityCells)) {
+        feature.form = FeatureForm::kSpread;  // "lawn everywhere", "city everywhere"
         feature.dominant = true;
       } else if (feature.form == FeatureForm::kPatch) {
         feature.texture = Texture::kScattered;
@@ -117,6 +119,16 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
   }
   // "going north: fields, then woods", "advance east through ..."
   const Heading to = HeadingOf(RegionOf(zones.front()));
+  // "Snow in the west, then going east rocks, then bushes"
+  if (traveling_ && at_ > 0 && IsSense(at_ - 1, Sense::kTravel) && then_after_ >= 0 &&
+      zones.size() == 1 && !to.IsDiagonal() && (to.east != 0 || to.south != 0) && !ordering_ &&
+      !SaysExtent(words)) {
+    const int first = std::exchange(then_after_, -1);
+    BeginClause();
+    BeginOrder(to);
+    order_ = {first};
+    return;
+  }
   if (traveling_ && at_ > 0 && IsSense(at_ - 1, Sense::kTravel) && subjects_.empty() &&
       zones.size() == 1 && (to.east != 0 || to.south != 0) && !from_.has_value() &&
       !frame_.has_value() && !SaysExtent(words)) {
@@ -399,6 +411,23 @@ void ClauseReader::PlaceInEach() {
     d_.thing(index).zones_from_lead = false;
     if (feature.form == FeatureForm::kPatch && feature.pieces < 2) feature.pieces = 2;
   }
+}
+
+// "a quarry in the opposite corner": opposite what was named last at a corner or a side.
+bool ClauseReader::OppositePlace(const std::string& words, std::vector<Zone>* zones) const {
+  if (words.find("opposite") == std::string::npos) return false;
+  const bool corner = EndsWithWord(words, "corner");
+  const bool edge = EndsWithWord(words, "edge");
+  if (!corner && !edge && !EndsWithWord(words, "side") && !EndsWithWord(words, "end")) return false;
+  for (int i = d_.size() - 1; i >= 0; --i) {
+    if (d_.thing(i).dropped || d_.feature(i).zones.size() != 1) continue;
+    const Heading at = HeadingOf(RegionOf(d_.feature(i).zones.front()));
+    if ((at.east == 0 && at.south == 0) || corner != at.IsDiagonal()) continue;
+    const Heading opposite{-at.east, -at.south};
+    *zones = {corner || edge ? RimZoneOf(opposite) : ZoneOf(opposite)};
+    return true;
+  }
+  return false;
 }
 
 }  // namespace latticeworld

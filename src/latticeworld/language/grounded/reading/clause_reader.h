@@ -99,6 +99,9 @@ class ClauseReader {
   void ResolveBehind(Frame* frame) const;
   void ReadAllButOne();
   void FrontRing();
+  void ReadInsideBend();
+  bool ClotheIsland(int host);
+  bool OppositePlace(const std::string& words, std::vector<Zone>* zones) const;
   void ReadMeeting();
   void DenyAround(char letter, const Chunk& chunk);
 
@@ -116,6 +119,7 @@ class ClauseReader {
   void Open(Frame frame);
   void OpenSense(Sense sense, bool of_it);
   void TakeBackDenials();
+  void PlaceDenials(const Frame& frame);
   void CloseFrame();
   bool Fronts(std::size_t at) const;
   bool SaysClose(const Chunk& chunk) const;

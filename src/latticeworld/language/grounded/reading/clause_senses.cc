@@ -228,6 +228,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
         if (sense == Sense::kDominatedBy) mostly_next_ = true;
       } else {
         const int host = LastSubject();
+        if (ClotheIsland(host)) break;
         BeginClause();
         host_ = IsLine(host) ? -1 : host;
       }
@@ -300,6 +301,9 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     }
     case Sense::kStepsOnto:
       StepOnto();
+      break;
+    case Sense::kInsideBend:
+      ReadInsideBend();
       break;
     case Sense::kInEach:
       PlaceInEach();

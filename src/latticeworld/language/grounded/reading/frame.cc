@@ -213,8 +213,13 @@ class Asserter {
 
   // Nothing can lie all around a line that runs on.
   void AssertSurrounds(int outer, int inner) {
+    PlannedFeature& around = d_.feature(outer);
     if (IsLine(d_.feature(inner))) {
       Relate(RelationKind::kAdjacent, outer, inner, kTouchingSteps);
+    } else if (IsLine(around) && around.from.has_value()) {
+      // "a river enters in the west, makes a bend around the town and leaves in the south"
+      around.shape = ClaimShape::kBent;
+      Relate(RelationKind::kNear, outer, inner, kNearSteps);
     } else {
       if (IsLine(d_.feature(outer))) d_.feature(outer).shape = ClaimShape::kRing;
       Relate(RelationKind::kSurrounds, outer, inner);
@@ -300,6 +305,11 @@ class Asserter {
       return;
     }
     if (relation.second_object == middle) return;
+    // "to the left a wood, to the right a wood, a road in between": not to the right.
+    if (kind == RelationKind::kBetween && d_.thing(middle).zones_from_lead) {
+      d_.feature(middle).zones.clear();
+      d_.thing(middle).zones_from_lead = false;
+    }
     if (kind == RelationKind::kConnects) {
       PlannedFeature& line = d_.feature(middle);
       if (!IsLine(line)) return;

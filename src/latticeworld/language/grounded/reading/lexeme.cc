@@ -273,10 +273,12 @@ class Lexer {
       const std::size_t last = lexeme->first + match.tokens - 1;
       if (MatchClassWord(tokens_, last).tokens > 1) match = MatchSense({tokens_[lexeme->first]}, 0);
     }
-    // "in each corner" is no "in each".
+    // "in each corner" is no "in each", "in two rows" no "in two".
     const std::size_t next = lexeme->first + match.tokens;
-    if (match.sense == Sense::kInEach && next < tokens_.size() &&
-        tokens_[next].kind == TokenKind::kWord && !IsWord(tokens_, next, {"and", "but", "with"})) {
+    const bool alone = match.sense == Sense::kInEach ||
+                       (match.tokens > 1 && IsWord(tokens_, next - 1, {"two", "half"}));
+    if (alone && next < tokens_.size() && tokens_[next].kind == TokenKind::kWord &&
+        !IsWord(tokens_, next, {"and", "but", "with", "from", "by"})) {
       match = MatchSense({tokens_[lexeme->first]}, 0);
     }
     if (!Take(match.tokens, LexemeKind::kSense, lexeme)) return;

@@ -154,9 +154,10 @@ enum class Sense : std::uint8_t {
   kAllButOne,
   kMeets,
   kInEach,
+  kInsideBend,
 };
 
-constexpr std::array<EnumName<Sense>, 137> EnumNames(Sense) {
+constexpr std::array<EnumName<Sense>, 138> EnumNames(Sense) {
   return {{
       {Sense::kFunction, "function"},
       {Sense::kDefinite, "definite"},
@@ -295,6 +296,7 @@ constexpr std::array<EnumName<Sense>, 137> EnumNames(Sense) {
       {Sense::kAllButOne, "all_but_one"},
       {Sense::kMeets, "meets"},
       {Sense::kInEach, "in_each"},
+      {Sense::kInsideBend, "inside_bend"},
   }};
 }
 
