@@ -162,11 +162,12 @@ bool IsNoDirection(const PlaceCursor& cursor) {
                            "center", "centre", "central", "mid", "and", "or", "to", "from"})) {
       return false;
     }
-    return IsOneOf(next, {"next",   "beside", "by",    "behind", "in",    "at",     "through",
-                          "along",  "across", "on",    "up",     "down",  "under",  "above",
-                          "around", "after",  "now",   "away",   "here",  "there",  "near",
-                          "inside", "into",   "over",  "to",     "and",   "before", "outside",
-                          "amid",   "among",  "below", "beyond", "close", "where",  "against", "past", "between", "alongside", "onto", "within"}) &&
+    return IsOneOf(next, {"next",   "beside",  "by",        "behind", "in",    "at",     "through",
+                          "along",  "across",  "on",        "up",     "down",  "under",  "above",
+                          "around", "after",   "now",       "away",   "here",  "there",  "near",
+                          "inside", "into",    "over",      "to",     "and",   "before", "outside",
+                          "amid",   "among",   "below",     "beyond", "close", "where",  "against",
+                          "past",   "between", "alongside", "onto",   "within"}) &&
            !(next == "and" && IsOneOf(cursor.word(2), {"left", "top", "bottom", "the"}));
   }
   if (word == "left") {

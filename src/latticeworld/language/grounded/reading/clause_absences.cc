@@ -131,4 +131,21 @@ void ClauseReader::PlaceDenials(const Frame& frame) {
   negating_ = false;
 }
 
+// "forget the square": what was named so, else what was named last.
+void ClauseReader::DropNamed() {
+  const Chunk* next = ChunkAt(at_ + 1);
+  if (next == nullptr || next->kind == ChunkKind::kStop) return;
+  const std::string name = ToLowerAscii(d_.Words(next->begin, next->end));
+  ++at_;
+  for (int i = d_.size() - 1; i >= 0; --i) {
+    const std::string known(d_.thing(i).noun->phrase);
+    if (d_.thing(i).dropped || (known != name && !EndsWithWord(known, name))) continue;
+    d_.Drop(i);
+    return;
+  }
+  if (next->kind != ChunkKind::kNounPhrase || next->phrase.noun == nullptr) return;
+  const std::vector<int> found = d_.Find(next->phrase, {});
+  for (const int index : found) d_.Drop(index);
+}
+
 }  // namespace latticeworld

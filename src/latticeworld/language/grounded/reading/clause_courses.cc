@@ -32,7 +32,12 @@ bool ClauseReader::TakeHeading(const std::vector<Zone>& zones) {
   const bool bare = words.find(' ') == std::string::npos;  // "east", not "the western edge"
   const Heading side = HeadingOf(RegionOf(zones.front()));
   PlannedFeature& feature = d_.feature(line);
-  if (!bare || (side.east == 0 && side.south == 0) || feature.to.has_value()) return false;
+  if (!bare || (side.east == 0 && side.south == 0)) return false;
+  // "runs to the middle and then turns north"
+  const bool turns = feature.to.has_value() && feature.to->feature < 0 &&
+                     RegionOf(feature.to->zone) == Region::kCenter;
+  if (feature.to.has_value() && !turns) return false;
+  if (turns) feature.via.push_back(*feature.to);
   Waypoint to;
   to.zone = EndZoneOf(zones.front(), words);
   feature.to = to;
@@ -65,6 +70,16 @@ bool ClauseReader::SplitsMap(const std::vector<Zone>& zones, const std::string& 
 bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
   if (TakeOtherEnd(zones) || TakeHeading(zones)) return true;
   if (!frame_.has_value() || !frame_->expecting || !frame_->objects.empty()) return false;
+  // "between the northern edge and the village": north of the village.
+  const Heading before = HeadingOf(RegionOf(zones.front()));
+  if (frame_->sense == Sense::kBetween && IsSense(at_ + 1, Sense::kAnd) && IsThing(at_ + 2) &&
+      (before.east != 0 || before.south != 0)) {
+    frame_->sense = Sense::kNone;
+    frame_->is_direction = true;
+    frame_->heading = before;
+    ++at_;
+    return true;
+  }
   const Sense sense = frame_->sense;
   const Chunk& chunk = chunks_[at_];
   const std::string words = d_.Words(chunk.begin, chunk.end);
@@ -286,6 +301,26 @@ void ClauseReader::ReadAxis(const Chunk& chunk) {
   } else {
     BeginOrder(axis.to);
   }
+}
+
+// "from the depot to the shop along a road": the road joins them.
+void ClauseReader::JoinEnds(int line) {
+  PlannedFeature& feature = d_.feature(line);
+  const bool joins =
+      from_.has_value() && to_.has_value() && !feature.from.has_value() && !feature.to.has_value();
+  if (!joins) return;
+  feature.from = from_;
+  feature.to = to_;
+  if (from_->feature >= 0 && to_->feature >= 0) {
+    PlannedRelation relation;
+    relation.kind = RelationKind::kConnects;
+    relation.subject = line;
+    relation.object = from_->feature;
+    relation.second_object = to_->feature;
+    d_.Relate(std::move(relation));
+  }
+  from_.reset();
+  to_.reset();
 }
 
 }  // namespace latticeworld

@@ -10,6 +10,15 @@ namespace {
 
 constexpr double kFarSteps = 6.0;
 
+// "Surround the city with a ring road."
+bool IsBareVerb(const std::string& words) {
+  for (const std::string_view verb : {"separate", "divide", "part", "surround", "encircle", "ring",
+                                      "enclose", "frame", "line", "border", "flank", "fringe"}) {
+    if (words == verb) return true;
+  }
+  return false;
+}
+
 // "far from", "nowhere near", but not "away from".
 bool SaysFar(const std::string& words) {
   for (const std::string_view word : {"far", "long way", "nowhere near", "remote", "distant"}) {
@@ -63,6 +72,11 @@ bool ClauseReader::SaysClose(const Chunk& chunk) const {
 }
 
 void ClauseReader::OpenSense(Sense sense, bool of_it) {
+  // "Through the city, from west to east, flows a river": the axis tells.
+  if (sense == Sense::kFrom && IsKind(at_ + 1, ChunkKind::kAxis) && frame_.has_value() &&
+      frame_->fronted && !frame_->objects.empty()) {
+    return;
+  }
   if (sense == Sense::kTo && (ReadSideToCome() || ReadSideOfHost())) return;
   // "trees grow only near the river": all along it
   const bool only_near = (sense == Sense::kNear || sense == Sense::kNextTo) && at_ > 0 &&
@@ -145,6 +159,27 @@ void ClauseReader::Open(Frame frame) {
     sides_to_come_.push_back({frame_->objects.back(), frame.heading});
     return;
   }
+  // "which turns into grass toward the middle and finally into forest"
+  if (sense == Sense::kTo && frame_.has_value() && frame_->sense == Sense::kGivesWay &&
+      !frame_->objects.empty() && !frame_->fronted) {
+    const int last = frame_->objects.back();
+    if (IsKind(at_ + 1, ChunkKind::kPlace) && !IsLine(last)) {
+      d_.SetTopic(subjects_);
+      subjects_ = {last};
+      frame_.reset();
+      return;
+    }
+    if (IsThing(at_ + 1) && words.substr(0, 4) == "into") {
+      d_.SetTopic(subjects_);
+      subjects_ = {last};
+      frame_.reset();
+      frame.sense = Sense::kGivesWay;
+    }
+  } else if (sense == Sense::kTo && gave_way_ == d_.sentence() && words.substr(0, 4) == "into" &&
+             IsThing(at_ + 1) && LineOf(subjects_) < 0) {
+    frame.sense = Sense::kGivesWay;
+  }
+  if (frame.sense == Sense::kGivesWay) gave_way_ = d_.sentence();
   const bool was_fronted = frame_.has_value() && frame_->fronted;
   // "flows past the town on its western side": the town's
   const int owner = frame.is_direction && frame.of_it && frame_.has_value() && !was_fronted &&
@@ -152,8 +187,8 @@ void ClauseReader::Open(Frame frame) {
                         ? frame_->objects.back()
                         : -1;
   const bool after_object =
-      at_ > 1 && (IsPhrase(at_ - 1) ||
-                  (IsKind(at_ - 1, ChunkKind::kQualities) && IsPhrase(at_ - 2)));
+      at_ > 1 &&
+      (IsPhrase(at_ - 1) || (IsKind(at_ - 1, ChunkKind::kQualities) && IsPhrase(at_ - 2)));
   const std::vector<int> nearest =
       frame_.has_value() && !was_fronted && !frame_->objects.empty() && after_object
           ? std::vector<int>{frame_->objects.back()}
@@ -173,22 +208,24 @@ void ClauseReader::Open(Frame frame) {
        (IsKind(at_ - 2, ChunkKind::kComma) || IsSense(at_ - 2, Sense::kAnd) ||
         at_ - 1 == sentence_start_));
   const bool leads = Fronts(at_);
-  const bool may_lead =
-      leads || frame.of_it || IsCourse(sense) || sense == Sense::kBetween || !IsPhrase(at_ + 1);
+  // "..., and separate the two with a belt of trees", "Surround the town with fields."
+  const bool imperative = after_break && IsPhrase(at_ + 1) && IsBareVerb(words);
+  // "To the right of it, in this order: ..."
+  const bool list_follows = frame.is_direction && at_ <= sentence_start_ + 1 && IsPhrase(at_ + 1) &&
+                            IsKind(at_ + 2, ChunkKind::kComma);
+  const bool may_lead = imperative || list_follows || leads || frame.of_it || IsCourse(sense) ||
+                        sense == Sense::kBetween || !IsPhrase(at_ + 1);
   if (subjects_.empty() && !may_lead) {
     if (frame.is_direction) PlaceDenials(frame);
     absences_.clear();
     return;  // "the player starts in a field": the field is what is spoken of
   }
-  // "..., and separate the two with a belt of trees"
-  const bool imperative = sense == Sense::kBetween && after_break && IsPhrase(at_ + 1) &&
-                          (words == "separate" || words == "divide" || words == "part");
   const bool fronted = subjects_.empty() || (after_break && leads) || imperative;
   if (fronted) {
     if (!subjects_.empty()) BeginClause();
     if (lead_.used) lead_ = Lead();
     frame.fronted = true;
-    if (sense == Sense::kBetween && !IsPhrase(at_ + 1)) {
+    if (sense == Sense::kBetween && !IsPhrase(at_ + 1) && !IsKind(at_ + 1, ChunkKind::kPlace)) {
       frame.objects = d_.LastTwo({});
       frame.expecting = false;
       if (frame.objects.size() < 2) return;
@@ -399,7 +436,13 @@ void ClauseReader::CloseFrame() {
   Frame frame = std::move(*frame_);
   frame_.reset();
   if (frame.fronted) {
-    // "Next to the lake. ...": of what was spoken of before.
+    // "Next to the lake. ...": of what was spoken of before. "From the depot to the shop, along a
+    // road": the road's ends.
+    if (!frame.objects.empty() && (frame.sense == Sense::kFrom || frame.sense == Sense::kTo)) {
+      Waypoint end;
+      end.feature = frame.objects.back();
+      (frame.sense == Sense::kFrom ? from_ : to_) = end;
+    }
     return;
   }
   if (!frame.objects.empty()) {

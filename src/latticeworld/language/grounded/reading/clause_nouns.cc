@@ -211,6 +211,12 @@ void ClauseReader::ReadMap(const Chunk& chunk) {
     comparing_ = false;
     return;
   }
+  // "lots of water, almost no land"
+  if (said.share.has_value() && said.share->most < 0.2 && !subjects_.empty() &&
+      EndsWithWord(ToLowerAscii(d_.Words(chunk.begin, chunk.end)), "land")) {
+    d_.feature(subjects_.back()).dominant = true;
+    return;
+  }
   // "forest on two fifths of the map"
   if (frame_.has_value() && frame_->sense == Sense::kIn && frame_->objects.empty() &&
       !frame_->fronted && said.share.has_value()) {
@@ -285,6 +291,7 @@ void ClauseReader::TakeObjects(const std::vector<int>& found) {
   Frame& frame = *frame_;
   // "the forest hugs its whole shoreline"
   const Chunk& chunk = chunks_[at_];
+  if (frame.sense == Sense::kAlong && found.size() == 1 && IsLine(found[0])) JoinEnds(found[0]);
   const bool whole_shore = chunk.phrase.head == Head::kShore &&
                            (frame.sense == Sense::kNextTo || frame.sense == Sense::kAlong);
   if (whole_shore) {
@@ -388,7 +395,9 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
     if (all) feature.fills_rest = true;
     if (mostly_next_) feature.dominant = true;
     const bool named = is_new || phrase.noun != nullptr;
-    if (!lead_.empty() && !excepting_ && named) {
+    const bool spoken_of = !is_new && d_.thing(index).sentence == d_.sentence() &&
+                           d_.thing(index).begin < lead_.begin && IsSense(at_ + 1, Sense::kNextTo);
+    if (!lead_.empty() && !excepting_ && named && !spoken_of) {
       if (is_new || feature.zones.empty()) {
         if (feature.zones.empty()) {
           d_.AddZones(index, lead_.zones);

@@ -213,13 +213,19 @@ void ClauseReader::ReadInsideBend() {
 bool ClauseReader::ClotheIsland(int host) {
   const bool land = host >= 0 && d_.thing(host).is_island && IsThing(at_ + 1) &&
                     chunks_[at_ + 1].phrase.noun->shape == WordShape::kMass;
-  const char letter =
-      land ? chunks_[at_ + 1].phrase.noun->LetterIn(d_.plan().vocabulary) : '\0';
+  const char letter = land ? chunks_[at_ + 1].phrase.noun->LetterIn(d_.plan().vocabulary) : '\0';
   if (letter == '\0' || letter == 'W') return false;
   d_.feature(host).letter = letter;
   d_.Extend(host, chunks_[at_ + 1].end);
   ++at_;
   return true;
+}
+
+bool ClauseReader::HasRing() const {
+  for (int i = 0; i < d_.size(); ++i) {
+    if (!d_.thing(i).dropped && d_.feature(i).shape == ClaimShape::kRing) return true;
+  }
+  return false;
 }
 
 }  // namespace latticeworld

@@ -69,7 +69,8 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
       if (feature.form == FeatureForm::kSpread && feature.texture == Texture::kUnsaid) {
         feature.dominant = true;
       } else if (feature.form == FeatureForm::kPatch && feature.pieces == 0 &&
-                 !d_.thing(index).plural && (feature.letter == 'G' || feature.cells >= kCityCells)) {
+                 !d_.thing(index).plural &&
+                 (feature.letter == 'G' || feature.cells >= kCityCells)) {
         feature.form = FeatureForm::kSpread;  // "lawn everywhere", "city everywhere"
         feature.dominant = true;
       } else if (feature.form == FeatureForm::kPatch) {

@@ -86,6 +86,7 @@ class ClauseReader {
   std::vector<Zone> OtherZones(std::vector<Zone> zones, std::string_view words) const;
   bool TakeEndZone(const std::vector<Zone>& zones);
   bool TakeOtherEnd(const std::vector<Zone>& zones);
+  void JoinEnds(int line);
   bool TakeHeading(const std::vector<Zone>& zones);
   bool SplitsMap(const std::vector<Zone>& zones, const std::string& words);
   void Deny(char letter, const std::vector<Zone>& zones, const Chunk& chunk);
@@ -113,6 +114,7 @@ class ClauseReader {
   void ReadOtherSide(const Chunk& chunk);
   bool ReadOppositeOf();
   void ReadInsideRing();
+  bool HasRing() const;
   void ReadBridge(const Chunk& chunk);
   std::vector<int> Own(const Frame& frame, const std::vector<int>& subjects) const;
   bool SaysLeaving() const;
@@ -120,6 +122,7 @@ class ClauseReader {
   void OpenSense(Sense sense, bool of_it);
   void TakeBackDenials();
   void PlaceDenials(const Frame& frame);
+  void DropNamed();
   void CloseFrame();
   bool Fronts(std::size_t at) const;
   bool SaysClose(const Chunk& chunk) const;
@@ -180,6 +183,7 @@ class ClauseReader {
   bool joining_ = false;  // the next one does
   bool verb_said_ = false;
   int verbs_said_ = 0;  // in this sentence
+  int gave_way_ = -1;   // the last sentence in which something gave way to something
   int covered_ = -1;    // the last sentence that said what covers a place
   std::optional<Frame> frame_;
   std::optional<Frame> paused_;  // waits for its second object: "between X, which ..., and Y"

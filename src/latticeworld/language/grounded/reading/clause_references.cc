@@ -24,7 +24,8 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
         const std::vector<int> many = d_.Antecedent(about, /*many=*/true);
         // "Fields in the east, woods in the west; a brook separates them."
         const bool two = frame_.has_value() && frame_->expecting && WantsTwo(frame_->sense);
-        if (two && many.size() == 1 && d_.feature(many[0]).pieces_least == 0) {
+        const bool single = many.size() == 1 && d_.feature(many[0]).pieces_most <= 1;
+        if (two && single) {
           const std::vector<int> last = d_.LastTwo(about);
           if (last.size() == 2 && last[1] != many[0]) return last;
         }
@@ -95,7 +96,7 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
           }
         }
         if (split_ >= 0) return {std::exchange(split_, -1)};
-        if (phrase.head == Head::kOne && OneAgain()) return OneMore(chunk);
+        if ((phrase.head == Head::kOne || first_ < 0) && OneAgain()) return OneMore(chunk);
         // "close to one of them": whichever.
         if (EndsWithWord(words, "them") || EndsWithWord(words, "these")) {
           const std::vector<int> many = d_.Antecedent(about, /*many=*/true);
@@ -174,7 +175,11 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
       d_.Mention(last);
       return {last};
     }
-    if (points_back && !(counted && single) && !IsElsewhere(phrase, last)) {
+    // "a track branches off the main road": not the track itself.
+    const bool itself = frame_.has_value() && frame_->expecting && known.size() == 1 &&
+                        IsLine(last) && frame_->subjects == known &&
+                        d_.thing(last).noun != phrase.noun;
+    if (points_back && !(counted && single) && !IsElsewhere(phrase, last) && !itself) {
       if (!chunk.phrase.qualities.count.has_value()) {
         for (const int index : known) d_.Describe(phrase.qualities, index);
       }

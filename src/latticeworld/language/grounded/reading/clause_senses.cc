@@ -193,6 +193,11 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       }
       CloseFrame();
       subjects_.clear();
+      // "a village square, no, forget the square"
+      if (EndsWithWord(ToLowerAscii(d_.Words(chunk.begin, chunk.end)), "the")) {
+        DropNamed();
+        break;
+      }
       int first = sentence_first_feature_;
       if (first >= d_.size()) first = d_.size() - 1;
       for (int i = std::max(0, first); i < d_.size(); ++i) d_.Drop(i);
@@ -251,6 +256,16 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     }
     case Sense::kTravel: {
       traveling_ = true;
+      // "To the right of it, in this order: beach, road, houses"
+      if (frame_.has_value() && frame_->fronted && frame_->is_direction &&
+          !frame_->objects.empty() && !ordering_) {
+        const Heading heading = frame_->heading;
+        const int first = frame_->objects.back();
+        frame_.reset();
+        BeginOrder(heading);
+        order_ = {first};
+        break;
+      }
       const std::string words = ToLowerAscii(d_.Words(chunk.begin, chunk.end));
       const bool from = EndsWithWord(words, "from") && IsKind(at_ + 1, ChunkKind::kPlace);
       if (from && subjects_.empty()) OpenSense(Sense::kFrom, false);
@@ -301,6 +316,12 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     }
     case Sense::kStepsOnto:
       StepOnto();
+      break;
+    case Sense::kOptional:
+      for (const int index : subjects_) {
+        if (d_.thing(index).sentence == d_.sentence()) d_.Drop(index);
+      }
+      subjects_.clear();
       break;
     case Sense::kInsideBend:
       ReadInsideBend();
@@ -391,6 +412,16 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       break;
     case Sense::kInsideRing:
       ReadInsideRing();
+      break;
+    case Sense::kWithin:
+      // "outside the ring road fields, inside houses"
+      if (ToLowerAscii(d_.Words(chunk.begin, chunk.end)) == "inside" && HasRing() &&
+          (!IsPhrase(at_ + 1) || subjects_.empty() || IsKind(at_ - 1, ChunkKind::kComma)) &&
+          !IsKind(at_ + 1, ChunkKind::kPlace)) {
+        ReadInsideRing();
+        break;
+      }
+      OpenSense(sense, chunk.lexeme.of_it);
       break;
     case Sense::kRest:
     case Sense::kMap:

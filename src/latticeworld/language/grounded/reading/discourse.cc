@@ -43,7 +43,16 @@ bool MayMean(const ClassWord& word, const ClassWord& known) {
        {"coast", "coastline", "seashore", "sea", "water", "waters", "body of water", "water body",
         "open water", "settlement", "building", "buildings", "house", "houses", "built up area",
         "town", "village", "residential area"}) {
-    if (word.phrase == general) return word.suburb == 'W' || word.phrase != known.phrase;
+    // "the town" is no church.
+    constexpr int kSettlementCells = 15;
+    const bool houses = known.phrase.find("hous") != std::string_view::npos ||
+                        known.phrase.find("building") != std::string_view::npos ||
+                        known.phrase.find("home") != std::string_view::npos;
+    const bool settlement = word.cells >= kSettlementCells && !houses;
+    if (word.phrase == general) {
+      return word.suburb == 'W' ||
+             (word.phrase != known.phrase && (!settlement || known.cells >= kSettlementCells));
+    }
   }
   return false;
 }
@@ -552,6 +561,61 @@ void Discourse::SettleRest() {
   if (land >= 0) feature(land).fills_rest = true;
 }
 
+// "A crossroads in the centre: one road north-south, the other east-west": two roads that cross,
+// those that are spoken of, else two of its own.
+void Discourse::SettleCrossroads() {
+  for (int i = 0; i < size(); ++i) {
+    const std::string_view noun = thing(i).noun->phrase;
+    const bool crossing = noun == "crossroads" || noun == "crossroad" || noun == "intersection" ||
+                          noun == "junction" || noun == "road crossing";
+    if (thing(i).dropped || !crossing || feature(i).form != FeatureForm::kLine) continue;
+    std::vector<int> roads;
+    for (int j = 0; j < size(); ++j) {
+      const bool road = j != i && !thing(j).dropped && feature(j).letter == feature(i).letter &&
+                        feature(j).form == FeatureForm::kLine;
+      if (road) roads.push_back(j);
+    }
+    const bool tied = feature(i).from.has_value() || feature(i).to.has_value() ||
+                      feature(i).along.has_value() || roads.size() == 1 || roads.size() > 2;
+    if (tied) continue;
+    const std::vector<Zone> zones = feature(i).zones;
+    if (roads.empty()) {
+      const int second = Twin(i);
+      if (second == i) continue;
+      roads = {i, second};
+      for (const bool down : {true, false}) {
+        PlannedFeature& road = feature(roads[down ? 0 : 1]);
+        Waypoint from;
+        from.zone = RimZoneOf(down ? Heading{0, -1} : Heading{-1, 0});
+        from.said = false;
+        Waypoint to;
+        to.zone = RimZoneOf(down ? Heading{0, 1} : Heading{1, 0});
+        to.said = false;
+        road.from = from;
+        road.to = to;
+        road.zones.clear();
+      }
+    } else {
+      for (PlannedRelation& relation : plan_.relations) {
+        if (relation.subject == i) relation.subject = roads[0];
+        if (relation.object == i) relation.object = roads[0];
+      }
+      Drop(i);
+    }
+    for (const int road : roads) {
+      if (zones.size() != 1 || !feature(road).via.empty()) continue;
+      Waypoint via;
+      via.zone = zones.front();
+      feature(road).via.push_back(std::move(via));
+    }
+    PlannedRelation crosses;
+    crosses.kind = RelationKind::kCrosses;
+    crosses.subject = roads[0];
+    crosses.object = roads[1];
+    Relate(std::move(crosses));
+  }
+}
+
 // What runs along an edge, and nothing more is said, runs all along it.
 void Discourse::SettleAlong() {
   for (int i = 0; i < size(); ++i) {
@@ -584,8 +648,8 @@ void Discourse::SettleChains() {
   };
   for (const PlannedRelation& first : relations) {
     if (first.kind != RelationKind::kDirection || thing(first.object).dropped) continue;
-    const bool begins = std::none_of(
-        relations.begin(), relations.end(), [&](const PlannedRelation& other) {
+    const bool begins =
+        std::none_of(relations.begin(), relations.end(), [&](const PlannedRelation& other) {
           return other.kind == RelationKind::kDirection && other.subject == first.object &&
                  other.heading == first.heading;
         });
@@ -597,9 +661,10 @@ void Discourse::SettleChains() {
          at = next_of(at, first.heading)) {
       order.features.push_back(at);
     }
-    const bool known = std::any_of(
-        plan_.orders.begin(), plan_.orders.end(),
-        [&](const PlannedOrder& other) { return other.features.front() == order.features.front(); });
+    const bool known =
+        std::any_of(plan_.orders.begin(), plan_.orders.end(), [&](const PlannedOrder& other) {
+          return other.features.front() == order.features.front();
+        });
     if (order.features.size() >= 3 && !known) plan_.orders.push_back(std::move(order));
   }
 }
@@ -632,6 +697,7 @@ void Discourse::SettleOpenEnds() {
 LayoutPlan Discourse::Finish() {
   SettleOpenEnds();
   SettleAlong();
+  SettleCrossroads();
   SettleDenials();
   SettleIslands();
   WidenMiddles();

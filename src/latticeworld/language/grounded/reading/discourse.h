@@ -17,8 +17,8 @@ struct Thing {
   const ClassWord* noun = nullptr;
   bool plural = false;
   bool is_island = false;
-  bool zones_from_lead = false;  // "In the north ...": a place of its own replaces it
-  bool dropped = false;          // "scratch that"
+  bool zones_from_lead = false;   // "In the north ...": a place of its own replaces it
+  bool dropped = false;           // "scratch that"
   std::optional<Waypoint> start;  // of what may yet turn out to run: "cuts in from the north"
   int sentence = 0;
   std::size_t begin = 0;  // bytes of the instruction
@@ -87,6 +87,7 @@ class Discourse {
   void SettleDenials();
   void SettleIslands();
   void SettleRest();
+  void SettleCrossroads();
   void SettleChains();
   void SettleAlong();
   void PlaceContained();

@@ -256,6 +256,13 @@ class Asserter {
     const bool inside = frame_.inside && !IsLine(object()) && subject().letter == 'B' &&
                         d_.plan().vocabulary == Vocabulary::kSuburb;
     const bool beside = object().letter == 'W' && !d_.thing(subject_).is_island && !inside;
+    // "a pond in a clearing"
+    const bool area = frame_.inside && !IsLine(object()) && object().letter != 'B' &&
+                      object().letter != 'W' && subject().letter != object().letter;
+    if (area) {
+      AssertWithin(subject_, object_);
+      return;
+    }
     if (inside && object().letter == 'W') {
       AssertWithin(subject_, object_);
       return;

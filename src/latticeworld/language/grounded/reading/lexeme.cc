@@ -54,6 +54,8 @@ bool LexDirection(const std::vector<Token>& tokens, std::size_t at, Lexeme* lexe
     if (IsWord(tokens, next, {"from"}) && !IsWord(tokens, next + 1, {"the", "it", "there"})) {
       return false;
     }
+    // "separates the fields in the north from the town"
+    if (IsWord(tokens, next, {"from"}) && after_in) return false;
     const std::size_t object =
         next + 1 + (IsWord(tokens, next + 1, {"the", "this", "that"}) ? 1 : 0);
     if (MatchPlace(tokens, object).tokens > 0) return false;

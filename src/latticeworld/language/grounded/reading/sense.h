@@ -155,9 +155,10 @@ enum class Sense : std::uint8_t {
   kMeets,
   kInEach,
   kInsideBend,
+  kOptional,
 };
 
-constexpr std::array<EnumName<Sense>, 138> EnumNames(Sense) {
+constexpr std::array<EnumName<Sense>, 139> EnumNames(Sense) {
   return {{
       {Sense::kFunction, "function"},
       {Sense::kDefinite, "definite"},
@@ -297,6 +298,7 @@ constexpr std::array<EnumName<Sense>, 138> EnumNames(Sense) {
       {Sense::kMeets, "meets"},
       {Sense::kInEach, "in_each"},
       {Sense::kInsideBend, "inside_bend"},
+      {Sense::kOptional, "optional"},
   }};
 }
 
