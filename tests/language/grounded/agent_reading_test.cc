@@ -294,5 +294,48 @@ INSTANTIATE_TEST_SUITE_P(
          "1 humanoid robot idle upper right; "},
     }));
 
+INSTANTIATE_TEST_SUITE_P(
+    Discourse, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"A shepherd waits in the fields together with his thirty sheep and two dogs.",
+         "1 humanoid robot idle upper right; 30 sheep grazing upper right; "
+         "2 robotic dog patrolling upper right; "},
+        {"There are twelve robots, five of which are drones; the other seven are rovers parked in "
+         "the village.",
+         "7 wheeled robot idle center; 5 aerial robot flying anywhere; "},
+        {"Of the ten knights three guard the village, three patrol the forest and the rest sleep.",
+         "4 ancient warrior idle anywhere; 3 ancient warrior patrolling center; "
+         "3 ancient warrior patrolling lower right; "},
+        {"Twenty goblins, split evenly between the forest and the fields.",
+         "10 goblin patrolling lower right; 10 goblin patrolling upper right; "},
+        {"Ten sheep graze in the south; so do two horses.",
+         "10 sheep grazing lower; 2 horse grazing lower; "},
+        {"One robot in the north, south and east each.",
+         "1 wheeled robot idle upper; 1 wheeled robot idle lower; "
+         "1 wheeled robot idle middle right; "},
+        {"Five rovers patrol the village and a drone watches them from above.",
+         "5 wheeled robot patrolling center; 1 aerial robot flying center; "},
+        {"Eleven sheep, three of them lambs, doze near the lake.",
+         "8 sheep idle upper left; 3 sheep idle upper left; "},
+        {"All six drones hover above the village except one, which has landed in the fields.",
+         "5 aerial robot flying center; 1 aerial robot idle upper right; "},
+        {"First group: ten sheep in the fields. Second group: five horses by the lake. The first "
+         "group grazes, the second sleeps.",
+         "10 sheep grazing upper right; 5 horse idle upper left; "},
+        {"There are two teams of four androids each; one team combs the forest, the other one "
+         "searches the fields.",
+         "4 humanoid robot patrolling upper right; 4 humanoid robot patrolling lower right; "},
+        {"All the robots (six drones, four rovers) are switched off in the village.",
+         "6 aerial robot idle center; 4 wheeled robot idle center; "},
+        {"There used to be twenty horses; now there are only three, standing by the lake.",
+         "3 horse idle upper left; "},
+        {"Every animal is asleep: ten sheep in the fields, four horses in the forest.",
+         "10 sheep idle upper right; 4 horse idle lower right; "},
+        {"Two drones over the village, one drone over the lake. Three drones altogether.",
+         "2 aerial robot flying center; 1 aerial robot flying upper left; "},
+        {"Four androids march in the east, led by a robot dog.",
+         "4 humanoid robot patrolling middle right; 1 robotic dog patrolling middle right; "},
+    }));
+
 }  // namespace
 }  // namespace latticeworld

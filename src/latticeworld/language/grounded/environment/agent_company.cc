@@ -70,7 +70,8 @@ AgentReader::Reference AgentReader::ReferenceAt(std::size_t at, bool of_others) 
   if (noted_.IsWord(at, "it")) return {1, GroupBefore(false, of_others), true, false};
   if (!noted_.IsAnyWord(at, {"the", "their", "these", "those", "his", "her", "its"})) return {};
   // "at his side"
-  if (noted_.IsAnyWord(at + 1, {"side", "sides", "feet", "heels", "company", "midst", "ranks"}) &&
+  if (noted_.IsAnyWord(at + 1, {"side", "sides", "feet", "heels", "company", "midst", "ranks",
+                                "head", "heads"}) &&
       !noted_.IsWord(at, "the")) {
     return {2, GroupBefore(noted_.IsWord(at, "their"), of_others)};
   }

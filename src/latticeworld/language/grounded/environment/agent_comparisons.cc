@@ -132,6 +132,27 @@ std::size_t AgentReader::ReadCountsOfSides() {
   return next - at_;
 }
 
+std::size_t AgentReader::ReadLikewise() {
+  const std::vector<std::size_t>& told = subject_.empty() ? previous_ : subject_;
+  if (told.empty()) return 0;
+  std::size_t next = at_;
+  if (noted_.IsAnyWord(at_, {"so", "as"}) &&
+      noted_.IsAnyWord(at_ + 1, {"do", "does", "are", "is"})) {
+    next = at_ + 2;
+  } else if (noted_.IsWord(at_, "likewise")) {
+    next = at_ + 1;
+  }
+  if (next == at_) return 0;
+  const std::size_t count = ReadCount(noted_, words_, next).tokens;
+  if (count == 0 && !noted_.IsAnyWord(next, {"a", "an", "the", "some"}) &&
+      words_.species.LengthAt(tokens_, next) == 0) {
+    return 0;
+  }
+  model_ = told.back();
+  Known(next - at_);
+  return next - at_;
+}
+
 std::size_t AgentReader::ReadEachHas() {
   if (!noted_.IsAnyWord(at_, {"each", "every"}) || noted_.notes[at_].negated) return 0;
   std::size_t next = at_ + 1;

@@ -120,7 +120,8 @@ bool AgentReader::IsAnnounced(const Group& group, bool bare) const {
   if (wish.least != kSomeSeen.least && wish.quantity < 2) return false;
   std::size_t first = at_;
   while (first > 0 && noted_.IsAnyWord(first - 1, {"say", "and", "there", "are", "maybe", "so",
-                                                   "about", "let", "have"})) {
+                                                   "about", "let", "have", "now", "only", "just",
+                                                   "today", "remain", "please", "i", "want"})) {
     --first;
   }
   // "I want ponies. At least twenty, please."

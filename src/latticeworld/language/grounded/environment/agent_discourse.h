@@ -76,6 +76,9 @@ class AgentReader {
 
   void Known(std::size_t tokens);
 
+  // "so do four horses"
+  std::size_t ReadLikewise();
+
   // "each with", "every one of them has": of who follows there are as many as of the subject.
   std::size_t ReadEachHas();
 
@@ -155,6 +158,12 @@ class AgentReader {
   // "half of them sheep": the part has a name of its own.
   std::size_t RenamePart(std::size_t at);
 
+  // Names the group anew ("are sheep"); how many tokens say so.
+  std::size_t Rename(std::size_t index, std::size_t at);
+
+  // "..., except one, which has landed": said of a group before.
+  std::size_t ReadExceptSome();
+
   // A part of the last group becomes one of its own; the others stay behind.
   void Split(const Count& count, int quantity, std::size_t tokens);
 
@@ -199,6 +208,9 @@ class AgentReader {
   bool IsFlockOf(const Group& group) const;
 
   bool IsPlaceAhead(std::size_t at) const;
+
+  // Whether places are listed that go on at `at`, up to "and the east".
+  bool IsPlaceList(std::size_t at) const;
 
   // What may follow a noun phrase.
   bool EndsNounPhrase(std::size_t at) const;
@@ -353,6 +365,11 @@ class AgentReader {
   // "(between the lake) and the village", "(from the lake) to the village".
   void ReadOtherEnd(std::size_t first, FeaturePlace* feature, std::size_t* end) const;
 
+  // "split between the lake and the forest": half of the group is at each. False: it is not so.
+  bool ShareOut(const FeaturePlace& feature, std::size_t index);
+
+  bool IsSharedOut(std::size_t at) const;
+
   // "far side of the lake, seen from the village"
   std::optional<FeaturePlace> ReadFarSide(std::size_t* at) const;
 
@@ -385,6 +402,18 @@ class AgentReader {
 
   // "Ten creatures: four sheep and six goblins": the first is the sum of the others.
   void DropAnnouncedTotal();
+
+  // Whether those named after the group are a list of who is in it.
+  bool IsListed(std::size_t index) const;
+
+  // How many are in each of the packs that were counted; 1: no packs.
+  int PackSize() const;
+
+  // "There used to be twenty horses": how many there are now is told later.
+  bool IsBygone() const;
+
+  // "three drones altogether": those who were named.
+  bool IsSum(const SpeciesWord& word, const Count& count, std::size_t end) const;
 
   void Extend(std::size_t index, std::size_t end);
 
@@ -432,6 +461,8 @@ class AgentReader {
   std::optional<AxisMatch> order_;  // along which the groups are told
   std::size_t order_first_ = 0;     // the first of them
 
+  std::size_t with_ = kNone;  // whom those named last are with
+
   // The text so far.
   std::vector<std::size_t> previous_;  // subjects that a pronoun goes back to
   std::size_t last_ = kNone;           // the group named last
@@ -445,7 +476,9 @@ class AgentReader {
   bool split_state_ = false;  // the subject's state is only inherited
   std::size_t placed_ = kNone;
   std::size_t placed_sentence_ = 0;
+  std::size_t told_former_ = 0;      // the sentence, from 1, that spoke of the former
   std::size_t substituted_ = kNone;  // the group that gives way to who is named next
+  std::size_t model_ = kNone;        // "so do": whose state and place those have who follow
   int times_ = 1;                    // "each with a dog": so many of who is named next
   bool everybody_ = false;           // the subject is all of them
   bool corrected_ = false;

@@ -115,10 +115,42 @@ void AgentReader::ReadOtherEnd(std::size_t first, FeaturePlace* feature, std::si
   const auto other = LandAt(&next);
   if (!other.has_value() || other->name == feature->name) return;
   feature->way = halfway ? FeaturePlace::Way::kHalfway : FeaturePlace::Way::kBetween;
+  feature->other_name = other->name;
   feature->other_suburb = other->suburb;
   feature->other_wild = other->wild;
   feature->near = false;
   *end = next;
+}
+
+bool AgentReader::IsSharedOut(std::size_t at) const {
+  for (std::size_t i = at; i > 0 && i + 4 > at && !noted_.IsPause(i - 1); --i) {
+    if (noted_.IsAnyWord(i - 1,
+                         {"split", "divided", "shared", "distributed", "spread", "halved"})) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool AgentReader::ShareOut(const FeaturePlace& feature, std::size_t index) {
+  const int quantity = groups_[index].wish.quantity;
+  if (feature.way != FeaturePlace::Way::kBetween || quantity < 2 || !IsSharedOut(at_)) return false;
+  Group other = groups_[index];
+  Group& group = groups_[index];
+  FeaturePlace one = feature;
+  one.way = FeaturePlace::Way::kNone;
+  group.wish.feature = one;
+  one.name = feature.other_name;
+  one.suburb = feature.other_suburb;
+  one.wild = feature.other_wild;
+  other.wish.feature = one;
+  const int half = quantity / 2;
+  SetCount({half, half, half, 1}, &other);
+  SetCount({quantity - half, quantity - half, quantity - half, 1}, &group);
+  groups_.push_back(std::move(other));
+  subject_ = {index, groups_.size() - 1};
+  previous_ = subject_;
+  return true;
 }
 
 std::optional<FeaturePlace> AgentReader::ReadFarSide(std::size_t* at) const {

@@ -41,6 +41,7 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
     Replace(word, count, end);
     return;
   }
+  if (IsSum(word, count, end)) return;
   DropVagueKinds(word);
   if (const std::size_t vague = VagueBefore(same, count, end); vague != kNone) {
     ReferTo({vague}, {}, end);
@@ -57,6 +58,13 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   group.wish.most = said.most;
   group.wish.counted = count.tokens > 0 && count.least == count.most;
   group.wish.each = noted_.IsAnyWord(at_ > 0 ? at_ - 1 : at_, {"each", "every"});
+  const std::size_t count_begin = pending_.tokens > 0 ? count_at_ : at_;
+  if (IsBygone()) {
+    group.wish.least = kSomeSeen.least;
+    group.wish.quantity = kSomeSeen.value;
+    group.wish.most = kSomeSeen.most;
+    group.wish.counted = false;
+  }
   // "four knights with a dog each"
   if (times_ == 1 && noted_.IsAnyWord(end, {"each", "apiece"}) && IsHad()) {
     times_ = TotalOf(subject_);
@@ -70,12 +78,24 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
     if (group.with == kNone && !subject_.empty()) group.with = subject_.front();
   }
   times_ = 1;
+  // "a shepherd by the lake with his thirty sheep and two dogs"
+  const bool listed = noted_.IsWord(count_begin > 0 ? count_begin - 1 : 0, "and") &&
+                      with_ != kNone && last_ == groups_.size() - 1;
+  if (group.with == kNone && IsHad()) group.with = subject_.front();
+  if (group.with == kNone && listed) group.with = with_;
+  with_ = group.with;
   group.purpose = IsInPurpose();
   group.wish.state = state_before_;
   group.begin = std::min(phrase_begin_, tokens_[at_].begin);
   group.end = tokens_[end - 1].end;
   group.sentence = sentence_;
   ApplyLead(&group);
+  if (model_ != kNone) {
+    const AgentWish& model = groups_[model_].wish;
+    if (!group.wish.state.has_value()) group.wish.state = model.state;
+    group.with = model_;
+    model_ = kNone;
+  }
   // "goblins chase sheep": the chased are no subject.
   const bool object =
       acted_ && !subject_.empty() && !state_before_.has_value() && !joined_ && !paused_;
@@ -84,16 +104,24 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   JoinSubjectTo(index);
   last_ = index;
   part_ = rest_ = kNone;
-  unit_ = 1;
+  unit_ = PackSize();
   everybody_ = false;
   split_state_ = false;
   state_before_.reset();
   if (object) {
+    // Who chases somebody is where those are.
+    for (const std::size_t owner : subject_) {
+      if (groups_[owner].with == kNone && owner != index) groups_[owner].with = index;
+    }
     object_ = index;
     object_end_ = end;
     return;
   }
-  if (!(joined_ || paused_) || GroupIsTold() || new_clause_) subject_.clear();
+  // "ten agents: six sheep in the west ...": the ten are not in the west.
+  const bool listed_here =
+      index > 0 && groups_[index - 1].wish.categories.size() > 1 && IsListed(index - 1) &&
+      Contains(groups_[index - 1].wish.categories, groups_[index].wish.categories);
+  if (!(joined_ || paused_) || GroupIsTold() || new_clause_ || listed_here) subject_.clear();
   subject_.push_back(index);
   previous_ = subject_;
   joined_ = false;
@@ -103,14 +131,54 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   object_ = kNone;
 }
 
+int AgentReader::PackSize() const {
+  // "two teams of four humanoids"
+  for (std::size_t i = count_at_; pending_.tokens > 2 && i + 1 < count_at_ + pending_.tokens; ++i) {
+    if (ReadCollective(noted_, words_, i).tokens == 0 || !noted_.IsWord(i + 1, "of")) continue;
+    const Count inner = ReadCount(noted_, words_, i + 2);
+    if (i > count_at_ && inner.tokens > 0 && inner.least == inner.most) return inner.value;
+  }
+  return 1;
+}
+
+bool AgentReader::IsBygone() const {
+  constexpr std::size_t kReach = 8;
+  for (std::size_t i = at_; i > 1 && i + kReach > at_ && !noted_.IsEnd(i - 1); --i) {
+    if (noted_.IsWord(i - 1, "to") && noted_.IsWord(i - 2, "used")) return true;
+    if (noted_.IsAnyWord(i - 1, {"formerly", "previously"})) return true;
+  }
+  return false;
+}
+
+bool AgentReader::IsSum(const SpeciesWord& word, const Count& count, std::size_t end) const {
+  if (count.tokens == 0 || count.least != count.most) return false;
+  const bool summed = noted_.IsAnyWord(end, {"altogether", "total", "overall"}) ||
+                      (noted_.IsAnyWord(end, {"in", "all"}) &&
+                       noted_.IsAnyWord(end + 1, {"all", "total", "told", "sum"}));
+  int sum = 0;
+  for (const Group& group : groups_) {
+    if (!group.removed && Contains(word.categories, group.wish.categories)) {
+      sum += group.wish.quantity;
+    }
+  }
+  return summed && sum == count.value;
+}
+
 bool AgentReader::IsHad() const {
   if (subject_.empty()) return false;
   std::size_t first = pending_.tokens > 0 ? count_at_ : at_;
-  while (first > 0 && noted_.IsAnyWord(first - 1, {"a", "an", "their", "own", "his", "her"})) {
+  while (first > 0 &&
+         noted_.IsAnyWord(first - 1, {"a", "an", "the", "their", "own", "his", "her", "its"})) {
     --first;
   }
-  return first > 0 && noted_.IsAnyWord(first - 1, {"with", "have", "has", "lead", "leading",
-                                                   "having", "bring", "bringing", "carrying"});
+  if (first == 0) return false;
+  // "led by a drone"
+  if (first > 1 && noted_.IsWord(first - 1, "by")) {
+    return noted_.IsAnyWord(first - 2, {"led", "followed", "escorted", "accompanied", "joined",
+                                        "watched", "supervised", "flanked", "herded", "driven"});
+  }
+  return noted_.IsAnyWord(first - 1, {"with", "have", "has", "lead", "leading", "leads", "having",
+                                      "bring", "bringing", "carrying", "herding", "walking"});
 }
 
 int AgentReader::TotalOf(const std::vector<std::size_t>& groups) const {
@@ -172,7 +240,14 @@ void AgentReader::ReferTo(const std::vector<std::size_t>& same, const Count& cou
   }
   const bool object = acted_ && !subject_.empty() && !state_before_.has_value() && !joined_ &&
                       !paused_ && !corrected_;
-  if (object) return;
+  if (object) {
+    for (const std::size_t owner : subject_) {
+      if (groups_[owner].with == kNone && owner != groups.front()) {
+        groups_[owner].with = groups.front();
+      }
+    }
+    return;
+  }
   subject_ = groups;
   previous_ = groups;
   last_ = groups.back();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "latticeworld/language/grounded/environment/agent_discourse.h"
+#include "latticeworld/language/numbers.h"
 
 namespace latticeworld {
 namespace internal {
@@ -87,9 +88,17 @@ bool AgentReader::EndsNounPhrase(std::size_t at) const {
 bool AgentReader::IsVerbHere(std::size_t at, bool counted) const {
   const std::size_t noun = words_.species.LengthAt(tokens_, at);
   if (words_.states.LengthAt(tokens_, at) < noun) return false;
-  if (counted) return false;
-  if (at > 0 && (noted_.IsAnyWord(at - 1, {"a", "an", "the", "no", "by", "some", "these"}) ||
-                 IsParticiple(at - 1))) {
+  // "three guard the village": of three there is no singular.
+  if (counted) {
+    const NumberMatch number = at > 0 ? MatchNumber({tokens_[at - 1]}, 0) : NumberMatch{};
+    return number.value > 1 && noun == 1 && !noted_.IsPause(at + 1) &&
+           !words_.species.At(tokens_, at).rows.front()->plural;
+  }
+  if (at > 0 &&
+      (noted_.IsAnyWord(at - 1, {"a",     "an",      "the", "no",   "by",    "some", "these",
+                                 "their", "his",     "her", "its",  "my",    "our",  "your",
+                                 "those", "another", "one", "each", "every", "any"}) ||
+       IsParticiple(at - 1))) {
     return false;
   }
   return true;

@@ -81,6 +81,30 @@ std::size_t AgentReader::ReadAllBut() {
   return next - at_;
 }
 
+std::size_t AgentReader::ReadExceptSome() {
+  if (!noted_.IsAnyWord(at_, {"except", "but", "save", "excepting"}) || Last() == nullptr) return 0;
+  std::size_t next = at_ + 1;
+  if (noted_.IsWord(next, "for")) ++next;
+  const Count count = ReadCount(noted_, words_, next);
+  if (count.tokens == 0 || count.least != count.most) return 0;
+  next += count.tokens;
+  next += next < tokens_.size() ? RoleAt(Role::kOfThem, next) : 0;
+  const bool alone = noted_.IsPause(next) || noted_.IsAnyWord(next, {"which", "who", "that"});
+  if (!alone || count.value >= groups_[last_].wish.quantity) return 0;
+  for (std::size_t i = at_; i < tokens_.size() && !noted_.IsEnd(i); ++i) {
+    noted_.notes[i].negated = false;
+  }
+  noted_.Mark(at_, next, &TokenNote::agent);
+  Split(count, count.value, next - at_);
+  groups_[part_].wish.state.reset();
+  if (tokens_[std::min(next, tokens_.size() - 1)].kind == TokenKind::kComma) {
+    groups_[part_].wish.places.clear();
+    groups_[part_].wish.feature.reset();
+    groups_[part_].with = kNone;
+  }
+  return next - at_;
+}
+
 std::size_t AgentReader::ReadFraction() {
   if (pending_.tokens > 0) return 0;
   int parts = 1, of = 2;
@@ -183,7 +207,10 @@ std::size_t AgentReader::ReadOrdinal() {
   const bool last = definite && noted_.IsAnyWord(at_ + 1, {"last", "final"});
   const int ordinal = OrdinalAt(at_ + 1);
   std::size_t next = at_ + 2;
-  if (noted_.IsAnyWord(next, {"one", "pair", "team", "trio", "group"})) ++next;
+  // "the first group" is one of those that were named, unless there is only one.
+  const bool group = noted_.IsAnyWord(next, {"group", "team", "herd", "flock", "band", "squad"});
+  if (group && unit_ == 1 && !last) return 0;
+  if (group || noted_.IsAnyWord(next, {"one", "pair", "trio"})) ++next;
   const bool bare_last = last && part_ != kNone && !noted_.IsPause(next);
   if ((ordinal == 0 && !bare_last) || noted_.IsPause(next)) return 0;
   if (!EndsNounPhrase(next) && !(bare_last && MatchPlace(tokens_, next).tokens > 0)) return 0;
@@ -207,16 +234,28 @@ std::size_t AgentReader::ReadOrdinal() {
 }
 
 std::size_t AgentReader::RenamePart(std::size_t at) {
+  const std::size_t renamed = Rename(part_, at);
+  // "Eleven sheep, three of them lambs, doze": all of them do.
+  const std::size_t next = at + renamed;
+  if (renamed > 0 && next + 1 < tokens_.size() && tokens_[next].kind == TokenKind::kComma &&
+      words_.states.LengthAt(tokens_, next + 1) > 0 && !IsDoing(next + 1)) {
+    subject_ = {rest_, part_};
+    previous_ = subject_;
+  }
+  return renamed;
+}
+
+std::size_t AgentReader::Rename(std::size_t index, std::size_t at) {
   const std::size_t first = at;
   while (noted_.IsAnyWord(at, {"are", "is", "should", "be", "being", "must"})) ++at;
-  if (noted_.IsPause(at) || part_ == kNone) return 0;
+  if (noted_.IsPause(at) || index == kNone) return 0;
   const auto match = words_.species.At(tokens_, at);
-  if (match.tokens == 0 || IsVerbHere(at, true)) return 0;
-  AgentWish& part = groups_[part_].wish;
-  part.categories = match.rows.front()->categories;
-  part.exact = match.rows.front()->exact;
-  part.name = JoinWords(tokens_, at, at + match.tokens);
-  groups_[part_].end = tokens_[at + match.tokens - 1].end;
+  if (match.tokens == 0 || IsVerbHere(at, true) || noted_.notes[at].negated) return 0;
+  Group& group = groups_[index];
+  group.wish.categories = match.rows.front()->categories;
+  group.wish.exact = match.rows.front()->exact;
+  group.wish.name = JoinWords(tokens_, at, at + match.tokens);
+  group.end = std::max(group.end, tokens_[at + match.tokens - 1].end);
   noted_.Mark(at, at + match.tokens, &TokenNote::agent);
   return at + match.tokens - first;
 }

@@ -83,6 +83,9 @@ std::size_t AgentReader::ReadPlace() {
   // "no goblins in the north": nobody is there.
   if (negated && !absent_here_) TakeBackPlace(place, feature, owners.empty() ? previous_ : owners);
   if (negated || (absent_here_ && owners.empty())) return end - at_;
+  if (!fronted && owners.size() == 1 && feature.has_value() && ShareOut(*feature, owners.front())) {
+    return end - at_;
+  }
   SetPlace(place.places, feature, each, fronted ? std::vector<std::size_t>{} : owners, end);
   return end - at_;
 }
@@ -223,6 +226,22 @@ std::size_t AgentReader::PlacePhraseAt(std::size_t at) const {
   return 0;
 }
 
+bool AgentReader::IsPlaceList(std::size_t at) const {
+  constexpr std::size_t kLength = 12;
+  for (std::size_t i = at; i < at + kLength && !noted_.IsEnd(i); ++i) {
+    if (noted_.IsAnyWord(i, {"and", "or"})) {
+      std::size_t next = i + 1;
+      next += std::max(RoleAt(Role::kIn, next), RoleAt(Role::kNear, next));
+      while (noted_.IsAnyWord(next, {"the", "a"})) ++next;
+      return next < tokens_.size() && MatchPlace(tokens_, next).tokens > 0;
+    }
+    if (words_.species.LengthAt(tokens_, i) > 0 || words_.states.LengthAt(tokens_, i) > 0) {
+      return false;
+    }
+  }
+  return false;
+}
+
 void AgentReader::SetPlace(const std::vector<Place>& places,
                            const std::optional<FeaturePlace>& feature, bool each,
                            const std::vector<std::size_t>& owners, std::size_t end) {
@@ -242,7 +261,10 @@ void AgentReader::SetPlace(const std::vector<Place>& places,
     lead_.end = end;
     return;
   }
-  const bool also = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"and", "or"});
+  // "in the north, south and east"
+  const bool listed = at_ > 1 && tokens_[at_ - 1].kind == TokenKind::kComma &&
+                      noted_.notes[at_ - 2].place && IsPlaceList(end);
+  const bool also = listed || (at_ > 0 && noted_.IsAnyWord(at_ - 1, {"and", "or"}));
   for (const std::size_t index : owners) {
     AgentWish& wish = groups_[index].wish;
     // "Five knights on the bridge. Ten sheep. All of them in the south."

@@ -54,6 +54,8 @@ std::size_t AgentReader::Step() {
   if (const std::size_t tokens = ReadOrder(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadCompany(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadEachHas(); tokens > 0) return tokens;
+  if (const std::size_t tokens = ReadLikewise(); tokens > 0) return tokens;
+  if (const std::size_t tokens = ReadExceptSome(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadCountsOfSides(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadReference(); tokens > 0) return tokens;
   if (const std::size_t tokens = ReadNounPhrase(); tokens > 0) {
@@ -66,6 +68,12 @@ std::size_t AgentReader::Step() {
     // "in the air above it four drones": nobody is named yet.
     clause_open_ = clause_open_ && subject_.empty() && state_before_.has_value();
     return tokens;
+  }
+  // "one robot in the north, south and east each"
+  if (noted_.IsWord(at_, "each") && at_ > 0 && noted_.notes[at_ - 1].place) {
+    for (const std::size_t index : subject_) {
+      if (groups_[index].wish.places.size() > 1) groups_[index].wish.each = true;
+    }
   }
   if (noted_.IsWord(at_, "and")) {
     joined_ = true;
@@ -182,6 +190,7 @@ void AgentReader::EndSentence() {
   corrected_ = false;
   substituted_ = kNone;
   times_ = 1;
+  model_ = kNone;
   everybody_ = false;
   told_since_correction_ = false;
   new_clause_ = false;
@@ -189,22 +198,43 @@ void AgentReader::EndSentence() {
   ++sentence_;
 }
 
+bool AgentReader::IsListed(std::size_t index) const {
+  // "all robots (six drones, four rovers)", "every animal is asleep: ten sheep, ..."
+  if (index + 1 >= groups_.size()) return false;
+  const std::size_t first = groups_[index].begin, last = groups_[index + 1].begin;
+  for (const Token& token : tokens_) {
+    if (token.begin < first || token.begin >= last || token.kind != TokenKind::kComma) continue;
+    if (token.text != ",") return true;
+  }
+  return false;
+}
+
 void AgentReader::DropAnnouncedTotal() {
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     Group& total = groups_[i];
     if (total.sentence != sentence_ || total.removed || total.wish.categories.size() < 2) continue;
-    if (!total.wish.counted) continue;
+    if (!total.wish.counted && !IsListed(i)) continue;
     int sum = 0;
+    std::vector<std::size_t> parts;
     for (std::size_t j = i + 1; j < groups_.size(); ++j) {
       const AgentWish& part = groups_[j].wish;
       if (!groups_[j].removed && part.categories.size() == 1 &&
           Contains(total.wish.categories, part.categories)) {
         sum += part.quantity;
+        parts.push_back(j);
       }
     }
-    if (sum == 0 || sum > total.wish.quantity) continue;
+    if (sum == 0 || (total.wish.counted && sum > total.wish.quantity)) continue;
     total.removed = true;
-    if (total.wish.categories.size() == EnumNames(AgentCategory{}).size()) {
+    // What was said of all is said of each.
+    for (const std::size_t j : parts) {
+      AgentWish& part = groups_[j].wish;
+      if (!part.state.has_value()) part.state = total.wish.state;
+      if (!part.places.empty() || part.feature.has_value() || groups_[j].with != kNone) continue;
+      part.places = total.wish.places;
+      part.feature = total.wish.feature;
+    }
+    if (total.wish.counted && total.wish.categories.size() == EnumNames(AgentCategory{}).size()) {
       EnvironmentClaim claim;
       claim.kind = EnvironmentClaimKind::kTotalAgents;
       claim.least_quantity = std::min(total.wish.least, kMaxAgents);

@@ -23,6 +23,10 @@ std::size_t AgentReader::ReadReference() {
     return some;
   }
   if (const std::size_t all = ReadAllOfThem(); all > 0) return all;
+  if (told_former_ == sentence_ + 1 && noted_.IsWord(at_, "the")) {
+    // "..., the second sleeps": read with its next word.
+    if (noted_.IsAnyWord(at_ + 1, {"second", "other", "latter"})) return 1;
+  }
   if (const std::size_t ordinal = ReadOrdinal(); ordinal > 0) return ordinal;
   if (const std::size_t again = ReadAnotherGroup(); again > 0) return again;
   // "Goblins? None, please."
@@ -43,7 +47,8 @@ std::size_t AgentReader::ReadReference() {
     if (!noun && EndsNounPhrase(next)) {
       noted_.Mark(at_, next, &TokenNote::agent);
       TakeRest(count);
-      return others + count.tokens;
+      const std::size_t rest = subject_.empty() ? kNone : subject_.front();
+      return others + count.tokens + Rename(rest, next);
     }
   }
   if (const std::size_t one = ReadFormerOrLatter(); one > 0) return one;
@@ -55,7 +60,13 @@ std::size_t AgentReader::ReadReference() {
   if (they > 0 || it) {
     const std::size_t tokens = std::max<std::size_t>(they, 1);
     Known(tokens);
-    // As an object ("chase them") a pronoun changes nothing.
+    // As an object ("watch them") a pronoun only says where its verb's subject is.
+    if (!subject_.empty() && acted_ && verb_end_ == at_) {
+      const std::size_t watched = GroupBefore(!it, true);
+      for (const std::size_t index : subject_) {
+        if (groups_[index].with == kNone && watched != index) groups_[index].with = watched;
+      }
+    }
     if (subject_.empty()) subject_ = previous_;
     return tokens;
   }
@@ -112,22 +123,27 @@ std::size_t AgentReader::ReadEverybody() {
 
 std::size_t AgentReader::ReadFormerOrLatter() {
   const bool former = noted_.IsAnyWord(at_, {"former", "first", "firsts"});
-  if (!former && !noted_.IsAnyWord(at_, {"latter", "second", "last"})) return 0;
+  if (!former && !noted_.IsAnyWord(at_, {"latter", "second", "last", "other"})) return 0;
   const bool bare = noted_.IsAnyWord(at_, {"former", "latter"});
-  const std::size_t group =
-      noted_.IsAnyWord(at_ + 1, {"group", "ones", "band", "party", "lot", "team"}) ? 1 : 0;
-  if (!bare && group == 0) return 0;
+  const bool noun = noted_.IsAnyWord(
+      at_ + 1, {"group", "ones", "band", "party", "lot", "team", "herd", "flock", "squad"});
+  // "The first group grazes, the second sleeps."
+  const bool second = !former && told_former_ == sentence_ + 1 && EndsNounPhrase(at_ + 1);
+  if (!bare && !noun && !second) return 0;
+  if (noted_.IsWord(at_, "other") && !second) return 0;
   // "the latter two", "the latter are"
   std::vector<std::size_t> named;
   for (std::size_t i = groups_.size(); i > 0 && named.size() < 2; --i) {
     if (!groups_[i - 1].removed) named.push_back(i - 1);
   }
   if (named.size() < 2) return 0;
+  if (former) told_former_ = sentence_ + 1;
   subject_ = {former ? named.back() : named.front()};
   previous_ = {named.back(), named.front()};
   joined_ = paused_ = acted_ = false;
-  noted_.Mark(at_, at_ + 1 + group, &TokenNote::agent);
-  return 1 + group;
+  const std::size_t tokens = noun ? 2 : 1;
+  noted_.Mark(at_, at_ + tokens, &TokenNote::agent);
+  return tokens;
 }
 
 std::size_t AgentReader::ReadAllOfThem() {
@@ -158,6 +174,8 @@ std::size_t AgentReader::ReadAnotherGroup() {
   const std::size_t more = RoleAt(Role::kMore, at_);
   if (more == 0 || last_ == kNone || at_ + more >= tokens_.size()) return 0;
   const std::size_t pack_at = at_ + more;
+  // "Second group: ..." is a heading.
+  if (pack_at + 1 < tokens_.size() && tokens_[pack_at + 1].text == ":") return 0;
   // "another in the west"
   if (noted_.IsAnyWord(at_, {"another", "one", "yet"}) && EndsNounPhrase(pack_at) &&
       (!noted_.IsPause(pack_at) || lead_.set)) {

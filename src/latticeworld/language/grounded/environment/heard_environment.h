@@ -40,6 +40,7 @@ struct FeaturePlace {
   // Other land that it is told by: "between the lake and the village", "on the far side of the
   // lake, seen from the village".
   enum class Way : std::uint8_t { kNone, kBetween, kHalfway, kBehind } way = Way::kNone;
+  std::string other_name{};
   std::string other_suburb{};
   std::string other_wild{};
 };
