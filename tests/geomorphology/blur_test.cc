@@ -45,5 +45,22 @@ TEST(GaussianBlurTest, LeavesAPlaneAloneAwayFromTheEdges) {
   }
 }
 
+TEST(GaussianBlurTest, IsTheSameWithAnyNumberOfThreads) {
+  // More than two blocks of columns and a last group of rows that is not full.
+  Grid<float> given(43, 150);
+  for (int r = 0; r < 43; ++r) {
+    for (int c = 0; c < 150; ++c) given(r, c) = static_cast<float>((r * 31 + c * c * 7) % 17);
+  }
+  for (const double sigma : {1.0, 6.3}) {
+    Grid<float> one = given;
+    GaussianBlur(sigma, &one, 1);
+    for (const int threads : {2, 3, 7}) {
+      Grid<float> more = given;
+      GaussianBlur(sigma, &more, threads);
+      EXPECT_EQ(more, one);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace latticeworld

@@ -56,5 +56,13 @@ TEST(DistanceTest, WithoutAFeatureNothingIsNear) {
   for (const float value : distance) EXPECT_EQ(value, kNoFeature);
 }
 
+TEST(DistanceTest, IsTheSameWithAnyNumberOfThreads) {
+  Grid<unsigned char> mask(61, 45);
+  for (int i = 0; i < 61 * 45; i += 97) mask.data()[i] = 1;
+  for (const int threads : {2, 3, 7}) {
+    EXPECT_EQ(DistanceTo(true, mask, threads), DistanceTo(true, mask, 1));
+  }
+}
+
 }  // namespace
 }  // namespace latticeworld

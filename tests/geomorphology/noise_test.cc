@@ -51,5 +51,16 @@ TEST(NoiseTest, FollowsItsSeed) {
   EXPECT_NE(FractalNoise(geometry, {}, 1), FractalNoise(geometry, {}, 2));
 }
 
+TEST(NoiseTest, IsTheSameWithAnyNumberOfThreads) {
+  const auto geometry = GridGeometry::FromCells(101, 70.0);
+  const NoiseOptions options{30.0, 7, 0.5};
+  const Grid<float> fractal = FractalNoise(geometry, options, 4, 1);
+  const Grid<float> ridged = RidgedNoise(geometry, options, 4, 1);
+  for (const int threads : {2, 3, 7}) {
+    EXPECT_EQ(FractalNoise(geometry, options, 4, threads), fractal);
+    EXPECT_EQ(RidgedNoise(geometry, options, 4, threads), ridged);
+  }
+}
+
 }  // namespace
 }  // namespace latticeworld

@@ -45,5 +45,16 @@ TEST(ResampleTest, AveragesACheckerboardWhenCoarser) {
   for (const float value : Resample(source, 16, 16)) EXPECT_NEAR(value, 0.5f, 0.02f);
 }
 
+TEST(ResampleTest, IsTheSameWithAnyNumberOfThreads) {
+  Grid<float> values(19, 31);
+  for (int r = 0; r < 19; ++r) {
+    for (int c = 0; c < 31; ++c) values(r, c) = static_cast<float>((r * 31 + c * c * 7) % 17);
+  }
+  for (const int threads : {2, 3, 7}) {
+    EXPECT_EQ(Resample(values, 43, 57, threads), Resample(values, 43, 57, 1));
+    EXPECT_EQ(Resample(values, 11, 9, threads), Resample(values, 11, 9, 1));
+  }
+}
+
 }  // namespace
 }  // namespace latticeworld

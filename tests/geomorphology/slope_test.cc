@@ -32,5 +32,16 @@ TEST(SlopeTest, HillshadeIsBrightTowardTheLightAndDarkAway) {
   EXPECT_GT(Hillshade(Plane(1.0), 1.0, northeast + M_PI, altitude)(10, 10), flat(4, 4));
 }
 
+TEST(SlopeTest, IsTheSameWithAnyNumberOfThreads) {
+  Grid<float> height_m(37, 23);
+  for (int r = 0; r < 37; ++r) {
+    for (int c = 0; c < 23; ++c) height_m(r, c) = static_cast<float>((r * 31 + c * c * 7) % 17);
+  }
+  for (const int threads : {2, 3, 7}) {
+    EXPECT_EQ(GradientMagnitude(height_m, 0.3, threads), GradientMagnitude(height_m, 0.3, 1));
+    EXPECT_EQ(Hillshade(height_m, 0.3, 1.0, 0.7, threads), Hillshade(height_m, 0.3, 1.0, 0.7, 1));
+  }
+}
+
 }  // namespace
 }  // namespace latticeworld

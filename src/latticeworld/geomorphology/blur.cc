@@ -5,6 +5,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "latticeworld/common/parallel.h"
+#include "latticeworld/common/vector_clones.h"
+#include "latticeworld/geomorphology/grid_threads.h"
+
 namespace latticeworld {
 namespace {
 
@@ -13,15 +17,16 @@ constexpr int kRowGroup = 8;
 constexpr int kColumnBlock = 64;  // columns whose running sums stay in the first cache
 
 // Mean over [i - radius, i + radius], radius > 0, of each row. Rows go in groups, interleaved,
-// since the running sum of one row alone waits for itself.
-void BoxBlurRows(int radius, Grid<float>* values) {
+// since the running sum of one row alone waits for itself. Blurs the groups [first, end).
+LATTICEWORLD_VECTOR_CLONES void BoxBlurRows(int radius, int first, int end, Grid<float>* values) {
   const int cols = values->cols();
   const double scale = 1.0 / (2 * radius + 1);
   std::vector<float> lines(static_cast<std::size_t>(cols) * kRowGroup);
   const auto at = [&lines, cols](int col) {
     return lines.data() + static_cast<std::size_t>(std::clamp(col, 0, cols - 1)) * kRowGroup;
   };
-  for (int begin = 0; begin < values->rows(); begin += kRowGroup) {
+  for (int group = first; group < end; ++group) {
+    const int begin = group * kRowGroup;
     // The last group may hold fewer rows; the rest repeat the last one and are not written.
     const int count = std::min(kRowGroup, values->rows() - begin);
     float* row[kRowGroup];
@@ -45,15 +50,18 @@ void BoxBlurRows(int radius, Grid<float>* values) {
   }
 }
 
-// The same along columns, many columns at a time, so that memory is read in rows.
-void BoxBlurColumns(int radius, Grid<float>* values) {
+// The same along columns, a block of columns at a time, so that memory is read in rows. Blurs the
+// blocks [first_block, end_block).
+LATTICEWORLD_VECTOR_CLONES void BoxBlurColumns(int radius, int first_block, int end_block,
+                                               Grid<float>* values) {
   const int rows = values->rows();
   const double scale = 1.0 / (2 * radius + 1);
   // The last radius + 1 source rows, which the output has overwritten already.
   const int kept = radius + 1;
   std::vector<float> ring(static_cast<std::size_t>(kept) * kColumnBlock);
   double sum[kColumnBlock];
-  for (int begin = 0; begin < values->cols(); begin += kColumnBlock) {
+  for (int block = first_block; block < end_block; ++block) {
+    const int begin = block * kColumnBlock;
     const int width = std::min(kColumnBlock, values->cols() - begin);
     const std::vector<float> first(values->row(0) + begin, values->row(0) + begin + width);
     for (int c = 0; c < width; ++c) sum[c] = (radius + 1.0) * first[c];
@@ -84,8 +92,11 @@ void BoxBlurColumns(int radius, Grid<float>* values) {
 
 }  // namespace
 
-void GaussianBlur(double sigma_cells, Grid<float>* values) {
+void GaussianBlur(double sigma_cells, Grid<float>* values, int threads) {
   if (values->empty()) return;
+  threads = internal::GridThreads(values->size(), threads);
+  const int groups = (values->rows() + kRowGroup - 1) / kRowGroup;
+  const int blocks = (values->cols() + kColumnBlock - 1) / kColumnBlock;
   // Three boxes of width w have the variance (w^2 - 1) / 4; narrower ones first.
   const double ideal_width = std::sqrt(4.0 * sigma_cells * sigma_cells + 1.0);
   const int lower_radius = static_cast<int>((ideal_width - 1.0) / 2.0);
@@ -98,8 +109,10 @@ void GaussianBlur(double sigma_cells, Grid<float>* values) {
   for (int pass = 0; pass < kPasses; ++pass) {
     const int radius = pass < narrow ? lower_radius : lower_radius + 1;
     if (radius == 0) continue;
-    BoxBlurRows(radius, values);
-    BoxBlurColumns(radius, values);
+    ParallelFor(groups, threads,
+                [&](int begin, int end) { BoxBlurRows(radius, begin, end, values); });
+    ParallelFor(blocks, threads,
+                [&](int begin, int end) { BoxBlurColumns(radius, begin, end, values); });
   }
 }
 

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
+
+#include "latticeworld/common/parallel.h"
+#include "latticeworld/geomorphology/grid_threads.h"
 
 namespace latticeworld {
 namespace {
@@ -56,34 +60,41 @@ class LineEnvelope {
 
 }  // namespace
 
-void LowerEnvelope(double curvature, Grid<float>* values) {
+void LowerEnvelope(double curvature, Grid<float>* values, int threads) {
   const int rows = values->rows();
   const int cols = values->cols();
-  LineEnvelope envelope(std::max(rows, cols), curvature);
-  std::vector<float> block(static_cast<std::size_t>(kColumnBlock) * rows);
-  for (int begin = 0; begin < cols; begin += kColumnBlock) {
-    const int width = std::min(kColumnBlock, cols - begin);
-    for (int r = 0; r < rows; ++r) {
-      const float* source = values->row(r) + begin;
-      for (int c = 0; c < width; ++c) block[static_cast<std::size_t>(c) * rows + r] = source[c];
+  threads = internal::GridThreads(values->size(), threads);
+  const int blocks = (cols + kColumnBlock - 1) / kColumnBlock;
+  ParallelFor(blocks, threads, [&](int first, int end) {
+    LineEnvelope envelope(rows, curvature);
+    std::vector<float> block(static_cast<std::size_t>(kColumnBlock) * rows);
+    for (int begin = first * kColumnBlock; begin < end * kColumnBlock; begin += kColumnBlock) {
+      const int width = std::min(kColumnBlock, cols - begin);
+      for (int r = 0; r < rows; ++r) {
+        const float* source = values->row(r) + begin;
+        for (int c = 0; c < width; ++c) block[static_cast<std::size_t>(c) * rows + r] = source[c];
+      }
+      for (int c = 0; c < width; ++c) {
+        envelope.Apply(rows, block.data() + static_cast<std::size_t>(c) * rows);
+      }
+      for (int r = 0; r < rows; ++r) {
+        float* target = values->row(r) + begin;
+        for (int c = 0; c < width; ++c) target[c] = block[static_cast<std::size_t>(c) * rows + r];
+      }
     }
-    for (int c = 0; c < width; ++c) {
-      envelope.Apply(rows, block.data() + static_cast<std::size_t>(c) * rows);
-    }
-    for (int r = 0; r < rows; ++r) {
-      float* target = values->row(r) + begin;
-      for (int c = 0; c < width; ++c) target[c] = block[static_cast<std::size_t>(c) * rows + r];
-    }
-  }
-  for (int r = 0; r < rows; ++r) envelope.Apply(cols, values->row(r));
+  });
+  ParallelFor(rows, threads, [&](int first, int end) {
+    LineEnvelope envelope(cols, curvature);
+    for (int r = first; r < end; ++r) envelope.Apply(cols, values->row(r));
+  });
 }
 
-Grid<float> DistanceTo(bool feature, const Grid<unsigned char>& mask) {
+Grid<float> DistanceTo(bool feature, const Grid<unsigned char>& mask, int threads) {
   Grid<float> distance(mask.rows(), mask.cols());
   std::transform(mask.begin(), mask.end(), distance.begin(), [feature](unsigned char value) {
     return (value != 0) == feature ? 0.0f : kNoFeature;
   });
-  LowerEnvelope(1.0, &distance);
+  LowerEnvelope(1.0, &distance, threads);
   for (float& value : distance) value = std::sqrt(value);
   return distance;
 }

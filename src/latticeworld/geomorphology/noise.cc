@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
+#include "latticeworld/common/parallel.h"
 #include "latticeworld/common/random.h"
+#include "latticeworld/geomorphology/grid_threads.h"
 
 namespace latticeworld {
 namespace {
@@ -20,7 +24,7 @@ struct Gradient {
 // Quintic fade, whose second derivative vanishes at the lattice.
 float Fade(float t) { return t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f); }
 
-// One octave, produced row by row from the north.
+// One octave, produced row by row.
 class Octave {
  public:
   Octave(const GridGeometry& geometry, double wavelength_m, std::uint64_t seed)
@@ -55,10 +59,15 @@ class Octave {
   void Row(int row, float* values) {
     const double y = geometry_.CenterOf({row, 0}).y_m * inverse_wavelength_ + shift_y_;
     const auto lattice = static_cast<std::int64_t>(std::floor(y));
-    if (row == 0 || lattice != lattice_y_) {
-      lattice_y_ = lattice;
+    if (!filled_ || lattice != lattice_y_) {
+      if (filled_ && lattice == lattice_y_ - 1) {
+        std::swap(upper_, lower_);  // the next line of the lattice to the south
+      } else {
+        FillGradients(lattice + 1, &upper_);
+      }
       FillGradients(lattice, &lower_);
-      FillGradients(lattice + 1, &upper_);
+      lattice_y_ = lattice;
+      filled_ = true;
     }
     const auto v = static_cast<float>(y - std::floor(y));
     const float fade_v = Fade(v);
@@ -95,6 +104,7 @@ class Octave {
   double shift_x_;  // in lattice cells
   double shift_y_;
   std::int64_t first_lattice_ = 0;
+  bool filled_ = false;  // the gradients below are those of lattice_y_
   std::int64_t lattice_y_ = 0;
   std::vector<int> begin_;       // first column of each lattice cell, and the end
   std::vector<float> fraction_;  // by column: place within the lattice cell
@@ -105,43 +115,52 @@ class Octave {
 
 template <typename Shape>
 Grid<float> Sum(const GridGeometry& geometry, const NoiseOptions& options, std::uint64_t seed,
-                Shape shape) {
+                int threads, Shape shape) {
   Grid<float> sum(geometry.rows(), geometry.cols());
-  std::vector<float> line(geometry.cols());
-  double total = 0.0;
-  double amplitude = 1.0;
-  double wavelength_m = options.wavelength_m;
-  for (int i = 0; i < options.octaves; ++i, amplitude *= options.gain, wavelength_m *= 0.5) {
-    total += amplitude;
-    if (wavelength_m < 2.0 * geometry.resolution_m()) {
-      // What the grid cannot carry counts with its mean, so that resolutions agree.
-      const auto mean = static_cast<float>(amplitude * shape(0.0f));
-      for (float& value : sum) value += mean;
-      continue;
+  ParallelFor(geometry.rows(), internal::GridThreads(sum.size(), threads), [&](int begin, int end) {
+    std::vector<Octave> octaves;
+    std::vector<float> weights;
+    std::vector<float>
+        means;  // of the octaves that the grid cannot carry, so that resolutions agree
+    double total = 0.0;
+    double amplitude = 1.0;
+    double wavelength_m = options.wavelength_m;
+    for (int i = 0; i < options.octaves; ++i, amplitude *= options.gain, wavelength_m *= 0.5) {
+      total += amplitude;
+      if (wavelength_m < 2.0 * geometry.resolution_m()) {
+        means.push_back(static_cast<float>(amplitude * shape(0.0f)));
+      } else {
+        octaves.emplace_back(geometry, wavelength_m, seed + static_cast<std::uint64_t>(i));
+        weights.push_back(static_cast<float>(amplitude));
+      }
     }
-    Octave octave(geometry, wavelength_m, seed + static_cast<std::uint64_t>(i));
-    const auto weight = static_cast<float>(amplitude);
-    for (int r = 0; r < geometry.rows(); ++r) {
-      octave.Row(r, line.data());
+    const auto scale = static_cast<float>(1.0 / total);
+    std::vector<float> line(geometry.cols());
+    for (int r = begin; r < end; ++r) {
       float* target = sum.row(r);
-      for (int c = 0; c < geometry.cols(); ++c) target[c] += weight * shape(line[c]);
+      for (std::size_t i = 0; i < octaves.size(); ++i) {
+        octaves[i].Row(r, line.data());
+        for (int c = 0; c < geometry.cols(); ++c) target[c] += weights[i] * shape(line[c]);
+      }
+      for (const float mean : means) {
+        for (int c = 0; c < geometry.cols(); ++c) target[c] += mean;
+      }
+      for (int c = 0; c < geometry.cols(); ++c) target[c] *= scale;
     }
-  }
-  const auto scale = static_cast<float>(1.0 / total);
-  for (float& value : sum) value *= scale;
+  });
   return sum;
 }
 
 }  // namespace
 
 Grid<float> FractalNoise(const GridGeometry& geometry, const NoiseOptions& options,
-                         std::uint64_t seed) {
-  return Sum(geometry, options, seed, [](float noise) { return noise; });
+                         std::uint64_t seed, int threads) {
+  return Sum(geometry, options, seed, threads, [](float noise) { return noise; });
 }
 
 Grid<float> RidgedNoise(const GridGeometry& geometry, const NoiseOptions& options,
-                        std::uint64_t seed) {
-  return Sum(geometry, options, seed, [](float noise) { return 1.0f - std::abs(noise); });
+                        std::uint64_t seed, int threads) {
+  return Sum(geometry, options, seed, threads, [](float noise) { return 1.0f - std::abs(noise); });
 }
 
 }  // namespace latticeworld

@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "latticeworld/common/parallel.h"
+#include "latticeworld/geomorphology/grid_threads.h"
+
 namespace latticeworld {
 namespace {
 
@@ -48,35 +51,38 @@ Taps MakeTaps(int source, int target) {
 
 }  // namespace
 
-Grid<float> Resample(const Grid<float>& values, int rows, int cols) {
+Grid<float> Resample(const Grid<float>& values, int rows, int cols, int threads) {
   if (values.rows() == rows && values.cols() == cols) return values;
   const Taps vertical = MakeTaps(values.rows(), rows);
   const Taps horizontal = MakeTaps(values.cols(), cols);
   // A row padded on both sides spares the clamping of every tap.
   const int margin = horizontal.count + 1;
-  std::vector<float> line(static_cast<std::size_t>(values.cols()) + 2 * margin);
   Grid<float> result(rows, cols);
-  for (int r = 0; r < rows; ++r) {
-    float* middle = line.data() + margin;
-    std::fill(line.begin(), line.end(), 0.0f);
-    for (int k = 0; k < vertical.count; ++k) {
-      const float weight = vertical.weight[static_cast<std::size_t>(r) * vertical.count + k];
-      if (weight == 0.0f) continue;
-      const float* source = values.row(std::clamp(vertical.first[r] + k, 0, values.rows() - 1));
-      for (int c = 0; c < values.cols(); ++c) middle[c] += weight * source[c];
+  threads = internal::GridThreads(result.size(), threads);
+  ParallelFor(rows, threads, [&](int begin, int end) {
+    std::vector<float> line(static_cast<std::size_t>(values.cols()) + 2 * margin);
+    for (int r = begin; r < end; ++r) {
+      float* middle = line.data() + margin;
+      std::fill(line.begin(), line.end(), 0.0f);
+      for (int k = 0; k < vertical.count; ++k) {
+        const float weight = vertical.weight[static_cast<std::size_t>(r) * vertical.count + k];
+        if (weight == 0.0f) continue;
+        const float* source = values.row(std::clamp(vertical.first[r] + k, 0, values.rows() - 1));
+        for (int c = 0; c < values.cols(); ++c) middle[c] += weight * source[c];
+      }
+      std::fill(line.begin(), line.begin() + margin, middle[0]);
+      std::fill(line.end() - margin, line.end(), middle[values.cols() - 1]);
+      float* target = result.row(r);
+      for (int c = 0; c < cols; ++c) {
+        const float* weight =
+            horizontal.weight.data() + static_cast<std::size_t>(c) * horizontal.count;
+        const float* source = middle + horizontal.first[c];
+        float sum = 0.0f;
+        for (int k = 0; k < horizontal.count; ++k) sum += weight[k] * source[k];
+        target[c] = sum;
+      }
     }
-    std::fill(line.begin(), line.begin() + margin, middle[0]);
-    std::fill(line.end() - margin, line.end(), middle[values.cols() - 1]);
-    float* target = result.row(r);
-    for (int c = 0; c < cols; ++c) {
-      const float* weight =
-          horizontal.weight.data() + static_cast<std::size_t>(c) * horizontal.count;
-      const float* source = middle + horizontal.first[c];
-      float sum = 0.0f;
-      for (int k = 0; k < horizontal.count; ++k) sum += weight[k] * source[k];
-      target[c] = sum;
-    }
-  }
+  });
   return result;
 }
 
