@@ -337,5 +337,37 @@ INSTANTIATE_TEST_SUITE_P(
          "4 humanoid robot patrolling middle right; 1 robotic dog patrolling middle right; "},
     }));
 
+INSTANTIATE_TEST_SUITE_P(
+    ListsAndLands, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"Agents:\n- 4 wheeled robots, road, parked\n- 2 drones, lake, flying",
+         "4 wheeled robot idle lower left; 2 aerial robot flying upper left; "},
+        {"Goblins, 12 of them. Location: forest. Behaviour: sleeping.",
+         "12 goblin idle lower right; "},
+        {"Sixty sheep in total, twenty each in the fields, by the lake and in the forest.",
+         "20 sheep grazing upper right; 20 sheep grazing upper left; "
+         "20 sheep grazing lower right; "},
+        {"Two packs of wolves, seven in each, roam the forest.",
+         "14 goblin patrolling lower right; "},
+        {"Eight goblins, of which half hide in the forest and half in the fields.",
+         "4 goblin idle lower right; 4 goblin idle upper right; "},
+        {"Three horses by the lake, two of them asleep, one grazing.",
+         "2 horse idle upper left; 1 horse grazing upper left; "},
+        {"Four rovers were in the village, but one has driven off to the lake.",
+         "3 wheeled robot idle center; 1 wheeled robot idle upper left; "},
+        {"Neither of the two androids moves.", "2 humanoid robot idle anywhere; "},
+        {"The south belongs to the goblins (fifty), the north to the knights (thirty).",
+         "50 goblin patrolling lower; 30 ancient warrior patrolling upper; "},
+        {"A hundred goblins storm the village while thirty knights defend it.",
+         "100 goblin attacking center; 30 ancient warrior patrolling center; "},
+        {"One sheep has strayed: it stands in the forest while the other nineteen graze in the "
+         "fields.",
+         "1 sheep idle lower right; 19 sheep grazing upper right; "},
+        {"Two androids face each other in the village; behind each of them stands a robot dog.",
+         "2 humanoid robot idle center; 2 robotic dog idle center; "},
+        {"A robot dog runs around the village, chased by two goblins.",
+         "1 robotic dog patrolling center; 2 goblin pursuing center; "},
+    }));
+
 }  // namespace
 }  // namespace latticeworld

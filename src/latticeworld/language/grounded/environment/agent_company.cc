@@ -18,7 +18,8 @@ std::size_t AgentReader::ReadCompany() {
   const bool with = noted_.IsWord(at_, "with");
   // "hover above them": the preposition is part of what they do.
   const bool object = verb_end_ == at_ && at_ > 0 &&
-                      noted_.IsAnyWord(at_ - 1, {"above", "over", "around", "about", "after"});
+                      (noted_.IsAnyWord(at_ - 1, {"above", "over", "around", "about", "after"}) ||
+                       (acted_ && noted_.IsWord(at_, "it")));
   const std::size_t said = with ? 1 : std::max(near, in);
   if ((said == 0 && !object) || noted_.notes[at_].negated) return 0;
   Reference reference = ReferenceAt(at_ + said, true);
@@ -31,6 +32,9 @@ std::size_t AgentReader::ReadCompany() {
   // Who comes from somebody, or stands across from them, is elsewhere.
   const bool apart = noted_.IsAnyWord(at_, {"from", "opposite", "across", "facing", "to"});
   const bool fronted = IsFronted(end);
+  if (fronted && noted_.IsAnyWord(at_ + said, {"each", "every"}) && reference.group != kNone) {
+    times_ = TotalOf({reference.group});
+  }
   if (subject_.empty() && !fronted) return 0;
   if (fronted) reference = ReferenceAt(at_ + said, false);
   std::size_t group = reference.group;
@@ -63,6 +67,11 @@ AgentReader::Reference AgentReader::ReferenceAt(std::size_t at, bool of_others) 
   const bool bare = noted_.IsAnyWord(at, {"these", "those", "both"}) && EndsNounPhrase(at + 1);
   if (noted_.IsWord(at, "them") || bare) {
     return {1, GroupBefore(true, of_others), true, true};
+  }
+  if (noted_.IsAnyWord(at, {"each", "every"})) {
+    const std::size_t one = noted_.IsWord(at + 1, "one") ? 1 : 0;
+    const std::size_t of_them = RoleAt(Role::kOfThem, at + 1 + one);
+    if (of_them > 0) return {1 + one + of_them, GroupBefore(true, of_others)};
   }
   if (noted_.IsAnyWord(at, {"him", "her"}) && EndsNounPhrase(at + 1)) {
     return {1, GroupBefore(false, of_others), false, false};
@@ -147,7 +156,7 @@ void AgentReader::JoinSubjectTo(std::size_t index) {
   }
   for (const std::size_t owner : subject_) {
     Group& group = groups_[owner];
-    const bool placed = !group.wish.places.empty() || group.wish.feature.has_value();
+    const bool placed = group.wish.IsPlaced();
     if (!placed && group.with == kNone && owner != index) group.with = index;
   }
 }

@@ -38,6 +38,27 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
        groups_[last_].wish.places.size() > 1);
   if (of_them == 0 && !each && !EndsNounPhrase(next + more)) return 0;
   Group& whole = groups_[last_];
+  // "two packs of wolves, seven in each"
+  if (packs_ > 1 && part_ == kNone &&
+      (noted_.IsAnyWord(next, {"each", "apiece", "per"}) ||
+       (noted_.IsAnyWord(next, {"in", "to"}) &&
+        noted_.IsAnyWord(next + 1, {"each", "a", "every"})))) {
+    std::size_t end = next;
+    while (!noted_.IsPause(end) && end < next + 3) ++end;
+    SetCount({count.least * packs_, count.value * packs_, count.most * packs_, 1}, &whole);
+    unit_ = count.value;
+    noted_.Mark(at_, end, &TokenNote::agent);
+    return end - at_;
+  }
+  // "sixty sheep in all, twenty each in the fields, by the lake and in the forest"
+  if (noted_.IsWord(next, "each") && count.least == count.most && PlacePhraseAt(next + 1) > 0 &&
+      IsPlaceList(next + 1) && !whole.wish.IsPlaced()) {
+    SetCount(count, &whole);
+    whole.wish.each = true;
+    subject_ = {last_};
+    noted_.Mark(at_, next + 1, &TokenNote::agent);
+    return next + 1 - at_;
+  }
   if (each && whole.wish.places.size() > 1 && !whole.wish.counted) {
     SetCount(count, &whole);
     whole.wish.each = true;
@@ -90,12 +111,17 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
     return tokens;
   }
   const int left = whole.wish.quantity;
-  const bool told = !whole.wish.places.empty() || whole.wish.feature.has_value();
+  const bool told = whole.wish.IsPlaced();
   // "Ten sheep graze in the north. Four are asleep." Four in the south would be others.
   const bool elsewhere = whole.sentence == sentence_ || count.value >= left || IsPlaceAhead(next);
-  const bool splits =
-      of_them > 0 || ((!told || !elsewhere) && more == 0 && count.value <= left &&
-                      (left > 1 || part_ != kNone) && (whole.wish.counted || part_ != kNone));
+  const bool goes_on = part_ != kNone && rest_ == last_ && more == 0 && count.value <= left;
+  // "Four rovers are in the village, but one has driven off."
+  const bool contrasts = more == 0 && count.value < left && whole.wish.counted &&
+                         (noted_.IsWord(at_, "but") ||
+                          (at_ > 0 && noted_.IsAnyWord(at_ - 1, {"but", "although", "though"})));
+  const bool splits = of_them > 0 || goes_on || contrasts ||
+                      ((!told || !elsewhere) && more == 0 && count.value <= left &&
+                       (left > 1 || part_ != kNone) && (whole.wish.counted || part_ != kNone));
   if (splits) {
     Split(count, std::min(count.value, std::max(1, left)), tokens);
     return tokens + RenamePart(at_ + tokens);
@@ -126,7 +152,7 @@ bool AgentReader::IsAnnounced(const Group& group, bool bare) const {
   }
   // "I want ponies. At least twenty, please."
   const bool starts = first == 0 || tokens_[first - 1].kind == TokenKind::kStop;
-  const bool untold = !wish.state.has_value() && wish.places.empty() && !wish.feature.has_value();
+  const bool untold = !wish.state.has_value() && !wish.IsPlaced();
   if (starts && bare) return true;
   // "Goblins attack the village: five in the north, ..."
   if (first > 0 && tokens_[first - 1].kind == TokenKind::kComma && tokens_[first - 1].text != ",") {

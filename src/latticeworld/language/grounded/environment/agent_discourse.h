@@ -39,6 +39,7 @@ struct Group {
   std::size_t sentence = 0;
   bool removed = false;
   std::size_t with = kNone;  // beside the group that is at this place in the order of naming
+  bool inherited = false;    // its place is only that of those it was split off
   bool purpose = false;      // only what the world is for ("to see how robots behave")
 };
 
@@ -222,6 +223,9 @@ class AgentReader {
 
   std::size_t ReadSpecies();
 
+  // "none of the two robots moves"
+  bool IsNoneOf() const;
+
   // Whether the count that was read is a collective's without "of" ("a pack").
   bool IsBarePack() const;
 
@@ -232,6 +236,8 @@ class AgentReader {
 
   // A word that no table has, as in "humanoid rescue robots".
   bool IsUnknownHere(std::size_t at) const;
+
+  bool IsAudience(const SpeciesWord& word) const;
 
   // "we study how people move": nobody is asked for yet.
   bool IsInPurpose() const;
@@ -325,6 +331,12 @@ class AgentReader {
 
   std::size_t ReadPlace();
 
+  // "Location: ..."
+  bool IsLabel(std::size_t at) const;
+
+  // Whether the land named from at_ to `end` without a preposition is where the subject is.
+  bool IsBareLand(std::size_t end) const;
+
   // "not by the lake, in the fields": the owners are not where they were said to be.
   void TakeBackPlace(const PlaceMatch& place, const std::optional<FeaturePlace>& feature,
                      const std::vector<std::size_t>& owners);
@@ -406,6 +418,9 @@ class AgentReader {
   // Whether those named after the group are a list of who is in it.
   bool IsListed(std::size_t index) const;
 
+  // How many packs were counted, where nobody said how many are in each; 0: none.
+  int PackCount() const;
+
   // How many are in each of the packs that were counted; 1: no packs.
   int PackSize() const;
 
@@ -469,6 +484,7 @@ class AgentReader {
   std::size_t part_ = kNone;           // split off it last
   std::size_t rest_ = kNone;           // what it was split off
   int whole_quantity_ = 0;             // of the group named last, before any part was taken
+  int packs_ = 0;                      // in so many packs
   int unit_ = 1;                       // so many of it are one pair, or one team
   std::vector<Place> there_;           // the place named last
   std::optional<FeaturePlace> there_feature_;
@@ -478,6 +494,7 @@ class AgentReader {
   std::size_t placed_sentence_ = 0;
   std::size_t told_former_ = 0;      // the sentence, from 1, that spoke of the former
   std::size_t substituted_ = kNone;  // the group that gives way to who is named next
+  std::size_t by_subject_ = kNone;   // "chased by two goblins": who is
   std::size_t model_ = kNone;        // "so do": whose state and place those have who follow
   int times_ = 1;                    // "each with a dog": so many of who is named next
   bool everybody_ = false;           // the subject is all of them

@@ -119,16 +119,13 @@ class Fitter {
   std::vector<Region> RegionsFor(const AgentWish& wish) {
     std::vector<Region> regions;
     if (wish.feature.has_value()) {
-      regions = RegionsAt(*wish.feature, wish.places, layout_);
-      if (!regions.empty()) {
-        // The fullest one that the agents can live in.
-        const Suits suits = GroundOf(CategoryOf(wish), wish.state.value_or(AgentState::kIdle));
-        const auto fits = std::find_if(regions.begin(), regions.end(), [&](Region region) {
-          return suits == nullptr || RoomIn(region, suits) > 0;
-        });
-        return {fits == regions.end() ? regions.front() : *fits};
+      const Region here = RegionFor(wish, *wish.feature);
+      if (here != Region::kAnywhere) regions.push_back(here);
+      for (const FeaturePlace& feature : wish.more_land) {
+        const Region also = RegionFor(wish, feature);
+        if (also != Region::kAnywhere) regions.push_back(also);
       }
-      Warn(wish, "there is no " + wish.feature->name + " like that on this land");
+      if (!regions.empty()) return regions;
       if (wish.feature->on.has_value()) return {RegionOf(*wish.feature->on)};
     }
     for (const Place& place : wish.places) {
@@ -137,6 +134,20 @@ class Fitter {
       }
     }
     return regions;
+  }
+
+  // The ninth where most of the land is that the agents can live on; kAnywhere: there is none.
+  Region RegionFor(const AgentWish& wish, const FeaturePlace& feature) {
+    const std::vector<Region> regions = RegionsAt(feature, wish.places, layout_);
+    if (regions.empty()) {
+      Warn(wish, "there is no " + feature.name + " like that on this land");
+      return Region::kAnywhere;
+    }
+    const Suits suits = GroundOf(CategoryOf(wish), wish.state.value_or(AgentState::kIdle));
+    const auto fits = std::find_if(regions.begin(), regions.end(), [&](Region region) {
+      return suits == nullptr || RoomIn(region, suits) > 0;
+    });
+    return fits == regions.end() ? regions.front() : *fits;
   }
 
   // So many in each place, or all of them shared out.

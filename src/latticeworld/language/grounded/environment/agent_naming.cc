@@ -5,6 +5,7 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/environment/agent_discourse.h"
+#include "latticeworld/language/numbers.h"
 
 namespace latticeworld {
 namespace internal {
@@ -81,6 +82,8 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   // "a shepherd by the lake with his thirty sheep and two dogs"
   const bool listed = noted_.IsWord(count_begin > 0 ? count_begin - 1 : 0, "and") &&
                       with_ != kNone && last_ == groups_.size() - 1;
+  if (group.with == kNone && by_subject_ != kNone) group.with = by_subject_;
+  by_subject_ = kNone;
   if (group.with == kNone && IsHad()) group.with = subject_.front();
   if (group.with == kNone && listed) group.with = with_;
   with_ = group.with;
@@ -105,6 +108,7 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   last_ = index;
   part_ = rest_ = kNone;
   unit_ = PackSize();
+  packs_ = PackCount();
   everybody_ = false;
   split_state_ = false;
   state_before_.reset();
@@ -129,6 +133,14 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   acted_ = false;
   new_clause_ = false;
   object_ = kNone;
+}
+
+int AgentReader::PackCount() const {
+  // "two packs of wolves"
+  if (pending_.tokens < 3 || pending_.least == pending_.most) return 0;
+  const NumberMatch packs = MatchNumber(tokens_, count_at_);
+  const std::size_t pack = count_at_ + packs.tokens;
+  return packs.tokens > 0 && ReadCollective(noted_, words_, pack).tokens > 0 ? packs.value : 0;
 }
 
 int AgentReader::PackSize() const {
@@ -190,8 +202,7 @@ int AgentReader::TotalOf(const std::vector<std::size_t>& groups) const {
 void AgentReader::DropVagueKinds(const SpeciesWord& word) {
   for (Group& group : groups_) {
     const AgentWish& wish = group.wish;
-    const bool told =
-        wish.counted || wish.state.has_value() || !wish.places.empty() || wish.feature.has_value();
+    const bool told = wish.counted || wish.state.has_value() || wish.IsPlaced();
     if (wish.categories.size() < 2 || word.categories.size() > 1 || told) continue;
     if (group.sentence != sentence_ && Contains(wish.categories, word.categories)) {
       group.removed = true;

@@ -122,6 +122,10 @@ std::size_t AgentReader::ReadSpecies() {
     pending_ = {};
     return match.tokens;
   }
+  if (IsAudience(word)) {
+    noted_.Mark(at_, end, &TokenNote::agent);
+    return match.tokens;
+  }
   // "cart tracks" are a road.
   if (words_.variants.LengthAt(tokens_, at_) > match.tokens ||
       words_.assets.LengthAt(tokens_, at_) > match.tokens) {
@@ -162,6 +166,7 @@ std::size_t AgentReader::ReadSpecies() {
   const Count collective = word.plural && !word.singular ? Count{} : ReadPack(end);
   noted_.Mark(end, end + collective.tokens, &TokenNote::agent);
   std::size_t unwanted = pending_.tokens == 0 ? UnwantedAfter(end) : 0;
+  if (noted_.notes[at_].negated && IsNoneOf()) noted_.notes[at_].negated = false;
   if (noted_.notes[at_].negated && ReadExcepted(word, end)) {
     // Told by what follows.
   } else if (noted_.notes[at_].negated || unwanted > 0) {
@@ -180,6 +185,15 @@ std::size_t AgentReader::ReadSpecies() {
   return end + collective.tokens + unwanted - at_;
 }
 
+bool AgentReader::IsNoneOf() const {
+  // "none of the two robots moves": there they are.
+  const std::size_t noun = pending_.tokens > 0 ? count_at_ : at_;
+  std::size_t first = noun;
+  while (first > 0 && noted_.IsAnyWord(first - 1, {"the", "my", "our", "these", "those"})) --first;
+  return first < noun && first > 1 && noted_.IsWord(first - 1, "of") &&
+         noted_.IsAnyWord(first - 2, {"neither", "none"});
+}
+
 bool AgentReader::IsBarePack() const {
   const std::size_t end = count_at_ + pending_.tokens;
   return pending_.least < pending_.most && end == at_ && at_ > 0 &&
@@ -191,6 +205,20 @@ bool AgentReader::IsUnknownHere(std::size_t at) const {
          RoleAt(Role::kNear, at) == 0 && RoleAt(Role::kBut, at) == 0 &&
          words_.states.LengthAt(tokens_, at) == 0 && words_.species.LengthAt(tokens_, at) == 0 &&
          ReadCount(noted_, words_, at).tokens == 0;
+}
+
+bool AgentReader::IsAudience(const SpeciesWord& word) const {
+  // "a film for kids", "for my students"
+  if (pending_.tokens > 0 || word.exact ||
+      word.categories.front() != AgentCategory::kHumanoidRobot) {
+    return false;
+  }
+  std::size_t first = at_;
+  while (first > 0 && noted_.IsAnyWord(first - 1, {"my", "our", "the", "small", "little", "young",
+                                                   "a", "an", "of", "year", "his", "her"})) {
+    --first;
+  }
+  return first > 0 && noted_.IsWord(first - 1, "for");
 }
 
 bool AgentReader::IsInPurpose() const {

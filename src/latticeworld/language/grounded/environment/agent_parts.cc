@@ -98,8 +98,7 @@ std::size_t AgentReader::ReadExceptSome() {
   Split(count, count.value, next - at_);
   groups_[part_].wish.state.reset();
   if (tokens_[std::min(next, tokens_.size() - 1)].kind == TokenKind::kComma) {
-    groups_[part_].wish.places.clear();
-    groups_[part_].wish.feature.reset();
+    groups_[part_].wish.ForgetPlace();
     groups_[part_].with = kNone;
   }
   return next - at_;
@@ -266,6 +265,11 @@ void AgentReader::Split(const Count& count, int quantity, std::size_t tokens) {
   quantity = std::max(1, quantity);
   if (part_ == kNone) whole_quantity_ = groups_[whole].wish.quantity;
   Group part = groups_[whole];
+  // "half hide in the forest and half in the fields": they hide there, too.
+  if (part_ != kNone && rest_ == whole && groups_[part_].sentence == sentence_ &&
+      !part.wish.state.has_value() && !noted_.IsAnyWord(at_ + tokens, {"are", "is"})) {
+    part.wish.state = groups_[part_].wish.state;
+  }
   Group& rest = groups_[whole];
   part.wish.quantity = quantity;
   part.wish.least = count.tokens > 0 ? count.least : quantity;
@@ -281,6 +285,7 @@ void AgentReader::Split(const Count& count, int quantity, std::size_t tokens) {
   part.end = tokens_[std::min(at_ + tokens, tokens_.size()) - 1].end;
   part.sentence = sentence_;
   part.removed = false;
+  part.inherited = true;
   rest.wish.quantity -= quantity;
   rest.wish.least = std::max(0, rest.wish.least - part.wish.most);
   rest.wish.most = std::max(rest.wish.quantity, rest.wish.most - part.wish.least);

@@ -56,11 +56,16 @@ std::size_t AgentReader::ReadPlace() {
   if (noted_.IsAnyWord(next, {"each", "every"})) each = true;
   PlaceMatch place = MatchPlace(tokens_, next);
   const bool heading = preposition == 0 && clause_open_ && (IsHeading(next) || IsFilled(next));
-  if (preposition == 0 && !object && !heading && !IsBarePlace(place, next)) place = {};
+  // "4 rovers, road, parked", "Location: forest."
+  const std::size_t land = words_.features.LengthAt(tokens_, next);
+  const bool listed = preposition == 0 && land > 0 && at_ > 0 && next == at_ &&
+                      noted_.IsPause(at_ - 1) && noted_.IsPause(next + land) &&
+                      IsBareLand(next + land);
+  if (preposition == 0 && !object && !heading && !listed && !IsBarePlace(place, next)) place = {};
   if (place.tokens > 0 && noted_.IsAnyWord(next, {"each", "every"})) each = true;
   std::size_t end = next + place.tokens;
   std::optional<FeaturePlace> feature;
-  if (preposition > 0 || place.tokens > 0 || object || heading) {
+  if (preposition > 0 || place.tokens > 0 || object || heading || listed) {
     feature = ReadFeature(&end, near > in, place, next);
   }
   if (place.tokens == 0 && !feature.has_value()) return 0;
@@ -68,8 +73,18 @@ std::size_t AgentReader::ReadPlace() {
       noted_.IsAnyWord(at_ + preposition - 2, {"middle", "centre", "center", "heart"})) {
     feature->on = Heading{};  // "in the middle of the lake"
   }
+  // Only water is too deep to stand in.
+  if (feature.has_value() && feature->near && preposition == 1 && place.tokens == 0 &&
+      noted_.IsWord(at_, "at") && feature->name != "water" && end == next + land) {
+    feature->near = false;
+  }
   const bool negated = noted_.notes[next].negated;
   std::vector<std::size_t> owners = Owners();
+  if (listed && owners.empty() && IsLabel(at_)) owners = previous_;
+  if (listed && feature.has_value() && feature->name == "water" && !owners.empty() &&
+      LocomotionOf(groups_[owners.back()].wish.categories.front()) <= Locomotion::kLegs) {
+    feature->near = true;
+  }
   // "a robot (on patrol) in the village, ..." is said of the robot.
   const bool after_aside = at_ > 0 && tokens_[at_ - 1].text == ")" && !subject_.empty();
   const bool fronted = !after_aside && IsFronted(end);
@@ -99,10 +114,23 @@ void AgentReader::TakeBackPlace(const PlaceMatch& place, const std::optional<Fea
     const bool same_place = !place.places.empty() && !wish.places.empty() &&
                             place.places.front().main == wish.places.front().main;
     if (!same_land && !same_place) continue;
-    wish.places.clear();
-    wish.feature.reset();
+    wish.ForgetPlace();
     corrected_ = true;
   }
+}
+
+bool AgentReader::IsLabel(std::size_t at) const {
+  return at > 1 && tokens_[at - 1].text == ":" &&
+         noted_.IsAnyWord(at - 2, {"location", "place", "where", "position", "area", "zone", "at",
+                                   "site", "region", "habitat"});
+}
+
+bool AgentReader::IsBareLand(std::size_t end) const {
+  if (IsLabel(at_)) return true;
+  // Of who was named right before, and more is said of them, or nothing at all.
+  return !subject_.empty() && tokens_[at_ - 1].kind == TokenKind::kComma && at_ > 1 &&
+         (noted_.notes[at_ - 2].agent || noted_.notes[at_ - 2].place) &&
+         words_.variants.LengthAt(tokens_, end + 1) == 0;
 }
 
 bool AgentReader::EndsOtherClause(std::size_t end) const {
@@ -121,7 +149,7 @@ std::size_t AgentReader::ReadThere() {
   if (!open || clause_open_ || subject_.empty() || noted_.notes[at_].negated) return 0;
   for (const std::size_t index : subject_) {
     const AgentWish& wish = groups_[index].wish;
-    if (!wish.places.empty() || wish.feature.has_value()) return 0;
+    if (wish.IsPlaced()) return 0;
   }
   SetPlace(there_, there_feature_, false, subject_, at_ + 1);
   return 1;
@@ -201,7 +229,13 @@ bool AgentReader::IsFronted(std::size_t end) const {
       if (i < tokens_.size() && tokens_[i].kind == TokenKind::kComma) ++i;
       continue;
     }
-    if (RoleAt(Role::kIn, i) > 0 || RoleAt(Role::kNear, i) > 0 || noted_.IsWord(i, "and")) {
+    // "the north belongs to the goblins"
+    const bool given = noted_.IsAnyWord(i, {"to", "by", "for", "of"}) && i > 0 &&
+                       (noted_.IsAnyWord(i - 1, {"belongs", "belong", "goes", "held", "home",
+                                                 "given", "full", "reserved", "occupied"}) ||
+                        (i == at && lead_.set && noted_.IsWord(i, "to")));
+    if (!given &&
+        (RoleAt(Role::kIn, i) > 0 || RoleAt(Role::kNear, i) > 0 || noted_.IsWord(i, "and"))) {
       return false;
     }
     ++i;
@@ -233,7 +267,8 @@ bool AgentReader::IsPlaceList(std::size_t at) const {
       std::size_t next = i + 1;
       next += std::max(RoleAt(Role::kIn, next), RoleAt(Role::kNear, next));
       while (noted_.IsAnyWord(next, {"the", "a"})) ++next;
-      return next < tokens_.size() && MatchPlace(tokens_, next).tokens > 0;
+      return next < tokens_.size() &&
+             (MatchPlace(tokens_, next).tokens > 0 || words_.features.LengthAt(tokens_, next) > 0);
     }
     if (words_.species.LengthAt(tokens_, i) > 0 || words_.states.LengthAt(tokens_, i) > 0) {
       return false;
@@ -268,7 +303,7 @@ void AgentReader::SetPlace(const std::vector<Place>& places,
   for (const std::size_t index : owners) {
     AgentWish& wish = groups_[index].wish;
     // "Five knights on the bridge. Ten sheep. All of them in the south."
-    const bool placed = !wish.places.empty() || wish.feature.has_value();
+    const bool placed = wish.IsPlaced();
     if (everybody_ && placed && groups_[index].sentence != sentence_) continue;
     // "wherever you like" takes no place away.
     const bool anywhere =
@@ -276,9 +311,10 @@ void AgentReader::SetPlace(const std::vector<Place>& places,
     if (anywhere && (placed || groups_[index].with != kNone)) continue;
     const bool fresh = placed_sentence_ != sentence_ + 1 || placed_ != index;
     if (corrected_ || (fresh && groups_[index].sentence != sentence_)) {
-      wish.places.clear();
-      wish.feature.reset();
+      wish.ForgetPlace();
     }
+    if (groups_[index].inherited) wish.ForgetPlace();
+    groups_[index].inherited = false;
     const bool led_here = lead_.set && fresh && !places.empty() && !wish.places.empty() &&
                           wish.places.size() == lead_.places.size() &&
                           wish.places.front().main == lead_.places.front().main;
@@ -290,7 +326,11 @@ void AgentReader::SetPlace(const std::vector<Place>& places,
     // What is said at the agents themselves counts over what the clause began with.
     const bool led = lead_.feature.has_value() && wish.feature.has_value() &&
                      wish.feature->name == lead_.feature->name;
-    if (feature.has_value() && (led || !wish.feature.has_value())) wish.feature = feature;
+    if (feature.has_value() && (led || !wish.feature.has_value())) {
+      wish.feature = feature;
+    } else if (feature.has_value() && also && feature->name != wish.feature->name) {
+      wish.more_land.push_back(*feature);
+    }
     wish.each = wish.each || each;
     Extend(index, tokens_[end - 1].end);
     placed_ = index;

@@ -72,7 +72,8 @@ std::size_t AgentReader::Step() {
   // "one robot in the north, south and east each"
   if (noted_.IsWord(at_, "each") && at_ > 0 && noted_.notes[at_ - 1].place) {
     for (const std::size_t index : subject_) {
-      if (groups_[index].wish.places.size() > 1) groups_[index].wish.each = true;
+      const AgentWish& wish = groups_[index].wish;
+      if (wish.places.size() > 1 || !wish.more_land.empty()) groups_[index].wish.each = true;
     }
   }
   if (noted_.IsWord(at_, "and")) {
@@ -233,6 +234,7 @@ void AgentReader::DropAnnouncedTotal() {
       if (!part.places.empty() || part.feature.has_value() || groups_[j].with != kNone) continue;
       part.places = total.wish.places;
       part.feature = total.wish.feature;
+      part.more_land = total.wish.more_land;
     }
     if (total.wish.counted && total.wish.categories.size() == EnumNames(AgentCategory{}).size()) {
       EnvironmentClaim claim;
@@ -266,10 +268,11 @@ void AgentReader::JoinCompany() {
     std::size_t with = group.with;
     for (std::size_t steps = 0; with != kNone && steps < groups_.size(); ++steps) {
       const AgentWish& other = groups_[with].wish;
-      if (!other.places.empty() || other.feature.has_value()) {
-        if (wish.places.empty() && !wish.feature.has_value()) {
+      if (other.IsPlaced()) {
+        if (!wish.IsPlaced()) {
           wish.places = other.places;
           wish.feature = other.feature;
+          wish.more_land = other.more_land;
         }
         break;
       }

@@ -46,6 +46,14 @@ std::size_t AgentReader::ReadReference() {
     if (const std::size_t left = ReadRestOfTotal(next); left > 0) return left;
     if (!noun && EndsNounPhrase(next)) {
       noted_.Mark(at_, next, &TokenNote::agent);
+      // "One sheep has strayed, the other nineteen graze."
+      const bool first_told = part_ == kNone && rest_ == kNone && last_ != kNone &&
+                              groups_[last_].wish.counted &&
+                              count.value > groups_[last_].wish.quantity;
+      if (first_told) {
+        AddLike(last_, count, others + count.tokens);
+        return others + count.tokens;
+      }
       TakeRest(count);
       const std::size_t rest = subject_.empty() ? kNone : subject_.front();
       return others + count.tokens + Rename(rest, next);
@@ -208,8 +216,7 @@ std::size_t AgentReader::ReadAnotherGroup() {
 
 void AgentReader::AddLike(std::size_t model, const Count& count, std::size_t tokens) {
   Group group = groups_[model];
-  group.wish.places.clear();
-  group.wish.feature.reset();
+  group.wish.ForgetPlace();
   group.wish.each = false;
   group.begin = tokens_[at_].begin;
   group.end = tokens_[at_ + tokens - 1].end;

@@ -79,6 +79,7 @@ std::size_t AgentReader::ReadState() {
     state_at_ = at_;
     phrase_begin_ = std::min(phrase_begin_, tokens_[at_].begin);
     noted_.Mark(at_, end, &TokenNote::agent);
+    if (by && !subject_.empty()) by_subject_ = subject_.front();
     if (by) subject_.clear();
     return match.tokens;
   }

@@ -66,7 +66,15 @@ std::vector<Region> RegionsOf(const AgentWish& wish, const SymbolicLayout* layou
   }
   if (!wish.feature.has_value()) return regions;
   if (layout == nullptr) return wish.feature->on.has_value() ? std::vector<Region>{} : regions;
-  return RegionsAt(*wish.feature, wish.places, *layout);
+  regions = RegionsAt(*wish.feature, wish.places, *layout);
+  for (const FeaturePlace& feature : wish.more_land) {
+    for (const Region region : RegionsAt(feature, {}, *layout)) {
+      if (std::find(regions.begin(), regions.end(), region) == regions.end()) {
+        regions.push_back(region);
+      }
+    }
+  }
+  return regions;
 }
 
 void AddAgents(const AgentWish& wish, const SymbolicLayout* layout,
@@ -75,7 +83,9 @@ void AddAgents(const AgentWish& wish, const SymbolicLayout* layout,
   claim.kind = EnvironmentClaimKind::kAgents;
   claim.categories = wish.categories;
   // Beyond the limits nothing can be claimed but the limit.
-  const int times = wish.each ? std::max<int>(1, static_cast<int>(wish.places.size())) : 1;
+  const std::size_t lands = wish.feature.has_value() ? 1 + wish.more_land.size() : 0;
+  const int times =
+      wish.each ? std::max<int>(1, static_cast<int>(std::max(wish.places.size(), lands))) : 1;
   const auto limited = [&](int quantity) {
     return static_cast<int>(std::clamp<long long>(1LL * quantity * times, 1, kMaxAgents));
   };

@@ -175,6 +175,10 @@ class CoarseReader {
 
   bool IsLying(std::size_t first, std::size_t last) const {
     if (last != first + 1 || !noted_.IsWord(first, "snow")) return false;
+    if (first > 0 && noted_.IsAnyWord(first - 1, {"steep", "deep", "old", "firm", "hard", "patchy",
+                                                  "packed", "melting", "frozen", "dirty"})) {
+      return true;
+    }
     std::size_t at = last;
     while (noted_.IsAnyWord(at, {"still", "only", "left", "should", "must", "will", "is", "there",
                                  "deep", "thick", "all"})) {
@@ -184,9 +188,9 @@ class CoarseReader {
       return noted_.IsAnyWord(at + 1, {"the", "all", "every", "its", "their", "top", "roofs"});
     }
     if (noted_.IsWord(at, "in")) return noted_.IsWord(at + 1, "patches");
-    return noted_.IsAnyWord(
-        at, {"cling", "clings", "lies", "lie", "lying", "covers", "covering", "cover", "remains",
-             "lingers", "melts", "patches", "blankets", "sits", "stays"});
+    return noted_.IsAnyWord(at, {"cling", "clings", "lies", "lie", "lying", "covers", "covering",
+                                 "cover", "remains", "lingers", "melts", "patches", "blankets",
+                                 "sits", "stays", "melting", "gone", "remaining"});
   }
 
   // "like a storm", "as white as snow".
@@ -194,6 +198,12 @@ class CoarseReader {
     std::size_t at = first;
     while (at > 0 && noted_.IsAnyWord(at - 1, {"a", "an", "the"})) --at;
     if (at == 0) return false;
+    // "I would like a storm"
+    if (noted_.IsWord(at - 1, "like") && at > 1 &&
+        noted_.IsAnyWord(at - 2, {"i", "we", "you", "they", "would", "d", "to", "also", "really",
+                                  "just", "still", "rather"})) {
+      return false;
+    }
     if (noted_.IsAnyWord(at - 1, {"like", "than", "resembling"})) {
       return !(at > 1 && noted_.IsAnyWord(at - 2, {"looks", "feels", "more", "rather"}));
     }
@@ -211,7 +221,10 @@ class CoarseReader {
            noted_.IsAnyWord(at - 1, {"a", "an", "the", "last", "heavy", "long", "night"})) {
       --at;
     }
-    if (at > 0 && noted_.IsAnyWord(at - 1, {"after", "before", "until", "till"})) return true;
+    if (at > 0 && noted_.IsAnyWord(at - 1, {"after", "before", "until", "till", "stopped", "ceased",
+                                            "stops", "finished"})) {
+      return true;
+    }
     if (noted_.IsAnyWord(
             last, {"lifts", "lifted", "clears", "cleared", "stopped", "stops", "ends", "ended",
                    "passed", "vanishes", "dissolves", "disperses", "recedes"})) {
@@ -256,7 +269,9 @@ class CoarseReader {
   }
 
   void RuleOut(const CoarseWord& word, std::string_view words) {
-    if (word.hints && word.key != CoarseKey::kWeather) return;
+    // "It must not be dark."
+    const bool dark = word.key == CoarseKey::kTimeOfDay && word.value == "night";
+    if (word.hints && word.key != CoarseKey::kWeather && !dark) return;
     HeardCoarse& coarse = heard_.coarse_of(word.key);
     if (coarse.value == word.value) {
       // "a rainy day - no rain after all"
@@ -272,6 +287,9 @@ class CoarseReader {
 
   void ReadHour(const HeardMeasure& measure, std::string_view words) {
     const std::string value(NameOf(TimeAt(measure.value)));
+    // "the first day of May, at nine"
+    HeardCoarse& heard = heard_.coarse_of(CoarseKey::kTimeOfDay);
+    if (heard.hint && heard.value == "day") heard = {};
     if (measure.kind == MeasureKind::kVagueHour) {
       Hint(CoarseKey::kTimeOfDay, value, words);
     } else {

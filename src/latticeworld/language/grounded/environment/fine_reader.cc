@@ -80,10 +80,11 @@ class FineReader {
     }
     bool said = false;
     if (variant.tokens == longest) {
+      const bool of_noun = IsOfNoun(variant.rows, at);
       for (const VariantWord* word : variant.rows) {
         if (!word->alone) {
           quality.variants.push_back(word);
-        } else if (!quality.negated) {
+        } else if (!quality.negated && !of_noun) {
           wishes_.AddVariant(*word, at, end);
           AddNoun(word->asset, &nouns);
           said = true;
@@ -104,7 +105,13 @@ class FineReader {
         }
       }
     }
-    if (density.tokens == longest && !noted_.notes[at].agent) quality.densities = density.rows;
+    // "it is not snowing any more", "no more than 30 degrees" speak of no density.
+    const bool more =
+        noted_.IsWord(at, "more") && ((at > 0 && noted_.IsAnyWord(at - 1, {"any", "no", "not"})) ||
+                                      noted_.IsAnyWord(at + 1, {"than", "or"}));
+    if (density.tokens == longest && !noted_.notes[at].agent && !more) {
+      quality.densities = density.rows;
+    }
     if (!quality.negated) WishInner(at, end);
     if (said) Known(at, end);
     const bool adjective =
@@ -116,6 +123,22 @@ class FineReader {
       ReadQuality(std::move(quality));
     }
     return longest;
+  }
+
+  // "the dead branches should be pine": whatever else the word says by itself.
+  bool IsOfNoun(const std::vector<const VariantWord*>& rows, std::size_t at) const {
+    constexpr std::size_t kLink = 4;
+    if (!noun_.has_value() || at <= noun_end_ || at > noun_end_ + kLink) return false;
+    bool linked = false;
+    for (std::size_t i = noun_end_; i < at; ++i) {
+      if (noted_.IsAnyWord(i, {"is", "are", "be", "of", "from"})) linked = true;
+      if (noted_.IsPause(i) && tokens_[i].text != ":") return false;
+      linked = linked || tokens_[i].text == ":";
+    }
+    return linked && std::any_of(rows.begin(), rows.end(), [&](const VariantWord* word) {
+             return !word->alone &&
+                    std::find(noun_->begin(), noun_->end(), word->asset) != noun_->end();
+           });
   }
 
   // The longest phrase that starts here, whether or not small words stand within: "moss growing on
@@ -234,7 +257,7 @@ class FineReader {
          noted_.IsAnyWord(end + 1, {"none", "zero", "nil", "no"}) && noted_.IsPause(end + 2));
     bool qualified = false;
     for (const Quality& quality : waiting_) {
-      if (at > quality.last + kReach) continue;
+      if (at > quality.last + kReach && !IsForList(quality)) continue;
       for (const AssetType asset : nouns) {
         if (Apply(quality, asset, quality.first, end)) {
           used = qualified = true;
@@ -242,7 +265,9 @@ class FineReader {
         }
       }
     }
-    waiting_.clear();
+    waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(),
+                                  [&](const Quality& quality) { return !IsForList(quality); }),
+                   waiting_.end());
     if (negated && !said && !qualified && !IsOfAgents(at)) {
       // "no flowers"
       wishes_.AddNumber(EnvironmentClaimKind::kDensity, nouns.front(), {}, 0.0, 0.0, 0.05, at, end);
@@ -252,6 +277,11 @@ class FineReader {
     Known(at, end);
     noun_ = nouns;
     noun_end_ = end;
+  }
+
+  // "covered in snow: the fields, the road, the roofs"
+  bool IsForList(const Quality& quality) const {
+    return quality.last < tokens_.size() && tokens_[quality.last].text == ":";
   }
 
   bool IsOfAgents(std::size_t at) const { return noted_.notes[at].place; }

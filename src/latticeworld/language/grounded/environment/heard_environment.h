@@ -58,7 +58,15 @@ struct AgentWish {
   std::vector<Place> places;        // several: spread over them
   bool each = false;                // the quantity is meant for each place
   std::optional<FeaturePlace> feature;
+  std::vector<FeaturePlace> more_land;  // "in the fields and by the lake": shared out, as places
   std::string words;
+
+  bool IsPlaced() const { return !places.empty() || feature.has_value(); }
+  void ForgetPlace() {
+    places.clear();
+    feature.reset();
+    more_land.clear();
+  }
 };
 
 struct HeardEnvironment {

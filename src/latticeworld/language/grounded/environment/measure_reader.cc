@@ -255,7 +255,14 @@ class MeasureReader {
       number = {0.5, 2, true};
     }
     if (number.tokens == 0) return {};
-    const std::size_t end = at + number.tokens;
+    std::size_t end = at + number.tokens;
+    // "one and a half metres"
+    if (Is(end, {"and"}) && Is(end + 1, {"a"}) && Is(end + 2, {"half"}) &&
+        !Is(end + 3, {"times"})) {
+      number.value += 0.5;
+      number.fraction = true;
+      end += 3;
+    }
     const double sign = IsNegative(at) ? -1.0 : 1.0;
     const std::size_t byte = tokens_[end - 1].end;
     if (byte < noted_.instruction.size() && noted_.instruction[byte] == '%') {
