@@ -108,6 +108,11 @@ PlaceExtent TakeExtent(const Direction& direction, PlaceCursor* cursor) {
     return {PlaceDepth::kColumns};
   }
   cursor->Take({"outer", "outermost"});
+  // "the northern city limit"
+  if (IsOneOf(cursor->word(), {"city", "town", "property", "site", "village", "map"}) &&
+      IsOneOf(cursor->word(1), {"limit", "limits", "boundary", "border", "edge"})) {
+    cursor->Skip(1);
+  }
   if (cursor->Take({"quadrant", "quadrants"})) {
     extent.depth = direction.heading.IsDiagonal() ? PlaceDepth::kQuarter : PlaceDepth::kUnsaid;
   } else if (const ExtentNoun* noun = FindExtentNoun(cursor->word())) {

@@ -81,6 +81,10 @@ bool TakeGroup(PlaceCursor* cursor, ReadPlace* read) {
   if (!each && !two && cursor->Take({"one", "a", "some"})) one = true;
   cursor->Take({"of"});
   cursor->Take({"the", "its"});
+  if (each && IsMapWord(cursor->word())) {  // "each of the map's edges"
+    cursor->Skip(1);
+    cursor->Take({"s"});
+  }
   if (cursor->Take({"four", "4"})) each = true;
   if (cursor->Take({"two"})) two = true;
   const bool opposite = cursor->Take({"opposite", "opposing", "facing"});
@@ -113,7 +117,7 @@ bool TakeGroup(PlaceCursor* cursor, ReadPlace* read) {
   } else if (TakeEdgeNoun(cursor)) {
     if (two || opposite) {
       AddSides({{-1, 0}, {1, 0}}, PlaceDepth::kEdge, read);
-    } else if (each && noun.back() == 's') {
+    } else if (each) {
       AddSides({{0, -1}, {-1, 0}, {1, 0}, {0, 1}}, PlaceDepth::kEdge, read);
     } else {
       read->places.push_back(AllEdges());

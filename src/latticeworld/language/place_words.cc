@@ -158,6 +158,10 @@ bool IsNoDirection(const PlaceCursor& cursor) {
   const std::string_view next = cursor.word(1);
   const std::string_view previous = cursor.previous();
   if (word == "right") {
+    if (IsOneOf(previous, {"and", "or"}) &&
+        IsOneOf(next, {"in", "at", "by", "on", "next", "beside", "near", "under"})) {
+      return true;
+    }
     if (IsOneOf(previous, {"the", "on", "upper", "lower", "top", "bottom", "far", "its", "middle",
                            "center", "centre", "central", "mid", "and", "or", "to", "from"})) {
       return false;

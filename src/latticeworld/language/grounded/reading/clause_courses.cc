@@ -102,6 +102,10 @@ bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
   waypoint.zone = end ? EndZoneOf(zones.front(), words) : zones.front();
   const int line = LineOf(frame_->subjects);
   if (end && line >= 0) {
+    if (DealOut(line, zones, words, sense == Sense::kFrom)) {
+      frame_.reset();
+      return true;
+    }
     for (const int index : frame_->subjects) {
       if (!IsLine(index)) continue;
       PlannedFeature& feature = d_.feature(index);
@@ -321,6 +325,21 @@ void ClauseReader::JoinEnds(int line) {
   }
   from_.reset();
   to_.reset();
+}
+
+// "four roads, one to each edge": each of them to one.
+bool ClauseReader::DealOut(int line, const std::vector<Zone>& zones, const std::string& words,
+                           bool from) {
+  if (zones.size() < 2 || d_.feature(line).pieces != static_cast<int>(zones.size())) return false;
+  std::vector<int> lines;
+  for (std::size_t i = 0; i + 1 < zones.size(); ++i) lines.push_back(d_.SplitOff(line));
+  lines.push_back(line);
+  for (std::size_t i = 0; i < zones.size(); ++i) {
+    Waypoint end;
+    end.zone = EndZoneOf(zones[i], words);
+    (from ? d_.feature(lines[i]).from : d_.feature(lines[i]).to) = end;
+  }
+  return true;
 }
 
 }  // namespace latticeworld

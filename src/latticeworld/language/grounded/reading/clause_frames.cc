@@ -77,6 +77,7 @@ void ClauseReader::OpenSense(Sense sense, bool of_it) {
       frame_->fronted && !frame_->objects.empty()) {
     return;
   }
+  if (sense == Sense::kBothSides && ReadFartherSides()) return;
   if (sense == Sense::kTo && (ReadSideToCome() || ReadSideOfHost())) return;
   // "trees grow only near the river": all along it
   const bool only_near = (sense == Sense::kNear || sense == Sense::kNextTo) && at_ > 0 &&
@@ -349,12 +350,26 @@ bool ClauseReader::ReadSideToCome() {
 
 // "a village with woods to the west and a lake to the east": of the village.
 bool ClauseReader::ReadSideOfHost() {
+  // "warehouses line it to the north"
+  if (frame_.has_value() && !frame_->fronted && !frame_->objects.empty() && at_ > 0 &&
+      IsPhrase(at_ - 1) && chunks_[at_ - 1].phrase.head == Head::kIt && !subjects_.empty() &&
+      (frame_->sense == Sense::kAlong || frame_->sense == Sense::kNextTo) &&
+      IsKind(at_ + 1, ChunkKind::kPlace)) {
+    side_of_ = frame_->objects.back();
+    CloseFrame();
+    return ReadSideAt(at_ + 1);
+  }
   if (side_of_ < 0 || subjects_.empty() || subjects_.back() == side_of_ || frame_.has_value() ||
       !IsKind(at_ + 1, ChunkKind::kPlace) || !IsPhrase(at_ - 1) ||
       d_.feature(subjects_.back()).zones.size() > 0) {
     return false;
   }
-  const Chunk& place = chunks_[at_ + 1];
+  return ReadSideAt(at_ + 1);
+}
+
+// A bare side at `at`, of side_of_.
+bool ClauseReader::ReadSideAt(std::size_t at) {
+  const Chunk& place = chunks_[at];
   const std::string words = d_.Words(place.begin, place.end);
   const bool plain = words.find(' ') == words.rfind(' ') && place.lexeme.places.size() == 1;
   const bool ends =

@@ -75,6 +75,7 @@ bool ClauseReader::Fronts(std::size_t at) const {
     const bool two = relation.Is(Sense::kBetween) && IsSense(next, Sense::kAnd);
     if (two && (IsPhrase(next + 1) || IsKind(next + 1, ChunkKind::kPlace))) next += 2;
     while (IsKind(next, ChunkKind::kPlace)) ++next;
+    if (IsSense(next, Sense::kBothSides)) ++next;  // "behind the houses on both sides fields"
   }
   if (IsPhrase(next) && chunks_[next].phrase.head == Head::kMap) next = next + 1;
   // "cornfields and, next to the motorway, a service station"

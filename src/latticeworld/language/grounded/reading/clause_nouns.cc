@@ -44,6 +44,11 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
     return;
   }
   // "half of it is forest": of the map.
+  const bool most_there = (phrase.head == Head::kIt || phrase.head == Head::kThey) &&
+                          phrase.qualities.share.has_value() && phrase.qualities.share->mostly &&
+                          !subjects_.empty() &&
+                          (IsKind(at_ + 1, ChunkKind::kPlace) || IsKind(at_ + 2, ChunkKind::kPlace));
+  if (most_there) return;  // "woods, most of it in the north"
   if (phrase.head == Head::kIt && phrase.qualities.share.has_value()) {
     ReadMap(chunk);
     return;
@@ -236,6 +241,12 @@ void ClauseReader::ReadMap(const Chunk& chunk) {
       d_.Extend(index, chunk.end);
     }
     if (!IsCourse(frame_->sense)) frame_.reset();
+    return;
+  }
+  // "away from it the ground is stone"
+  if (frame_.has_value() && frame_->fronted && frame_->sense == Sense::kAway) {
+    frame_.reset();
+    rest_next_ = true;
     return;
   }
   if (frame_.has_value() && frame_->fronted) return;  // "south of it everything is forest"

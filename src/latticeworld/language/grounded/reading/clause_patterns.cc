@@ -228,4 +228,71 @@ bool ClauseReader::HasRing() const {
   return false;
 }
 
+// The way along a line, or what is long; (0, 0): not known.
+Heading ClauseReader::WayOf(int index) const {
+  const PlannedFeature& line = d_.feature(index);
+  if (!line.from.has_value() || !line.to.has_value() || line.from->feature >= 0 ||
+      line.to->feature >= 0) {
+    return {0, 0};
+  }
+  const Heading from = HeadingOf(RegionOf(line.from->zone));
+  const Heading to = HeadingOf(RegionOf(line.to->zone));
+  const int east = to.east - from.east;
+  const int south = to.south - from.south;
+  return {(east > 0) - (east < 0), (south > 0) - (south < 0)};
+}
+
+// "woods at both its ends": in the directions that it runs.
+void ClauseReader::ReadBothEnds(bool of_it) {
+  std::vector<int> objects;
+  for (int i = d_.size() - 1; i >= 0 && objects.empty(); --i) {
+    const bool about = std::find(subjects_.begin(), subjects_.end(), i) != subjects_.end();
+    const Heading way = WayOf(i);
+    if (!d_.thing(i).dropped && !about && (way.east != 0 || way.south != 0)) objects = {i};
+  }
+  if (objects.empty() || subjects_.empty()) {
+    OpenSense(Sense::kNear, of_it);
+    return;
+  }
+  Frame frame;
+  frame.is_direction = true;
+  frame.both = true;
+  frame.heading = WayOf(objects[0]);
+  frame.objects = objects;
+  const std::vector<int> subjects = subjects_;
+  CloseFrame();
+  for (const int subject : subjects) Assert(frame, subject, &d_);
+  if (IsPhrase(at_ + 1)) ++at_;  // "at both ends of the lake"
+}
+
+// "behind the houses on both sides fields": on both sides of the road that the houses line.
+bool ClauseReader::ReadFartherSides() {
+  const bool beyond =
+      frame_.has_value() && (frame_->sense == Sense::kBehind || frame_->sense == Sense::kBeyond ||
+                             frame_->sense == Sense::kOutside);
+  if (!beyond || !ThingFollows(at_ + 1, false)) return false;
+  const int object = frame_->objects.empty() ? -1 : frame_->objects.back();
+  int line = object >= 0 && IsLine(object) ? object : -1;
+  for (const PlannedRelation& relation : d_.plan().relations) {
+    const bool beside = (relation.subject == object ||
+                         (object < 0 && relation.kind == RelationKind::kBothSides)) &&
+                        IsLine(relation.object);
+    if (beside) line = relation.object;
+  }
+  if (line < 0) return false;
+  const Heading way = WayOf(line);
+  if ((way.east != 0) == (way.south != 0)) return false;
+  Frame frame;
+  frame.is_direction = true;
+  frame.both = true;
+  frame.heading = {way.south, way.east};
+  frame.objects = {line};
+  frame_.reset();
+  if (!subjects_.empty()) BeginClause();
+  frame.fronted = true;
+  frame.expecting = false;
+  frame_ = std::move(frame);
+  return true;
+}
+
 }  // namespace latticeworld

@@ -183,6 +183,20 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
     Attach(zones, extent, chunk);
     return;
   }
+  // "the road touches the forest on the east side": on the forest's.
+  const bool of_forest = frame_.has_value() && !frame_->fronted && !frame_->objects.empty() &&
+                         frame_->sense == Sense::kNextTo &&
+                         zones.size() == 1 && (side.east != 0 || side.south != 0) &&
+                         EndsWithWord(ToLowerAscii(words), "side") && at_ > 1 &&
+                         IsSense(at_ - 1, Sense::kIn) && IsPhrase(at_ - 2);
+  if (of_forest) {
+    Frame there;
+    there.is_direction = true;
+    there.heading = side;
+    there.objects = {frame_->objects.back()};
+    for (const int index : frame_->subjects) Assert(there, index, &d_);
+    return;
+  }
   const bool nothing_yet = subjects_.empty() && absences_.empty();
   const bool after_break =
       at_ > 0 && (IsKind(at_ - 1, ChunkKind::kComma) || IsSense(at_ - 1, Sense::kAnd) ||

@@ -87,13 +87,18 @@ void ClauseReader::EndSentence() {
 // "a forest with a lake": nothing more was said of the lake than that the forest has it.
 void ClauseReader::EndHost() {
   if (host_ >= 0 && hosted_ >= 0 && d_.plan().relations.size() == host_relations_ &&
-      (d_.feature(hosted_).zones.empty() || d_.thing(hosted_).zones_from_lead || IsSpot(host_))) {
+      (d_.feature(hosted_).zones.empty() || d_.thing(hosted_).zones_from_lead || IsSpot(host_) ||
+       d_.feature(host_).letter == d_.feature(hosted_).letter)) {
     Frame frame;
     frame.sense = Sense::kHas;
     frame.objects = {hosted_};
     // "peaks with snow": one thing
     const bool same = d_.feature(host_).letter == d_.feature(hosted_).letter;
-    if (same && d_.feature(hosted_).form == FeatureForm::kSpread) d_.Drop(hosted_);
+    if (same && d_.feature(hosted_).form == FeatureForm::kSpread) {
+      // "a farm with its fields in the south": all of it is there
+      if (d_.feature(host_).zones.empty()) d_.AddZones(host_, d_.feature(hosted_).zones);
+      d_.Drop(hosted_);
+    }
     Assert(frame, host_, &d_);
   }
   host_ = hosted_ = -1;
@@ -102,7 +107,9 @@ void ClauseReader::EndHost() {
 // "a clearing with a pond in the middle of the map": where the pond is, there is the clearing.
 bool ClauseReader::IsSpot(int index) const {
   const PlannedFeature& feature = d_.feature(index);
-  return feature.form == FeatureForm::kPatch && feature.letter != 'B' && feature.zones.empty() &&
+  const bool building =
+      feature.letter == 'B' && d_.plan().vocabulary == Vocabulary::kSuburb;
+  return feature.form == FeatureForm::kPatch && !building && feature.zones.empty() &&
          feature.pieces <= 1 && !d_.thing(index).plural;
 }
 

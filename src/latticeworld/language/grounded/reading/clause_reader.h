@@ -87,6 +87,7 @@ class ClauseReader {
   bool TakeEndZone(const std::vector<Zone>& zones);
   bool TakeOtherEnd(const std::vector<Zone>& zones);
   void JoinEnds(int line);
+  bool DealOut(int line, const std::vector<Zone>& zones, const std::string& words, bool from);
   bool TakeHeading(const std::vector<Zone>& zones);
   bool SplitsMap(const std::vector<Zone>& zones, const std::string& words);
   void Deny(char letter, const std::vector<Zone>& zones, const Chunk& chunk);
@@ -101,6 +102,9 @@ class ClauseReader {
   void ReadAllButOne();
   void FrontRing();
   void ReadInsideBend();
+  Heading WayOf(int index) const;
+  void ReadBothEnds(bool of_it);
+  bool ReadFartherSides();
   bool ClotheIsland(int host);
   bool OppositePlace(const std::string& words, std::vector<Zone>* zones) const;
   void ReadMeeting();
@@ -128,6 +132,7 @@ class ClauseReader {
   bool SaysClose(const Chunk& chunk) const;
   bool ReadSideToCome();
   bool ReadSideOfHost();
+  bool ReadSideAt(std::size_t at);
   void AssertMoreSides(Frame frame);
   int LineOf(const std::vector<int>& indices) const;
 
@@ -159,6 +164,7 @@ class ClauseReader {
   int NthOfThese(std::size_t n) const;
   std::vector<int> Likes(int index, const std::vector<int>& about) const;
   std::vector<int> Arm(const Chunk& chunk);
+  std::vector<int> OneLine(const Chunk& chunk);
   void BranchOff(int arm, int river);
   std::vector<int> IslandOf(const NounPhrase& phrase);
   void PlaceInEach();

@@ -60,6 +60,11 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
         if (EndsWithWord(words, "second")) {
           if (const int nth = NthOfThese(1); nth >= 0) return {nth};
         }
+        // "highways cross in the middle (one N-S, one E-W)"
+        if (phrase.head == Head::kOne &&
+            (phrase.qualities.axis.has_value() || IsKind(at_ + 1, ChunkKind::kAxis))) {
+          if (const std::vector<int> line = OneLine(chunk); !line.empty()) return line;
+        }
         const int model = OneOfSeveral();
         if (!phrase.places.empty() && model >= 0) {
           // "the northern lake and the southern one"
@@ -475,6 +480,26 @@ std::vector<int> ClauseReader::IslandOf(const NounPhrase& phrase) {
   d_.feature(island).letter = letter;
   d_.thing(island).noun = phrase.noun;
   return {island};
+}
+
+// The line that runs along an axis: the last one, where its course is not said, else one more.
+std::vector<int> ClauseReader::OneLine(const Chunk& chunk) {
+  for (int i = d_.size() - 1; i >= 0; --i) {
+    if (d_.thing(i).dropped || !IsLine(i)) continue;
+    if (d_.feature(i).pieces > 1) return {};
+    if (!d_.feature(i).from.has_value()) return {i};
+    NounPhrase like;
+    like.noun = d_.thing(i).noun;
+    const int created = d_.Create(like, chunk.begin, chunk.end);
+    if (created < 0) return {};
+    PlannedRelation crosses;
+    crosses.kind = RelationKind::kCrosses;
+    crosses.subject = i;
+    crosses.object = created;
+    if (ToLowerAscii(d_.instruction()).find("cross") != std::string::npos) d_.Relate(crosses);
+    return {created};
+  }
+  return {};
 }
 
 }  // namespace latticeworld

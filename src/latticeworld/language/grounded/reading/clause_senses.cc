@@ -317,6 +317,9 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     case Sense::kStepsOnto:
       StepOnto();
       break;
+    case Sense::kAtBothEnds:
+      ReadBothEnds(chunk.lexeme.of_it);
+      break;
     case Sense::kOptional:
       for (const int index : subjects_) {
         if (d_.thing(index).sentence == d_.sentence()) d_.Drop(index);

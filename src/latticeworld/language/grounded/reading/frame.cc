@@ -563,6 +563,11 @@ bool WantsTwo(Sense sense) { return sense == Sense::kBetween || sense == Sense::
 void Assert(const Frame& frame, int subject, Discourse* discourse) {
   if (frame.objects.empty()) return;
   Asserter(frame, subject, discourse).Assert();
+  if (frame.both && frame.is_direction) {
+    Frame back = frame;
+    back.heading = {-frame.heading.east, -frame.heading.south};
+    Asserter(back, subject, discourse).Assert();
+  }
 }
 
 void AssertEachOther(const Frame& frame, Discourse* discourse) {

@@ -291,7 +291,8 @@ class Lexer {
     // "below that", "beneath it"
     const bool sided = match.sense == Sense::kBelow || match.sense == Sense::kAbove ||
                        match.sense == Sense::kBehind || match.sense == Sense::kInFront;
-    if (sided && match.tokens > 1) {
+    const bool leaves = match.sense == Sense::kFrom && match.tokens > 1;
+    if ((sided || leaves) && match.tokens > 1) {
       lexeme->of_it = lexeme->of_it ||
                       IsWord(tokens_, lexeme->first + match.tokens - 1, {"it", "that", "them"});
     }

@@ -156,9 +156,10 @@ enum class Sense : std::uint8_t {
   kInEach,
   kInsideBend,
   kOptional,
+  kAtBothEnds,
 };
 
-constexpr std::array<EnumName<Sense>, 139> EnumNames(Sense) {
+constexpr std::array<EnumName<Sense>, 140> EnumNames(Sense) {
   return {{
       {Sense::kFunction, "function"},
       {Sense::kDefinite, "definite"},
@@ -299,6 +300,7 @@ constexpr std::array<EnumName<Sense>, 139> EnumNames(Sense) {
       {Sense::kInEach, "in_each"},
       {Sense::kInsideBend, "inside_bend"},
       {Sense::kOptional, "optional"},
+      {Sense::kAtBothEnds, "at_both_ends"},
   }};
 }
 
