@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/reading/clause_reader.h"
 #include "latticeworld/language/grounded/reading/place_phrases.h"
 
@@ -26,8 +27,11 @@ bool ClauseReader::TakeOtherEnd(const std::vector<Zone>& zones) {
 // "leaves the town heading east"
 bool ClauseReader::TakeHeading(const std::vector<Zone>& zones) {
   const int line = LineOf(subjects_);
-  if (line < 0 || at_ == 0 || !IsSense(at_ - 1, Sense::kRuns) || zones.size() != 1) return false;
+  if (line < 0 || at_ == 0 || zones.size() != 1) return false;
   const Chunk& chunk = chunks_[at_];
+  const std::string before = ToLowerAscii(d_.instruction().substr(0, chunk.begin));
+  const bool goes = EndsWith(before, " goes ") || EndsWith(before, " go ");
+  if (!goes && !IsSense(at_ - 1, Sense::kRuns)) return false;
   const std::string words = d_.Words(chunk.begin, chunk.end);
   const bool bare = words.find(' ') == std::string::npos;  // "east", not "the western edge"
   const Heading side = HeadingOf(RegionOf(zones.front()));

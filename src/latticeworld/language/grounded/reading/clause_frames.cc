@@ -86,6 +86,7 @@ void ClauseReader::OpenSense(Sense sense, bool of_it) {
     sense = Sense::kAlong;
     confining_ = false;
   }
+  if (sense == Sense::kBetween && ReadInBetween()) return;
   Frame frame;
   frame.sense = sense;
   frame.of_it = of_it || sense == Sense::kWithinIt;
@@ -405,6 +406,12 @@ std::vector<int> ClauseReader::InContrast(const Frame& frame, const std::vector<
   // "behind it": behind what was named last.
   if (frame.sense == Sense::kBehind || frame.sense == Sense::kBeyond) return found;
   const Heading heading = HeadingOfFrame(frame);
+  // "grass above and below"
+  if (axis_.object >= 0 && axis_.sentence == d_.sentence() && !frame.subjects.empty() &&
+      frame.subjects.back() == axis_.subject && IsOppositeHeading(heading, axis_.heading) &&
+      (heading.east != 0 || heading.south != 0)) {
+    return {axis_.object};
+  }
   const bool contrast =
       axis_.object >= 0 && d_.sentence() <= axis_.sentence + 1 &&
       (heading.east != 0 || heading.south != 0) &&
@@ -441,6 +448,8 @@ bool ClauseReader::TakeContrast(const std::vector<Zone>& zones) {
   }
   if (frame_->subjects.empty() || LineOf(frame_->subjects) >= 0) return false;
   for (const int subject : frame_->subjects) Assert(frame, subject, &d_);
+  axis_.subject = frame_->subjects.back();
+  axis_.heading = side;
   frame_.reset();
   return true;
 }

@@ -404,6 +404,10 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
                      (EndsAt(at_ + 1) || IsKind(at_ + 1, ChunkKind::kComma) ||
                       IsSense(at_ + 1, Sense::kAnd) || IsSense(at_ + 1, Sense::kWith));
     if (all) feature.fills_rest = true;
+    // "the left side is all rock, the right side all forest"
+    if (is_new && phrase.each && !lead_.empty() && lead_.is_subject && !IsLine(index)) {
+      feature.dominant = true;
+    }
     if (mostly_next_) feature.dominant = true;
     const bool named = is_new || phrase.noun != nullptr;
     const bool spoken_of = !is_new && d_.thing(index).sentence == d_.sentence() &&

@@ -295,4 +295,21 @@ bool ClauseReader::ReadFartherSides() {
   return true;
 }
 
+// "In between a strip of bushes": between what was named before.
+bool ClauseReader::ReadInBetween() {
+  const std::string words = ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[at_].end));
+  const bool alone = words == "in between" && at_ == sentence_start_ && IsThing(at_ + 1) &&
+                     chunks_[at_ + 1].phrase.indefinite && !IsSense(at_ + 2, Sense::kAnd);
+  if (!alone) return false;
+  const std::vector<int> two = d_.LastTwo({});
+  if (two.size() < 2) return false;
+  Frame frame;
+  frame.sense = Sense::kBetween;
+  frame.objects = two;
+  frame.fronted = true;
+  frame.expecting = false;
+  frame_ = std::move(frame);
+  return true;
+}
+
 }  // namespace latticeworld

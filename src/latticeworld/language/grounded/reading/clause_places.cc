@@ -163,7 +163,7 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
     const bool covers = sense == Sense::kCovers || sense == Sense::kDominates;
     const bool away = sense == Sense::kAway || frame_->negated;
     for (const int index : frame_->subjects) {
-      if (covers) {
+      if (covers && !IsLine(index)) {
         d_.feature(index).dominant = true;
         if (extent && d_.feature(index).form != FeatureForm::kLine) {
           d_.feature(index).share_least =
@@ -181,6 +181,27 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
     if (covers || !IsCourse(sense)) frame_.reset();
     if (frame_.has_value()) frame_.reset();
     Attach(zones, extent, chunk);
+    return;
+  }
+  // "bordered by forest on the north and by fields on the south": of what is bordered.
+  const bool borders = frame_.has_value() && !frame_->fronted && !frame_->objects.empty() &&
+                       !frame_->subjects.empty() && zones.size() == 1 &&
+                       (frame_->sense == Sense::kSurroundedBy ||
+                        frame_->sense == Sense::kBorderedBy ||
+                        frame_->sense == Sense::kFlankedBy) &&
+                       (side.east != 0 || side.south != 0) && zones.front() == ZoneOf(side) &&
+                       (IsSense(at_ - 1, Sense::kIn) || IsSense(at_ - 1, Sense::kTo) ||
+                        IsSense(at_ - 1, Sense::kAnd) || IsKind(at_ - 1, ChunkKind::kComma));
+  if (borders) {
+    const bool list = IsKind(at_ + 1, ChunkKind::kComma) || IsSense(at_ + 1, Sense::kAnd) ||
+                      !IsSense(at_ - 1, Sense::kIn);
+    if (frame_->sense == Sense::kSurroundedBy && list) return;
+    Frame there;
+    there.is_direction = true;
+    there.heading = side;
+    there.objects = {frame_->subjects.back()};
+    Assert(there, frame_->objects.back(), &d_);
+    d_.Extend(frame_->objects.back(), chunk.end);
     return;
   }
   // "the road touches the forest on the east side": on the forest's.

@@ -11,6 +11,13 @@ void ClauseReader::ReadQualities(const Chunk& chunk) {
   const bool numbers_line = at_ == sentence_start_ && said.count.has_value() && !said.share &&
                             (IsKind(at_ + 1, ChunkKind::kComma) || EndsAt(at_ + 1));
   if (numbers_line) return;
+  // "two lakes: one big, one small"
+  const int several = subjects_.empty() ? d_.LastMentioned() : subjects_.back();
+  const bool one_of_them = said.count.has_value() && said.count->least == 1 &&
+                           said.count->most == 1 && several >= 0 &&
+                           ToLowerAscii(d_.Words(chunk.begin, chunk.end)).substr(0, 4) == "one " &&
+                           d_.feature(several).pieces_least >= 2;
+  if (one_of_them) return;
   if (correcting_ && said.count.has_value()) {
     correcting_ = false;
     int last = !subjects_.empty() ? subjects_.back() : d_.size() - 1;

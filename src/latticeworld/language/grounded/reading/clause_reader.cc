@@ -118,6 +118,7 @@ void ClauseReader::ReadComma() {
   if (IsSense(at_ + 1, Sense::kWhich)) return;
   const char mark = d_.instruction()[chunks_[at_].begin];
   if (mark == '(' && IsKind(at_ + 1, ChunkKind::kPlace)) return;
+  if (mark == '(' && InBrackets()) return;
   // "a forest (40 % of the map) by the lake"
   if (mark == '(' && IsPhrase(at_ + 1) && chunks_[at_ + 1].phrase.head == Head::kMap &&
       chunks_[at_ + 1].phrase.qualities.share.has_value()) {
@@ -169,6 +170,12 @@ void ClauseReader::ReadComma() {
     BeginClause();
     return;
   }
+  // "enclosed by fields on the west, north and east"
+  const bool more_sides =
+      frame_.has_value() && IsKind(at_ + 1, ChunkKind::kPlace) &&
+      (frame_->sense == Sense::kSurroundedBy || frame_->sense == Sense::kBorderedBy) &&
+      at_ > 0 && IsKind(at_ - 1, ChunkKind::kPlace);
+  if (more_sides) return;
   if (frame_.has_value() && !frame_->objects.empty() && !frame_->fronted &&
       !(WantsTwo(frame_->sense) && frame_->objects.size() < 2)) {
     CloseFrame();
@@ -251,6 +258,22 @@ void ClauseReader::ReadAnd(bool is_or) {
       !(WantsTwo(frame_->sense) && frame_->objects.size() < 2)) {
     CloseFrame();
   }
+}
+
+// "the mountains in the north (bare ground)": the same in other words; they are skipped.
+bool ClauseReader::InBrackets() {
+  const bool alone = IsThing(at_ + 1) && IsKind(at_ + 2, ChunkKind::kComma) &&
+                     d_.instruction()[chunks_[at_ + 2].begin] == ')';
+  const int last = d_.LastMentioned();
+  if (!alone || last < 0 || d_.thing(last).sentence != d_.sentence()) return false;
+  const NounPhrase& phrase = chunks_[at_ + 1].phrase;
+  if (phrase.noun->LetterIn(d_.plan().vocabulary) != d_.feature(last).letter ||
+      phrase.qualities.count.has_value() || phrase.indefinite || phrase.negated ||
+      (phrase.noun->shape == WordShape::kLine) != IsLine(last)) {
+    return false;
+  }
+  at_ += 2;
+  return true;
 }
 
 }  // namespace latticeworld

@@ -105,6 +105,8 @@ class ClauseReader {
   Heading WayOf(int index) const;
   void ReadBothEnds(bool of_it);
   bool ReadFartherSides();
+  bool ReadInBetween();
+  bool InBrackets();
   bool ClotheIsland(int host);
   bool OppositePlace(const std::string& words, std::vector<Zone>* zones) const;
   void ReadMeeting();

@@ -162,6 +162,17 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
       split_ = last;
       return {d_.SplitOff(last)};
     }
+    // "two clearings. The larger clearing is in the north."
+    const bool compared = phrase.definite && !phrase.plural && phrase.qualities.size != 1.0 &&
+                          known.size() == 1 && d_.feature(last).pieces == 2 &&
+                          d_.feature(last).pieces_least == 2;
+    if (compared) {
+      split_ = last;
+      const int part = d_.SplitOff(last);
+      d_.feature(part).cells =
+          std::max(2, static_cast<int>(d_.feature(part).cells * phrase.qualities.size));
+      return {part};
+    }
     // "that is the only road": the one there is.
     const std::string words = ToLowerAscii(d_.Words(chunk.begin, chunk.end));
     if (single && known.size() == 1 && words.find("only ") != std::string::npos &&

@@ -110,6 +110,24 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     }
     case Sense::kWhere:
       if (ReadWhere()) break;
+      // "a forest in which there are two clearings"
+      if (at_ > 0 && IsThing(at_ - 1) && d_.LastMentioned() >= 0 && !IsLine(d_.LastMentioned()) &&
+          (IsSense(at_ + 1, Sense::kExists) ||
+           (ThingFollows(at_ + 1, false) &&
+            ToLowerAscii(d_.Words(chunk.begin, chunk.end)).find("which") != std::string::npos))) {
+        const int host = d_.LastMentioned();
+        BeginClause();
+        d_.SetTopic({host});
+        Frame frame;
+        frame.sense = Sense::kIn;
+        frame.inside = true;
+        frame.objects = {host};
+        frame.fronted = true;
+        frame.expecting = false;
+        frame_ = std::move(frame);
+        if (IsSense(at_ + 1, Sense::kExists)) ++at_;
+        break;
+      }
       if (!last_zones_.empty() && IsKind(at_ - 1, ChunkKind::kComma) && at_ >= 2 &&
           IsKind(at_ - 2, ChunkKind::kPlace)) {
         BeginClause();
@@ -166,6 +184,12 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       break;
     case Sense::kOnly:
       confining_ = true;
+      // "houses only along the road"
+      if (EndsWithWord(ToLowerAscii(d_.Words(chunk.begin, chunk.end)), "along") &&
+          IsPhrase(at_ + 1)) {
+        confining_ = false;
+        OpenSense(Sense::kAlong, false);
+      }
       break;
     case Sense::kExcept:
       // "near the houses but not near the road"

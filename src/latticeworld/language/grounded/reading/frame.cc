@@ -296,6 +296,10 @@ class Asserter {
     if (ends.size() >= 2) {
       relation.object = ends[ends.size() - 2];
       relation.second_object = ends.back();
+    } else if (kind == RelationKind::kBetween && IsLine(d_.feature(ends[0])) &&
+               d_.feature(ends[0]).shape == ClaimShape::kGridded) {
+      Relate(RelationKind::kAdjacent, middle, ends[0], kTouchingSteps);  // between the streets
+      return;
     } else if (const int other = Sibling(ends[0]); other >= 0) {
       relation.object = other;
       relation.second_object = ends[0];

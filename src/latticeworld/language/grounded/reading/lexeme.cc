@@ -70,6 +70,27 @@ bool LexDirection(const std::vector<Token>& tokens, std::size_t at, Lexeme* lexe
   return true;
 }
 
+// "south and east of the lake": between the two.
+bool LexCornerDirection(const std::vector<Token>& tokens, std::size_t at, Lexeme* lexeme) {
+  const HeadingMatch first = MatchHeading(tokens, at);
+  const std::size_t join = at + first.tokens;
+  if (first.tokens == 0 || !IsWord(tokens, join, {"and"})) return false;
+  const HeadingMatch second = MatchHeading(tokens, join + 1);
+  const Heading a = first.heading;
+  const Heading b = second.heading;
+  const bool corner = second.tokens > 0 && !a.IsDiagonal() && !b.IsDiagonal() &&
+                      (a.east != 0) != (b.east != 0);
+  const std::size_t end = join + 1 + second.tokens;
+  if (!corner || !IsWord(tokens, end, {"of"})) return false;
+  const std::size_t object = end + 1 + (IsWord(tokens, end + 1, {"the", "this", "that"}) ? 1 : 0);
+  if (MatchPlace(tokens, object).tokens > 0 || IsWord(tokens, object, {"map"})) return false;
+  lexeme->kind = LexemeKind::kDirection;
+  lexeme->use = DirectionUse::kBeyond;
+  lexeme->heading = {a.east + b.east, a.south + b.south};
+  lexeme->last = end + 1;
+  return true;
+}
+
 // "wooded", "rocky" and the like name a class where no noun follows that does.
 std::string_view ClassOfAdjective(std::string_view word) {
   constexpr std::pair<std::string_view, std::string_view> kAdjectives[] = {
@@ -140,6 +161,7 @@ class Lexer {
       lexeme.heading = MatchHeading(tokens_, at).heading;
       return lexeme;
     }
+    if (LexCornerDirection(tokens_, at, &lexeme)) return lexeme;
     if (LexDirection(tokens_, at, &lexeme)) return lexeme;
     ReadNoun(&lexeme);
     // "built up", but not "built up area"
