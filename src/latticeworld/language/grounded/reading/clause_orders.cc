@@ -2,9 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/reading/clause_reader.h"
-#include "latticeworld/language/grounded/reading/place_phrases.h"
 
 // What follows what: orders along a direction, and chains of "then", "behind", "after that".
 namespace latticeworld {

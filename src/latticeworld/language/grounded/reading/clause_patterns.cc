@@ -4,7 +4,6 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/reading/clause_reader.h"
-#include "latticeworld/language/grounded/reading/place_phrases.h"
 
 // Turns of phrase that are read as a whole, several chunks at once.
 namespace latticeworld {
@@ -274,9 +273,9 @@ bool ClauseReader::ReadFartherSides() {
   const int object = frame_->objects.empty() ? -1 : frame_->objects.back();
   int line = object >= 0 && IsLine(object) ? object : -1;
   for (const PlannedRelation& relation : d_.plan().relations) {
-    const bool beside = (relation.subject == object ||
-                         (object < 0 && relation.kind == RelationKind::kBothSides)) &&
-                        IsLine(relation.object);
+    const bool beside =
+        (relation.subject == object || (object < 0 && relation.kind == RelationKind::kBothSides)) &&
+        IsLine(relation.object);
     if (beside) line = relation.object;
   }
   if (line < 0) return false;

@@ -184,14 +184,14 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
     return;
   }
   // "bordered by forest on the north and by fields on the south": of what is bordered.
-  const bool borders = frame_.has_value() && !frame_->fronted && !frame_->objects.empty() &&
-                       !frame_->subjects.empty() && zones.size() == 1 &&
-                       (frame_->sense == Sense::kSurroundedBy ||
-                        frame_->sense == Sense::kBorderedBy ||
-                        frame_->sense == Sense::kFlankedBy) &&
-                       (side.east != 0 || side.south != 0) && zones.front() == ZoneOf(side) &&
-                       (IsSense(at_ - 1, Sense::kIn) || IsSense(at_ - 1, Sense::kTo) ||
-                        IsSense(at_ - 1, Sense::kAnd) || IsKind(at_ - 1, ChunkKind::kComma));
+  const bool borders =
+      frame_.has_value() && !frame_->fronted && !frame_->objects.empty() &&
+      !frame_->subjects.empty() && zones.size() == 1 &&
+      (frame_->sense == Sense::kSurroundedBy || frame_->sense == Sense::kBorderedBy ||
+       frame_->sense == Sense::kFlankedBy) &&
+      (side.east != 0 || side.south != 0) && zones.front() == ZoneOf(side) &&
+      (IsSense(at_ - 1, Sense::kIn) || IsSense(at_ - 1, Sense::kTo) ||
+       IsSense(at_ - 1, Sense::kAnd) || IsKind(at_ - 1, ChunkKind::kComma));
   if (borders) {
     const bool list = IsKind(at_ + 1, ChunkKind::kComma) || IsSense(at_ + 1, Sense::kAnd) ||
                       !IsSense(at_ - 1, Sense::kIn);
@@ -206,8 +206,8 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
   }
   // "the road touches the forest on the east side": on the forest's.
   const bool of_forest = frame_.has_value() && !frame_->fronted && !frame_->objects.empty() &&
-                         frame_->sense == Sense::kNextTo &&
-                         zones.size() == 1 && (side.east != 0 || side.south != 0) &&
+                         frame_->sense == Sense::kNextTo && zones.size() == 1 &&
+                         (side.east != 0 || side.south != 0) &&
                          EndsWithWord(ToLowerAscii(words), "side") && at_ > 1 &&
                          IsSense(at_ - 1, Sense::kIn) && IsPhrase(at_ - 2);
   if (of_forest) {

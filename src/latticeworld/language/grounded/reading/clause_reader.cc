@@ -107,8 +107,7 @@ void ClauseReader::EndHost() {
 // "a clearing with a pond in the middle of the map": where the pond is, there is the clearing.
 bool ClauseReader::IsSpot(int index) const {
   const PlannedFeature& feature = d_.feature(index);
-  const bool building =
-      feature.letter == 'B' && d_.plan().vocabulary == Vocabulary::kSuburb;
+  const bool building = feature.letter == 'B' && d_.plan().vocabulary == Vocabulary::kSuburb;
   return feature.form == FeatureForm::kPatch && !building && feature.zones.empty() &&
          feature.pieces <= 1 && !d_.thing(index).plural;
 }
@@ -173,8 +172,8 @@ void ClauseReader::ReadComma() {
   // "enclosed by fields on the west, north and east"
   const bool more_sides =
       frame_.has_value() && IsKind(at_ + 1, ChunkKind::kPlace) &&
-      (frame_->sense == Sense::kSurroundedBy || frame_->sense == Sense::kBorderedBy) &&
-      at_ > 0 && IsKind(at_ - 1, ChunkKind::kPlace);
+      (frame_->sense == Sense::kSurroundedBy || frame_->sense == Sense::kBorderedBy) && at_ > 0 &&
+      IsKind(at_ - 1, ChunkKind::kPlace);
   if (more_sides) return;
   if (frame_.has_value() && !frame_->objects.empty() && !frame_->fronted &&
       !(WantsTwo(frame_->sense) && frame_->objects.size() < 2)) {

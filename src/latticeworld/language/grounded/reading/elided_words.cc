@@ -1,6 +1,5 @@
 #include "latticeworld/language/grounded/reading/elided_words.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdlib>

@@ -84,7 +84,8 @@ std::optional<std::string_view> ShortMistake(std::string_view word) {
       {"nd", "and"},           {"thru", "through"},     {"feild", "field"},
       {"feilds", "fields"},    {"smal", "small"},       {"larg", "large"},
       {"midle", "middle"},     {"litle", "little"},     {"hous", "house"},
-      {"betwen", "between"},   {"mosty", "mostly"},   {"arond", "around"},     {"ned", "need"},
+      {"betwen", "between"},   {"mosty", "mostly"},     {"arond", "around"},
+      {"ned", "need"},
   };
   for (const auto& [mistake, meant] : kMistakes) {
     if (word == mistake) return meant;

@@ -78,8 +78,8 @@ bool LexCornerDirection(const std::vector<Token>& tokens, std::size_t at, Lexeme
   const HeadingMatch second = MatchHeading(tokens, join + 1);
   const Heading a = first.heading;
   const Heading b = second.heading;
-  const bool corner = second.tokens > 0 && !a.IsDiagonal() && !b.IsDiagonal() &&
-                      (a.east != 0) != (b.east != 0);
+  const bool corner =
+      second.tokens > 0 && !a.IsDiagonal() && !b.IsDiagonal() && (a.east != 0) != (b.east != 0);
   const std::size_t end = join + 1 + second.tokens;
   if (!corner || !IsWord(tokens, end, {"of"})) return false;
   const std::size_t object = end + 1 + (IsWord(tokens, end + 1, {"the", "this", "that"}) ? 1 : 0);

@@ -79,7 +79,8 @@ char Background(const LayoutPlan& plan) {
   for (const PlannedFeature& feature : plan.features) {
     const bool open = feature.form == FeatureForm::kSpread && feature.letter != usual &&
                       feature.letter != 'W' && feature.zones.empty() &&
-                      feature.share_most.value_or(1.0) > 0.99 && feature.texture == Texture::kUnsaid && !feature.shape;
+                      feature.share_most.value_or(1.0) > 0.99 &&
+                      feature.texture == Texture::kUnsaid && !feature.shape;
     if (open) return feature.letter;
   }
   const std::string_view order = plan.vocabulary == Vocabulary::kSuburb ? "GADF" : "BFRS";
