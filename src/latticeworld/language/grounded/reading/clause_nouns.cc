@@ -81,6 +81,14 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
     }
   }
   if (IsOtherWord(chunk)) return;
+  // "the river comes in as one stream"
+  const std::string own = ToLowerAscii(d_.Words(chunk.begin, chunk.end)).substr(0, 7);
+  const bool as_one = own == "as one " || own == "as a si";
+  if (as_one && phrase.noun != nullptr && LastSubject() >= 0 &&
+      phrase.noun->LetterIn(d_.plan().vocabulary) == d_.feature(LastSubject()).letter) {
+    d_.Extend(LastSubject(), chunk.end);
+    return;
+  }
   // "three clearings, grassy ones"
   const std::string after = ToLowerAscii(d_.Words(chunk.end, d_.instruction().size())).substr(0, 5);
   if (after == " ones" && phrase.noun != nullptr && !subjects_.empty() && at_ > 0 &&

@@ -364,6 +364,15 @@ void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chu
       }
       feature.zones.clear();
     }
+    // "one arm leaves in the west, the other in the east"
+    if (IsLine(index) && feature.from.has_value() && feature.from->feature >= 0 &&
+        IsLine(feature.from->feature) && !feature.to.has_value() && zones.size() == 1) {
+      Waypoint to;
+      to.zone = EndZoneOf(zones.front(), d_.Words(chunk.begin, chunk.end));
+      feature.to = to;
+      d_.Extend(index, chunk.end);
+      continue;
+    }
     const bool line_with_course =
         IsLine(index) && (feature.from.has_value() || feature.to.has_value());
     if (IsLine(index) && TurnsAt(zones, &feature)) {

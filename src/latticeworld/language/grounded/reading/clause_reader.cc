@@ -217,6 +217,16 @@ void ClauseReader::ReadAnd(bool is_or) {
   if (ordering_) return;
   if (comparing_) return;
   if (FrameLacksObject()) CloseFrame();
+  // "bordered by forest on the north and by fields on the south"
+  const bool by_more =
+      IsThing(next) && frame_.has_value() && !frame_->objects.empty() && !frame_->fronted &&
+      (frame_->sense == Sense::kBorderedBy || frame_->sense == Sense::kSurroundedBy ||
+       frame_->sense == Sense::kFlankedBy) &&
+      ToLowerAscii(d_.Words(chunks_[at_].end, chunks_[next].end)).substr(0, 4) == " by ";
+  if (by_more) {
+    frame_->expecting = true;
+    return;
+  }
   if (IsPhrase(next)) {
     if (frame_.has_value() && frame_->expecting && frame_->objects.empty()) return;
     if (paused_.has_value()) {

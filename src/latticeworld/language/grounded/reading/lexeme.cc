@@ -197,11 +197,11 @@ class Lexer {
   void ReadNoun(Lexeme* lexeme) {
     const ClassWordMatch match = MatchClassWord(tokens_, lexeme->first);
     if (match.word == nullptr) return;
-    // "keep the rest free" is no keep.
-    if (match.tokens == 1 && match.word->phrase == "keep" &&
+    // "keep the rest free" is no keep, "drive to the barn" no drive.
+    if (match.tokens == 1 && (match.word->phrase == "keep" || match.word->phrase == "drive") &&
         !(lexeme->first > 0 &&
           IsWord(tokens_, lexeme->first - 1,
-                 {"a", "the", "one", "this", "that", "old", "ruined", "lone", "single"}))) {
+                 {"a", "the", "one", "this", "that", "old", "ruined", "lone", "single", "long"}))) {
       return;
     }
     // "village centre; woods W": of notes without articles the centre is the map's.
