@@ -414,10 +414,24 @@ class Chunker {
            (alone || SenseAt(last + 1, Sense::kOfPlace) || SenseAt(last + 1, Sense::kFunction));
   }
 
+  // "West of the river bushes, east of it rocks": the bushes are what is there.
+  bool IsPlacedByDirection(std::size_t at, std::size_t next) const {
+    const bool after_direction =
+        at_ > 0 && lexemes_[at_ - 1].kind == LexemeKind::kDirection &&
+        (at_ == 1 || lexemes_[at_ - 2].kind == LexemeKind::kStop ||
+         lexemes_[at_ - 2].kind == LexemeKind::kComma || lexemes_[at_ - 2].Is(Sense::kAnd));
+    const bool ends = next + 1 >= lexemes_.size() || lexemes_[next + 1].kind == LexemeKind::kStop ||
+                      lexemes_[next + 1].kind == LexemeKind::kComma ||
+                      SenseAt(next + 1, Sense::kAnd);
+    return after_direction && ends && lexemes_[at].noun->shape != WordShape::kMass &&
+           lexemes_[at].noun->suburb != lexemes_[next].noun->suburb &&
+           (lexemes_[next].plural || lexemes_[next].noun->shape == WordShape::kMass);
+  }
+
   // The last of several nouns in a row is the thing, those before it its kind: "mountain lake".
   void TakeHead(std::size_t at, NounPhrase* phrase, const std::vector<std::size_t>& unknown) {
     std::size_t last = at + 1;
-    while (IsNounAt(last) && !lexemes_[last - 1].plural) ++last;
+    while (IsNounAt(last) && !lexemes_[last - 1].plural && !IsPlacedByDirection(at, last)) ++last;
     // "a field of wheat": what it is made of.
     if (SenseAt(last, Sense::kOfPlace) && IsNounAt(last + 1) &&
         (lexemes_[last - 1].noun->suburb == lexemes_[last + 1].noun->suburb ||

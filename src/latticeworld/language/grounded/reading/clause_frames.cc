@@ -252,6 +252,14 @@ void ClauseReader::Open(Frame frame) {
       d_.SetTopic(subjects_);
       subjects_ = nearest;
       frame.subjects = nearest;
+    } else if (sense == Sense::kAlong && subjects_.size() > 1 && !IsLine(subjects_.back()) &&
+               IsThing(at_ - 1) && !verb_said_) {
+      // "winding roads, houses along all of them"
+      const std::vector<int> last = {subjects_.back()};
+      subjects_.pop_back();
+      d_.SetTopic(subjects_);
+      subjects_ = last;
+      frame.subjects = last;
     } else if (line >= 0 && (list_has_and_ ? false : subjects_.size() > 1)) {
       frame.subjects = {line};
     }

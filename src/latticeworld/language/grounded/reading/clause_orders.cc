@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/reading/clause_reader.h"
 
 // What follows what: orders along a direction, and chains of "then", "behind", "after that".
@@ -114,6 +115,7 @@ void ClauseReader::LayInBand(int index, const Zone& band) {
 
 // "sand above the sea, then a road, then houses": on in the same direction.
 void ClauseReader::ReadNext() {
+  if (ReadNextRing()) return;
   const int last = LastSubject();
   const std::vector<PlannedRelation>& relations = d_.plan().relations;
   const bool goes_on = IsThing(at_ + 1) && !relations.empty() &&
@@ -157,6 +159,24 @@ void ClauseReader::Follow(int index) {
   frame.objects = {before};
   Assert(frame, index, &d_);
   NoteAxis(frame, index);
+}
+
+// "surrounded first by rock, then by bushes and finally by forest": each around the one before.
+bool ClauseReader::ReadNextRing() {
+  const std::vector<PlannedRelation>& relations = d_.plan().relations;
+  if (relations.empty() || relations.back().kind != RelationKind::kSurrounds || !IsThing(at_ + 1) ||
+      d_.thing(relations.back().subject).sentence != d_.sentence()) {
+    return false;
+  }
+  const std::string after = ToLowerAscii(d_.Words(chunks_[at_].end, chunks_[at_ + 1].end));
+  if (after.substr(0, 4) != " by ") return false;
+  const int outer = relations.back().subject;
+  CloseFrame();
+  Frame frame;
+  frame.sense = Sense::kSurroundedBy;
+  frame.subjects = {outer};
+  frame_ = std::move(frame);
+  return true;
 }
 
 // "From the sea in the west you step onto a beach": beside the sea, and on from it.

@@ -168,4 +168,15 @@ int ClauseReader::Unplaced(int model) {
   return -1;
 }
 
+// "Three villages. The first is ..., the second ..., the third ...": one of them; -1: there are not
+// several of anything.
+int ClauseReader::NextPart() {
+  for (int i = d_.size() - 1; i >= 0 && i >= d_.size() - 8; --i) {
+    if (d_.thing(i).dropped || d_.feature(i).pieces < 2 || d_.feature(i).pieces_least < 2) continue;
+    split_ = i;
+    return d_.SplitOff(i);
+  }
+  return -1;
+}
+
 }  // namespace latticeworld

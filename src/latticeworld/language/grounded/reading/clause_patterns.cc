@@ -91,6 +91,10 @@ void ClauseReader::ReadBridge(const Chunk& chunk) {
     const std::vector<Token> word = Tokenize("road");
     NounPhrase phrase;
     phrase.noun = MatchClassWord(word, 0).word;
+    // "two bridges": as many roads
+    if (at_ > 0 && IsKind(at_ - 1, ChunkKind::kQualities)) {
+      phrase.qualities.count = chunks_[at_ - 1].qualities.count;
+    }
     if (phrase.noun != nullptr) road = d_.Create(phrase, chunk.begin, chunk.end);
   }
   if (road < 0) return;

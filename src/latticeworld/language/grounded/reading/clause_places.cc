@@ -373,6 +373,23 @@ void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chu
       d_.Extend(index, chunk.end);
       continue;
     }
+    // "a river down the middle", "a road across the middle"
+    const bool down = zones.size() == 1 && zones.front().name == "middle columns";
+    const bool across = zones.size() == 1 && zones.front().name == "middle rows";
+    if (IsLine(index) && (down || across) && !feature.from.has_value() && !feature.to.has_value() &&
+        feature.pieces <= 1) {
+      Waypoint from;
+      from.zone = RimZoneOf(down ? Heading{0, -1} : Heading{-1, 0});
+      Waypoint via;
+      via.zone = *FindZone("center");
+      Waypoint to;
+      to.zone = RimZoneOf(down ? Heading{0, 1} : Heading{1, 0});
+      feature.from = from;
+      feature.via = {via};
+      feature.to = to;
+      d_.Extend(index, chunk.end);
+      continue;
+    }
     const bool line_with_course =
         IsLine(index) && (feature.from.has_value() || feature.to.has_value());
     if (IsLine(index) && TurnsAt(zones, &feature)) {

@@ -12,6 +12,8 @@ void ClauseReader::ReadQualities(const Chunk& chunk) {
                             (IsKind(at_ + 1, ChunkKind::kComma) || EndsAt(at_ + 1));
   if (numbers_line) return;
   // "two lakes: one big, one small"
+  // "two bridges"
+  if (said.count.has_value() && IsSense(at_ + 1, Sense::kBridge)) return;
   const int several = subjects_.empty() ? d_.LastMentioned() : subjects_.back();
   const bool one_of_them = said.count.has_value() && said.count->least == 1 &&
                            said.count->most == 1 && several >= 0 &&

@@ -217,6 +217,7 @@ void ClauseReader::ReadAnd(bool is_or) {
   if (ordering_) return;
   if (comparing_) return;
   if (FrameLacksObject()) CloseFrame();
+  if (then_after_ >= 0 && ReadNextRing()) return;
   // "bordered by forest on the north and by fields on the south"
   const bool by_more =
       IsThing(next) && frame_.has_value() && !frame_->objects.empty() && !frame_->fronted &&

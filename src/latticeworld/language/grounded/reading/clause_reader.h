@@ -98,6 +98,7 @@ class ClauseReader {
   bool ReadSideWithout(const Chunk& chunk);
   void ReadToThere();
   void StepOnto();
+  bool ReadNextRing();
   void ResolveBehind(Frame* frame) const;
   void ReadAllButOne();
   void FrontRing();
@@ -165,6 +166,7 @@ class ClauseReader {
   bool OneAgain() const;
   int NthOfThese(std::size_t n) const;
   std::vector<int> Likes(int index, const std::vector<int>& about) const;
+  int NextPart();
   std::vector<int> Arm(const Chunk& chunk);
   std::vector<int> OneLine(const Chunk& chunk);
   void BranchOff(int arm, int river);

@@ -18,6 +18,15 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
       case Head::kIt: {
         if (const int same = SameObject(); same >= 0) return {same};
         const std::vector<int> found = d_.Antecedent(about, /*many=*/false);
+        // "a bridge crosses it": a line.
+        if (frame_.has_value() && frame_->sense == Sense::kCrosses && LineOf(about) >= 0 &&
+            LineOf(found) < 0) {
+          for (int i = d_.size() - 1; i >= 0; --i) {
+            const bool other = IsLine(i) && !d_.thing(i).dropped &&
+                               d_.feature(i).letter != d_.feature(LineOf(about)).letter;
+            if (other) return {i};
+          }
+        }
         return frame_.has_value() ? InContrast(*frame_, found) : found;
       }
       case Head::kThey: {
@@ -44,11 +53,13 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
         return {phrase.head == Head::kFormer ? two[0] : two[1]};
       }
       case Head::kFirst: {
+        if (const int part = NextPart(); part >= 0) return {part};
         if (const int nth = NthOfThese(0); nth >= 0) return {nth};
         const std::vector<int> two = d_.LastTwo({});
         return two.empty() ? two : std::vector<int>{two[0]};
       }
       case Head::kThird: {
+        if (split_ >= 0) return {std::exchange(split_, -1)};
         const int nth = NthOfThese(2);
         return nth < 0 ? std::vector<int>() : std::vector<int>{nth};
       }
@@ -57,6 +68,9 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
       case Head::kOne:
       case Head::kOther: {
         const std::string words = ToLowerAscii(d_.Words(chunk.begin, chunk.end));
+        if (EndsWithWord(words, "second") && split_ >= 0 && d_.feature(split_).pieces > 1) {
+          return {d_.SplitOff(split_)};
+        }
         if (EndsWithWord(words, "second")) {
           if (const int nth = NthOfThese(1); nth >= 0) return {nth};
         }
@@ -65,6 +79,8 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
             (phrase.qualities.axis.has_value() || IsKind(at_ + 1, ChunkKind::kAxis))) {
           if (const std::vector<int> line = OneLine(chunk); !line.empty()) return line;
         }
+        // "a copse in the west and a bigger one in the east"
+        if (phrase.head == Head::kOne && phrase.indefinite) return OneMore(chunk);
         const int model = OneOfSeveral();
         if (!phrase.places.empty() && model >= 0) {
           // "the northern lake and the southern one"

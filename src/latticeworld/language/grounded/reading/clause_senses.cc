@@ -388,6 +388,15 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     case Sense::kHalfEach: {
       // The things that follow, or were named, share it evenly.
       const std::size_t count = std::max<std::size_t>(ListLength(at_ + 1), 2);
+      // "the rest is split evenly between fields and woods": how much that is nobody says.
+      bool of_rest = false;
+      for (std::size_t i = sentence_start_; i < at_; ++i) {
+        of_rest = of_rest || (IsPhrase(i) && chunks_[i].phrase.head == Head::kRest);
+      }
+      const bool shared =
+          std::any_of(d_.plan().features.begin(), d_.plan().features.end(),
+                      [](const PlannedFeature& feature) { return feature.share.has_value(); });
+      if (of_rest && !shared) break;
       if (subjects_.size() >= 2) {
         for (const int index : subjects_) {
           const double share = 1.0 / static_cast<double>(subjects_.size());

@@ -69,6 +69,7 @@ bool MayLackObject(Sense sense) {
     case Sense::kBothSides:
     case Sense::kNear:
     case Sense::kNextTo:
+    case Sense::kAway:
     case Sense::kSurrounds:
     case Sense::kBetween:
     case Sense::kBehind:
