@@ -369,5 +369,26 @@ INSTANTIATE_TEST_SUITE_P(
          "1 robotic dog patrolling center; 2 goblin pursuing center; "},
     }));
 
+INSTANTIATE_TEST_SUITE_P(
+    OfWhomAndWhose, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"Six eagles above the lake, of which two are perched.",
+         "4 eagle flying upper left; 2 eagle idle upper left; "},
+        {"Horses run free in the fields. I counted nine.", "9 horse patrolling upper right; "},
+        {"Both rovers are parked: one in the village, the other by the lake.",
+         "1 wheeled robot idle upper left; 1 wheeled robot idle center; "},
+        {"The village is guarded by four knights.", "4 ancient warrior patrolling center; "},
+        {"In the fields: camels, at least ten, resting. In the village: nobody.",
+         "10 horse idle upper right; "},
+        {"Two horses stand in the village, nobody moves.", "2 horse idle center; "},
+        {"robots: none | animals: 5 sheep, fields | people: 1 shepherd, patrolling",
+         "5 sheep grazing upper right; 1 humanoid robot patrolling anywhere; "},
+        {"I'd rather have goats than sheep: eighteen, in the south.", "18 sheep grazing lower; "},
+        {"10 goblins, west. Also 10 warriors, east. They fight each other.",
+         "10 goblin attacking middle left; 10 ancient warrior attacking middle right; "},
+        {"The farmers (five) are in the fields, the sheep (twenty) too.",
+         "5 humanoid robot idle upper right; 20 sheep grazing upper right; "},
+    }));
+
 }  // namespace
 }  // namespace latticeworld

@@ -135,6 +135,22 @@ std::size_t AgentReader::ReadCountsOfSides() {
 std::size_t AgentReader::ReadLikewise() {
   const std::vector<std::size_t>& told = subject_.empty() ? previous_ : subject_;
   if (told.empty()) return 0;
+  // "the farmers are in the fields, the sheep, too"
+  const std::size_t too = noted_.IsWord(at_, "too") ? 1 : 0;
+  const std::size_t well = noted_.IsWord(at_, "as") && noted_.IsWord(at_ + 1, "well") ? 2 : 0;
+  if (too + well > 0 && noted_.IsPause(at_ + too + well) && !subject_.empty()) {
+    std::size_t model = subject_.front();
+    while (model > 0 && (model == subject_.front() || groups_[model].removed)) --model;
+    for (const std::size_t index : subject_) {
+      if (model >= index || groups_[index].wish.IsPlaced()) continue;
+      if (!groups_[index].wish.state.has_value()) {
+        groups_[index].wish.state = groups_[model].wish.state;
+      }
+      if (groups_[index].with == kNone) groups_[index].with = model;
+    }
+    Known(too + well);
+    return too + well;
+  }
   std::size_t next = at_;
   if (noted_.IsAnyWord(at_, {"so", "as"}) &&
       noted_.IsAnyWord(at_ + 1, {"do", "does", "are", "is"})) {

@@ -114,12 +114,14 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
   const bool told = whole.wish.IsPlaced();
   // "Ten sheep graze in the north. Four are asleep." Four in the south would be others.
   const bool elsewhere = whole.sentence == sentence_ || count.value >= left || IsPlaceAhead(next);
+  // "six eagles, of which two are asleep"
+  const bool out_of = at_ > 1 && count.value < left && RoleAt(Role::kOfThem, at_ - 2) == 2;
   const bool goes_on = part_ != kNone && rest_ == last_ && more == 0 && count.value <= left;
   // "Four rovers are in the village, but one has driven off."
   const bool contrasts = more == 0 && count.value < left && whole.wish.counted &&
                          (noted_.IsWord(at_, "but") ||
                           (at_ > 0 && noted_.IsAnyWord(at_ - 1, {"but", "although", "though"})));
-  const bool splits = of_them > 0 || goes_on || contrasts ||
+  const bool splits = of_them > 0 || out_of || goes_on || contrasts ||
                       ((!told || !elsewhere) && more == 0 && count.value <= left &&
                        (left > 1 || part_ != kNone) && (whole.wish.counted || part_ != kNone));
   if (splits) {
@@ -145,9 +147,11 @@ bool AgentReader::IsAnnounced(const Group& group, bool bare) const {
   const AgentWish& wish = group.wish;
   if (wish.least != kSomeSeen.least && wish.quantity < 2) return false;
   std::size_t first = at_;
-  while (first > 0 && noted_.IsAnyWord(first - 1, {"say", "and", "there", "are", "maybe", "so",
-                                                   "about", "let", "have", "now", "only", "just",
-                                                   "today", "remain", "please", "i", "want"})) {
+  while (first > 0 && noted_.IsAnyWord(first - 1, {"say",  "and",   "there",   "are",    "maybe",
+                                                   "so",   "about", "let",     "have",   "now",
+                                                   "only", "just",  "today",   "remain", "please",
+                                                   "i",    "want",  "counted", "count",  "see",
+                                                   "saw",  "need",  "we",      "take",   "were"})) {
     --first;
   }
   // "I want ponies. At least twenty, please."

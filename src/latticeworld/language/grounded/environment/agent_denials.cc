@@ -14,6 +14,14 @@ constexpr std::size_t kSubstituteTokens = 10;  // from who is lacking to who tak
 }  // namespace
 
 std::size_t AgentReader::ReadNobody(std::size_t tokens) {
+  const std::size_t verb = at_ + tokens < tokens_.size() && tokens == 1 && !groups_.empty()
+                               ? words_.states.LengthAt(tokens_, at_ + tokens)
+                               : 0;
+  if (verb > 0) {
+    // "two horses stand in the village, nobody moves"
+    noted_.Mark(at_, at_ + tokens + verb, &TokenNote::agent);
+    return tokens + verb;
+  }
   // "no life" denies all; "no one but a shepherd" is denied by the shepherd later on.
   EnvironmentClaim claim;
   claim.kind = EnvironmentClaimKind::kNoAgents;
@@ -59,7 +67,10 @@ void AgentReader::ReadAbsence(const SpeciesWord& word, std::size_t end) {
     for (Group& group : groups_) {
       // Of "ten robots, but no drones" the robots remain.
       const bool same = Contains(claim.categories, group.wish.categories);
-      if (same && (word.exact || group.wish.name == NameHere(end))) group.removed = true;
+      // "goats rather than sheep": the goats stay, although sheep stand for them.
+      const bool meant = group.wish.name == NameHere(end) ||
+                         (word.exact && (group.wish.exact || claim.categories.size() > 1));
+      if (same && meant) group.removed = true;
     }
     if (word.exact || claim.categories.size() > 1) heard_.absences.push_back(std::move(claim));
   }

@@ -140,6 +140,11 @@ class AgentReader {
   // "a second band" of whoever was named last.
   std::size_t ReadAnotherGroup();
 
+  // Whether the clause goes on to "each other".
+  bool IsMutual() const;
+
+  void AddOtherSide();
+
   // "all of them are asleep", "everybody waits": all whose state was not told, at least those who
   // were named last.
   std::size_t ReadEverybody();

@@ -208,7 +208,11 @@ bool AgentReader::IsFilled(std::size_t at) const {
                                  "completely", "totally", "just", "now", "shall"})) {
     ++next;
   }
+  const bool given =
+      (noted_.IsAnyWord(next, {"belongs", "belong"}) && noted_.IsWord(next + 1, "to")) ||
+      (lead_.set && next == at + feature && noted_.IsWord(next, "to"));
   const bool holds =
+      given ||
       noted_.IsAnyWord(next, {"has", "have", "contains", "contain", "hosts", "houses", "gets"}) ||
       (noted_.IsAnyWord(next, {"full", "filled", "teeming", "crawling", "swarming", "packed",
                                "crowded", "home", "populated", "inhabited", "occupied", "bustling",

@@ -20,6 +20,7 @@ std::size_t AgentReader::ReadNounPhrase() {
     count = ReadComparedCount();
     if (count.tokens == 0) count = ReadCount(noted_, words_, at_);
   }
+  if (noted_.IsWord(at_, "both") && !NounAhead(at_ + count.tokens)) count = {};
   const bool species_here =
       words_.species.LengthAt(tokens_, at_) >= std::max<std::size_t>(1, count.tokens);
   if (count.tokens > 0 && !species_here) {
@@ -133,7 +134,11 @@ std::size_t AgentReader::ReadSpecies() {
   }
   // "Agents: ..." is a heading.
   const bool heads = end < tokens_.size() && tokens_[end].text == ":" && pending_.tokens == 0;
-  if (heads && match.rows.front()->categories.size() > 1) {
+  // "People: 1 shepherd" names those who are meant.
+  const Count labelled = heads ? ReadCount(noted_, words_, end + 1) : Count{};
+  const bool named =
+      labelled.tokens > 0 && words_.species.LengthAt(tokens_, end + 1 + labelled.tokens) > 0;
+  if (heads && (match.rows.front()->categories.size() > 1 || named)) {
     noted_.Mark(at_, end, &TokenNote::agent);
     return match.tokens;
   }

@@ -58,7 +58,7 @@ std::size_t AgentReader::ReadPlace() {
   const bool heading = preposition == 0 && clause_open_ && (IsHeading(next) || IsFilled(next));
   // "4 rovers, road, parked", "Location: forest."
   const std::size_t land = words_.features.LengthAt(tokens_, next);
-  const bool listed = preposition == 0 && land > 0 && at_ > 0 && next == at_ &&
+  const bool listed = preposition == 0 && land > 0 && at_ > 0 && next <= at_ + 1 &&
                       noted_.IsPause(at_ - 1) && noted_.IsPause(next + land) &&
                       IsBareLand(next + land);
   if (preposition == 0 && !object && !heading && !listed && !IsBarePlace(place, next)) place = {};
@@ -78,6 +78,16 @@ std::size_t AgentReader::ReadPlace() {
       noted_.IsWord(at_, "at") && feature->name != "water" && end == next + land) {
     feature->near = false;
   }
+  const std::size_t colon =
+      end < tokens_.size() && tokens_[end].kind == TokenKind::kComma && tokens_[end].text != ","
+          ? end + 1
+          : end;
+  // "in the settlement: nobody"
+  if (colon > end && colon < tokens_.size() &&
+      (RoleAt(Role::kNobody, colon) > 0 || noted_.IsAnyWord(colon, {"none", "nothing"}))) {
+    Known(end - at_);
+    return end - at_;
+  }
   const bool negated = noted_.notes[next].negated;
   std::vector<std::size_t> owners = Owners();
   if (listed && owners.empty() && IsLabel(at_)) owners = previous_;
@@ -86,8 +96,14 @@ std::size_t AgentReader::ReadPlace() {
     feature->near = true;
   }
   // "a robot (on patrol) in the village, ..." is said of the robot.
-  const bool after_aside = at_ > 0 && tokens_[at_ - 1].text == ")" && !subject_.empty();
-  const bool fronted = !after_aside && IsFronted(end);
+  std::size_t aside = at_;
+  while (aside > 0 &&
+         (noted_.IsAnyWord(aside - 1, {"are", "is", "were", "was"}) ||
+          (noted_.notes[aside - 1].agent && words_.states.LengthAt(tokens_, aside - 1) == 1))) {
+    --aside;
+  }
+  const bool after_aside = aside > 0 && tokens_[aside - 1].text == ")" && !subject_.empty();
+  const bool fronted = !after_aside && !listed && IsFronted(end);
   if (owners.empty() && !fronted && !AgentsAhead(end) && !absent_here_ && IsFragment())
     owners = previous_;
   there_ = place.places;

@@ -30,8 +30,8 @@ std::size_t AgentReader::ReadReference() {
   if (const std::size_t ordinal = ReadOrdinal(); ordinal > 0) return ordinal;
   if (const std::size_t again = ReadAnotherGroup(); again > 0) return again;
   // "Goblins? None, please."
-  if (noted_.IsWord(at_, "none") && noted_.IsPause(at_ + 1) && last_ != kNone &&
-      words_.assets.LengthAt(tokens_, at_ > 0 ? at_ - 1 : at_) == 0) {
+  if (noted_.IsWord(at_, "none") && noted_.IsPause(at_ + 1) && last_ != kNone && at_ > 0 &&
+      noted_.IsPause(at_ - 1) && words_.assets.LengthAt(tokens_, at_ > 0 ? at_ - 1 : at_) == 0) {
     groups_[last_].removed = true;
     Known(1);
     return 1;
@@ -76,9 +76,31 @@ std::size_t AgentReader::ReadReference() {
       }
     }
     if (subject_.empty()) subject_ = previous_;
+    if (subject_.size() == 1 && IsMutual()) AddOtherSide();
     return tokens;
   }
   return 0;
+}
+
+bool AgentReader::IsMutual() const {
+  for (std::size_t i = at_; !noted_.IsEnd(i); ++i) {
+    if (noted_.IsAnyWord(i, {"each", "one"}) && noted_.IsAnyWord(i + 1, {"other", "another"})) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void AgentReader::AddOtherSide() {
+  // "Ten goblins. Ten knights. They fight each other."
+  const std::size_t one = subject_.front();
+  for (std::size_t i = one; i > 0; --i) {
+    if (groups_[i - 1].removed) continue;
+    if (groups_[one].wish.quantity < 2 || groups_[i - 1].sentence + 1 == groups_[one].sentence) {
+      subject_.insert(subject_.begin(), i - 1);
+    }
+    return;
+  }
 }
 
 std::size_t AgentReader::ReadEverybody() {

@@ -79,6 +79,12 @@ std::size_t AgentReader::ReadState() {
     state_at_ = at_;
     phrase_begin_ = std::min(phrase_begin_, tokens_[at_].begin);
     noted_.Mark(at_, end, &TokenNote::agent);
+    // "the village is guarded by four knights"
+    if (by && subject_.empty() && !lead_.set) {
+      if (const auto land = LandBefore(false, true); land.has_value()) {
+        lead_ = {true, {}, land, false, kNone, end};
+      }
+    }
     if (by && !subject_.empty()) by_subject_ = subject_.front();
     if (by) subject_.clear();
     return match.tokens;

@@ -109,7 +109,7 @@ class FineReader {
     const bool more =
         noted_.IsWord(at, "more") && ((at > 0 && noted_.IsAnyWord(at - 1, {"any", "no", "not"})) ||
                                       noted_.IsAnyWord(at + 1, {"than", "or"}));
-    if (density.tokens == longest && !noted_.notes[at].agent && !more) {
+    if (density.tokens == longest && !noted_.notes[at].agent && !noted_.notes[at].place && !more) {
       quality.densities = density.rows;
     }
     if (!quality.negated) WishInner(at, end);

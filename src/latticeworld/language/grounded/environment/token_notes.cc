@@ -39,6 +39,7 @@ class ScopeMarker {
     const std::size_t ignored = Role(Role::kIgnored, at);
     const std::size_t negator = Role(Role::kNot, at);
     if (noted_->IsAnyWord(at, {"prefer", "preferred"})) MarkDispreferred(at);
+    if (noted_->IsWord(at, "rather") && !noted_->IsWord(at + 1, "than")) MarkRatherThan(at);
     if (noted_->IsAnyWord(at, {"leave", "keep", "take"})) MarkLeftOut(at);
     // "no more than", "no wait" and "nobody" are no negations of what follows.
     const std::size_t other =
@@ -72,6 +73,18 @@ class ScopeMarker {
       for (++at; !noted_->IsPause(at) && !noted_->IsWord(at, "and"); ++at) {
         noted_->notes[at].negated = true;
       }
+    }
+  }
+
+  // "I would rather have goats than sheep"
+  void MarkRatherThan(std::size_t rather) {
+    constexpr std::size_t kReach = 8;
+    for (std::size_t at = rather + 2; !noted_->IsPause(at) && at < rather + kReach; ++at) {
+      if (!noted_->IsWord(at, "than")) continue;
+      for (++at; !noted_->IsPause(at) && !noted_->IsWord(at, "and") && !IsPreposition(at); ++at) {
+        noted_->notes[at].negated = true;
+      }
+      return;
     }
   }
 
