@@ -81,6 +81,15 @@ std::vector<Sample> Sides() {
       {"Between the southern edge and the farmhouse in the centre there are fields.",
        kSuburb,
        {"direction A B S"}},
+      {"Line the northern edge with trees and put a pond in the middle.",
+       kSuburb,
+       {"present F@northern edge", "present W@center"},
+       {"present F@center"}},
+      {"An inlet cuts in from the west and ends in the middle. A port lies at the head of the "
+       "inlet.",
+       kSuburb,
+       {"course W western edge>center", "direction B W E"}},
+      {"A brook. Both banks: heath.", kWild, {"both_sides B W"}},
       {"South and west of the pond there is heath.", kSuburb, {"direction G W SW"}},
   };
 }

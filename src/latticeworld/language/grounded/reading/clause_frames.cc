@@ -3,6 +3,7 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/reading/clause_reader.h"
+#include "latticeworld/language/grounded/reading/place_phrases.h"
 
 namespace latticeworld {
 namespace {
@@ -11,8 +12,9 @@ constexpr double kFarSteps = 6.0;
 
 // "Surround the city with a ring road."
 bool IsBareVerb(const std::string& words) {
-  for (const std::string_view verb : {"separate", "divide", "part", "surround", "encircle", "ring",
-                                      "enclose", "frame", "line", "border", "flank", "fringe"}) {
+  for (const std::string_view verb :
+       {"separate", "divide", "part", "surround", "encircle", "ring", "enclose", "frame", "line",
+        "border", "flank", "fringe", "buffer", "screen", "plant", "edge"}) {
     if (words == verb) return true;
   }
   return false;
@@ -90,6 +92,10 @@ void ClauseReader::OpenSense(Sense sense, bool of_it) {
   frame.sense = sense;
   frame.of_it = of_it || sense == Sense::kWithinIt;
   if (sense == Sense::kBothSides) frame.heading = chunks_[at_].lexeme.heading;
+  const std::string said = ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[at_].end));
+  frame.at_end =
+      sense == Sense::kNextTo && (EndsWithWord(said, "end of") || EndsWithWord(said, "head of") ||
+                                  EndsWithWord(said, "tip of"));
   frame.inside =
       sense == Sense::kIn && ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[at_].end)) == "in";
   Open(std::move(frame));
@@ -221,6 +227,14 @@ void ClauseReader::Open(Frame frame) {
     absences_.clear();
     return;  // "the player starts in a field": the field is what is spoken of
   }
+  // "Line the southern edge with trees."
+  if (after_break && IsKind(at_ + 1, ChunkKind::kPlace) && IsSense(at_ + 2, Sense::kWith) &&
+      IsThing(at_ + 3) && IsBareVerb(words)) {
+    BeginClause();
+    Lead_(ZonesOf(chunks_[at_ + 1].lexeme.places), chunks_[at_ + 1]);
+    at_ += 2;
+    return;
+  }
   const bool fronted = subjects_.empty() || (after_break && leads) || imperative;
   if (fronted) {
     if (!subjects_.empty()) BeginClause();
@@ -230,6 +244,12 @@ void ClauseReader::Open(Frame frame) {
       frame.objects = d_.LastTwo({});
       frame.expecting = false;
       if (frame.objects.size() < 2) return;
+    }
+    // "A glacier. Both flanks: rock."
+    if (sense == Sense::kBothSides && !IsPhrase(at_ + 1) && !IsKind(at_ + 1, ChunkKind::kPlace)) {
+      frame.objects = d_.Antecedent({}, /*many=*/false);
+      frame.expecting = false;
+      if (frame.objects.empty()) return;
     }
     if (frame.of_it) {
       frame.objects = Own(frame, {});

@@ -22,6 +22,28 @@ bool ClauseReader::ReadWhere() {
     if (IsPhrase(verb)) phrases.push_back(verb);
     crosses = crosses || IsSense(verb, Sense::kCrosses);
   }
+  // "Where the tongue ends, there is a lake."
+  const std::string said = ToLowerAscii(d_.Words(
+      chunks_[at_].begin, chunks_[verb < chunks_.size() ? verb : chunks_.size() - 1].begin));
+  if (phrases.size() <= 1 &&
+      (said.find(" ends") != std::string::npos || said.find(" stops") != std::string::npos) &&
+      ThingFollows(verb, true)) {
+    for (int i = d_.size() - 1; i >= 0; --i) {
+      const Heading way = d_.thing(i).dropped ? Heading{0, 0} : WayOf(i);
+      if ((way.east != 0) == (way.south != 0)) continue;
+      BeginClause();
+      Frame end;
+      end.is_direction = true;
+      end.heading = way;
+      end.touching = true;
+      end.objects = {i};
+      end.fronted = true;
+      end.expecting = false;
+      frame_ = std::move(end);
+      at_ = verb - 1;
+      return true;
+    }
+  }
   const bool told = !phrases.empty() && phrases.size() <= 2 && phrases.front() == at_ + 1 &&
                     !EndsAt(verb) && ThingFollows(verb, true);
   if (!told) return false;

@@ -161,7 +161,8 @@ void ClauseReader::ReadComma() {
       frame_->expecting = false;
       return;
     }
-    if (open_list_ && !verb_said_ && !frame_.has_value() && IsThing(at_ + 1)) {
+    if (open_list_ && !verb_said_ && !frame_.has_value() && IsThing(at_ + 1) &&
+        !BeginsImperative(at_ + 1)) {
       joining_ = true;
       return;
     }
@@ -218,6 +219,11 @@ void ClauseReader::ReadAnd(bool is_or) {
   if (comparing_) return;
   if (FrameLacksObject()) CloseFrame();
   if (then_after_ >= 0 && ReadNextRing()) return;
+  if (IsThing(next) && BeginsImperative(next) && !subjects_.empty()) {
+    BeginClause();
+    lead_ = Lead();
+    return;
+  }
   // "bordered by forest on the north and by fields on the south"
   const bool by_more =
       IsThing(next) && frame_.has_value() && !frame_->objects.empty() && !frame_->fronted &&
@@ -284,6 +290,17 @@ bool ClauseReader::InBrackets() {
   }
   at_ += 2;
   return true;
+}
+
+// "..., and put a pond in the middle": a wish of its own.
+bool ClauseReader::BeginsImperative(std::size_t next) const {
+  const std::string words =
+      ToLowerAscii(d_.Words(chunks_[next].begin, chunks_[next].end)).substr(0, 8);
+  for (const std::string_view verb :
+       {"put ", "place ", "add ", "draw ", "build ", "set ", "let "}) {
+    if (words.substr(0, verb.size()) == verb) return true;
+  }
+  return false;
 }
 
 }  // namespace latticeworld

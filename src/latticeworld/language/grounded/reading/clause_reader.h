@@ -108,6 +108,7 @@ class ClauseReader {
   bool ReadFartherSides();
   bool ReadInBetween();
   bool InBrackets();
+  bool BeginsImperative(std::size_t next) const;
   bool ClotheIsland(int host);
   bool OppositePlace(const std::string& words, std::vector<Zone>* zones) const;
   void ReadMeeting();

@@ -50,6 +50,15 @@ void ClauseReader::TakeObjects(const std::vector<int>& found) {
     if (WantsTwo(frame.sense) && index != found.back()) continue;
     for (const int subject : frame.subjects) Assert(frame, subject, &d_);
   }
+  // "the town lies at the inner end of the fjord": on from there.
+  const Heading way = frame.at_end && found.size() == 1 ? WayOf(found[0]) : Heading{0, 0};
+  if ((way.east != 0) != (way.south != 0) && !frame.fronted) {
+    Frame end;
+    end.is_direction = true;
+    end.heading = way;
+    end.objects = found;
+    for (const int subject : frame.subjects) Assert(end, subject, &d_);
+  }
   if (!frame.fronted && !frame.subjects.empty()) NoteAxis(frame, frame.subjects.back());
   if (frame.sense == Sense::kOutside) {
     for (const int subject : frame.subjects) d_.AddZones(subject, {*FindZone("edges")});

@@ -22,6 +22,7 @@ struct Frame {
   bool expecting = true;  // an object is to come
   bool of_it = false;     // the words name their object themselves: "on its shore"
   bool negated = false;   // "not next to"
+  bool at_end = false;    // "at the head of the fjord": where it runs to
   bool both = false;      // in the heading and against it: "at both ends"
   bool touching = false;  // "on the western bank", "just south of": there and close by
   bool inside = false;    // "in the lake", not "on the lake"
