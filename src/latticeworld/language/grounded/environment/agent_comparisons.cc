@@ -59,7 +59,8 @@ Count AgentReader::ReadComparedCount() {
   }
   if (measure == kNone) return {};
   const int whole = groups_[measure].wish.quantity;
-  return Exactly(std::max(1, half ? whole / 2 : std::min(kMaxAgents, whole * times)), next - at_);
+  return Exactly(std::max(1, half ? whole / 2 : std::min(kMaxAgents, CappedProduct(whole, times))),
+                 next - at_);
 }
 
 std::size_t AgentReader::MeasureAhead(std::size_t at) {

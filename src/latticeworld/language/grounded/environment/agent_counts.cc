@@ -29,7 +29,8 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
     ++next;
   }
   if (unit_ > 1 && of_them == 0 && more == 0 && ReadCollective(noted_, words_, at_).tokens == 0) {
-    count = {count.least * unit_, count.value * unit_, count.most * unit_, count.tokens};
+    count = {CappedProduct(count.least, unit_), CappedProduct(count.value, unit_),
+             CappedProduct(count.most, unit_), count.tokens};
   }
   const bool each =
       noted_.IsAnyWord(next, {"each", "apiece"}) ||
@@ -45,7 +46,9 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
         noted_.IsAnyWord(next + 1, {"each", "a", "every"})))) {
     std::size_t end = next;
     while (!noted_.IsPause(end) && end < next + 3) ++end;
-    SetCount({count.least * packs_, count.value * packs_, count.most * packs_, 1}, &whole);
+    SetCount({CappedProduct(count.least, packs_), CappedProduct(count.value, packs_),
+              CappedProduct(count.most, packs_), 1},
+             &whole);
     unit_ = count.value;
     noted_.Mark(at_, end, &TokenNote::agent);
     return end - at_;

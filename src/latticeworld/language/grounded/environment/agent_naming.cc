@@ -15,8 +15,9 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   if (collective.tokens > 0) count = collective;
   // "three wolf packs"
   if (collective.tokens == 1 && pending_.tokens > 0 && pending_.value <= 12) {
-    count = {collective.least * pending_.value, collective.value * pending_.value,
-             collective.most * pending_.value, 1};
+    count = {CappedProduct(collective.least, pending_.value),
+             CappedProduct(collective.value, pending_.value),
+             CappedProduct(collective.most, pending_.value), 1};
   }
   if (substituted_ != kNone) {
     last_ = substituted_;
@@ -72,9 +73,9 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
     if (group.with == kNone) group.with = subject_.front();
   }
   if (times_ > 1) {
-    group.wish.least *= times_;
-    group.wish.quantity *= times_;
-    group.wish.most *= times_;
+    group.wish.least = CappedProduct(group.wish.least, times_);
+    group.wish.quantity = CappedProduct(group.wish.quantity, times_);
+    group.wish.most = CappedProduct(group.wish.most, times_);
     group.wish.counted = group.wish.least == group.wish.most;
     if (group.with == kNone && !subject_.empty()) group.with = subject_.front();
   }
@@ -195,7 +196,9 @@ bool AgentReader::IsHad() const {
 
 int AgentReader::TotalOf(const std::vector<std::size_t>& groups) const {
   int total = 0;
-  for (const std::size_t index : groups) total += groups_[index].wish.quantity;
+  for (const std::size_t index : groups) {
+    total += std::min(groups_[index].wish.quantity, kMaxAgents);
+  }
   return std::clamp(total, 1, kMaxAgents);
 }
 

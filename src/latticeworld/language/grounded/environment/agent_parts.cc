@@ -148,7 +148,7 @@ std::size_t AgentReader::ReadFraction() {
   noted_.Mark(at_, next, &TokenNote::agent);
   // The second half, or the third third, is what the others left.
   const int left = groups_[last_].wish.quantity;
-  int quantity = (whole_quantity_ * parts + of / 2) / of;
+  int quantity = (CappedProduct(whole_quantity_, parts) + of / 2) / of;
   if (of == 2) quantity = is_rest ? left : (whole_quantity_ + 1) / 2;
   quantity = std::clamp(quantity, 1, std::max(1, left));
   if (is_rest && left - quantity == 1 && of == 3) quantity = left;

@@ -11,13 +11,9 @@ constexpr int kMany = 1000000;  // no bound
 
 Count Exactly(int value, std::size_t tokens) { return {value, value, value, tokens}; }
 
-int Times(int a, int b) {
-  return static_cast<int>(std::min<long long>(kMany, static_cast<long long>(a) * b));
-}
-
 Count Product(const Count& outer, const Count& inner) {
-  return {Times(outer.least, inner.least), Times(outer.value, inner.value),
-          Times(outer.most, inner.most), outer.tokens + inner.tokens};
+  return {CappedProduct(outer.least, inner.least), CappedProduct(outer.value, inner.value),
+          CappedProduct(outer.most, inner.most), outer.tokens + inner.tokens};
 }
 
 class CountReader {
@@ -190,6 +186,10 @@ class CountReader {
 };
 
 }  // namespace
+
+int CappedProduct(int a, int b) {
+  return static_cast<int>(std::min<long long>(kMany, static_cast<long long>(a) * b));
+}
 
 Count ReadCount(const NotedTokens& noted, const EnvironmentWords& words, std::size_t at) {
   return CountReader(noted, words).Read(at);

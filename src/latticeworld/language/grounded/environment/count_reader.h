@@ -15,6 +15,9 @@ struct Count {
   std::size_t tokens = 0;  // 0: no count starts here
 };
 
+// The product, or a million where it is more: enough to say "no bound".
+int CappedProduct(int a, int b);
+
 // The count that starts at tokens[at]: "nine", "about thirty", "at least four", "between five and
 // ten", "3-5", "several", "two flocks of", "a herd of a dozen". A bare article is none, nor is a
 // number that is measured in something.
