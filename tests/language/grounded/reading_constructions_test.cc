@@ -171,6 +171,8 @@ std::vector<Sample> Denials() {
       {"A river that stops short of the southern edge.", kWild, {"absent W@southern edge"}},
       {"Fields and meadows, woodland excluded.", kSuburb, {"absent F"}},
       {"Fields; a pond is optional.", kSuburb, {}, {"present W"}},
+      // A text that breaks off.
+      {"A pond in the north and everything", kSuburb, {"present W@northern third"}},
       {"A church, no, forget the church. A mill in the north.",
        kSuburb,
        {"present B@northern third"}},

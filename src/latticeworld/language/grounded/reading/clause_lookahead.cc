@@ -63,6 +63,7 @@ bool ClauseReader::ThingFollows(std::size_t at, bool over_comma) const {
 
 // Whether the relation at `at` comes before its subject: "next to the lake lies a village".
 bool ClauseReader::Fronts(std::size_t at) const {
+  if (at >= chunks_.size()) return false;
   const Chunk& relation = chunks_[at];
   std::size_t next = at + 1;
   // "Where they meet, rocks."
