@@ -9,9 +9,9 @@ packages=(
   ca-certificates ccache clang-format cmake g++ ninja-build pkg-config
   # the core
   libbenchmark-dev libeigen3-dev libgtest-dev libode-dev liboctomap-dev libopencv-dev libssl-dev
-  libcli11-dev libcurl4-openssl-dev nlohmann-json3-dev zlib1g-dev
-  # testing the language back ends against real peers
-  openssl python3-numpy
+  libcli11-dev libcurl4-openssl-dev libembree-dev libgdal-dev nlohmann-json3-dev zlib1g-dev
+  # testing against real peers
+  octomap-tools openssl python3-numpy python3-onnx python3-yaml
   # ROS: building
   catkin ros-message-generation ros-message-runtime
   libactionlib-dev libactionlib-msgs-dev libdiagnostic-msgs-dev libgeometry-msgs-dev
@@ -25,7 +25,7 @@ packages=(
   python3-rosparam python3-rospy python3-rosservice python3-rostest python3-rostopic
   python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-sensor-msgs
   python3-std-msgs python3-std-srvs python3-tf2-msgs python3-tf2-ros python3-visualization-msgs
-  python3-yaml rosbash
+  rosbash
 )
 
 missing=()

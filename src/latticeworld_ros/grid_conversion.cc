@@ -1,10 +1,11 @@
 #include "latticeworld_ros/grid_conversion.h"
 
-#include <algorithm>
 #include <boost/endian/conversion.hpp>
 #include <cstring>
+#include <iterator>
 
 #include "latticeworld/common/check.h"
+#include "latticeworld/common/parallel.h"
 #include "latticeworld_ros/agent_conversion.h"
 
 namespace latticeworld {
@@ -13,11 +14,11 @@ namespace {
 // out[i * rows + j] with i along -y (our rows) and j along -x (our columns, mirrored): grid_map's
 // first index runs along x and is the fast one of its column-major storage.
 void CopyGridMapLayer(const Grid<float>& values, std::vector<float>* out) {
-  out->resize(values.size());
-  const int rows = values.rows(), cols = values.cols();
-  for (int row = 0; row < rows; ++row) {
+  out->reserve(values.size());
+  for (int row = 0; row < values.rows(); ++row) {
     const float* from = values.row(row);
-    std::reverse_copy(from, from + cols, out->begin() + static_cast<std::ptrdiff_t>(row) * cols);
+    out->insert(out->end(), std::make_reverse_iterator(from + values.cols()),
+                std::make_reverse_iterator(from));
   }
 }
 
@@ -48,13 +49,15 @@ grid_map_msgs::GridMap ToGridMap(const GridGeometry& geometry,
   message.info.length_y = geometry.size_m();
   message.info.pose.orientation.w = 1.0;
   message.layers.reserve(layers.size());
-  message.data.reserve(layers.size());
   for (const GridLayer& layer : layers) {
     LW_CHECK(layer.values->rows() == geometry.rows() && layer.values->cols() == geometry.cols(),
              "layer " + layer.name + " has another shape than the geometry");
     message.layers.push_back(layer.name);
-    message.data.push_back(ToMultiArray(*layer.values));
   }
+  message.data.resize(layers.size());
+  ParallelFor(static_cast<int>(layers.size()), 0, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) message.data[i] = ToMultiArray(*layers[i].values);
+  });
   if (!layers.empty()) message.basic_layers.push_back(layers.front().name);
   return message;
 }

@@ -8,6 +8,15 @@ ros::Publisher Latched(ros::NodeHandle* node, const char* topic) {
   return node->advertise<Message>(topic, 1, /*latch=*/true);
 }
 
+// Messages never change once they are published, so that another one is another object.
+template <typename Message>
+void PublishNew(const ros::Publisher& topic, const boost::shared_ptr<Message>& message,
+                boost::shared_ptr<Message>* published) {
+  if (message == *published) return;
+  topic.publish(message);
+  *published = message;
+}
+
 }  // namespace
 
 MapPublisher::MapPublisher(ros::NodeHandle node)
@@ -22,15 +31,15 @@ MapPublisher::MapPublisher(ros::NodeHandle node)
       map_(Latched<nav_msgs::OccupancyGrid>(&node, "map")) {}
 
 void MapPublisher::Publish(const WorldMessages& messages) {
-  info_.publish(messages.info);
-  layout_.publish(messages.layout);
-  environment_.publish(messages.environment);
-  map_.publish(messages.map);
-  octomap_binary_.publish(messages.octomap_binary);
-  octomap_full_.publish(messages.octomap_full);
-  height_map_.publish(messages.height_map);
-  height_image_.publish(messages.height_image);
-  markers_.publish(messages.markers);
+  PublishNew(info_, messages.info, &published_.info);
+  PublishNew(layout_, messages.layout, &published_.layout);
+  PublishNew(environment_, messages.environment, &published_.environment);
+  PublishNew(map_, messages.map, &published_.map);
+  PublishNew(octomap_binary_, messages.octomap_binary, &published_.octomap_binary);
+  PublishNew(octomap_full_, messages.octomap_full, &published_.octomap_full);
+  PublishNew(height_map_, messages.height_map, &published_.height_map);
+  PublishNew(height_image_, messages.height_image, &published_.height_image);
+  PublishNew(markers_, messages.markers, &published_.markers);
 }
 
 }  // namespace latticeworld

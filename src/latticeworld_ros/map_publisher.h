@@ -13,12 +13,15 @@ class MapPublisher {
  public:
   explicit MapPublisher(ros::NodeHandle node);
 
-  // Takes tens of milliseconds: not for the simulation loop's thread.
+  // Publishes what is another message than the last time: a late subscriber gets the one message of
+  // each topic, and who listens hears of each change once. Takes tens of milliseconds: not for the
+  // simulation loop's thread. From one thread at a time.
   void Publish(const WorldMessages& messages);
 
  private:
   ros::Publisher info_, layout_, environment_, height_map_, height_image_, markers_, octomap_full_,
       octomap_binary_, map_;
+  WorldMessages published_;
 };
 
 }  // namespace latticeworld

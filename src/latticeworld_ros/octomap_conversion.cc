@@ -1,22 +1,18 @@
 #include "latticeworld_ros/octomap_conversion.h"
 
-#include <octomap/OcTree.h>
+#include <utility>
 
-#include <string>
-
-#include "latticeworld/mapping/octree.h"
 #include "latticeworld_ros/agent_conversion.h"
 
 namespace latticeworld {
 
-octomap_msgs::Octomap ToRos(const octomap::OcTree& tree, bool binary) {
+octomap_msgs::Octomap ToRos(OctreeData data, double resolution_m, bool binary) {
   octomap_msgs::Octomap message;
   message.header.frame_id = kMapFrame;
   message.binary = binary;
-  message.id = tree.getTreeType();
-  message.resolution = tree.getResolution();
-  const std::string data = binary ? BinaryData(tree) : FullData(tree);
-  message.data.assign(data.begin(), data.end());
+  message.id = "OcTree";  // octomap::OcTree::getTreeType()
+  message.resolution = resolution_m;
+  message.data = std::move(data.bytes);
   return message;
 }
 

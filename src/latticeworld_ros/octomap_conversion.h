@@ -3,14 +3,13 @@
 
 #include <octomap_msgs/Octomap.h>
 
-namespace octomap {
-class OcTree;
-}
+#include "latticeworld/mapping/octree.h"
 
 namespace latticeworld {
 
-// Frame map, stamp left at zero. binary: occupied or not; else every node's value.
-octomap_msgs::Octomap ToRos(const octomap::OcTree& tree, bool binary);
+// Frame map, stamp left at zero. binary: data is octomap's binary stream, which knows occupied or
+// not; else the full one, with every node's value.
+octomap_msgs::Octomap ToRos(OctreeData data, double resolution_m, bool binary);
 
 }  // namespace latticeworld
 

@@ -106,12 +106,14 @@ std::map<std::string, Parameter> BindAll(WorldServerOptions* options) {
       {"remote_fallback", Bind(&options->remote.fallback)},
       {"worlds_directory", Bind(&options->worlds_directory)},
       {"visual_directories", Bind(&options->visual_directories)},
+      {"sketch_model", Bind(&options->sketch_model)},
       {"octomap_resolution", Bind(&options->octomap_resolution_m)},
       {"octomap_thickness", Bind(&options->octomap_thickness_m)},
       {"robot_radius", Bind(&options->robot.radius_m)},
       {"robot_max_slope", Bind(&options->robot.max_slope_rad)},
       {"robot_max_step", Bind(&options->robot.max_step_m)},
       {"robot_max_fording_depth", Bind(&options->robot.max_fording_depth_m)},
+      {"robot_clearance", Bind(&options->robot.clearance_m)},
   };
 }
 

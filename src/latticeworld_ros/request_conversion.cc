@@ -1,6 +1,7 @@
 #include "latticeworld_ros/request_conversion.h"
 
 #include <algorithm>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -22,6 +23,9 @@ GenerateWorldFields CopyFields(const Message& message) {
   fields.visual_path = message.visual_path;
   fields.height_scale = message.height_scale;
   fields.height_offset = message.height_offset;
+  fields.latitude = message.latitude;
+  fields.longitude = message.longitude;
+  fields.keep_altitude = message.keep_altitude;
   fields.vocabulary = message.vocabulary;
   fields.generator = message.generator;
   fields.seed = message.seed;
@@ -31,8 +35,8 @@ GenerateWorldFields CopyFields(const Message& message) {
 }
 
 // The file's bytes. A relative path is looked for below each allowed directory in turn.
-Result<std::string> ReadVisual(const std::string& path,
-                               const std::vector<std::filesystem::path>& directories) {
+Result<std::string> ReadVisualFile(const std::string& path,
+                                   const std::vector<std::filesystem::path>& directories) {
   // What is no path must not reach the file system, and neither the message as it is.
   LW_RETURN_IF_ERROR(ValidateText("visual_path", path, 4096));
   Result<std::filesystem::path> file = ResolveBelow(path, directories);
@@ -48,26 +52,67 @@ Result<std::string> ReadVisual(const std::string& path,
   return bytes;
 }
 
+std::optional<VisualKind> KindOf(std::uint8_t constant) {
+  switch (constant) {
+    case Ros::NONE:
+      return VisualKind::kNone;
+    case Ros::HEIGHT_MAP:
+      return VisualKind::kHeightMap;
+    case Ros::SKETCH:
+      return VisualKind::kSketch;
+    case Ros::ELEVATION:
+      return VisualKind::kElevation;
+    default:
+      return std::nullopt;
+  }
+}
+
 void CheckVisual(const GenerateWorldFields& fields, std::vector<Violation>* violations) {
-  if (fields.visual_kind != Ros::NONE && fields.visual_kind != Ros::HEIGHT_MAP) {
+  const std::optional<VisualKind> kind = KindOf(fields.visual_kind);
+  if (!kind) {
     const std::string given = std::to_string(static_cast<int>(fields.visual_kind));
-    violations->push_back({"unknown_value", "visual_kind",
-                           given + " is unknown; legal are 0 (NONE), 1 (HEIGHT_MAP)", given});
+    violations->push_back(
+        {"unknown_value", "visual_kind",
+         given + " is unknown; legal are 0 (NONE), 1 (HEIGHT_MAP), 2 (SKETCH), 3 (ELEVATION)",
+         given});
     return;
   }
   const bool has_visual = !fields.visual.data.empty(), has_path = !fields.visual_path.empty();
-  if (fields.visual_kind == Ros::NONE && (has_visual || has_path)) {
+  if (kind == VisualKind::kNone && (has_visual || has_path)) {
     violations->push_back({"conflict", has_visual ? "visual" : "visual_path",
                            "a visual instruction is given, but visual_kind is 0 (NONE); legal with "
-                           "one is 1 (HEIGHT_MAP)",
+                           "one are 1 (HEIGHT_MAP), 2 (SKETCH), 3 (ELEVATION)",
                            ""});
   }
-  if (fields.visual_kind == Ros::HEIGHT_MAP && has_visual == has_path) {
+  if (kind != VisualKind::kNone && has_visual == has_path) {
     violations->push_back({has_visual ? "conflict" : "missing_value", "visual",
                            std::string(has_visual ? "both" : "neither") +
-                               " of visual and visual_path given; a height map needs one of them",
+                               " of visual and visual_path given; a " + std::string(NameOf(*kind)) +
+                               " needs one of them",
                            ""});
   }
+}
+
+// The visual instruction of fields that CheckVisual accepted.
+Status TakeVisual(const GenerateWorldFields& fields, const RequestDefaults& defaults,
+                  GenerationRequest* request) {
+  request->visual_kind = *KindOf(fields.visual_kind);
+  if (request->visual_kind == VisualKind::kNone) return Status();
+  if (fields.visual_path.empty()) {
+    request->visual.assign(fields.visual.data.begin(), fields.visual.data.end());
+    request->visual_name = fields.visual.format;
+  } else {
+    LW_ASSIGN_OR_RETURN(request->visual,
+                        ReadVisualFile(fields.visual_path, defaults.visual_directories));
+    request->visual_name = fields.visual_path;
+  }
+  if (fields.height_scale != 0.0) request->height_map.height_scale_m = fields.height_scale;
+  request->height_map.height_offset_m = fields.height_offset;
+  request->elevation.centered = fields.latitude == 0.0 && fields.longitude == 0.0;
+  request->elevation.latitude_deg = fields.latitude;
+  request->elevation.longitude_deg = fields.longitude;
+  request->elevation.keep_altitude = fields.keep_altitude;
+  return Status();
 }
 
 }  // namespace
@@ -86,17 +131,7 @@ Result<GenerationRequest> FromRos(GenerateWorldFields fields, const RequestDefau
   const bool legal_visual = violations.empty();
 
   GenerationRequest request;
-  if (legal_visual && fields.visual_kind == Ros::HEIGHT_MAP) {
-    request.visual_kind = VisualKind::kHeightMap;
-    if (fields.visual_path.empty()) {
-      request.visual.assign(fields.visual.data.begin(), fields.visual.data.end());
-    } else {
-      LW_ASSIGN_OR_RETURN(request.visual,
-                          ReadVisual(fields.visual_path, defaults.visual_directories));
-    }
-    if (fields.height_scale != 0.0) request.height_map.height_scale_m = fields.height_scale;
-    request.height_map.height_offset_m = fields.height_offset;
-  }
+  if (legal_visual) LW_RETURN_IF_ERROR(TakeVisual(fields, defaults, &request));
   request.layout_instruction = std::move(fields.layout_instruction);
   request.environment_instruction = std::move(fields.environment_instruction);
   request.vocabulary = std::move(fields.vocabulary);

@@ -26,6 +26,9 @@ struct GenerateWorldFields {
   std::string visual_path;
   double height_scale = 0.0;
   double height_offset = 0.0;
+  double latitude = 0.0;
+  double longitude = 0.0;
+  bool keep_altitude = false;
   std::string vocabulary;
   std::string generator;
   std::uint64_t seed = 0;

@@ -1,5 +1,6 @@
 #include "latticeworld_ros/world_conversion.h"
 
+#include <limits>
 #include <string>
 
 #include "latticeworld/common/text.h"
@@ -21,6 +22,10 @@ latticeworld_msgs::WorldInfo ToInfo(const World& world) {
   message.resolution = scene.geometry().resolution_m();
   message.min_height = scene.terrain->ground.min_m();
   message.max_height = scene.terrain->ground.max_m();
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  message.latitude = world.geo ? world.geo->latitude_deg : kNowhere;
+  message.longitude = world.geo ? world.geo->longitude_deg : kNowhere;
+  message.altitude = world.geo ? world.geo->altitude_m : kNowhere;
   message.agents = static_cast<std::uint32_t>(scene.agents.size());
   message.assets = static_cast<std::uint32_t>(scene.assets.size());
   return message;
@@ -92,7 +97,10 @@ Result<std::vector<latticeworld_msgs::TerrainSample>> SampleTerrain(
     sample.surface = std::string(NameOf(surface));
     sample.letter = std::string(1, terrain.weights.DominantAt(terrain.geometry().CellAt(point)));
     sample.water_depth = terrain.WaterDepthAt(point);
-    sample.friction = PropertiesOf(surface, scene.atmosphere.weather).friction;
+    const SurfaceProperties properties = PropertiesOf(surface, scene.atmosphere.weather);
+    sample.friction = properties.friction;
+    sample.rolling_resistance = properties.rolling_resistance;
+    sample.cone_index_kpa = properties.cone_index_kpa;
     samples.push_back(std::move(sample));
   }
   return samples;

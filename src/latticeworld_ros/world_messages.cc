@@ -1,12 +1,14 @@
 #include "latticeworld_ros/world_messages.h"
 
 #include <boost/make_shared.hpp>
+#include <deque>
 #include <exception>
 #include <future>
 #include <string>
 #include <utility>
 
 #include "latticeworld/mapping/octree.h"
+#include "latticeworld/mapping/scene_changes.h"
 #include "latticeworld/mapping/traversability.h"
 #include "latticeworld_ros/grid_conversion.h"
 #include "latticeworld_ros/octomap_conversion.h"
@@ -19,50 +21,64 @@ namespace {
 
 constexpr char kStage[] = "maps";
 
-Status BuildOctomaps(const World& world, const WorldServerOptions& options,
-                     const Progress& progress, WorldMessages* messages) {
+Status BuildOctomaps(const Scene& scene, const WorldServerOptions& options,
+                     const SceneChanges& changes, const Progress& progress,
+                     WorldMessages* messages) {
   OctreeOptions octree_options;
   octree_options.resolution_m = options.octomap_resolution_m > 0.0
                                     ? options.octomap_resolution_m
-                                    : world.scene->geometry().resolution_m();
+                                    : scene.geometry().resolution_m();
   octree_options.thickness_m = options.octomap_thickness_m;
-  LW_ASSIGN_OR_RETURN(const auto tree, BuildOctree(*world.scene, octree_options, progress));
-  LW_RETURN_IF_ERROR(progress.CheckCancelled());
-  messages->octomap_binary = boost::make_shared<octomap_msgs::Octomap>(ToRos(*tree, true));
-  messages->octomap_full = boost::make_shared<octomap_msgs::Octomap>(ToRos(*tree, false));
+  const double resolution_m = octree_options.resolution_m;
+  LW_ASSIGN_OR_RETURN(OctreeData binary, BuildBinaryData(scene, octree_options, progress, changes));
+  LW_ASSIGN_OR_RETURN(OctreeData full, BuildFullData(scene, octree_options, progress, changes));
+  messages->octomap_binary =
+      boost::make_shared<octomap_msgs::Octomap>(ToRos(std::move(binary), resolution_m, true));
+  messages->octomap_full =
+      boost::make_shared<octomap_msgs::Octomap>(ToRos(std::move(full), resolution_m, false));
   return Status();
 }
 
-Status BuildGrids(const World& world, const WorldServerOptions& options, const Progress& progress,
-                  WorldMessages* messages) {
-  const Scene& scene = *world.scene;
+// map and world/height_map.
+Status BuildGridMaps(const Scene& scene, const WorldServerOptions& options,
+                     const SceneChanges& changes, const Progress& progress,
+                     WorldMessages* messages) {
   const Terrain& terrain = *scene.terrain;
   const GridGeometry& geometry = scene.geometry();
+  const Grid<std::int8_t> occupancy = BuildOccupancy(scene, options.robot, changes);
+  messages->map = boost::make_shared<nav_msgs::OccupancyGrid>(ToOccupancyGrid(geometry, occupancy));
+  LW_RETURN_IF_ERROR(progress.CheckCancelled());
+  const Grid<float> distance_m = BuildDistanceField(occupancy, geometry.resolution_m());
+  const Grid<float> traversability = BuildTraversability(scene, options.robot, changes);
+  const Grid<float> slope_rad = BuildSlope(scene);
+  LW_RETURN_IF_ERROR(progress.CheckCancelled());
+  std::vector<GridLayer> layers = {{"elevation", &terrain.ground.height_m()},
+                                   {"water", &terrain.water_level_m},
+                                   {"slope", &slope_rad},
+                                   {"distance", &distance_m}};
+  std::deque<Grid<float>> weights;  // keeps its elements in their place
+  for (const ClassWeight& entry : terrain.weights.classes) {
+    const LayoutClass* layout_class = FindClass(terrain.weights.vocabulary, entry.letter);
+    layers.push_back({"class_" + std::string(layout_class->name),
+                      &weights.emplace_back(entry.weight.ToFloat())});
+  }
+  layers.push_back({"traversability", &traversability});
+  messages->height_map = boost::make_shared<grid_map_msgs::GridMap>(ToGridMap(geometry, layers));
+  return progress.CheckCancelled();
+}
+
+// All but the octomaps.
+Status BuildOthers(const World& world, const WorldServerOptions& options, const Progress& progress,
+                   WorldMessages* messages) {
+  const Scene& scene = *world.scene;
   progress.Report(kStage, 0.0);
   messages->info = boost::make_shared<latticeworld_msgs::WorldInfo>(ToInfo(world));
   messages->layout = boost::make_shared<latticeworld_msgs::Layout>(ToLayout(world));
   messages->environment = boost::make_shared<latticeworld_msgs::Environment>(ToEnvironment(world));
-  messages->map = boost::make_shared<nav_msgs::OccupancyGrid>(
-      ToOccupancyGrid(geometry, BuildOccupancy(scene, options.robot)));
-  LW_RETURN_IF_ERROR(progress.CheckCancelled());
-  progress.Report(kStage, 0.2);
-  const Grid<float> traversability = BuildTraversability(scene, options.robot);
-  LW_RETURN_IF_ERROR(progress.CheckCancelled());
-  progress.Report(kStage, 0.4);
-  const Grid<float> slope_rad = BuildSlope(scene);
-  std::vector<GridLayer> layers = {{"elevation", &terrain.ground.height_m()},
-                                   {"water", &terrain.water_level_m},
-                                   {"slope", &slope_rad}};
-  for (const ClassWeight& entry : terrain.weights.classes) {
-    const LayoutClass* layout_class = FindClass(terrain.weights.vocabulary, entry.letter);
-    layers.push_back({"class_" + std::string(layout_class->name), &entry.weight});
-  }
-  layers.push_back({"traversability", &traversability});
-  messages->height_map = boost::make_shared<grid_map_msgs::GridMap>(ToGridMap(geometry, layers));
-  LW_RETURN_IF_ERROR(progress.CheckCancelled());
+  LW_RETURN_IF_ERROR(BuildGridMaps(scene, options, {}, progress, messages));
   progress.Report(kStage, 0.7);
   messages->height_image =
-      boost::make_shared<sensor_msgs::Image>(ToImage(terrain.ground.height_m()));
+      boost::make_shared<sensor_msgs::Image>(ToImage(scene.terrain->ground.height_m()));
   messages->markers = boost::make_shared<visualization_msgs::MarkerArray>(
       ToMarkers(scene, {options.marker_terrain_cells, options.marker_max_assets}));
   progress.Report(kStage, 1.0);
@@ -75,21 +91,35 @@ Result<WorldMessages> BuildWorldMessages(const World& world, const WorldServerOp
                                          const Progress& progress, std::vector<StageTime>* stages) {
   WorldMessages messages;
   double octomap_s = 0.0;
-  // The octree is the longest of them: it gets a thread of its own. It tells nobody how far it is,
-  // for the other thread reports, but it hears a cancel.
+  // The octomaps are the longest of them: they get a thread of their own. It tells nobody how far
+  // it is, for the other thread reports, but it hears a cancel.
   std::future<Status> octomaps = std::async(std::launch::async, [&] {
     const Stopwatch watch;
-    const Status status = BuildOctomaps(world, options, progress, &messages);
+    const Status status = BuildOctomaps(*world.scene, options, {}, progress, &messages);
     octomap_s = watch.seconds();
     return status;
   });
   const Stopwatch watch;
-  const Status grids = BuildGrids(world, options, progress, &messages);
-  const double grids_s = watch.seconds();
+  const Status others = BuildOthers(world, options, progress, &messages);
+  const double others_s = watch.seconds();
   LW_RETURN_IF_ERROR(octomaps.get());
-  LW_RETURN_IF_ERROR(grids);
+  LW_RETURN_IF_ERROR(others);
   stages->push_back({"octomap", octomap_s});
-  stages->push_back({"maps", grids_s});
+  stages->push_back({"maps", others_s});
+  return messages;
+}
+
+Result<WorldMessages> RebuildMaps(const World& world, const WorldServerOptions& options,
+                                  const SceneChanges& changes, ros::Time stamp,
+                                  const Progress& progress, const WorldMessages& before) {
+  WorldMessages messages = before;
+  LW_RETURN_IF_ERROR(BuildOctomaps(*world.scene, options, changes, progress, &messages));
+  LW_RETURN_IF_ERROR(BuildGridMaps(*world.scene, options, changes, progress, &messages));
+  messages.octomap_full->header.stamp = stamp;
+  messages.octomap_binary->header.stamp = stamp;
+  messages.map->header.stamp = stamp;
+  messages.map->info.map_load_time = stamp;
+  messages.height_map->info.header.stamp = stamp;
   return messages;
 }
 

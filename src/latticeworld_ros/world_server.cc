@@ -48,7 +48,7 @@ GenerationService::Options GenerationOptions(const WorldServerOptions& options) 
 }  // namespace
 
 WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options,
-                         LanguageBackends backends)
+                         LanguageBackends backends, SketchTranslator sketches)
     : maps_(node),
       robots_(WithQueue(node, &command_queue_),
               [this](const std::string& robot, const VelocityCommand& command) {
@@ -57,8 +57,10 @@ WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options
       states_(node, options, &robots_, backends.server),
       loop_(LoopOptions(options), &states_),
       launcher_(options, &loop_, &robots_, &maps_, &current_),
-      generation_(node, GenerationOptions(options),
-                  WorldGenerator(std::move(backends.by_name), options.generator), &launcher_),
+      generation_(
+          node, GenerationOptions(options),
+          WorldGenerator(std::move(backends.by_name), options.generator, std::move(sketches)),
+          &launcher_),
       services_(node, WorldsDirectory(options), &loop_, &robots_, &current_) {
   loop_.Start();
   command_spinner_.start();

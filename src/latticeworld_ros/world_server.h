@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 
 #include "latticeworld/generation/language_backends.h"
+#include "latticeworld/generation/sketch_translator.h"
 #include "latticeworld_ros/current_world.h"
 #include "latticeworld_ros/generation_service.h"
 #include "latticeworld_ros/map_publisher.h"
@@ -26,8 +27,9 @@ namespace latticeworld {
 //   robot topics (1)             makes and ends the topics of robots
 class WorldServer {
  public:
-  // options: valid.
-  WorldServer(ros::NodeHandle node, const WorldServerOptions& options, LanguageBackends backends);
+  // options: valid. sketches: what options.sketch_model names.
+  WorldServer(ros::NodeHandle node, const WorldServerOptions& options, LanguageBackends backends,
+              SketchTranslator sketches);
   ~WorldServer();
 
  private:

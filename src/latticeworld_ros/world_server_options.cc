@@ -51,6 +51,7 @@ std::vector<Violation> Validate(const WorldServerOptions& options) {
   check_range("robot_max_slope", options.robot.max_slope_rad, 0.01, 1.5);
   check_range("robot_max_step", options.robot.max_step_m, 0.0, 10.0);
   check_range("robot_max_fording_depth", options.robot.max_fording_depth_m, 0.0, 10.0);
+  check_range("robot_clearance", options.robot.clearance_m, 0.0, 100.0);
   const bool remote = options.remote.is_wanted();
   if (options.generator != "grounded" && !(remote && options.generator == "remote")) {
     refuse("generator", Quote(options.generator),

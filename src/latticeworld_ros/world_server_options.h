@@ -31,6 +31,7 @@ struct WorldServerOptions {
   RemoteBackendOptions remote;
   std::string worlds_directory = "~/.ros/latticeworld/worlds";
   std::vector<std::string> visual_directories = {"~/.ros/latticeworld/visuals"};
+  std::string sketch_model;  // "": sketches become land by the embedded method, else an ONNX file
 
   // Maps.
   double octomap_resolution_m = 0.0;  // 0: that of the world; else [0.05, 16]

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "latticeworld/generation/language_backends.h"
+#include "latticeworld/generation/sketch_translator.h"
 #include "latticeworld_ros/parameters.h"
 #include "latticeworld_ros/shutdown_guard.h"
 #include "latticeworld_ros/world_server.h"
@@ -36,9 +37,16 @@ int main(int argc, char** argv) {
     ROS_FATAL_STREAM(backends.status().ToString());
     return EXIT_FAILURE;
   }
+  auto sketches = latticeworld::SketchTranslator::Load(
+      latticeworld::ExpandHome(options->sketch_model).string());
+  if (!sketches.ok()) {
+    ROS_FATAL_STREAM(sketches.status().WithContext("sketch_model").ToString());
+    return EXIT_FAILURE;
+  }
   try {
     ros::NodeHandle node;
-    auto server = std::make_unique<latticeworld::WorldServer>(node, *options, *std::move(backends));
+    auto server = std::make_unique<latticeworld::WorldServer>(node, *options, *std::move(backends),
+                                                              *std::move(sketches));
     ROS_INFO("ready: call generate_world or load_world");
     // From the first word of it on: taking leave of a master that hangs has no end either.
     while (!ros::isShuttingDown()) std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -80,6 +80,19 @@ std::uint64_t ArgumentReader::Unsigned(const std::string& name, std::uint64_t ab
   return absent;
 }
 
+std::optional<std::pair<double, double>> ArgumentReader::NumberPair(const std::string& name) {
+  const auto text = ValueOf(*command_, name);
+  if (!text) return std::nullopt;
+  const std::vector<std::string> parts = Split(*text, ',');
+  std::pair<double, double> values;
+  const bool legal = parts.size() == 2 && ParseWhole(parts[0], &values.first) &&
+                     ParseWhole(parts[1], &values.second) && std::isfinite(values.first) &&
+                     std::isfinite(values.second);
+  if (legal) return values;
+  AddViolation(name, *text, "two numbers parted by a comma");
+  return std::nullopt;
+}
+
 std::string ArgumentReader::Choice(const std::string& name, const std::vector<std::string>& legal,
                                    const std::string& absent) {
   const auto text = ValueOf(*command_, name);
@@ -90,9 +103,29 @@ std::string ArgumentReader::Choice(const std::string& name, const std::vector<st
 }
 
 void ArgumentReader::RequireBeside(const std::string& option, const std::string& needed) {
-  if (!ValueOf(*command_, option) || ValueOf(*command_, needed)) return;
-  violations_.push_back(
-      {"missing_option", option, "makes sense only beside " + needed + ", which is not given", ""});
+  RequireBesideOneOf(option, {1, needed});
+}
+
+void ArgumentReader::RequireBesideOneOf(const std::string& option,
+                                        const std::vector<std::string>& needed) {
+  const auto given = [this](const std::string& name) {
+    return !command_->get_option(name)->empty();
+  };
+  if (!given(option) || std::any_of(needed.begin(), needed.end(), given)) return;
+  violations_.push_back({"missing_option", option,
+                         "makes sense only beside " + Join(needed, " or ") + ", which is not given",
+                         ""});
+}
+
+void ArgumentReader::AllowOneOf(const std::vector<std::string>& options) {
+  std::vector<std::string> given;
+  for (const std::string& option : options) {
+    if (!command_->get_option(option)->empty()) given.push_back(option);
+  }
+  if (given.size() < 2) return;
+  violations_.push_back({"conflict", given[1],
+                         "given beside " + given[0] + "; legal is one of " + Join(options, ", "),
+                         ""});
 }
 
 Status ArgumentReader::status() const {

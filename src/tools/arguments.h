@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "latticeworld/common/result.h"
@@ -32,10 +33,15 @@ class ArgumentReader {
   std::int64_t Integer(const std::string& name, std::int64_t low, std::int64_t high,
                        std::int64_t absent);
   std::uint64_t Unsigned(const std::string& name, std::uint64_t absent);
+  // Numbers parted by a comma; nullopt also when the option was not given.
+  std::optional<std::pair<double, double>> NumberPair(const std::string& name);
   std::string Choice(const std::string& name, const std::vector<std::string>& legal,
                      const std::string& absent);
-  // `option` makes sense only beside `needed`.
+  // `option` makes sense only beside `needed`, or beside one of them.
   void RequireBeside(const std::string& option, const std::string& needed);
+  void RequireBesideOneOf(const std::string& option, const std::vector<std::string>& needed);
+  // At most one of `options` makes sense.
+  void AllowOneOf(const std::vector<std::string>& options);
 
   // INVALID_ARGUMENT with every violation so far; OK when there is none.
   Status status() const;

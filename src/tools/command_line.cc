@@ -9,6 +9,7 @@
 
 #include "tools/arguments.h"
 #include "tools/generate_command.h"
+#include "tools/measure_command.h"
 #include "tools/picture_command.h"
 #include "tools/rebuild_command.h"
 #include "tools/score_command.h"
@@ -38,8 +39,9 @@ int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
   const std::string called = commands.empty() ? "" : " " + commands.front()->get_name();
   std::cerr << "latticeworld" << called << ": " << error.what() << "\n";
   if (commands.empty()) {
-    std::cerr << "legal are the commands generate, show, picture, score and rebuild, --help and "
-                 "--version\n";
+    std::cerr
+        << "legal are the commands generate, show, picture, measure, score and rebuild, --help "
+           "and --version\n";
   } else {
     std::cerr << "legal are " << LegalOptions(*commands.front()) << "; each at most once\n";
   }
@@ -54,6 +56,7 @@ int Run(int argc, const char* const* argv) {
   AddGenerateCommand(&app, &exit_status);
   AddShowCommand(&app, &exit_status);
   AddPictureCommand(&app, &exit_status);
+  AddMeasureCommand(&app, &exit_status);
   AddScoreCommand(&app, &exit_status);
   AddRebuildCommand(&app, &exit_status);
   app.footer(kFooter);  // after the commands, which would inherit it

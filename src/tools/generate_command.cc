@@ -11,6 +11,7 @@
 
 #include "latticeworld/common/files.h"
 #include "latticeworld/generation/bundle.h"
+#include "latticeworld/generation/sketch_translator.h"
 #include "latticeworld/generation/world_generator.h"
 #include "tools/arguments.h"
 #include "tools/interrupt.h"
@@ -27,11 +28,35 @@ std::uint64_t DrawSeed() {
   return 1 + device() % 1000000000u;
 }
 
+// The file of the visual instruction that is given, if any is.
+Status ReadVisualFile(const CLI::App& command, GenerationRequest* request) {
+  constexpr std::pair<const char*, VisualKind> kOptions[] = {
+      {"--height-map", VisualKind::kHeightMap},
+      {"--sketch", VisualKind::kSketch},
+      {"--elevation", VisualKind::kElevation}};
+  for (const auto& [option, kind] : kOptions) {
+    const auto file = ValueOf(command, option);
+    if (!file) continue;
+    auto content = ReadFile(*file, kMaxVisualBytes);
+    if (!content.ok()) return content.status().WithContext(option);
+    request->visual_kind = kind;
+    request->visual = *std::move(content);
+    request->visual_name = *file;
+  }
+  return Status();
+}
+
 Result<GenerationRequest> ReadRequest(const CLI::App& command) {
   GenerationRequest request;
   ArgumentReader arguments(&command);
-  arguments.RequireBeside("--height-scale", "--height-map");
-  arguments.RequireBeside("--height-offset", "--height-map");
+  arguments.AllowOneOf({"--height-map", "--sketch", "--elevation"});
+  for (const char* option : {"--height-scale", "--height-offset"}) {
+    arguments.RequireBesideOneOf(option, {"--height-map", "--sketch"});
+  }
+  arguments.RequireBeside("--sketch-model", "--sketch");
+  for (const char* option : {"--at", "--keep-altitude"}) {
+    arguments.RequireBeside(option, "--elevation");
+  }
   request.height_map.height_scale_m =
       arguments.Number("--height-scale", request.height_map.height_scale_m);
   request.height_map.height_offset_m =
@@ -39,6 +64,12 @@ Result<GenerationRequest> ReadRequest(const CLI::App& command) {
   request.seed = arguments.Unsigned("--seed", 0);
   request.size_m = arguments.Number("--size", request.size_m);
   request.resolution_m = arguments.Number("--resolution", request.resolution_m);
+  if (const auto place = arguments.NumberPair("--at")) {
+    request.elevation.centered = false;
+    request.elevation.latitude_deg = place->first;
+    request.elevation.longitude_deg = place->second;
+  }
+  request.elevation.keep_altitude = !command.get_option("--keep-altitude")->empty();
   LW_RETURN_IF_ERROR(arguments.status());
 
   if (request.seed == 0) request.seed = DrawSeed();
@@ -46,12 +77,7 @@ Result<GenerationRequest> ReadRequest(const CLI::App& command) {
   request.generator = ValueOf(command, "--generator").value_or("");
   LW_ASSIGN_OR_RETURN(request.layout_instruction, TextOf(command, "--layout"));
   LW_ASSIGN_OR_RETURN(request.environment_instruction, TextOf(command, "--environment"));
-  if (const auto file = ValueOf(command, "--height-map")) {
-    auto picture = ReadFile(*file, kMaxVisualBytes);
-    if (!picture.ok()) return picture.status().WithContext("--height-map");
-    request.visual_kind = VisualKind::kHeightMap;
-    request.visual = *std::move(picture);
-  }
+  LW_RETURN_IF_ERROR(ReadVisualFile(command, &request));
   return request;
 }
 
@@ -67,7 +93,9 @@ Status Generate(const CLI::App& command) {
   if (!target.has_filename()) target = target.parent_path();  // a trailing slash
   LW_ASSIGN_OR_RETURN(LanguageBackends backends, MakeLanguageBackends(command));
   const std::string default_backend = backends.server != nullptr ? "remote" : "grounded";
-  WorldGenerator generator(std::move(backends.by_name), default_backend);
+  auto sketches = SketchTranslator::Load(ValueOf(command, "--sketch-model").value_or(""));
+  if (!sketches.ok()) return sketches.status().WithContext("--sketch-model");
+  WorldGenerator generator(std::move(backends.by_name), default_backend, *std::move(sketches));
   LW_RETURN_IF_ERROR(generator.Validate(request));
   LW_RETURN_IF_ERROR(CheckTarget(target));
 
@@ -93,20 +121,36 @@ Status Generate(const CLI::App& command) {
 }  // namespace
 
 void AddGenerateCommand(CLI::App* app, int* exit_status) {
-  CLI::App* command = app->add_subcommand(
-      "generate", "Generates a world from words (and a height map) and saves it as a bundle.");
+  CLI::App* command =
+      app->add_subcommand("generate",
+                          "Generates a world from words (and a height map, a sketch or real "
+                          "elevation) and saves it as a bundle.");
   AddValueOption(command, "--layout", "TEXT",
                  "What the land looks like, in words; @FILE reads them from a file. Needed unless "
-                 "there is a height map.");
+                 "there is a height map, a sketch or elevation.");
   AddValueOption(command, "--environment", "TEXT",
                  "Season, weather, time of day and what lives there; @FILE reads a file. Without "
                  "it the environment follows from the layout.");
   AddValueOption(command, "--height-map", "FILE",
                  "Relief: an 8- or 16-bit greyscale PNG, PGM or TIFF, 33 to 8193 pixels a side.");
+  AddValueOption(command, "--sketch", "FILE",
+                 "Relief: strokes on white, blue along valley floors, black along ridges; PNG, "
+                 "JPEG or TIFF, drawn, scanned or photographed.");
+  AddValueOption(command, "--sketch-model", "FILE",
+                 "ONNX model that turns the sketch into land [the embedded method].");
+  AddValueOption(command, "--elevation", "FILE",
+                 "Relief: real land in true metres; GeoTIFF, SRTM .hgt or Arc/Info ASCII grid.");
+  AddValueOption(command, "--at", "LAT,LON",
+                 "Place in the elevation that becomes the world's centre, degrees (WGS 84) [the "
+                 "middle of the data].");
+  command->add_flag("--keep-altitude",
+                    "Heights as in the elevation; without it the lowest point becomes 0.");
   AddValueOption(command, "--height-scale", "METRES",
-                 "Height from a black to a white pixel of the height map, 0 to 9000 [100].");
+                 "Height from a black to a white pixel of the height map, 0 to 9000; from the "
+                 "lowest to the highest point of a sketch's land, 1 to 9000 [100].");
   AddValueOption(command, "--height-offset", "METRES",
-                 "Height of a black pixel of the height map, -9000 to 9000 [0].");
+                 "Height of a black pixel of the height map, or of the lowest point of a "
+                 "sketch's land, -9000 to 9000 [0].");
   AddValueOption(command, "--vocabulary", "NAME", "suburb or wild. Without it the words decide.");
   AddLanguageOptions(command);
   AddValueOption(command, "--seed", "N",
@@ -114,7 +158,7 @@ void AddGenerateCommand(CLI::App* app, int* exit_status) {
                  "shown.");
   AddValueOption(command, "--size", "METRES", "Side of the world, 16 to 8192 [512].");
   AddValueOption(command, "--resolution", "METRES",
-                 "Side of a cell, 0.05 to 16 [0.5]. A side has 32 to 4096 cells.");
+                 "Side of a cell, 0.05 to 16 [0.5]. A side has 32 to 8192 cells.");
   AddValueOption(command, "--out", "DIR", "The bundle: a directory that does not exist yet.");
   command->get_option("--out")->required();
   command->callback([command, exit_status] {

@@ -7,7 +7,9 @@
 #include <string>
 
 #include "latticeworld/common/files.h"
+#include "latticeworld/exporting/octree_view.h"
 #include "latticeworld/exporting/picture.h"
+#include "latticeworld/exporting/thematic_map.h"
 #include "latticeworld/generation/bundle.h"
 #include "tools/arguments.h"
 
@@ -21,6 +23,8 @@ Result<std::string> Draw(const Scene& scene, const std::string& view,
                          const PictureOptions& options) {
   if (view == "top") return DrawTopView(scene, options);
   if (view == "oblique") return DrawObliqueView(scene, options);
+  if (view == "octomap") return DrawOctree(scene, options, Progress());
+  if (const auto theme = FromName<MapTheme>(view)) return DrawThematicMap(scene, *theme, options);
   return DrawWorld(scene, options);
 }
 
@@ -43,7 +47,9 @@ Status Picture(const CLI::App& command) {
   PictureOptions options;
   options.width_px =
       static_cast<int>(arguments.Integer("--width", kMinWidth_px, kMaxWidth_px, options.width_px));
-  const std::string view = arguments.Choice("--view", {"world", "top", "oblique"}, "world");
+  const std::string view = arguments.Choice(
+      "--view", {"world", "top", "oblique", "height", "hillshade", "classes", "sketch", "octomap"},
+      "world");
   LW_RETURN_IF_ERROR(arguments.status());
 
   LW_ASSIGN_OR_RETURN(const auto world, LoadBundle(*ValueOf(command, "DIR")));
@@ -60,8 +66,11 @@ void AddPictureCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--out", "FILE", "The picture; an existing one is replaced.");
   command->get_option("--out")->required();
   AddValueOption(command, "--width", "PX", "Width of one view, 64 to 4096 [1200].");
-  AddValueOption(command, "--view", "NAME",
-                 "top (from above, north up), oblique (from the south) or world (both) [world].");
+  AddValueOption(
+      command, "--view", "NAME",
+      "top (from above, north up), oblique (from the south) or world (both); maps of one "
+      "layer: height, hillshade, classes, sketch (as --sketch of generate takes it); "
+      "octomap (its voxels from the south-east) [world].");
   command->callback([command, exit_status] {
     const Status status = Picture(*command);
     if (!status.ok()) *exit_status = ReportFailure("picture", status);

@@ -5,9 +5,11 @@
 #include <CLI/Formatter.hpp>
 #include <iostream>
 #include <string>
+#include <utility>
 
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/rebuild.h"
+#include "latticeworld/generation/sketch_translator.h"
 #include "tools/arguments.h"
 #include "tools/interrupt.h"
 #include "tools/progress_display.h"
@@ -17,11 +19,13 @@ namespace {
 
 Status Rebuild(const CLI::App& command) {
   LW_ASSIGN_OR_RETURN(const auto recorded, LoadBundle(*ValueOf(command, "DIR")));
+  auto sketches = SketchTranslator::Load(ValueOf(command, "--sketch-model").value_or(""));
+  if (!sketches.ok()) return sketches.status().WithContext("--sketch-model");
   ProgressDisplay display;
   Progress progress(
       [&display](std::string_view stage, double fraction) { display.Show(stage, fraction); });
   const CancelOnInterrupt cancel_on_interrupt(&progress);
-  const auto rebuilt = RebuildWorld(*recorded, progress);
+  const auto rebuilt = RebuildWorld(*recorded, progress, *std::move(sketches));
   display.Clear();
   if (!rebuilt.ok()) return rebuilt.status();
   if ((*rebuilt)->id != recorded->id) {
@@ -43,6 +47,8 @@ void AddRebuildCommand(CLI::App* app, int* exit_status) {
       "model, and says whether it is the same.");
   AddValueOption(command, "DIR", "DIR", "The bundle.");
   command->get_option("DIR")->required();
+  AddValueOption(command, "--sketch-model", "FILE",
+                 "The ONNX model that the world's sketch became land by, where one did.");
   AddValueOption(command, "--out", "DIR", "Saves it there as a bundle of its own.");
   command->callback([command, exit_status] {
     const Status status = Rebuild(*command);

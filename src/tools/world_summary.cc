@@ -31,16 +31,38 @@ void PrintLine(std::string_view label, const std::string& text, std::ostream* ou
   *out << padded << text << "\n";
 }
 
+// ", 100 m from black to white, from 0 m": what the picture's kind looks at.
+std::string VisualOptions(const GenerationRequest& request) {
+  const std::string scale = FormatDouble(request.height_map.height_scale_m) + " m from ";
+  const std::string offset = ", from " + FormatDouble(request.height_map.height_offset_m) + " m";
+  switch (request.visual_kind) {
+    case VisualKind::kNone:
+      break;
+    case VisualKind::kHeightMap:
+      return ", " + scale + "black to white" + offset;
+    case VisualKind::kSketch:
+      return ", " + scale + "lowest to highest" + offset + ", " + request.sketch_translator;
+    case VisualKind::kElevation:
+      return request.elevation.keep_altitude ? ", altitudes kept" : ", lowest point at 0 m";
+  }
+  return "";
+}
+
+void PrintPlace(const std::optional<GeoOrigin>& geo, std::ostream* out) {
+  if (!geo) return;
+  PrintLine("place",
+            "latitude " + Fixed(geo->latitude_deg, 6) + ", longitude " +
+                Fixed(geo->longitude_deg, 6) + ", z = 0 at " + Fixed(geo->altitude_m, 1) + " m",
+            out);
+}
+
 void PrintRequest(const GenerationRequest& request, std::ostream* out) {
   PrintLine("layout", Quote(request.layout_instruction, kShownTextBytes), out);
   PrintLine("environment", Quote(request.environment_instruction, kShownTextBytes), out);
   if (request.visual_kind != VisualKind::kNone) {
     PrintLine("picture",
               std::string(NameOf(request.visual_kind)) + ", " +
-                  std::to_string(request.visual.size()) + " bytes, " +
-                  FormatDouble(request.height_map.height_scale_m) +
-                  " m from black to white, from " +
-                  FormatDouble(request.height_map.height_offset_m) + " m",
+                  std::to_string(request.visual.size()) + " bytes" + VisualOptions(request),
               out);
   }
   PrintLine("seed", std::to_string(request.seed), out);
@@ -115,6 +137,7 @@ void PrintSummary(const World& world, bool color, std::ostream* out) {
   *out << (color ? ToColoredText(world.layout) : ToText(world.layout)) << "\n";
   PrintLine("world", world.id, out);
   PrintRequest(world.request, out);
+  PrintPlace(world.geo, out);
   PrintTerrain(*world.scene->terrain, out);
   PrintCoarse(world.environment.coarse, out);
   PrintAgents(world.scene->agents, out);

@@ -10,6 +10,13 @@ namespace {
 Manifest MakeManifest() {
   Manifest manifest;
   manifest.world_id = "world-0123456789ab";
+  manifest.geo = GeoOrigin{40.0 / 3.0, -105.25, 1234.5};
+  manifest.request.visual_kind = VisualKind::kElevation;
+  manifest.request.visual_name = "N40W106.hgt";
+  manifest.request.elevation.centered = false;
+  manifest.request.elevation.latitude_deg = 13.3;
+  manifest.request.elevation.longitude_deg = -105.25;
+  manifest.request.elevation.keep_altitude = true;
   manifest.request.layout_instruction = "ein \"See\" — é";
   manifest.request.vocabulary = "wild";
   manifest.request.generator = "grounded";
@@ -44,6 +51,16 @@ TEST(ManifestTest, GivesBackEveryField) {
   const auto decoded = DecodeManifest(EncodeManifest(manifest));
   ASSERT_TRUE(decoded.ok()) << decoded.status().ToString();
   EXPECT_EQ(decoded->world_id, manifest.world_id);
+  ASSERT_TRUE(decoded->geo.has_value());
+  EXPECT_EQ(decoded->geo->latitude_deg, 40.0 / 3.0);
+  EXPECT_EQ(decoded->geo->longitude_deg, -105.25);
+  EXPECT_EQ(decoded->geo->altitude_m, 1234.5);
+  EXPECT_EQ(decoded->request.visual_kind, VisualKind::kElevation);
+  EXPECT_EQ(decoded->request.visual_name, "N40W106.hgt");
+  EXPECT_FALSE(decoded->request.elevation.centered);
+  EXPECT_EQ(decoded->request.elevation.latitude_deg, 13.3);
+  EXPECT_EQ(decoded->request.elevation.longitude_deg, -105.25);
+  EXPECT_TRUE(decoded->request.elevation.keep_altitude);
   EXPECT_EQ(decoded->request.layout_instruction, manifest.request.layout_instruction);
   EXPECT_EQ(decoded->request.seed, manifest.request.seed);
   EXPECT_EQ(decoded->request.size_m, manifest.request.size_m);
@@ -55,6 +72,14 @@ TEST(ManifestTest, GivesBackEveryField) {
   ASSERT_EQ(decoded->files.size(), 1u);
   EXPECT_EQ(decoded->files[0].bytes, 1056u);
   EXPECT_EQ(EncodeManifest(*decoded), EncodeManifest(manifest));
+}
+
+TEST(ManifestTest, AWorldMayLieNowhereOnTheEarth) {
+  Manifest manifest = MakeManifest();
+  manifest.geo.reset();
+  const auto decoded = DecodeManifest(EncodeManifest(manifest));
+  ASSERT_TRUE(decoded.ok()) << decoded.status().ToString();
+  EXPECT_FALSE(decoded->geo.has_value());
 }
 
 TEST(ManifestTest, SeesAChangeOfAnyByte) {
@@ -74,13 +99,13 @@ TEST(ManifestTest, IsRefusedWhereverItIsCut) {
 }
 
 TEST(ManifestTest, NamesBothVersionsOfAnotherFormat) {
-  for (const std::string& content : {Forged("\"format_version\": 2", "\"format_version\": 9"),
+  for (const std::string& content : {Forged("\"format_version\": 3", "\"format_version\": 9"),
                                      std::string("{\"format_version\": 9, \"what\": \"ever\"}")}) {
     const auto decoded = DecodeManifest(content);
     ASSERT_FALSE(decoded.ok());
     EXPECT_EQ(decoded.status().code(), StatusCode::kFailedPrecondition);
     EXPECT_NE(decoded.status().message().find("version 9"), std::string::npos);
-    EXPECT_NE(decoded.status().message().find("version 2"), std::string::npos);
+    EXPECT_NE(decoded.status().message().find("version 3"), std::string::npos);
   }
 }
 
@@ -90,7 +115,12 @@ TEST(ManifestTest, NamesIllegalValues) {
       {Forged("\"vocabulary\": \"wild\"", "\"vocabulary\": \"\""), "suburb, wild"},
       {Forged("\"seed\": 18446744073709551615", "\"seed\": -1"), "seed is -1"},
       {Forged("\"seed\": 18446744073709551615", "\"seed\": 1.5"), "seed is 1.5"},
-      {Forged("\"visual_kind\": \"none\"", "\"visual_kind\": \"film\""), "none, height_map"},
+      {Forged("\"visual_kind\": \"elevation\"", "\"visual_kind\": \"film\""), "none, height_map"},
+      {Forged("\"latitude_deg\": 13.3,", "\"latitude_deg\": 93.3,"), "latitude_deg is 93.3"},
+      {Forged("\"longitude_deg\": -105.25", "\"longitude_deg\": -365.0"), "longitude_deg is"},
+      {Forged("\"altitude_m\": 1234.5", "\"altitude_m\": null"), "altitude_m is null"},
+      {Forged("\"geo\"", "\"place\""), "geo is missing"},
+      {Forged("\"keep_altitude\": true", "\"keep_altitude\": 1"), "keep_altitude is 1"},
       {Forged("\"weather\": \"sunny\"", "\"weather\": \"hail\""), "weather is"},
       {Forged("\"sun_intensity\": 1.0", "\"sun_intensity\": 2.0"), "sun_intensity is 2.0"},
       {Forged("\"bytes\": 1056", "\"bytes\": \"1056\""), "bytes is"},

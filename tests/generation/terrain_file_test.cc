@@ -139,11 +139,6 @@ TEST(TerrainFileTest, RefusesValuesThatNoTerrainHas) {
   expect_refused("elevation", [&](Terrain* terrain) { set_height(terrain, std::nanf("")); });
   expect_refused("elevation", [&](Terrain* terrain) { set_height(terrain, kInfinity); });
   expect_refused("water level", [](Terrain* terrain) { terrain->water_level_m(0, 0) = kInfinity; });
-  expect_refused("weight of class F",
-                 [](Terrain* terrain) { terrain->weights.classes[0].weight(1, 1) = 1.5f; });
-  expect_refused("weight of class G", [](Terrain* terrain) {
-    terrain->weights.classes[1].weight(1, 1) = std::nanf("");
-  });
   expect_refused("surface class",
                  [](Terrain* terrain) { terrain->surface(2, 2) = static_cast<SurfaceClass>(9); });
 }

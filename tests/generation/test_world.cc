@@ -104,7 +104,7 @@ void ExpectSameTerrain(const Terrain& a, const Terrain& b) {
   ASSERT_EQ(a.weights.classes.size(), b.weights.classes.size());
   for (std::size_t i = 0; i < a.weights.classes.size(); ++i) {
     EXPECT_EQ(a.weights.classes[i].letter, b.weights.classes[i].letter);
-    ExpectSameBits(a.weights.classes[i].weight, b.weights.classes[i].weight, "weight");
+    EXPECT_EQ(a.weights.classes[i].weight, b.weights.classes[i].weight) << "weight";
   }
 }
 
@@ -157,6 +157,12 @@ void ExpectSameRequest(const GenerationRequest& a, const GenerationRequest& b) {
   EXPECT_EQ(a.environment_instruction, b.environment_instruction);
   EXPECT_EQ(a.visual_kind, b.visual_kind);
   EXPECT_EQ(a.visual, b.visual);
+  EXPECT_EQ(a.visual_name, b.visual_name);
+  EXPECT_EQ(a.sketch_translator, b.sketch_translator);
+  EXPECT_EQ(a.elevation.centered, b.elevation.centered);
+  EXPECT_EQ(a.elevation.latitude_deg, b.elevation.latitude_deg);
+  EXPECT_EQ(a.elevation.longitude_deg, b.elevation.longitude_deg);
+  EXPECT_EQ(a.elevation.keep_altitude, b.elevation.keep_altitude);
   EXPECT_EQ(a.height_map.height_scale_m, b.height_map.height_scale_m);
   EXPECT_EQ(a.height_map.height_offset_m, b.height_map.height_offset_m);
   EXPECT_EQ(a.vocabulary, b.vocabulary);
@@ -230,7 +236,8 @@ std::shared_ptr<World> MakeTestWorld() {
       {"environment", "a model", "{}", "stop", 0, 0, 0, 1.0 / 7.0}};
   world->warnings = {"not understood: \"Königssee\"", "a second one"};
   world->stages = {{"relief", 0.001}, {"layout", 1.0 / 3.0}};
-  world->id = ContentId(world->layout, *scene);
+  world->geo = GeoOrigin{40.0 / 3.0, -105.1, 1999.9};
+  world->id = ContentId(world->layout, *scene, world->geo);
   return world;
 }
 
@@ -257,6 +264,11 @@ void ExpectSameWorld(const World& a, const World& b) {
   ExpectSameFidelity(a.fidelity, b.fidelity);
   ExpectSameReplies(a.replies, b.replies);
   EXPECT_EQ(a.warnings, b.warnings);
+  ASSERT_EQ(a.geo.has_value(), b.geo.has_value());
+  if (!a.geo) return;
+  EXPECT_EQ(a.geo->latitude_deg, b.geo->latitude_deg);
+  EXPECT_EQ(a.geo->longitude_deg, b.geo->longitude_deg);
+  EXPECT_EQ(a.geo->altitude_m, b.geo->altitude_m);
 }
 
 TemporaryDirectory::TemporaryDirectory() {

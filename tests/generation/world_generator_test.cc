@@ -239,10 +239,11 @@ TEST(WorldGeneratorTest, SaysWhatWasGivenAndWhatIsLegal) {
       {[](auto* r) { r->resolution_m = 0.0; }, {"resolution", "0.05"}},
       {[](auto* r) { r->resolution_m = -1.0; }, {"resolution", "-1"}},
       {[&](auto* r) { r->resolution_m = kNan; }, {"resolution", "nan"}},
-      {[](auto* r) { r->size_m = 8192, r->resolution_m = 0.05; }, {"163840", "4096"}},
+      {[](auto* r) { r->size_m = 8192, r->resolution_m = 0.05; }, {"163840", "8192"}},
       {[](auto* r) { r->visual_kind = VisualKind::kHeightMap; }, {"height_map", "PNG"}},
       {[](auto* r) { r->visual = "x"; }, {"visual_kind"}},
-      {[](auto* r) { r->visual_kind = static_cast<VisualKind>(9); }, {"9", "none, height_map"}},
+      {[](auto* r) { r->visual_kind = static_cast<VisualKind>(9); },
+       {"9", "none, height_map, sketch, elevation"}},
       {[](auto* r) {
          r->visual_kind = VisualKind::kHeightMap, r->visual = "x",
          r->height_map.height_scale_m = 1e6;

@@ -33,7 +33,7 @@ TEST(WorldIdTest, ChangesWithEveryPartOfTheContent) {
         terrain->surface(0, 0) = SurfaceClass::kRock;
       },
       [](SymbolicLayout*, Terrain* terrain, Scene*) {
-        terrain->weights.classes[0].weight(0, 0) *= 0.5f;
+        terrain->weights.classes[0].weight.levels()(0, 0) ^= 1;
       },
       [](SymbolicLayout*, Terrain*, Scene* scene) { scene->environment.agents[0].quantity = 3; },
       [](SymbolicLayout*, Terrain*, Scene* scene) { scene->assets[2].yaw_rad += 0.01f; },
@@ -49,8 +49,12 @@ TEST(WorldIdTest, ChangesWithEveryPartOfTheContent) {
     Scene scene = *world->scene;
     changes[i](&layout, terrain.get(), &scene);
     scene.terrain = terrain;
-    EXPECT_NE(ContentId(layout, scene), world->id) << "change " << i;
+    EXPECT_NE(ContentId(layout, scene, world->geo), world->id) << "change " << i;
   }
+  GeoOrigin elsewhere = *world->geo;
+  elsewhere.altitude_m += 1.0;
+  EXPECT_NE(ContentId(world->layout, *world->scene, elsewhere), world->id);
+  EXPECT_NE(ContentId(world->layout, *world->scene, std::nullopt), world->id);
 }
 
 }  // namespace

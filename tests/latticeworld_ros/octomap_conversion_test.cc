@@ -26,9 +26,9 @@ std::string DataOf(const octomap_msgs::Octomap& message) {
 
 TEST(OctomapConversionTest, FullMessageReadsBackAsTheSameTree) {
   const octomap::OcTree tree = SmallTree();
-  const auto message = ToRos(tree, false);
+  const auto message = ToRos(FullData(tree), tree.getResolution(), false);
   EXPECT_FALSE(message.binary);
-  EXPECT_EQ(message.id, "OcTree");
+  EXPECT_EQ(message.id, tree.getTreeType());
   EXPECT_EQ(message.header.frame_id, "map");
   octomap::OcTree back(message.resolution);
   std::stringstream stream(DataOf(message));
@@ -38,7 +38,7 @@ TEST(OctomapConversionTest, FullMessageReadsBackAsTheSameTree) {
 
 TEST(OctomapConversionTest, BinaryMessageReadsBackWithTheSameOccupiedVoxels) {
   const octomap::OcTree tree = SmallTree();
-  const auto message = ToRos(tree, true);
+  const auto message = ToRos(BinaryData(tree), tree.getResolution(), true);
   EXPECT_TRUE(message.binary);
   octomap::OcTree back(message.resolution);
   std::stringstream stream(DataOf(message));

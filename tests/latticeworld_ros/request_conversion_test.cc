@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -65,11 +66,58 @@ TEST_F(RequestConversionTest, GivenFieldsAreTaken) {
   EXPECT_EQ(request->height_map.height_offset_m, -20.0);
 }
 
-TEST_F(RequestConversionTest, IllegalVisualKindNamesTheLegalOnes) {
+TEST_F(RequestConversionTest, ASketchTakesTheHeightsOfTheRequest) {
   fields_.visual_kind = 2;
+  fields_.visual.data = {1, 2, 3};
+  fields_.height_offset = -20.0;
+  auto request = FromRos(fields_, defaults_, generator_, 5);
+  ASSERT_TRUE(request.ok()) << request.status().ToString();
+  EXPECT_EQ(request->visual_kind, VisualKind::kSketch);
+  EXPECT_EQ(request->height_map.height_scale_m, 100.0);
+  EXPECT_EQ(request->height_map.height_offset_m, -20.0);
+  fields_.height_scale = 0.5;
+  request = FromRos(fields_, defaults_, generator_, 5);
+  ASSERT_FALSE(request.ok());
+  EXPECT_EQ(request.status().violations()[0].pointer, "height_scale");
+}
+
+TEST_F(RequestConversionTest, ElevationIsTheMiddleOfTheDataUnlessAPlaceIsGiven) {
+  fields_.visual_kind = 3;
+  fields_.visual.data = {1, 2, 3};
+  fields_.visual.format = "N40W106.hgt";
+  auto request = FromRos(fields_, defaults_, generator_, 5);
+  ASSERT_TRUE(request.ok()) << request.status().ToString();
+  EXPECT_EQ(request->visual_kind, VisualKind::kElevation);
+  EXPECT_EQ(request->visual_name, "N40W106.hgt");
+  EXPECT_TRUE(request->elevation.centered);
+  EXPECT_FALSE(request->elevation.keep_altitude);
+
+  fields_.latitude = 40.5;
+  fields_.longitude = -105.25;
+  fields_.keep_altitude = true;
+  request = FromRos(fields_, defaults_, generator_, 5);
+  ASSERT_TRUE(request.ok()) << request.status().ToString();
+  EXPECT_FALSE(request->elevation.centered);
+  EXPECT_EQ(request->elevation.latitude_deg, 40.5);
+  EXPECT_EQ(request->elevation.longitude_deg, -105.25);
+  EXPECT_TRUE(request->elevation.keep_altitude);
+  fields_.latitude = 0.0;  // on the equator
+  EXPECT_FALSE(FromRos(fields_, defaults_, generator_, 5)->elevation.centered);
+
+  for (const double illegal : {90.5, std::nan(""), -HUGE_VAL}) {
+    fields_.latitude = illegal;
+    request = FromRos(fields_, defaults_, generator_, 5);
+    ASSERT_FALSE(request.ok());
+    EXPECT_EQ(request.status().violations()[0].pointer, "latitude");
+  }
+}
+
+TEST_F(RequestConversionTest, IllegalVisualKindNamesTheLegalOnes) {
+  fields_.visual_kind = 4;
   const auto request = Convert();
   ASSERT_FALSE(request.ok());
-  EXPECT_NE(request.status().message().find("0 (NONE), 1 (HEIGHT_MAP)"), std::string::npos);
+  EXPECT_NE(request.status().message().find("0 (NONE), 1 (HEIGHT_MAP), 2 (SKETCH), 3 (ELEVATION)"),
+            std::string::npos);
 }
 
 TEST_F(RequestConversionTest, APictureNeedsItsKindAndOneSource) {

@@ -6,21 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <sstream>
-#include <tuple>
 
-#include "hand_made_scene.h"
 #include "latticeworld/common/random.h"
+#include "scene_of_everything.h"
+#include "voxels_of.h"
 
 namespace latticeworld {
 namespace {
-
-using Voxels = std::set<std::tuple<int, int, int>>;
-
-double Hills(double x_m, double y_m) {
-  return 3.0 * std::sin(x_m / 5.0) + 2.0 * std::cos(y_m / 3.0) + 0.7;
-}
 
 std::shared_ptr<const octomap::OcTree> Build(const Scene& scene, const OctreeOptions& options) {
   const Progress progress;
@@ -29,18 +22,7 @@ std::shared_ptr<const octomap::OcTree> Build(const Scene& scene, const OctreeOpt
   return *tree;
 }
 
-// Every occupied voxel at full depth.
-Voxels VoxelsOf(const octomap::OcTree& tree) {
-  octomap::OcTree expanded(tree);
-  expanded.expand();
-  Voxels voxels;
-  for (auto leaf = expanded.begin_leafs(); leaf != expanded.end_leafs(); ++leaf) {
-    EXPECT_TRUE(expanded.isNodeOccupied(*leaf));
-    EXPECT_EQ(leaf.getDepth(), expanded.getTreeDepth());
-    voxels.insert({leaf.getKey()[0], leaf.getKey()[1], leaf.getKey()[2]});
-  }
-  return voxels;
-}
+std::string TextOf(const OctreeData& data) { return {data.bytes.begin(), data.bytes.end()}; }
 
 // The same map voxel by voxel, as the header describes it: the plain way that BuildOctree avoids.
 class ReferenceMap {
@@ -124,35 +106,72 @@ class ReferenceMap {
   octomap::OcTree tree_;
 };
 
-Scene SceneOfEverything(std::uint64_t seed) {
-  RandomStream random(seed, "octree_test");
-  const auto place = [&] { return static_cast<float>(random.Uniform(-15.0, 15.0)); };
-  std::vector<Asset> assets;
-  for (int i = 0; i < 6; ++i) {
-    assets.push_back(MakeTree(place(), place(), static_cast<float>(random.Uniform(3.0, 9.0)),
-                              static_cast<float>(random.Uniform(0.8, 2.5)), 0.31f));
-    assets.push_back(MakeRound(AssetKind::kBush, place(), place(), 1.3f, 0.9f));
-    assets.push_back(MakeRound(AssetKind::kStone, place(), place(), 1.1f, 0.8f));
-  }
-  assets.push_back(MakeBuilding(place(), place(), 7.3f, 4.1f, 2.7f,
-                                static_cast<float>(random.Uniform(0.0, 3.0))));
-  assets.push_back(MakeRound(AssetKind::kFlower, 1.1f, 1.1f, 9.0f, 3.0f));
-  return WithAssets(MakeScene(64, 32.0, Hills), assets);
-}
-
 TEST(OctreeTest, IsTheTreeOfUpdatesVoxelByVoxelDownToEveryNode) {
-  for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    for (const double resolution_m : {0.5, 0.31, 1.7}) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    for (const double resolution_m : {0.5, 0.31, 1.7, 0.25, 6.0}) {
       const Scene scene = SceneOfEverything(seed);
       const OctreeOptions options = {resolution_m, 1.0};
       const auto tree = Build(scene, options);
       const ReferenceMap reference(scene, options);
       EXPECT_EQ(VoxelsOf(*tree), VoxelsOf(reference.tree())) << seed << " at " << resolution_m;
       // Pruned alike, with the same values inside: the same bytes.
-      EXPECT_EQ(FullData(*tree), FullData(reference.tree())) << seed << " at " << resolution_m;
+      EXPECT_EQ(FullData(*tree).bytes, FullData(reference.tree()).bytes)
+          << seed << " at " << resolution_m;
       EXPECT_EQ(tree->size(), reference.tree().size());
       EXPECT_EQ(tree->size(), tree->calcNumNodes());
+      const OctreeData binary = BuildBinaryData(scene, options, Progress()).value();
+      EXPECT_EQ(binary.bytes, BinaryData(reference.tree()).bytes) << seed << " at " << resolution_m;
+      EXPECT_EQ(binary.nodes, tree->size());
+      const OctreeData full = BuildFullData(scene, options, Progress()).value();
+      EXPECT_EQ(full.bytes, FullData(reference.tree()).bytes) << seed << " at " << resolution_m;
+      EXPECT_EQ(full.nodes, tree->size());
     }
+  }
+}
+
+// Worlds of several tiles of 128 columns, thin and thick ground, depths that fill whole tiles.
+TEST(OctreeTest, StreamsAreThoseOfTheTreeOverManyTiles) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    RandomStream random(seed, "many_tiles");
+    const int cells = random.UniformInt(33, 200);
+    const double cell_m = random.Uniform(0.2, 1.1), steepness = random.Uniform(0.0, 3.0);
+    std::vector<Asset> assets;
+    for (int i = 0; i < 40; ++i) {
+      const double half_m = 0.5 * cells * cell_m;
+      assets.push_back(MakeTree(static_cast<float>(random.Uniform(-half_m, half_m)),
+                                static_cast<float>(random.Uniform(-half_m, half_m)), 7.0f, 2.2f,
+                                0.3f));
+    }
+    const Scene scene =
+        WithAssets(MakeScene(cells, cells * cell_m,
+                             [&](double x_m, double y_m) { return steepness * Hills(x_m, y_m); }),
+                   assets);
+    for (const double thickness_m : {0.0, 1.0, 90.0}) {
+      const OctreeOptions options = {random.Uniform(0.2, 0.5), thickness_m};
+      const auto tree = Build(scene, options);
+      const OctreeData binary = BuildBinaryData(scene, options, Progress()).value();
+      EXPECT_EQ(binary.bytes, BinaryData(*tree).bytes) << seed;
+      EXPECT_EQ(binary.nodes, tree->calcNumNodes()) << seed;
+      const OctreeData full = BuildFullData(scene, options, Progress()).value();
+      EXPECT_EQ(full.bytes, FullData(*tree).bytes) << seed;
+      EXPECT_EQ(full.nodes, tree->calcNumNodes()) << seed;
+      octomap::OcTree pruned(*tree);
+      pruned.prune();
+      EXPECT_EQ(pruned.calcNumNodes(), tree->size()) << seed << ": not pruned";
+    }
+  }
+}
+
+TEST(OctreeTest, AnyNumberOfThreadsMakesTheSameBytes) {
+  const Scene scene = SceneOfEverything(5);
+  OctreeOptions options = {0.1, 1.0};
+  options.threads = 1;
+  const OctreeData one = BuildBinaryData(scene, options, Progress()).value();
+  const auto tree = Build(scene, options);
+  for (const int threads : {2, 3, 7}) {
+    options.threads = threads;
+    EXPECT_EQ(BuildBinaryData(scene, options, Progress()).value().bytes, one.bytes);
+    EXPECT_EQ(FullData(*Build(scene, options)).bytes, FullData(*tree).bytes);
   }
 }
 
@@ -196,18 +215,18 @@ TEST(OctreeTest, AboveTheGroundNothingIsKnown) {
 
 TEST(OctreeTest, BinaryDataReadsBackAsOctomapReadsIt) {
   const auto tree = Build(SceneOfEverything(11), {0.5, 1.0});
-  std::istringstream stream(BinaryData(*tree));
+  std::istringstream stream(TextOf(BinaryData(*tree)));
   octomap::OcTree read(0.5);
   read.readBinaryData(stream);
   EXPECT_EQ(VoxelsOf(read), VoxelsOf(*tree));
 
-  std::istringstream file(BinaryFile(*tree));
+  std::istringstream file(BinaryFile(BinaryData(*tree), 0.5));
   octomap::OcTree from_file(0.1);
   ASSERT_TRUE(from_file.readBinary(file));
   EXPECT_EQ(from_file.getResolution(), 0.5);
   EXPECT_EQ(VoxelsOf(from_file), VoxelsOf(*tree));
 
-  std::istringstream full(FullData(*tree));
+  std::istringstream full(TextOf(FullData(*tree)));
   octomap::OcTree from_full(0.5);
   from_full.readData(full);
   EXPECT_TRUE(from_full == *tree);
@@ -231,7 +250,7 @@ TEST(OctreeTest, RefusesIllegalOptionsAndNamesThemAll) {
 TEST(OctreeTest, RefusesVoxelsTooFineForTheWorld) {
   const Progress progress;
   const Scene wide = MakeScene(32, 4096.0, [](double, double) { return 0.0; });
-  EXPECT_FALSE(BuildOctree(wide, {0.5, 1.0}, progress).ok());
+  EXPECT_FALSE(BuildOctree(wide, {0.4, 1.0}, progress).ok());
   EXPECT_TRUE(BuildOctree(wide, {16.0, 1.0}, progress).ok());
   const Scene high = MakeScene(32, 16.0, [](double x_m, double) { return x_m * 1100.0; });
   EXPECT_FALSE(BuildOctree(high, {0.05, 1.0}, progress).ok());

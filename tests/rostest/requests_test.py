@@ -1,11 +1,13 @@
 #!/usr/bin/python3
 """What world_server refuses, and that the running world goes on meanwhile; bundles; the action."""
 
+import math
 import os
 import pathlib
 import resource
 import threading
 import xmlrpc.client
+import zlib
 
 import actionlib
 import rosgraph
@@ -49,6 +51,30 @@ def png_header(width, height):
             + height.to_bytes(4, "big") + b"\x10\x00\x00\x00\x00\x00\x00\x00\x00")
 
 
+def png(width, height, color_of):
+    """A PNG; color_of(col, row) gives red, green and blue, 0 .. 255."""
+    def chunk(name, data):
+        return (len(data).to_bytes(4, "big") + name + data
+                + zlib.crc32(name + data).to_bytes(4, "big"))
+    header = width.to_bytes(4, "big") + height.to_bytes(4, "big") + bytes((8, 2, 0, 0, 0))
+    rows = b"".join(b"\0" + b"".join(bytes(color_of(col, row)) for col in range(width))
+                    for row in range(height))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows))
+            + chunk(b"IEND", b""))
+
+
+def sketch_picture(ridge=(0, 0, 0), valley=(20, 40, 255)):
+    """A ridge in the west, a valley in the east."""
+    return png(100, 100, lambda col, row: ridge if 28 <= col < 31 else
+               valley if 68 <= col < 71 else (255, 255, 255))
+
+
+def land_grid(places="xllcorner -105.05\nyllcorner 39.95\ncellsize 0.001\n"):
+    """Elevation data, 8 km in degrees, that falls from 1599 m in the north to 1500 m."""
+    rows = "\n".join(" ".join([str(1599 - row)] * 100) for row in range(100))
+    return f"ncols 100\nnrows 100\n{places}{rows}\n".encode()
+
+
 class RequestsTest(WorldTest):
     def setUp(self):
         super().setUp()
@@ -85,8 +111,8 @@ class RequestsTest(WorldTest):
     def test_unknown_names(self):
         self.refuse(Status.INVALID_ARGUMENT, "moon", "suburb", "wild", vocabulary="moon")
         self.refuse(Status.INVALID_ARGUMENT, "oracle", "grounded", generator="oracle")
-        self.refuse(Status.INVALID_ARGUMENT, "visual_kind", "2", "NONE", "HEIGHT_MAP",
-                    visual_kind=2)
+        self.refuse(Status.INVALID_ARGUMENT, "visual_kind", "4", "NONE", "HEIGHT_MAP",
+                    "SKETCH", "ELEVATION", visual_kind=4)
 
     def test_bad_sizes(self):
         nan, inf = float("nan"), float("inf")
@@ -131,6 +157,81 @@ class RequestsTest(WorldTest):
             info = self.world.get_world().info
             self.assertGreater(info.max_height - info.min_height, 25.0)
             self.assertGreater(info.min_height, 60.0)
+
+    def test_a_sketch_gives_the_land_its_shape(self):
+        VISUALS.mkdir(parents=True, exist_ok=True)
+        (VISUALS / "sketch.png").write_bytes(sketch_picture())
+        for fields in ({"visual": CompressedImage(data=sketch_picture())},
+                       {"visual_path": "sketch.png"}):
+            self.world.generate(visual_kind=GenerateWorldRequest.SKETCH, height_scale=40.0,
+                                height_offset=10.0, layout="grassland", environment="", **fields)
+            info = self.world.get_world().info
+            self.assertGreater(info.max_height - info.min_height, 20.0)
+            self.assertAlmostEqual(10.0, info.min_height, delta=5.0)
+            self.assertTrue(math.isnan(info.latitude) and math.isnan(info.longitude)
+                            and math.isnan(info.altitude))
+            west, east = (self.mean_height(x) for x in (-26.0, 25.0))
+            self.assertGreater(west, east + 5.0)
+
+    def mean_height(self, x):
+        points = [Point(x=x, y=y) for y in range(-50, 51, 10)]
+        samples = self.assert_ok(self.world.query_terrain(points=points)).samples
+        return sum(sample.height for sample in samples) / len(samples)
+
+    def test_bad_sketches(self):
+        def refuse(data, *words):
+            self.refuse(Status.INVALID_ARGUMENT, *words, visual_kind=GenerateWorldRequest.SKETCH,
+                        visual=CompressedImage(data=data))
+        refuse(b"", "visual")
+        refuse(b"no picture at all")
+        refuse(png_header(30000, 30000), "30000")
+        refuse(sketch_picture()[:200])
+        refuse(png(64, 64, lambda col, row: (255, 255, 255)), "stroke")
+        refuse(png(64, 64, lambda col, row: (0, 0, 0)))
+        refuse(sketch_picture(ridge=(230, 20, 20), valley=(20, 200, 20)), "blue", "black")
+
+    def test_elevation_gives_the_world_its_heights_and_its_place(self):
+        fields = {"visual_kind": GenerateWorldRequest.ELEVATION, "layout": "grassland",
+                  "environment": "", "visual": CompressedImage(data=land_grid()), "size": 2048.0,
+                  "resolution": 16.0}
+        self.world.generate(**fields)
+        info = self.world.get_world().info
+        self.assertAlmostEqual(40.0, info.latitude, delta=1e-6)
+        self.assertAlmostEqual(-105.0, info.longitude, delta=1e-6)
+        self.assertAlmostEqual(0.0, info.min_height, delta=1.0)
+        self.assertAlmostEqual(1549.5 - 1024 / 111.0, info.altitude, delta=1.0)
+        # As wide as 2048 m are in degrees of latitude, a metre a thousandth of one.
+        self.assertAlmostEqual(2048 / 111.0, info.max_height - info.min_height, delta=2.0)
+
+        self.world.generate(latitude=40.01, longitude=-104.99, keep_altitude=True, **fields)
+        info = self.world.get_world().info
+        self.assertEqual((40.01, -104.99, 0.0), (info.latitude, info.longitude, info.altitude))
+        self.assertAlmostEqual(1559.5, (info.min_height + info.max_height) / 2, delta=2.0)
+        saved = self.assert_ok(self.world.save_world(name="land"))
+        self.world.generate()
+        self.assertTrue(math.isnan(self.world.get_world().info.latitude))
+        self.assertEqual(saved.world_id, self.assert_ok(self.world.load_world(name="land")).world_id)
+        self.assertEqual(40.01, self.world.get_world().info.latitude)
+
+    def test_bad_elevation(self):
+        def refuse(data, *words, name="", **fields):
+            self.refuse(Status.INVALID_ARGUMENT, *words, **fields,
+                        visual_kind=GenerateWorldRequest.ELEVATION,
+                        visual=CompressedImage(data=data, format=name))
+        refuse(b"", "visual")
+        refuse(b"no elevation at all", "GeoTIFF")
+        refuse(slope_picture(), "PGM", "place on the earth")
+        refuse(land_grid()[:5000], "cut off")
+        refuse(land_grid(), "legal is a size of at most", size=8192.0, resolution=8.0,
+               latitude=40.03, longitude=-105.0)
+        refuse(land_grid(), "outside", latitude=-40.0, longitude=10.0)
+        refuse(land_grid(), "latitude", latitude=95.0)
+        refuse(land_grid(), "longitude", longitude=float("nan"))
+        refuse(land_grid("xllcorner 0\nyllcorner 0\ncellsize 10\n"), "no coordinate system",
+               latitude=40.0, longitude=-105.0)
+        refuse(bytes(2 * 1201 * 1201), "N40W106.hgt", name="mountains.hgt")
+        refuse(b"\x80\x00" * (1201 * 1201), "nothing but no-data", name="N40W106.hgt")
+        refuse(b"II*\0" + bytes(100))
 
     def test_bundles(self):
         before = self.world.get_world()

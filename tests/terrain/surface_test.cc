@@ -37,5 +37,18 @@ TEST(SurfaceTest, RoadsRollEasiestAndGripBest) {
   }
 }
 
+TEST(SurfaceTest, SoilSoftensInRainAndPavingDoesNot) {
+  for (const auto& surface : EnumNames(SurfaceClass{})) {
+    const double dry = PropertiesOf(surface.value, Weather::kSunny).cone_index_kpa;
+    const double wet = PropertiesOf(surface.value, Weather::kRain).cone_index_kpa;
+    EXPECT_GE(dry, 50.0) << surface.name;  // carries a light robot
+    EXPECT_LE(dry, kHardConeIndex_kPa) << surface.name;
+    const bool stays = dry == kHardConeIndex_kPa || surface.value == SurfaceClass::kSnow ||
+                       surface.value == SurfaceClass::kWaterBed;
+    EXPECT_EQ(wet == dry, stays) << surface.name;
+    EXPECT_LE(wet, dry) << surface.name;
+  }
+}
+
 }  // namespace
 }  // namespace latticeworld

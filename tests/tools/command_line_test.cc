@@ -46,6 +46,7 @@ TEST_F(CommandLineTest, TellsItsCommandsAndTheirOptions) {
       {"show", {"DIR"}},
       {"picture", {"DIR", "--out", "--width", "--view"}},
       {"score", {"DIR", "--symbols", "--benchmark", "--part", "--misses", "--remote-url"}},
+      {"measure", {"PATH", "--size", "--height-scale", "--json"}},
       {"rebuild", {"DIR", "--out"}}};
   for (const auto& [command, words] : commands) {
     const ProgramRun run = RunProgram({command, "--help"});
@@ -72,10 +73,10 @@ TEST_F(CommandLineTest, TellsItsVersion) {
 }
 
 TEST_F(CommandLineTest, RefusesWhatIsNoCommand) {
-  ExpectUsageError({}, {"generate, show, picture, score and rebuild"});
-  ExpectUsageError({"grow"}, {"grow", "generate, show, picture, score and rebuild"});
+  ExpectUsageError({}, {"generate, show, picture, measure, score and rebuild"});
+  ExpectUsageError({"grow"}, {"grow", "generate, show, picture, measure, score and rebuild"});
   ExpectUsageError({"--frobnicate"},
-                   {"--frobnicate", "generate, show, picture, score and rebuild"});
+                   {"--frobnicate", "generate, show, picture, measure, score and rebuild"});
 }
 
 TEST_F(CommandLineTest, RefusesUnusableOptions) {

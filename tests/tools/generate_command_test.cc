@@ -28,6 +28,44 @@ std::string PngHeader(unsigned width, unsigned height, const std::string& checks
          big_endian(height) + std::string("\x08\x00\x00\x00\x00", 5) + checksum;
 }
 
+// An uncompressed RGB TIFF, 64 x 64: a black stroke in the west, a blue one in the east.
+std::string MakeSketch() {
+  constexpr unsigned kSide = 64;
+  const auto put = [](unsigned value, int size, std::string* bytes) {
+    for (int i = 0; i < size; ++i) bytes->push_back(static_cast<char>(value >> (8 * i)));
+  };
+  constexpr unsigned kData = 8 + 2 + 10 * 12 + 4 + 6;  // after the header and three depths
+  const unsigned fields[][4] = {
+      // tag, type, count, value
+      {256, 3, 1, kSide}, {257, 3, 1, kSide}, {258, 3, 3, kData - 6},
+      {259, 3, 1, 1},     {262, 3, 1, 2},     {273, 4, 1, kData},
+      {277, 3, 1, 3},     {278, 3, 1, kSide}, {279, 4, 1, 3 * kSide * kSide},
+      {284, 3, 1, 1}};
+  std::string bytes("II*\0\x08\0\0\0", 8);
+  put(10, 2, &bytes);
+  for (const auto& field : fields) {
+    put(field[0], 2, &bytes);
+    put(field[1], 2, &bytes);
+    put(field[2], 4, &bytes);
+    put(field[3], 4, &bytes);
+  }
+  put(0, 4, &bytes);
+  for (int i = 0; i < 3; ++i) put(8, 2, &bytes);
+  for (unsigned i = 0; i < kSide * kSide; ++i) {
+    const unsigned col = i % kSide;
+    const bool ridge = col >= 17 && col < 20, valley = col >= 43 && col < 46;
+    bytes += ridge ? std::string(3, '\0') : valley ? "\x10\x30\xff" : "\xff\xff\xff";
+  }
+  return bytes;
+}
+
+// 100 x 100 samples of a thousandth of a degree, rising from 500 m in the west to 599 m.
+std::string MakeElevation() {
+  std::string text = "ncols 100\nnrows 100\nxllcorner -105.05\nyllcorner 39.95\ncellsize 0.001\n";
+  for (int i = 0; i < 100 * 100; ++i) text += std::to_string(500 + i % 100) + " ";
+  return text;
+}
+
 class GenerateCommandTest : public ProgramTest {
  protected:
   // generate for a small world, with these options besides.
@@ -130,6 +168,77 @@ TEST_F(GenerateCommandTest, TakesAHeightMapAlone) {
   EXPECT_EQ(Read("world/visual"), MakePgm(64));
 }
 
+TEST_F(GenerateCommandTest, TakesASketch) {
+  Write("sketch.tif", MakeSketch());
+  const ProgramRun run = Generate({"--sketch", PathOf("sketch.tif"), "--height-scale", "25",
+                                   "--height-offset", "40", "--seed", "3"});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  for (const char* word : {"sketch, ", "25 m from lowest to highest", "from 40 m", "embedded"}) {
+    EXPECT_NE(run.out.find(word), std::string::npos) << word << " | " << run.out;
+  }
+  EXPECT_EQ(Read("world/visual"), MakeSketch());
+  const ProgramRun again = RunProgram({"rebuild", PathOf("world")});
+  EXPECT_EQ(again.exit_status, 0) << again.err;
+}
+
+TEST_F(GenerateCommandTest, TakesElevationAroundItsMiddleOrAPlace) {
+  Write("land.asc", MakeElevation());
+  const ProgramRun middle = Generate({"--elevation", PathOf("land.asc"), "--seed", "3"});
+  ASSERT_EQ(middle.exit_status, 0) << middle.err;
+  for (const char* word : {"latitude 40.000000, longitude -105.000000", "z = 0 at 549",
+                           "elevation, ", "lowest point at 0 m", "taken for degrees"}) {
+    EXPECT_NE(middle.out.find(word), std::string::npos) << word << " | " << middle.out;
+  }
+  const ProgramRun place = Generate({"--elevation", PathOf("land.asc"), "--at", "40.02,-104.97",
+                                     "--keep-altitude", "--seed", "3", "--out", PathOf("place")});
+  ASSERT_EQ(place.exit_status, 0) << place.err;
+  for (const char* word : {"latitude 40.020000, longitude -104.970000", "z = 0 at 0.0 m",
+                           "altitudes kept", "ground       from 57"}) {
+    EXPECT_NE(place.out.find(word), std::string::npos) << word << " | " << place.out;
+  }
+  const ProgramRun shown = RunProgram({"show", PathOf("place")});
+  EXPECT_EQ(shown.exit_status, 0) << shown.err;
+  EXPECT_NE(shown.out.find("latitude 40.020000"), std::string::npos) << shown.out;
+}
+
+TEST_F(GenerateCommandTest, RefusesUnusableSketchesAndElevation) {
+  Write("good.pgm", MakePgm(64));
+  Write("land.asc", MakeElevation());
+  Write("sketch.tif", MakeSketch());
+  ExpectFailure(2, {"--sketch", PathOf("land.asc")}, {"relief", "PNG"});
+  ExpectFailure(2, {"--elevation", PathOf("good.pgm")}, {"PGM", "GeoTIFF"});
+  ExpectFailure(2, {"--elevation", PathOf("sketch.tif")}, {"3 bands"});
+  ExpectFailure(1, {"--sketch", PathOf("no.png")}, {"--sketch", "no.png"});
+  ExpectFailure(1, {"--elevation", PathOf("no.tif")}, {"--elevation", "no.tif"});
+  ExpectFailure(2, {"--sketch", PathOf("sketch.tif"), "--height-scale", "0.5"}, {"height_scale"});
+  ExpectFailure(1, {"--sketch", PathOf("sketch.tif"), "--sketch-model", PathOf("no.onnx")},
+                {"--sketch-model", "no.onnx"});
+  ExpectFailure(2, {"--sketch", PathOf("sketch.tif"), "--sketch-model", PathOf("good.pgm")},
+                {"--sketch-model"});
+  ExpectFailure(2,
+                {"--elevation", PathOf("land.asc"), "--at", "40.04,-105", "--size", "4096",
+                 "--resolution", "16"},
+                {"4096 m", "legal is a size of at most"});
+  for (const char* place : {"40", "40,", "40,-105,3", "north,-105", "nan,-105", ""}) {
+    ExpectFailure(2, {"--elevation", PathOf("land.asc"), "--at", place}, {"--at", "comma"});
+  }
+  ExpectFailure(2, {"--elevation", PathOf("land.asc"), "--at", "95,-105"}, {"latitude", "95"});
+  ExpectFailure(2, {"--elevation", PathOf("land.asc"), "--at", "50,8"}, {"outside", "39.95"});
+}
+
+TEST_F(GenerateCommandTest, TakesOneReliefAndOnlyItsOwnOptions) {
+  Write("good.pgm", MakePgm(64));
+  Write("land.asc", MakeElevation());
+  ExpectFailure(2, {"--height-map", PathOf("good.pgm"), "--elevation", PathOf("land.asc")},
+                {"--elevation", "beside --height-map", "--sketch"});
+  ExpectFailure(2, {"--elevation", PathOf("land.asc"), "--height-scale", "3"},
+                {"--height-scale", "--height-map or --sketch"});
+  ExpectFailure(2, {"--height-map", PathOf("good.pgm"), "--at", "1,2", "--keep-altitude"},
+                {"--at", "--keep-altitude", "--elevation"});
+  ExpectFailure(2, {"--layout", "Forest.", "--sketch-model", "x.onnx"},
+                {"--sketch-model", "--sketch"});
+}
+
 TEST_F(GenerateCommandTest, TakesTextsThatLookLikeSyntax) {
   for (const char* text :
        {"[forest, lake]", "{forest}", "- a forest", "\"forest\" = %% 'lake' #"}) {
@@ -195,7 +304,7 @@ TEST_F(GenerateCommandTest, RefusesUnusableSizes) {
     }
   }
   ExpectFailure(2, {"--layout", "Forest.", "--size", "8192", "--resolution", "0.05"},
-                {"163840", "4096"});
+                {"163840", "8192"});
   ExpectFailure(2, {"--layout", "Forest.", "--size", "0", "--resolution", "-2"},
                 {"size", "not 0", "resolution", "not -2"});
 }

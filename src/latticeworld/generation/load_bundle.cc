@@ -14,6 +14,7 @@
 #include "latticeworld/generation/fidelity_json.h"
 #include "latticeworld/generation/replies_json.h"
 #include "latticeworld/generation/terrain_file.h"
+#include "latticeworld/generation/visual.h"
 #include "latticeworld/generation/world_id.h"
 
 namespace latticeworld {
@@ -28,8 +29,7 @@ Status Damaged(std::string_view file, const Status& status) {
 
 Status CheckRequest(const GenerationRequest& request) {
   LW_RETURN_IF_ERROR(GridGeometry::Create(request.size_m, request.resolution_m).status());
-  if (request.visual_kind == VisualKind::kNone) return Status();
-  return Status::FromViolations("height map", Validate(request.height_map));
+  return Status::FromViolations("visual instruction", ValidateVisualOptions(request));
 }
 
 // Every file that the world needs is listed, once, and nothing else is: names never come from the
@@ -136,7 +136,7 @@ Result<std::shared_ptr<const World>> Load(const fs::path& directory) {
   if (!replies.ok()) return Damaged(kRepliesFile, replies.status());
   LW_ASSIGN_OR_RETURN(auto scene, ParseScene(contents, manifest, *environment));
 
-  const std::string id = ContentId(*layout, *scene);
+  const std::string id = ContentId(*layout, *scene, manifest.geo);
   if (id != manifest.world_id) {
     return DataLoss(std::string(kManifestFile) + ": names " + Quote(manifest.world_id) +
                     ", but the files hold " + id);
@@ -148,6 +148,7 @@ Result<std::shared_ptr<const World>> Load(const fs::path& directory) {
   world->layout = *std::move(layout);
   world->environment = *std::move(environment);
   world->scene = std::move(scene);
+  world->geo = manifest.geo;
   world->fidelity = *std::move(fidelity);
   world->replies = *std::move(replies);
   world->warnings = std::move(manifest.warnings);

@@ -15,12 +15,48 @@ using jf::Json;
 constexpr std::string_view kDigestKey = "\"manifest_sha256\": \"";
 constexpr std::size_t kDigestDigits = 64;
 
+Json Encode(const ElevationOptions& elevation) {
+  return {{"centered", elevation.centered},
+          {"latitude_deg", elevation.latitude_deg},
+          {"longitude_deg", elevation.longitude_deg},
+          {"keep_altitude", elevation.keep_altitude}};
+}
+
+ElevationOptions DecodeElevation(const Json& json) {
+  jf::ExpectKeys(json, {"centered", "latitude_deg", "longitude_deg", "keep_altitude"});
+  ElevationOptions elevation;
+  elevation.centered = jf::Boolean(json, "centered");
+  elevation.latitude_deg = jf::Number(json, "latitude_deg", -90.0, 90.0);
+  elevation.longitude_deg = jf::Number(json, "longitude_deg", -180.0, 180.0);
+  elevation.keep_altitude = jf::Boolean(json, "keep_altitude");
+  return elevation;
+}
+
+// null: the world lies nowhere on the earth.
+Json Encode(const std::optional<GeoOrigin>& geo) {
+  if (!geo) return Json();
+  return {{"latitude_deg", geo->latitude_deg},
+          {"longitude_deg", geo->longitude_deg},
+          {"altitude_m", geo->altitude_m}};
+}
+
+std::optional<GeoOrigin> DecodeGeo(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  jf::ExpectKeys(json, {"latitude_deg", "longitude_deg", "altitude_m"});
+  return GeoOrigin{jf::Number(json, "latitude_deg", -90.0, 90.0),
+                   jf::Number(json, "longitude_deg", -180.0, 180.0),
+                   jf::Number(json, "altitude_m")};
+}
+
 Json Encode(const GenerationRequest& request) {
   return {{"layout_instruction", request.layout_instruction},
           {"environment_instruction", request.environment_instruction},
           {"visual_kind", NameOf(request.visual_kind)},
+          {"visual_name", request.visual_name},
+          {"sketch_translator", request.sketch_translator},
           {"height_map_scale_m", request.height_map.height_scale_m},
           {"height_map_offset_m", request.height_map.height_offset_m},
+          {"elevation", Encode(request.elevation)},
           {"vocabulary", request.vocabulary},
           {"generator", request.generator},
           {"seed", request.seed},
@@ -29,15 +65,19 @@ Json Encode(const GenerationRequest& request) {
 }
 
 GenerationRequest DecodeRequest(const Json& json) {
-  jf::ExpectKeys(
-      json, {"layout_instruction", "environment_instruction", "visual_kind", "height_map_scale_m",
-             "height_map_offset_m", "vocabulary", "generator", "seed", "size_m", "resolution_m"});
+  jf::ExpectKeys(json,
+                 {"layout_instruction", "environment_instruction", "visual_kind", "visual_name",
+                  "sketch_translator", "height_map_scale_m", "height_map_offset_m", "elevation",
+                  "vocabulary", "generator", "seed", "size_m", "resolution_m"});
   GenerationRequest request;
   request.layout_instruction = jf::Text(json, "layout_instruction");
   request.environment_instruction = jf::Text(json, "environment_instruction");
   request.visual_kind = jf::Named<VisualKind>(json, "visual_kind");
+  request.visual_name = jf::Text(json, "visual_name");
+  request.sketch_translator = jf::Text(json, "sketch_translator");
   request.height_map.height_scale_m = jf::Number(json, "height_map_scale_m");
   request.height_map.height_offset_m = jf::Number(json, "height_map_offset_m");
+  request.elevation = DecodeElevation(json["elevation"]);
   jf::Named<Vocabulary>(json, "vocabulary");  // resolved when it was saved: never empty
   request.vocabulary = jf::Text(json, "vocabulary");
   request.generator = jf::Text(json, "generator");
@@ -98,11 +138,12 @@ BundleFile DecodeFile(const Json& json) {
 }
 
 Manifest DecodeFields(const Json& json) {
-  jf::ExpectKeys(json, {"format_version", "world_id", "request", "height_png", "water_png",
+  jf::ExpectKeys(json, {"format_version", "world_id", "geo", "request", "height_png", "water_png",
                         "octree_resolution_m", "atmosphere", "warnings", "stages", "files",
                         "manifest_sha256"});
   Manifest manifest;
   manifest.world_id = jf::Text(json, "world_id");
+  manifest.geo = DecodeGeo(json["geo"]);
   manifest.request = DecodeRequest(json["request"]);
   jf::ExpectKeys(json["height_png"], {"scale_m", "offset_m"});
   manifest.height_png_scale_m = jf::Number(json["height_png"], "scale_m", 0.0);
@@ -160,6 +201,7 @@ std::string EncodeManifest(const Manifest& manifest) {
   Json json = {
       {"format_version", kBundleFormatVersion},
       {"world_id", manifest.world_id},
+      {"geo", Encode(manifest.geo)},
       {"request", Encode(manifest.request)},
       {"height_png",
        {{"scale_m", manifest.height_png_scale_m}, {"offset_m", manifest.height_png_offset_m}}},

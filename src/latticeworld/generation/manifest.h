@@ -2,6 +2,7 @@
 #define LATTICEWORLD_GENERATION_MANIFEST_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,7 @@
 
 namespace latticeworld {
 
-inline constexpr int kBundleFormatVersion = 2;
+inline constexpr int kBundleFormatVersion = 3;
 
 // One file of a bundle besides the manifest itself.
 struct BundleFile {
@@ -24,6 +25,7 @@ struct BundleFile {
 // What world.json says: all of a world that has no file of its own, and what its files are.
 struct Manifest {
   std::string world_id;
+  std::optional<GeoOrigin> geo;
   GenerationRequest request;  // without the picture's bytes, which are in the file "visual"
   double height_png_scale_m = 0.0;
   double height_png_offset_m = 0.0;

@@ -64,12 +64,6 @@ Result<WaterPng> EncodeWaterDepths(const Terrain& terrain) {
   return encoded;
 }
 
-Result<std::string> EncodeWeights(const Grid<float>& weight) {
-  Grid<std::uint8_t> pixels(weight.rows(), weight.cols());
-  std::transform(weight.begin(), weight.end(), pixels.begin(), [](float value) {
-    return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
-  });
-  return EncodePng(pixels);
-}
+Result<std::string> EncodeWeights(const WeightGrid& weight) { return EncodePng(weight.levels()); }
 
 }  // namespace latticeworld

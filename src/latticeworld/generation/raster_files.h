@@ -27,7 +27,7 @@ struct WaterPng {
 Result<WaterPng> EncodeWaterDepths(const Terrain& terrain);
 
 // 8-bit greyscale PNG, 0 .. 255 for a weight of 0 .. 1.
-Result<std::string> EncodeWeights(const Grid<float>& weight);
+Result<std::string> EncodeWeights(const WeightGrid& weight);
 
 }  // namespace latticeworld
 

@@ -90,8 +90,8 @@ Result<std::string> EncodeOctree(const Scene& scene, double resolution_m,
                                  const Progress& progress) {
   OctreeOptions options;
   options.resolution_m = resolution_m;
-  LW_ASSIGN_OR_RETURN(const auto octree, BuildOctree(scene, options, progress));
-  return BinaryFile(*octree);
+  LW_ASSIGN_OR_RETURN(const OctreeData data, BuildBinaryData(scene, options, progress));
+  return BinaryFile(data, resolution_m);
 }
 
 // All files but the manifest.
@@ -126,6 +126,7 @@ Status Save(const World& world, const fs::path& target) {
                       DirectoryWriter::Create(WithoutTrailingSlash(target)));
   Manifest manifest;
   manifest.world_id = world.id;
+  manifest.geo = world.geo;
   manifest.request = world.request;
   manifest.atmosphere = world.scene->atmosphere;
   manifest.warnings = world.warnings;

@@ -15,9 +15,8 @@
 namespace latticeworld {
 namespace {
 
-constexpr std::string_view kMagic = "LWTERR1\n";
+constexpr std::string_view kMagic = "LWTERR2\n";
 constexpr float kMaxHeight_m = 100000.0f;  // far above every legal relief
-constexpr float kWeightSlack = 1e-4f;      // a blend of weights may round past its ends
 constexpr int kCompressionLevel = 1;
 
 template <typename Integer>
@@ -185,7 +184,8 @@ Result<std::string> EncodeTerrain(const Terrain& terrain) {
   LW_RETURN_IF_ERROR(AppendGrid(terrain.water_level_m, &content));
   LW_RETURN_IF_ERROR(AppendCompressed(terrain.surface.data(), terrain.surface.size(), &content));
   for (const ClassWeight& entry : terrain.weights.classes) {
-    LW_RETURN_IF_ERROR(AppendGrid(entry.weight, &content));
+    LW_RETURN_IF_ERROR(
+        AppendCompressed(entry.weight.levels().data(), entry.weight.size(), &content));
   }
   return content;
 }
@@ -208,11 +208,11 @@ Result<Terrain> DecodeTerrain(std::string_view content, const GridGeometry& geom
   LW_ASSIGN_OR_RETURN(terrain.surface, ReadSurface(&reader, geometry));
   terrain.weights.vocabulary = vocabulary;
   for (const char letter : letters) {
-    LW_ASSIGN_OR_RETURN(Grid<float> weight,
-                        ReadGrid(&reader, geometry, std::string("weight of class ") + letter,
-                                 "legal are weights from 0 to 1", [](float value) {
-                                   return value >= -kWeightSlack && value <= 1.0f + kWeightSlack;
-                                 }));
+    LW_ASSIGN_OR_RETURN(
+        const std::string levels,
+        ReadCompressed(&reader, terrain.surface.size(), std::string("weight of class ") + letter));
+    WeightGrid weight(geometry.rows(), geometry.cols());
+    std::copy(levels.begin(), levels.end(), weight.levels().begin());
     terrain.weights.classes.push_back({letter, std::move(weight)});
   }
   if (!reader.AtEnd()) return DataLoss("goes on after its last grid");

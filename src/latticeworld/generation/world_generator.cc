@@ -10,6 +10,7 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/generation/visual.h"
 #include "latticeworld/generation/world_id.h"
 
 namespace latticeworld {
@@ -40,50 +41,11 @@ void CheckTexts(const GenerationRequest& request, std::vector<Violation>* violat
   Append(Validate(environment_request), "environment_instruction", violations);
 }
 
-void CheckVisual(const GenerationRequest& request, std::vector<Violation>* violations) {
-  switch (request.visual_kind) {
-    case VisualKind::kNone:
-      if (!request.visual.empty()) {
-        violations->push_back({"visual_without_kind", "visual_kind",
-                               "a picture is given, so its kind must be height_map, not none",
-                               "none"});
-      }
-      return;
-    case VisualKind::kHeightMap:
-      if (request.visual.empty()) {
-        violations->push_back({"missing_visual", "visual",
-                               "visual_kind is height_map, but no picture is given; give the bytes "
-                               "of a PNG, PGM or TIFF, or visual_kind none",
-                               ""});
-      }
-      if (request.visual.size() > kMaxVisualBytes) {
-        const std::string given = std::to_string(request.visual.size());
-        violations->push_back({"out_of_range", "visual",
-                               "the picture is " + given + " bytes long; at most " +
-                                   std::to_string(kMaxVisualBytes) + " are legal",
-                               given});
-      }
-      for (Violation& violation : Validate(request.height_map)) {
-        violations->push_back(std::move(violation));
-      }
-      return;
-  }
-  const std::string given = std::to_string(static_cast<int>(request.visual_kind));
-  violations->push_back({"unknown_value", "visual_kind",
-                         "is " + given + "; legal are " + LegalNames<VisualKind>(), given});
-}
-
 Vocabulary ResolveVocabulary(const GenerationRequest& request) {
   if (!request.vocabulary.empty()) return *FromName<Vocabulary>(request.vocabulary);
   // The method's suburban scenes have no relief, so a relief without words is a wild one.
   if (request.layout_instruction.empty()) return Vocabulary::kWild;
   return ChooseVocabulary(request.layout_instruction);
-}
-
-Result<std::optional<Relief>> ReadRelief(const GenerationRequest& request) {
-  if (request.visual_kind == VisualKind::kNone) return std::optional<Relief>();
-  LW_ASSIGN_OR_RETURN(Relief relief, ReadHeightMap(request.visual, request.height_map));
-  return std::optional<Relief>(std::move(relief));
 }
 
 // Runs the stages of one generation: reports, times and names the failure of each, and stops
@@ -113,6 +75,7 @@ class StageRunner {
 };
 
 Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, LanguageBackend* backend,
+                                               const SketchTranslator& sketches,
                                                const Progress& progress) {
   auto world = std::make_shared<World>();
   StageRunner stages(progress);
@@ -122,9 +85,14 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
 
   LW_ASSIGN_OR_RETURN(const GridGeometry geometry,
                       GridGeometry::Create(request.size_m, request.resolution_m));
-  LW_ASSIGN_OR_RETURN(const std::optional<Relief> relief,
-                      stages.Run("relief", [&] { return ReadRelief(request); }));
+  LW_ASSIGN_OR_RETURN(const std::optional<Relief> relief, stages.Run("relief", [&] {
+    return ReadVisual(request, sketches, geometry, progress);
+  }));
   const Relief* relief_pointer = relief ? &*relief : nullptr;
+  if (relief) {
+    world->geo = relief->geo;
+    add_warnings(relief->warnings);
+  }
 
   LW_ASSIGN_OR_RETURN(LayoutAnswer layout, stages.Run("layout", [&] {
     LayoutRequest layout_request;
@@ -176,15 +144,17 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   world->request = std::move(request);
   world->stages = stages.TakeStages();
-  world->id = ContentId(world->layout, *world->scene);
+  world->id = ContentId(world->layout, *world->scene, world->geo);
   return std::shared_ptr<const World>(std::move(world));
 }
 
 }  // namespace
 
 WorldGenerator::WorldGenerator(std::map<std::string, LanguageBackend> backends,
-                               std::string default_backend)
-    : backends_(std::move(backends)), default_backend_(std::move(default_backend)) {
+                               std::string default_backend, SketchTranslator sketches)
+    : backends_(std::move(backends)),
+      default_backend_(std::move(default_backend)),
+      sketches_(std::move(sketches)) {
   LW_CHECK(backends_.count(default_backend_) == 1, "the default back end is among the back ends");
   for (const auto& [name, backend] : backends_) {
     LW_CHECK(backend.layout != nullptr && backend.environment != nullptr,
@@ -201,7 +171,8 @@ std::vector<std::string> WorldGenerator::backend_names() const {
 Status WorldGenerator::Validate(const GenerationRequest& request) const {
   std::vector<Violation> violations;
   CheckTexts(request, &violations);
-  CheckVisual(request, &violations);
+  for (Violation& violation : ValidateVisual(request, sketches_))
+    violations.push_back(std::move(violation));
   if (!request.vocabulary.empty() && !FromName<Vocabulary>(request.vocabulary)) {
     violations.push_back({"unknown_value", "vocabulary",
                           "is " + Quote(request.vocabulary) + "; legal are " +
@@ -231,9 +202,9 @@ Result<std::shared_ptr<const World>> WorldGenerator::Generate(const GenerationRe
     GenerationRequest resolved = request;
     resolved.vocabulary = std::string(NameOf(ResolveVocabulary(request)));
     if (resolved.generator.empty()) resolved.generator = default_backend_;
-    if (resolved.visual_kind == VisualKind::kNone) resolved.height_map = HeightMapOptions();
+    ResolveVisual(sketches_, &resolved);
     LanguageBackend* backend = &backends_.at(resolved.generator);
-    return RunStages(std::move(resolved), backend, progress);
+    return RunStages(std::move(resolved), backend, sketches_, progress);
   } catch (const std::bad_alloc&) {
     return ResourceExhausted("not enough memory for a world of " + FormatDouble(request.size_m) +
                              " m at " + FormatDouble(request.resolution_m) +

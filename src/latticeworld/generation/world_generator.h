@@ -8,6 +8,7 @@
 
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
+#include "latticeworld/generation/sketch_translator.h"
 #include "latticeworld/generation/world.h"
 #include "latticeworld/language/generator.h"
 
@@ -22,7 +23,9 @@ struct LanguageBackend {
 class WorldGenerator {
  public:
   // backends: by name; default_backend must be among them.
-  WorldGenerator(std::map<std::string, LanguageBackend> backends, std::string default_backend);
+  // sketches: how they become land.
+  WorldGenerator(std::map<std::string, LanguageBackend> backends, std::string default_backend,
+                 SketchTranslator sketches = SketchTranslator());
 
   // Everything that can be said about a request before any work is done, every violation at once.
   Status Validate(const GenerationRequest& request) const;
@@ -36,6 +39,7 @@ class WorldGenerator {
  private:
   std::map<std::string, LanguageBackend> backends_;
   std::string default_backend_;
+  SketchTranslator sketches_;
 };
 
 // The generator with every back end that is built in ("grounded").

@@ -43,7 +43,7 @@ void AddTerrain(const Terrain& terrain, Digest* digest) {
   AddGrid(terrain.surface, digest);
   for (const ClassWeight& entry : terrain.weights.classes) {
     digest->Add(entry.letter);
-    AddGrid(entry.weight, digest);
+    AddGrid(entry.weight.levels(), digest);
   }
 }
 
@@ -93,7 +93,8 @@ void AddAgent(const AgentStart& agent, Digest* digest) {
 
 }  // namespace
 
-std::string ContentId(const SymbolicLayout& layout, const Scene& scene) {
+std::string ContentId(const SymbolicLayout& layout, const Scene& scene,
+                      const std::optional<GeoOrigin>& geo) {
   Digest digest;
   digest.Add(layout.vocabulary);
   digest.AddText(ToText(layout));
@@ -102,6 +103,11 @@ std::string ContentId(const SymbolicLayout& layout, const Scene& scene) {
   digest.AddText(FieldsOf(scene.assets));
   digest.AddText(FieldsOf(scene.atmosphere));
   for (const AgentStart& agent : scene.agents) AddAgent(agent, &digest);
+  if (geo) {
+    digest.Add(geo->latitude_deg);
+    digest.Add(geo->longitude_deg);
+    digest.Add(geo->altitude_m);
+  }
   return "world-" + digest.Hex().substr(0, kIdDigits);
 }
 

@@ -12,13 +12,13 @@ struct WorldPoint {
   double y_m = 0.0;
 };
 
-// Limits of a world. kMaxCells bounds memory: about 60 bytes a cell while a world is generated.
+// Limits of a world. kMaxCells bounds memory: a world keeps about 16 bytes a cell.
 inline constexpr double kMinSize_m = 16.0;
 inline constexpr double kMaxSize_m = 8192.0;
 inline constexpr double kMinResolution_m = 0.05;
 inline constexpr double kMaxResolution_m = 16.0;
 inline constexpr int kMinCells = 32;    // a side
-inline constexpr int kMaxCells = 4096;  // a side
+inline constexpr int kMaxCells = 8192;  // a side
 
 // Where a square grid lies in the world. Row 0, column 0 is the north-west corner cell, whose
 // centre is at (-size/2 + resolution/2, +size/2 - resolution/2): x grows with the column, y falls

@@ -4,98 +4,82 @@
 #include <cmath>
 #include <utility>
 
+#include "latticeworld/common/parallel.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/geomorphology/blur.h"
 #include "latticeworld/geomorphology/noise.h"
+#include "latticeworld/layout/letter_field.h"
 
 namespace latticeworld {
 namespace {
 
-// Half the width of a river or road where it runs diagonally [layout cells].
-constexpr double kDiagonalHalfWidth = 0.5;
+using internal::LayoutPoint;
+using internal::LetterField;
 
-bool RunsInLines(Vocabulary vocabulary, char letter) {
-  return letter == 'W' || (vocabulary == Vocabulary::kSuburb && letter == 'R');
-}
+// Roads are laid out straighter than borders run.
+constexpr double kRoadDisplacement = 0.3;
+// Rivers swing in wide bends, and their banks are a little ragged.
+constexpr double kMeanderWavelength_cells = 3.2;  // layout cells
+constexpr double kMeander_cells = 0.45;           // at full noise
+constexpr double kRiverDisplacement = 0.4;
+constexpr double kShoreDisplacement = 0.8;
 
-// The layout as a function of the plane: the nearest cell's letter, but where two cells of a river
-// or a road touch with their corners only, what runs through that corner runs on as a band. Without
-// it every diagonal step of a river one cell wide would be a dam.
-class LetterField {
- public:
-  explicit LetterField(const SymbolicLayout& layout)
-      : layout_(layout), corners_(kLayoutSize + 1, kLayoutSize + 1) {
-    for (int row = 1; row < kLayoutSize; ++row) {
-      for (int col = 1; col < kLayoutSize; ++col) corners_(row, col) = CornerAt(row, col);
-    }
-  }
-
-  // u to the east, v to the south, in layout cells from the north-west corner.
-  char At(double u, double v) const {
-    const Corner corner =
-        corners_.Clamped(static_cast<int>(std::lround(v)), static_cast<int>(std::lround(u)));
-    if (corner.letter != '\0') {
-      const double east = u - std::round(u);
-      const double south = v - std::round(v);
-      const double off_line = (corner.falls_east ? east - south : east + south) / std::sqrt(2.0);
-      if (std::abs(off_line) < kDiagonalHalfWidth) return corner.letter;
-    }
-    return layout_.cells.Clamped(static_cast<int>(std::floor(v)), static_cast<int>(std::floor(u)));
-  }
-
- private:
-  // What runs through the corner where four cells meet.
-  struct Corner {
-    char letter = '\0';       // '\0': nothing does
-    bool falls_east = false;  // from the north-west to the south-east
-  };
-
-  // Of the cells to the north-west of (row, col) and around it. Where two lines meet in a corner
-  // the road goes over the water.
-  Corner CornerAt(int row, int col) const {
-    const char north_west = layout_.cells(row - 1, col - 1),
-               north_east = layout_.cells(row - 1, col);
-    const char south_west = layout_.cells(row, col - 1), south_east = layout_.cells(row, col);
-    const bool falls = north_west == south_east && RunsInLines(layout_.vocabulary, north_west) &&
-                       north_east != north_west && south_west != north_west;
-    const bool rises = north_east == south_west && RunsInLines(layout_.vocabulary, north_east) &&
-                       north_west != north_east && south_east != north_east;
-    if (falls && !(rises && north_east == 'R')) return {north_west, true};
-    if (rises) return {north_east, false};
-    return {};
-  }
-
-  const SymbolicLayout& layout_;
-  Grid<Corner> corners_;
+// What the stretching of a layout gives, cell by cell of the world.
+struct Stretched {
+  Grid<char> letters;
+  Grid<Crossing> crossing;
+  Grid<float> to_road_center_rows;  // [cells]
+  Grid<float> to_road_center_cols;
 };
 
-// The letter of each world cell: nearest neighbour in the layout, at a place displaced by noise
-// with features of the size of a layout cell and of half of it.
-Grid<char> StretchLabels(const SymbolicLayout& layout, const GridGeometry& geometry,
-                         double displacement_m, std::uint64_t seed) {
+// The letter of each world cell: the layout at a place displaced by noise with features of the size
+// of a layout cell and of half of it.
+Stretched Stretch(const SymbolicLayout& layout, const GridGeometry& geometry, double displacement_m,
+                  std::uint64_t seed) {
   const double layout_cell_m = geometry.size_m() / kLayoutSize;
+  const double displacement = displacement_m / layout_cell_m;
   const NoiseOptions border{layout_cell_m, 2, 0.5};
   const Grid<float> east = FractalNoise(geometry, border, StreamSeed(seed, "layout/border/east"));
   const Grid<float> south = FractalNoise(geometry, border, StreamSeed(seed, "layout/border/south"));
-  const LetterField letters(layout);
-  Grid<char> labels(geometry.rows(), geometry.cols());
-  const double scale = static_cast<double>(kLayoutSize) / geometry.cols();
-  const double displacement_cells = displacement_m / layout_cell_m;
-  for (int row = 0; row < geometry.rows(); ++row) {
-    const double v = (row + 0.5) * scale;
-    for (int col = 0; col < geometry.cols(); ++col) {
-      const double u = (col + 0.5) * scale;
-      const double du = displacement_cells * east(row, col);
-      const double dv = displacement_cells * south(row, col);
-      labels(row, col) = letters.At(u + du, v + dv);
+  const NoiseOptions meander{kMeanderWavelength_cells * layout_cell_m, 1, 0.5};
+  const Grid<float> bend_east =
+      FractalNoise(geometry, meander, StreamSeed(seed, "layout/meander/east"));
+  const Grid<float> bend_south =
+      FractalNoise(geometry, meander, StreamSeed(seed, "layout/meander/south"));
+  const double bend = displacement > 0.0 ? kMeander_cells : 0.0;
+
+  const LetterField field(layout);
+  const int rows = geometry.rows(), cols = geometry.cols();
+  Stretched result{Grid<char>(rows, cols), Grid<Crossing>(rows, cols), Grid<float>(rows, cols),
+                   Grid<float>(rows, cols)};
+  const double scale = static_cast<double>(kLayoutSize) / cols;
+  ParallelFor(rows, 0, [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
+      for (int col = 0; col < cols; ++col) {
+        const LayoutPoint place{(col + 0.5) * scale, (row + 0.5) * scale};
+        const double du = displacement * east(row, col), dv = displacement * south(row, col);
+        LetterField::Places places;
+        places.ground = {place.u + du, place.v + dv};
+        places.water = {place.u + kRiverDisplacement * du + bend * bend_east(row, col),
+                        place.v + kRiverDisplacement * dv + bend * bend_south(row, col)};
+        places.shore = {place.u + kShoreDisplacement * du + bend * bend_east(row, col),
+                        place.v + kShoreDisplacement * dv + bend * bend_south(row, col)};
+        places.road = {place.u + kRoadDisplacement * du, place.v + kRoadDisplacement * dv};
+        const LetterField::Answer answer = field.At(places);
+        result.letters(row, col) = answer.letter;
+        result.crossing(row, col) = answer.crossing;
+        const LayoutPoint center = field.ToRoadCenter(places.road);
+        result.to_road_center_rows(row, col) = static_cast<float>(center.v / scale);
+        result.to_road_center_cols(row, col) = static_cast<float>(center.u / scale);
+      }
     }
-  }
-  return labels;
+  });
+  return result;
 }
 
 }  // namespace
 
-const Grid<float>* ClassWeights::Find(char letter) const {
+const WeightGrid* ClassWeights::Find(char letter) const {
   for (const ClassWeight& entry : classes) {
     if (entry.letter == letter) return &entry.weight;
   }
@@ -104,39 +88,71 @@ const Grid<float>* ClassWeights::Find(char letter) const {
 
 char ClassWeights::DominantAt(CellIndex cell) const {
   char best = '\0';
-  float best_weight = -1.0f;
+  int best_level = -1;
   for (const ClassWeight& entry : classes) {
-    if (entry.weight[cell] > best_weight) {
+    if (entry.weight.levels()[cell] > best_level) {
       best = entry.letter;
-      best_weight = entry.weight[cell];
+      best_level = entry.weight.levels()[cell];
     }
   }
   return best;
 }
 
-ClassWeights DecodeLayout(const SymbolicLayout& layout, const GridGeometry& geometry,
-                          const DecodeOptions& options, std::uint64_t seed) {
+ClassWeights ToWeights(const SmoothedMasks& masks) {
+  ClassWeights weights{masks.vocabulary, {}};
+  if (masks.classes.empty()) return weights;
+  const Grid<float>& first = masks.classes.front().weight;
+  // Each class gets the steps by which the rounded sum of all before it grows.
+  Grid<float> sum(first.rows(), first.cols());
+  Grid<std::uint8_t> given(first.rows(), first.cols());
+  for (std::size_t i = 0; i < masks.classes.size(); ++i) {
+    const bool last = i + 1 == masks.classes.size();
+    Grid<std::uint8_t> levels(first.rows(), first.cols());
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      float& total = sum.data()[k];
+      total += masks.classes[i].weight.data()[k];
+      const auto reached =
+          last ? std::uint8_t{WeightGrid::kLevels}
+               : static_cast<std::uint8_t>(WeightGrid::kLevels * std::min(total, 1.0f) + 0.5f);
+      levels.data()[k] = static_cast<std::uint8_t>(reached - given.data()[k]);
+      given.data()[k] = reached;
+    }
+    weights.classes.push_back({masks.classes[i].letter, WeightGrid(std::move(levels))});
+  }
+  return weights;
+}
+
+DecodedLayout DecodeLayoutWithLines(const SymbolicLayout& layout, const GridGeometry& geometry,
+                                    const DecodeOptions& options, std::uint64_t seed) {
   const double blend_width_m =
       options.blend_width_m > 0.0 ? options.blend_width_m : 0.5 * geometry.size_m() / kLayoutSize;
-  const Grid<char> labels =
-      StretchLabels(layout, geometry, options.noise_amplitude * blend_width_m, seed);
+  Stretched stretched = Stretch(layout, geometry, options.noise_amplitude * blend_width_m, seed);
   // A straight border blurred by this does 99 % of its change within the blend width.
   const double sigma_cells = 0.2 * blend_width_m / geometry.resolution_m();
 
-  ClassWeights weights{layout.vocabulary, {}};
+  DecodedLayout decoded;
+  decoded.masks.vocabulary = layout.vocabulary;
   for (const LayoutClass& entry : ClassesOf(layout.vocabulary)) {
     if (std::find(layout.cells.begin(), layout.cells.end(), entry.letter) == layout.cells.end()) {
       continue;
     }
     Grid<float> mask(geometry.rows(), geometry.cols());
-    std::transform(labels.begin(), labels.end(), mask.begin(),
+    std::transform(stretched.letters.begin(), stretched.letters.end(), mask.begin(),
                    [&](char letter) { return letter == entry.letter ? 1.0f : 0.0f; });
     GaussianBlur(sigma_cells, &mask);
     // Running sums leave rounding errors of about 1e-7 outside of [0, 1].
     for (float& weight : mask) weight = std::clamp(weight, 0.0f, 1.0f);
-    weights.classes.push_back({entry.letter, std::move(mask)});
+    decoded.masks.classes.push_back({entry.letter, std::move(mask)});
   }
-  return weights;
+  decoded.crossing = std::move(stretched.crossing);
+  decoded.to_road_center_rows = std::move(stretched.to_road_center_rows);
+  decoded.to_road_center_cols = std::move(stretched.to_road_center_cols);
+  return decoded;
+}
+
+ClassWeights DecodeLayout(const SymbolicLayout& layout, const GridGeometry& geometry,
+                          const DecodeOptions& options, std::uint64_t seed) {
+  return ToWeights(DecodeLayoutWithLines(layout, geometry, options, seed).masks);
 }
 
 }  // namespace latticeworld

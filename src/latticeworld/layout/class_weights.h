@@ -6,13 +6,15 @@
 
 #include "latticeworld/geometry/grid.h"
 #include "latticeworld/geometry/grid_geometry.h"
+#include "latticeworld/layout/crossings.h"
 #include "latticeworld/layout/symbolic_layout.h"
+#include "latticeworld/layout/weight_grid.h"
 
 namespace latticeworld {
 
 struct ClassWeight {
   char letter;
-  Grid<float> weight;  // in [0, 1], (rows x cols) of the world; all classes sum to 1 in each cell
+  WeightGrid weight;  // (rows x cols) of the world; all classes sum to 1 in each cell
 };
 
 // Psi_L's result: per class of the vocabulary that occurs in the layout, how much a cell is of it.
@@ -20,8 +22,8 @@ struct ClassWeights {
   Vocabulary vocabulary = Vocabulary::kSuburb;
   std::vector<ClassWeight> classes;  // alphabetical by letter
 
-  const Grid<float>* Find(char letter) const;  // nullptr when the class does not occur
-  char DominantAt(CellIndex cell) const;       // the letter of the largest weight
+  const WeightGrid* Find(char letter) const;  // nullptr when the class does not occur
+  char DominantAt(CellIndex cell) const;      // the letter of the largest weight
 };
 
 struct DecodeOptions {
@@ -30,10 +32,36 @@ struct DecodeOptions {
 };
 
 // Psi_L (Duan et al.): binary mask per class, stretched to the grid by nearest neighbour, borders
-// displaced by noise and blended by a Gaussian. Beyond the method, rivers and roads whose cells
-// touch with their corners stay connected. The same seed gives the same weights.
+// displaced by noise and blended by a Gaussian. Beyond the method, rivers and roads are drawn as
+// curves along the middles of their cells: they stay connected where cells touch with their corners
+// only, rivers meander, and beside them lies what lies beside their cells. The same seed gives the
+// same weights.
 ClassWeights DecodeLayout(const SymbolicLayout& layout, const GridGeometry& geometry,
                           const DecodeOptions& options, std::uint64_t seed);
+
+// The masks of Psi_L as they come out of the blur.
+struct SmoothedMask {
+  char letter;
+  Grid<float>
+      weight;  // in [0, 1], (rows x cols); all classes sum to 1 in each cell but for rounding
+};
+struct SmoothedMasks {
+  Vocabulary vocabulary = Vocabulary::kSuburb;
+  std::vector<SmoothedMask> classes;  // alphabetical by letter
+};
+
+// Rounds so that all classes still sum to 1 in each cell.
+ClassWeights ToWeights(const SmoothedMasks& masks);
+
+// Psi_L, and what a terrain has to know of rivers and roads. All grids are (rows x cols).
+struct DecodedLayout {
+  SmoothedMasks masks;
+  Grid<Crossing> crossing;          // where water would run if there were no road
+  Grid<float> to_road_center_rows;  // from near a road to its centre line [cells]; 0 far from roads
+  Grid<float> to_road_center_cols;  // and within areas of road
+};
+DecodedLayout DecodeLayoutWithLines(const SymbolicLayout& layout, const GridGeometry& geometry,
+                                    const DecodeOptions& options, std::uint64_t seed);
 
 }  // namespace latticeworld
 

@@ -5,7 +5,7 @@
 
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
-#include "latticeworld/mapping/voxel_columns.h"
+#include "latticeworld/mapping/voxel_plan.h"
 
 namespace octomap {
 class OcTree;
@@ -13,11 +13,10 @@ class OcTree;
 
 namespace latticeworld {
 
-// The pruned tree of the voxels in the columns, every node at the clamping maximum. Built from the
-// root down through a min-max pyramid over the columns, so that uniform cubes become one leaf at
-// once; the time grows with the leaves of the result. Errors: CANCELLED.
-Result<std::shared_ptr<const octomap::OcTree>> BuildTree(const VoxelColumns& columns,
-                                                         double voxel_m, const Progress& progress);
+// The pruned tree of the plan's voxels, every node at the clamping maximum; no root where nothing
+// is occupied. The time grows with the leaves of the result. Errors: CANCELLED.
+Result<std::shared_ptr<const octomap::OcTree>> BuildTree(const VoxelPlan& plan, int threads,
+                                                         const Progress& progress);
 
 }  // namespace latticeworld
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "latticeworld/geometry/grid.h"
+#include "latticeworld/mapping/scene_changes.h"
 
 namespace latticeworld {
 
@@ -17,21 +18,35 @@ struct RobotLimits {
   // max_slope makes over the same distance is no step, so that coarse grids do not close slopes.
   double max_step_m = 0.25;
   double max_fording_depth_m = 0.2;
+  // Height that has to be free above the ground that it stands on: where a crown hangs lower, over
+  // any part of the robot, it cannot go. 0: crowns are no matter.
+  double clearance_m = 0.5;
 };
+
+// All of them legal: RobotLimits finite, none below 0, max_slope_rad in (0, pi/2). changes: trees
+// that fell or assets that went since the world began; a fallen trunk blocks as it lies, and so
+// does its crown where clearance_m is above 0. threads: at most; 0: as many as the machine has
+// cores; the result is the same.
 
 // (rows x cols) of the scene's geometry, in [0, 1]: 0 impassable, 1 level open ground. Slopes and
 // shallow water lie between, by their shares of max_slope and max_fording_depth. It is 0 exactly
 // where BuildOccupancy with the same limits is 100.
-Grid<float> BuildTraversability(const Scene& scene, const RobotLimits& limits);
+Grid<float> BuildTraversability(const Scene& scene, const RobotLimits& limits,
+                                const SceneChanges& changes = {}, int threads = 0);
 
 // (rows x cols), row 0 north: 0 free .. 100 occupied; graded costs on slopes: a slope that the
-// robot can climb stays below 50. Solid assets (grown by the robot's radius), deep water, steps and
-// too steep ground are 100.
-Grid<std::int8_t> BuildOccupancy(const Scene& scene, const RobotLimits& limits);
+// robot can climb stays below 50. Solid assets (grown by the robot's radius), low crowns, deep
+// water, steps and too steep ground are 100.
+Grid<std::int8_t> BuildOccupancy(const Scene& scene, const RobotLimits& limits,
+                                 const SceneChanges& changes = {}, int threads = 0);
+
+// Euclidean distance [m] between the centre of each cell and that of the nearest occupied one (100
+// of BuildOccupancy): 0 on those, infinity everywhere when there is none.
+Grid<float> BuildDistanceField(const Grid<std::int8_t>& occupancy, double resolution_m);
 
 // Slope [rad] of the ground at cell centres, central differences over the triangulation's vertices
 // (one-sided at the world's edge).
-Grid<float> BuildSlope(const Scene& scene);
+Grid<float> BuildSlope(const Scene& scene, int threads = 0);
 
 }  // namespace latticeworld
 

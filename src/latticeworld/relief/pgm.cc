@@ -79,7 +79,7 @@ Result<PictureHeader> ReadPgmHeader(std::string_view bytes) {
         "the header of the PGM height map is cut off or damaged; legal is \"P5\" or \"P2\", then "
         "width, height and maxval in decimal digits");
   }
-  LW_RETURN_IF_ERROR(CheckPictureSize(pgm.width, pgm.height));
+  LW_RETURN_IF_ERROR(CheckPictureSize(pgm.width, pgm.height, "height map"));
   if (pgm.max_value < 1 || pgm.max_value > kMaxValue) {
     return InvalidArgument("the maxval of the PGM height map is " + std::to_string(pgm.max_value) +
                            "; legal are 1 to 65535");

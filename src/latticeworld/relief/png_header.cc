@@ -55,63 +55,84 @@ std::string_view ColorTypeName(int color_type) {
   }
 }
 
-Status CutOff(std::string_view where) {
-  return InvalidArgument("the PNG height map is cut off " + std::string(where) +
+Status CutOff(std::string_view what, std::string_view where) {
+  return InvalidArgument("the PNG " + std::string(what) + " is cut off " + std::string(where) +
                          "; a whole file that ends with its IEND chunk is needed");
 }
 
-// OpenCV fills what is missing of a cut file with zeros: walk the chunks to the end before it sees
-// them.
-Status CheckChunks(std::string_view bytes) {
-  bool has_data = false;
-  for (std::size_t at = kSignatureSize; at < bytes.size();) {
-    if (bytes.size() - at < kChunkFrame) return CutOff("inside a chunk's header");
-    const std::size_t length = BigEndian32(bytes, at);
-    const std::string_view type = bytes.substr(at + 4, 4);
-    if (length > bytes.size() - at - kChunkFrame) {
-      return CutOff("inside its " + Quote(type) + " chunk (" + std::to_string(length) +
-                    " bytes announced, " + std::to_string(bytes.size() - at - kChunkFrame) +
-                    " left)");
-    }
-    if (Crc(bytes.substr(at + 4, length + 4)) != BigEndian32(bytes, at + 8 + length)) {
-      return InvalidArgument("the PNG height map is damaged: the checksum of its " + Quote(type) +
-                             " chunk is wrong");
-    }
-    if (type == "tRNS") {
-      return InvalidArgument(
-          "the PNG height map is greyscale with transparency; legal is greyscale without");
-    }
-    has_data = has_data || type == "IDAT";
-    if (type == "IEND") {
-      return has_data ? Status() : InvalidArgument("the PNG height map has no pixel data (IDAT)");
-    }
-    at += kChunkFrame + length;
-  }
-  return CutOff("before its IEND chunk");
-}
-
-}  // namespace
-
-Result<PictureHeader> ReadPngHeader(std::string_view bytes) {
+// Width, height and bits of the IHDR chunk that a PNG starts with.
+Result<PictureHeader> ReadStart(std::string_view bytes, std::string_view what) {
   constexpr std::size_t kHeaderSize = 13;
-  if (bytes.size() < kSignatureSize + kChunkFrame + kHeaderSize) return CutOff("inside its header");
+  if (bytes.size() < kSignatureSize + kChunkFrame + kHeaderSize) {
+    return CutOff(what, "inside its header");
+  }
   if (bytes.substr(kSignatureSize + 4, 4) != "IHDR" ||
       BigEndian32(bytes, kSignatureSize) != kHeaderSize) {
-    return InvalidArgument("the PNG height map does not start with an IHDR chunk of 13 bytes");
+    return InvalidArgument("the PNG " + std::string(what) +
+                           " does not start with an IHDR chunk of 13 bytes");
   }
   PictureHeader header;
   header.format = PictureFormat::kPng;
   header.width = BigEndian32(bytes, 16);
   header.height = BigEndian32(bytes, 20);
   header.bits = static_cast<unsigned char>(bytes[24]);
+  return header;
+}
+
+// OpenCV fills what is missing of a cut file with zeros: walk the chunks to the end before it sees
+// them. has_transparency: whether there is a tRNS chunk.
+Status CheckChunks(std::string_view bytes, std::string_view what, bool* has_transparency) {
+  bool has_data = false;
+  for (std::size_t at = kSignatureSize; at < bytes.size();) {
+    if (bytes.size() - at < kChunkFrame) return CutOff(what, "inside a chunk's header");
+    const std::size_t length = BigEndian32(bytes, at);
+    const std::string_view type = bytes.substr(at + 4, 4);
+    if (length > bytes.size() - at - kChunkFrame) {
+      return CutOff(what, "inside its " + Quote(type) + " chunk (" + std::to_string(length) +
+                              " bytes announced, " +
+                              std::to_string(bytes.size() - at - kChunkFrame) + " left)");
+    }
+    if (Crc(bytes.substr(at + 4, length + 4)) != BigEndian32(bytes, at + 8 + length)) {
+      return InvalidArgument("the PNG " + std::string(what) + " is damaged: the checksum of its " +
+                             Quote(type) + " chunk is wrong");
+    }
+    *has_transparency = *has_transparency || type == "tRNS";
+    has_data = has_data || type == "IDAT";
+    if (type == "IEND") {
+      if (has_data) return Status();
+      return InvalidArgument("the PNG " + std::string(what) + " has no pixel data (IDAT)");
+    }
+    at += kChunkFrame + length;
+  }
+  return CutOff(what, "before its IEND chunk");
+}
+
+}  // namespace
+
+Result<PictureHeader> ReadColourPngHeader(std::string_view bytes, std::string_view what) {
+  LW_ASSIGN_OR_RETURN(const PictureHeader header, ReadStart(bytes, what));
+  LW_RETURN_IF_ERROR(CheckPictureSize(header.width, header.height, what));
+  bool has_transparency = false;
+  LW_RETURN_IF_ERROR(CheckChunks(bytes, what, &has_transparency));
+  return header;
+}
+
+Result<PictureHeader> ReadPngHeader(std::string_view bytes) {
+  constexpr std::string_view kWhat = "height map";
+  LW_ASSIGN_OR_RETURN(const PictureHeader header, ReadStart(bytes, kWhat));
   const int color_type = static_cast<unsigned char>(bytes[25]);
   if (color_type != 0 || (header.bits != 8 && header.bits != 16)) {
     return InvalidArgument("the PNG height map is " + std::string(ColorTypeName(color_type)) +
                            " of " + std::to_string(header.bits) +
                            " bits; legal is greyscale of 8 or 16 bits");
   }
-  LW_RETURN_IF_ERROR(CheckPictureSize(header.width, header.height));
-  LW_RETURN_IF_ERROR(CheckChunks(bytes));
+  LW_RETURN_IF_ERROR(CheckPictureSize(header.width, header.height, kWhat));
+  bool has_transparency = false;
+  LW_RETURN_IF_ERROR(CheckChunks(bytes, kWhat, &has_transparency));
+  if (has_transparency) {
+    return InvalidArgument(
+        "the PNG height map is greyscale with transparency; legal is greyscale without");
+  }
   return header;
 }
 

@@ -2,6 +2,7 @@
 #define LATTICEWORLD_RELIEF_RELIEF_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,12 +17,21 @@ inline constexpr int kReliefSummarySize = 32;  // cells a side, as the symbolic 
 inline constexpr int kMinReliefSize = 33;      // samples a side of a height map
 inline constexpr int kMaxReliefSize = 8193;
 
+// Where the origin of the frame map lies on the earth, WGS 84: x east, y north there.
+struct GeoOrigin {
+  double latitude_deg = 0.0;
+  double longitude_deg = 0.0;
+  double altitude_m = 0.0;  // of z = 0, above the datum of the elevation data
+};
+
 // v_L, read: the shape of the land that the user gave. It spans the whole world whatever its size.
 struct Relief {
   Grid<float> height_m;  // (rows x cols) of the picture, not necessarily square; row 0 north
   Grid<float> summary;   // (32 x 32) mean height, scaled so that the lowest is 0 and the highest 1
   std::string caption;   // "high ground in the upper right falling to low ground in the lower left"
-  double height_step_m = 0.0;  // between neighbouring values of the picture; 0: not in steps
+  double height_step_m = 0.0;         // between neighbouring values of the picture; 0: not in steps
+  std::optional<GeoOrigin> geo;       // of real land
+  std::vector<std::string> warnings;  // what was guessed or made up while it was read
 };
 
 // Height [m] = offset + scale * value / largest value of the picture's depth (255 or 65535; of a

@@ -29,8 +29,8 @@ constexpr std::uint32_t kLong = 4;
 constexpr std::size_t kEntrySize = 12;
 constexpr std::uint32_t kUncompressed = 1;
 
-Status CutOff(const std::string& where) {
-  return InvalidArgument("the TIFF height map is cut off or damaged: " + where);
+Status CutOff(std::string_view what, const std::string& where) {
+  return InvalidArgument("the TIFF " + std::string(what) + " is cut off or damaged: " + where);
 }
 
 // Integers of a TIFF file in its own byte order; reading outside gives 0 and remembers it.
@@ -59,13 +59,13 @@ class Tiff {
 // The fields of the first directory.
 class Directory {
  public:
-  static Result<Directory> Read(const Tiff& tiff) {
+  static Result<Directory> Read(const Tiff& tiff, std::string_view what) {
     Directory directory(tiff);
     directory.begin_ = tiff.Read(4, 4);
-    if (!tiff.Has(directory.begin_, 2)) return CutOff("its directory lies outside the file");
+    if (!tiff.Has(directory.begin_, 2)) return CutOff(what, "its directory lies outside the file");
     directory.count_ = tiff.Read(directory.begin_, 2);
     if (!tiff.Has(directory.begin_ + 2, directory.count_ * kEntrySize)) {
-      return CutOff("its directory lies outside the file");
+      return CutOff(what, "its directory lies outside the file");
     }
     return directory;
   }
@@ -103,8 +103,10 @@ class Directory {
 
 std::uint64_t CeilDivide(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
 
-// Every strip or tile that the size asks for is announced and lies inside the file.
-Status CheckPieces(const Tiff& tiff, const Directory& directory, const PictureHeader& header) {
+// Every strip or tile that the size asks for is announced and lies inside the file. pixel_bits: of
+// all samples of a pixel together.
+Status CheckPieces(const Tiff& tiff, const Directory& directory, const PictureHeader& header,
+                   std::uint64_t pixel_bits, std::string_view what) {
   const bool tiled = !directory.Values(kTileOffsets).empty();
   const auto width = static_cast<std::uint64_t>(header.width);
   const auto height = static_cast<std::uint64_t>(header.height);
@@ -116,11 +118,12 @@ Status CheckPieces(const Tiff& tiff, const Directory& directory, const PictureHe
     // Tiles beyond this would let a small file ask for much memory.
     constexpr std::uint64_t kMaxTile = 16384;
     if (tile_width == 0 || tile_height == 0 || tile_width > kMaxTile || tile_height > kMaxTile) {
-      return CutOff("its tiles are " + std::to_string(tile_width) + " x " +
-                    std::to_string(tile_height) + " samples; legal are 1 to 16384 a side");
+      return CutOff(what, "its tiles are " + std::to_string(tile_width) + " x " +
+                              std::to_string(tile_height) +
+                              " samples; legal are 1 to 16384 a side");
     }
     needed = CeilDivide(width, tile_width) * CeilDivide(height, tile_height);
-    bytes_a_piece = tile_width * tile_height * header.bits / 8;
+    bytes_a_piece = tile_width * tile_height * pixel_bits / 8;
   } else {
     const std::uint64_t rows =
         std::clamp<std::uint64_t>(directory.Value(kRowsPerStrip, 0xffffffffu), 1, height);
@@ -132,37 +135,65 @@ Status CheckPieces(const Tiff& tiff, const Directory& directory, const PictureHe
       directory.Values(tiled ? kTileByteCounts : kStripByteCounts);
   const char* const pieces = tiled ? " tiles" : " strips";
   if (offsets.size() < needed || sizes.size() < needed) {
-    return CutOff(std::to_string(needed) + pieces + " are needed, " +
-                  std::to_string(std::min(offsets.size(), sizes.size())) + " are there");
+    return CutOff(what, std::to_string(needed) + pieces + " are needed, " +
+                            std::to_string(std::min(offsets.size(), sizes.size())) + " are there");
   }
   std::uint64_t total = 0;
   for (std::uint64_t i = 0; i < needed; ++i) {
     if (sizes[i] == 0 || !tiff.Has(offsets[i], sizes[i])) {
-      return CutOff("piece " + std::to_string(i + 1) + " of its " + std::to_string(needed) +
-                    pieces + " lies outside the file");
+      return CutOff(what, "piece " + std::to_string(i + 1) + " of its " + std::to_string(needed) +
+                              pieces + " lies outside the file");
     }
     total += sizes[i];
   }
-  const std::uint64_t raw = tiled ? needed * bytes_a_piece : width * height * header.bits / 8;
+  const std::uint64_t raw = tiled ? needed * bytes_a_piece : width * height * pixel_bits / 8;
   if (directory.Value(kCompression, kUncompressed) == kUncompressed && total < raw) {
-    return CutOff("its samples take " + std::to_string(raw) + " bytes, " + std::to_string(total) +
-                  " are there");
+    return CutOff(what, "its samples take " + std::to_string(raw) + " bytes, " +
+                            std::to_string(total) + " are there");
   }
   return Status();
 }
 
-}  // namespace
+constexpr std::size_t kFileHeaderSize = 8;
 
-Result<PictureHeader> ReadTiffHeader(std::string_view bytes) {
-  constexpr std::size_t kFileHeaderSize = 8;
-  if (bytes.size() < kFileHeaderSize) return CutOff("it ends inside its header");
-  const Tiff tiff(bytes);
-  LW_ASSIGN_OR_RETURN(const Directory directory, Directory::Read(tiff));
+// Width and height of the first picture.
+Result<PictureHeader> ReadSize(const Directory& directory, std::string_view what) {
   PictureHeader header;
   header.format = PictureFormat::kTiff;
   header.width = directory.Value(kImageWidth, 0);
   header.height = directory.Value(kImageLength, 0);
-  LW_RETURN_IF_ERROR(CheckPictureSize(header.width, header.height));
+  LW_RETURN_IF_ERROR(CheckPictureSize(header.width, header.height, what));
+  return header;
+}
+
+}  // namespace
+
+Result<PictureHeader> ReadColourTiffHeader(std::string_view bytes, std::string_view what) {
+  if (bytes.size() < kFileHeaderSize) return CutOff(what, "it ends inside its header");
+  const Tiff tiff(bytes);
+  LW_ASSIGN_OR_RETURN(const Directory directory, Directory::Read(tiff, what));
+  LW_ASSIGN_OR_RETURN(PictureHeader header, ReadSize(directory, what));
+  constexpr std::uint32_t kFloat = 3;
+  const std::uint32_t bits = directory.Value(kBitsPerSample, 1);
+  const std::uint32_t samples = directory.Value(kSamplesPerPixel, 1);
+  const std::uint32_t sample_format = directory.Value(kSampleFormat, 1);
+  if (samples < 1 || samples > 5 || bits < 1 || bits > 16 || sample_format == kFloat) {
+    return InvalidArgument("the TIFF " + std::string(what) + " has " + std::to_string(samples) +
+                           " sample(s) a pixel of " + std::to_string(bits) +
+                           " bits, sample format " + std::to_string(sample_format) +
+                           "; legal are 1 to 5 samples of 1 to 16 bits, not floating point");
+  }
+  header.bits = static_cast<int>(bits);
+  LW_RETURN_IF_ERROR(CheckPieces(tiff, directory, header, bits, what));
+  return header;
+}
+
+Result<PictureHeader> ReadTiffHeader(std::string_view bytes) {
+  constexpr std::string_view kWhat = "height map";
+  if (bytes.size() < kFileHeaderSize) return CutOff(kWhat, "it ends inside its header");
+  const Tiff tiff(bytes);
+  LW_ASSIGN_OR_RETURN(const Directory directory, Directory::Read(tiff, kWhat));
+  LW_ASSIGN_OR_RETURN(PictureHeader header, ReadSize(directory, kWhat));
   const std::uint32_t bits = directory.Value(kBitsPerSample, 1);
   const std::uint32_t samples = directory.Value(kSamplesPerPixel, 1);
   const std::uint32_t photometric = directory.Value(kPhotometric, 1);
@@ -176,7 +207,7 @@ Result<PictureHeader> ReadTiffHeader(std::string_view bytes) {
         "zero), sample format 1 (unsigned)");
   }
   header.bits = static_cast<int>(bits);
-  LW_RETURN_IF_ERROR(CheckPieces(tiff, directory, header));
+  LW_RETURN_IF_ERROR(CheckPieces(tiff, directory, header, bits, kWhat));
   return header;
 }
 

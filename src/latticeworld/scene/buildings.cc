@@ -39,7 +39,7 @@ Size DrawSize(const EnvironmentConfig& environment, RandomStream* random) {
 // Places buildings one by one, refusing what the rules forbid.
 class Builder {
  public:
-  Builder(Placement* placement, const Grid<float>& weight)
+  Builder(Placement* placement, const WeightGrid& weight)
       : placement_(placement),
         weight_(weight),
         proto_(MakeAsset(placement->environment, AssetKind::kBuilding)) {}
@@ -102,7 +102,7 @@ class Builder {
   }
 
   Placement* placement_;
-  const Grid<float>& weight_;
+  const WeightGrid& weight_;
   Asset proto_;
 };
 
@@ -113,7 +113,7 @@ void PlaceBuildings(Placement* placement) {
   const GridGeometry& geometry = terrain.geometry();
   const DensityField density(terrain.weights, placement->environment, AssetKind::kBuilding,
                              placement->thinning);
-  const Grid<float>* weight =
+  const WeightGrid* weight =
       terrain.weights.vocabulary == Vocabulary::kSuburb ? terrain.weights.Find('B') : nullptr;
   if (weight == nullptr || density.largest_per_m2() <= 0.0) return;
 

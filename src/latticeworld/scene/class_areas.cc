@@ -28,7 +28,7 @@ double PrincipalDirection(const GridGeometry& geometry, const std::vector<CellIn
 
 }  // namespace
 
-ClassAreas::ClassAreas(const GridGeometry& geometry, const Grid<float>& weight)
+ClassAreas::ClassAreas(const GridGeometry& geometry, const WeightGrid& weight)
     : coarse_(GridGeometry::FromCells(std::min(kCoarseCells, geometry.rows()), geometry.size_m())),
       label_(coarse_.rows(), coarse_.cols(), kNone) {
   for (int row = 0; row < coarse_.rows(); ++row) {

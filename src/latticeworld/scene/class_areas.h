@@ -5,6 +5,7 @@
 
 #include "latticeworld/geometry/grid.h"
 #include "latticeworld/geometry/grid_geometry.h"
+#include "latticeworld/layout/weight_grid.h"
 
 namespace latticeworld {
 
@@ -20,7 +21,7 @@ class ClassAreas {
   };
 
   // weight: (rows x cols) of the geometry, in [0, 1].
-  ClassAreas(const GridGeometry& geometry, const Grid<float>& weight);
+  ClassAreas(const GridGeometry& geometry, const WeightGrid& weight);
 
   const std::vector<Area>& areas() const { return areas_; }
   // Index of the area at the point, or of one in a neighbouring coarse cell (borders are finer than

@@ -20,7 +20,7 @@ void PlaceCrops(Placement* placement, const AssetIndex& solids) {
   const GridGeometry& geometry = terrain.geometry();
   const DensityField density(terrain.weights, placement->environment, AssetKind::kCrop,
                              placement->thinning);
-  const Grid<float>* weight =
+  const WeightGrid* weight =
       terrain.weights.vocabulary == Vocabulary::kSuburb ? terrain.weights.Find('A') : nullptr;
   if (weight == nullptr || density.largest_per_m2() <= 0.0) return;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace latticeworld {
 namespace {
@@ -36,16 +37,10 @@ double Find(const Rows& rows, char letter, AssetKind kind) {
   return 0.0;
 }
 
-double SumOf(const Grid<float>& weight) {
-  double sum = 0.0;
-  for (int row = 0; row < weight.rows(); ++row) {
-    // A row at a time in single precision: exact enough, and the compiler need not wait for each.
-    float lanes[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-    const float* cells = weight.row(row);
-    for (int col = 0; col < weight.cols(); ++col) lanes[col & 3] += cells[col];
-    sum += double{lanes[0]} + lanes[1] + lanes[2] + lanes[3];
-  }
-  return sum;
+double SumOf(const WeightGrid& weight) {
+  std::uint64_t sum = 0;
+  for (const std::uint8_t level : weight.levels()) sum += level;
+  return static_cast<double>(sum) / WeightGrid::kLevels;
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ class DensityField {
 
  private:
   struct Term {
-    const Grid<float>* weight;
+    const WeightGrid* weight;
     double per_m2;
   };
   std::vector<Term> terms_;

@@ -6,11 +6,11 @@
 
 namespace latticeworld::internal {
 
-Grid<char> DominantLetters(const ClassWeights& weights) {
-  const ClassWeight& first = weights.classes.front();
+Grid<char> DominantLetters(const SmoothedMasks& masks) {
+  const SmoothedMask& first = masks.classes.front();
   Grid<char> letters(first.weight.rows(), first.weight.cols(), first.letter);
   Grid<float> largest = first.weight;
-  for (const ClassWeight& entry : weights.classes) {
+  for (const SmoothedMask& entry : masks.classes) {
     const float* weight = entry.weight.data();
     float* best = largest.data();
     char* letter = letters.data();

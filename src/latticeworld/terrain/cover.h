@@ -8,7 +8,7 @@
 namespace latticeworld::internal {
 
 // The letter of the largest weight in every cell (ties: the first in the alphabet).
-Grid<char> DominantLetters(const ClassWeights& weights);
+Grid<char> DominantLetters(const SmoothedMasks& masks);
 
 // What the ground of a class is made of, in both vocabularies.
 SurfaceClass SurfaceOf(Vocabulary vocabulary, char letter);

@@ -3,117 +3,225 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/geomorphology/blur.h"
-#include "latticeworld/geomorphology/distance.h"
+#include "latticeworld/geomorphology/erosion.h"
+#include "latticeworld/geomorphology/flow.h"
 #include "latticeworld/geomorphology/noise.h"
 #include "latticeworld/geomorphology/resample.h"
+#include "latticeworld/terrain/class_traits.h"
+#include "latticeworld/terrain/cones.h"
+#include "latticeworld/terrain/lattice.h"
+#include "latticeworld/terrain/water_level.h"
 
 namespace latticeworld::internal {
 namespace {
 
+// Traits are for a world of this size; heights grow with it, those of soft land less.
+constexpr double kTraitSize_m = 512.0;
 // Hills from low to high: a share of the world's size, up to a limit [m].
 constexpr double kHillsOfSize = 0.012;
 constexpr double kMaxHills_m = 7.0;
+constexpr double kSoftSteepness_m = 1.5;  // above it is mountain
+constexpr double kMostSoftGrowth = 4.0;
+// Water lies a little below its shore: a share of the world's size, up to a limit [m].
+constexpr double kIncisionOfSize = 0.002;
+constexpr double kMaxIncision_m = 0.5;
+// Between two waters of unlike level the land falls no steeper [m/m].
+constexpr double kNeighbourSlope = 0.25;
 
-// Fine undulation of a class [m]: roads and building land have none.
-double UndulationOf_m(Vocabulary vocabulary, char letter) {
-  const bool suburb = vocabulary == Vocabulary::kSuburb;
-  switch (letter) {
-    case 'A':
-      return 0.08;
-    case 'B':
-      return suburb ? 0.0 : 0.5;
-    case 'D':
-      return 0.6;
-    case 'F':
-      return 1.2;
-    case 'G':
-      return 0.35;
-    case 'R':
-      return suburb ? 0.0 : 1.2;
-    case 'S':
-      return 1.0;
-    default:
-      return 0.0;
-  }
-}
+constexpr double kTalus = 0.62;
 
-void AddUndulation(const GridGeometry& geometry, const ClassWeights& weights, std::uint64_t seed,
-                   Grid<float>* land) {
-  NoiseOptions options;
-  options.wavelength_m = std::min(30.0, geometry.size_m() / 10.0);
-  options.octaves = 4;
-  options.gain = 0.35;
-  // In worlds of a few metres the undulation shrinks with its wavelength, so that slopes stay.
-  const double scale = options.wavelength_m / 30.0;
-  const Grid<float> noise = FractalNoise(geometry, options, StreamSeed(seed, "undulation"));
-  for (const ClassWeight& entry : weights.classes) {
-    const auto amplitude =
-        static_cast<float>(scale * UndulationOf_m(weights.vocabulary, entry.letter));
-    if (amplitude == 0.0f) continue;
-    const float* weight = entry.weight.data();
-    const float* wave = noise.data();
-    float* height = land->data();
-    for (std::size_t i = 0; i < land->size(); ++i) height[i] += amplitude * weight[i] * wave[i];
-  }
-}
+// Stream power in units in which a cell of 1 m^2 at slope 1 erodes by its erodibility in a year.
+constexpr double kErodibility_per_yr = 1e-5;
 
-// A mountain's profile over the distance d from its foot: it starts flat, climbs at the slope
-// `steepness` and levels off at limit_m.
-struct Profile {
-  float steepness;  // [m/m]
-  float foot_m;     // the first metres stay flat
-  float limit_m;
-
-  float At(float d_m) const {
-    const float climb_m = steepness * d_m * d_m / (d_m + foot_m);
-    return limit_m * climb_m / (climb_m + limit_m);
-  }
+struct Fields {
+  Grid<float> steepness_m;
+  Grid<float> erodibility;  // factor
+  Grid<float> talus;
+  Grid<float> slide_slope;  // steepest that rock holds [m/m]
 };
 
-void AddMountains(const GridGeometry& geometry, const Grid<char>& letters, std::uint64_t seed,
-                  Grid<float>* land) {
-  Grid<unsigned char> high(letters.rows(), letters.cols());
-  Grid<unsigned char> snow(letters.rows(), letters.cols());
-  bool any = false;
-  for (std::size_t i = 0; i < letters.size(); ++i) {
-    const char letter = letters.data()[i];
-    snow.data()[i] = letter == 'S';
-    high.data()[i] = letter == 'S' || letter == 'R';
-    any = any || high.data()[i] != 0;
-  }
-  if (!any) return;
-
-  const auto resolution_m = static_cast<float>(geometry.resolution_m());
-  const auto size_m = static_cast<float>(geometry.size_m());
-  // Where nothing else bounds a mountain, it is as if its foot were half a world away.
-  const float farthest_m = 0.5f * size_m;
-  const Profile rock_profile{0.36f, 0.016f * size_m, 0.12f * size_m};
-  const Profile snow_profile{0.32f, 0.016f * size_m, 0.20f * size_m};
-  Grid<float> rise = DistanceTo(false, high);
-  Grid<float> snow_distance = DistanceTo(false, snow);
-  for (std::size_t i = 0; i < rise.size(); ++i) {
-    const float d_m = std::min(rise.data()[i] * resolution_m, farthest_m);
-    const float snow_m = std::min(snow_distance.data()[i] * resolution_m, farthest_m);
-    rise.data()[i] = rock_profile.At(d_m) + snow_profile.At(snow_m);
-  }
-  // The distance has creases half-way between borders.
-  GaussianBlur(0.02 * size_m / resolution_m, &rise);
-
-  // Crests and gullies, as high as the mountain lets them be.
+Fields FieldsOf(const GridGeometry& lattice, const SmoothedMasks& masks, std::uint64_t seed) {
+  Fields fields{MixTrait(masks, &ClassTraits::steepness_m), Grid<float>(),
+                MixTrait(masks, &ClassTraits::talus), Grid<float>()};
+  // Scarps would stand where uplift changes at once.
+  GaussianBlur(0.8 * LatticeCellsPerLayoutCell(lattice), &fields.steepness_m);
+  const double growth = lattice.size_m() / kTraitSize_m;
+  const auto hard = static_cast<float>(growth);
+  const auto soft = static_cast<float>(std::min(growth, kMostSoftGrowth));
   NoiseOptions options;
-  options.wavelength_m = 0.16 * size_m;
-  options.octaves = 5;
-  options.gain = 0.36;
-  const Grid<float> ridges = RidgedNoise(geometry, options, StreamSeed(seed, "mountain_ridges"));
-  const float roughest_m = 0.1f * size_m;
-  for (std::size_t i = 0; i < rise.size(); ++i) {
-    const float height_m = rise.data()[i];
-    const float roughness_m = height_m * roughest_m / (height_m + roughest_m);
-    land->data()[i] += height_m + 0.9f * roughness_m * (ridges.data()[i] - 0.75f);
+  options.wavelength_m = 0.2 * lattice.size_m();
+  options.octaves = 3;
+  const Grid<float> uneven = FractalNoise(lattice, options, StreamSeed(seed, "terrain/uplift"));
+  for (std::size_t i = 0; i < uneven.size(); ++i) {
+    float& steepness = fields.steepness_m.data()[i];
+    const float mountain =
+        std::clamp((steepness - 0.9f) / static_cast<float>(kSoftSteepness_m), 0.0f, 1.0f);
+    steepness *= (soft + mountain * (hard - soft)) * (1.0f + 0.8f * uneven.data()[i]);
   }
+  // Uneven rock turns rivers away from the lattice's eight directions.
+  options.wavelength_m = 0.06 * lattice.size_m();
+  options.octaves = 4;
+  options.gain = 0.7;
+  fields.erodibility = FractalNoise(lattice, options, StreamSeed(seed, "terrain/erodibility"));
+  for (float& value : fields.erodibility) value = std::exp(1.6f * value);
+  options.wavelength_m = 0.08 * lattice.size_m();
+  fields.slide_slope = FractalNoise(lattice, options, StreamSeed(seed, "terrain/slides"));
+  for (float& value : fields.slide_slope) {
+    value = static_cast<float>(kTalus) * (1.0f + 0.5f * value);
+  }
+  return fields;
+}
+
+// Where water leaves the world: water itself, and the low places of a dry edge.
+struct BaseLevel {
+  Grid<unsigned char> outlet;
+  Grid<float> height_m;  // of the outlets
+};
+
+// A walk around the edge: cell index by step.
+std::vector<std::int32_t> EdgeCells(int n) {
+  std::vector<std::int32_t> cells;
+  for (int i = 0; i < n - 1; ++i) cells.push_back(i);
+  for (int i = 0; i < n - 1; ++i) cells.push_back(i * n + n - 1);
+  for (int i = n - 1; i > 0; --i) cells.push_back((n - 1) * n + i);
+  for (int i = n - 1; i > 0; --i) cells.push_back(i * n);
+  return cells;
+}
+
+// The lowest place of the edge within a quarter of the world to both sides, where no water is.
+void AddEdgeOutlets(const Grid<float>& hills_m, const Grid<float>& level_m, BaseLevel* base) {
+  const int n = hills_m.rows();
+  const std::vector<std::int32_t> edge = EdgeCells(n);
+  const int count = static_cast<int>(edge.size());
+  const int reach = n / 4;
+  for (int i = 0; i < count; ++i) {
+    bool lowest = true;
+    for (int k = -reach; k <= reach && lowest; ++k) {
+      const std::int32_t other = edge[(i + k + count) % count];
+      if (!std::isnan(level_m.data()[other])) lowest = false;
+      const float there = hills_m.data()[other], here = hills_m.data()[edge[i]];
+      lowest = lowest && (there > here || (there == here && k >= 0));
+    }
+    if (!lowest) continue;
+    base->outlet.data()[edge[i]] = 1;
+    base->height_m.data()[edge[i]] = hills_m.data()[edge[i]];
+  }
+}
+
+BaseLevel BaseLevelOf(const Grid<float>& hills_m, const Grid<float>& level_m) {
+  const int n = hills_m.rows();
+  BaseLevel base{Grid<unsigned char>(n, n, 0), Grid<float>(n, n, 0.0f)};
+  bool any = false;
+  for (std::size_t i = 0; i < level_m.size(); ++i) {
+    if (std::isnan(level_m.data()[i])) continue;
+    any = true;
+    base.outlet.data()[i] = 1;
+    base.height_m.data()[i] = level_m.data()[i];
+  }
+  AddEdgeOutlets(hills_m, level_m, &base);
+  if (!any && std::find(base.outlet.begin(), base.outlet.end(), 1) == base.outlet.end()) {
+    const auto lowest = std::min_element(hills_m.begin(), hills_m.end()) - hills_m.begin();
+    base.outlet.data()[lowest] = 1;
+    base.height_m.data()[lowest] = *std::min_element(hills_m.begin(), hills_m.end());
+  }
+  return base;
+}
+
+// The outlets on a coarser lattice: a coarse cell is one where any of its cells is, at the lowest.
+BaseLevel Coarser(const BaseLevel& base, int cells) {
+  const int n = base.outlet.rows();
+  const int factor = n / cells;
+  BaseLevel coarse{Grid<unsigned char>(cells, cells, 0), Grid<float>(cells, cells, 0.0f)};
+  for (int r = 0; r < n; ++r) {
+    for (int c = 0; c < n; ++c) {
+      if (base.outlet(r, c) == 0) continue;
+      unsigned char& outlet = coarse.outlet(r / factor, c / factor);
+      float& height = coarse.height_m(r / factor, c / factor);
+      height = outlet != 0 ? std::min(height, base.height_m(r, c)) : base.height_m(r, c);
+      outlet = 1;
+    }
+  }
+  return coarse;
+}
+
+struct Phase {
+  int cells;
+  int fluvial_steps;
+  int thermal_iterations;
+};
+
+// Lets a phase's time pass; the land keeps its lattice or gets a finer one.
+void Evolve(const GridGeometry& lattice, const Phase& phase, const BaseLevel& base,
+            const Fields& fields, Grid<float>* land_m) {
+  const int n = phase.cells;
+  const double cell_m = lattice.size_m() / n;
+  *land_m = Resample(*land_m, n, n);
+  const BaseLevel own = n == lattice.rows() ? base : Coarser(base, n);
+  for (std::size_t i = 0; i < land_m->size(); ++i) {
+    if (own.outlet.data()[i] != 0) land_m->data()[i] = own.height_m.data()[i];
+  }
+  Grid<float> uplift = Resample(fields.steepness_m, n, n);
+  for (float& value : uplift) value *= static_cast<float>(kErodibility_per_yr);
+  const Grid<float> erodibility = Resample(fields.erodibility, n, n);
+  FluvialOptions fluvial;
+  fluvial.steps = phase.fluvial_steps;
+  fluvial.time_step_yr = 1.0 / kErodibility_per_yr;
+  fluvial.erodibility = kErodibility_per_yr;
+  if (fluvial.steps > 0) {
+    ErodeFluvially(cell_m, fluvial, &own.outlet, &uplift, &erodibility, 0, land_m);
+  }
+  // What stands steeper than the talus above its valley has slid away.
+  Grid<float> slide = Resample(fields.slide_slope, n, n);
+  for (float& value : slide) value *= static_cast<float>(cell_m);
+  LimitSlope(slide, land_m);
+  if (phase.thermal_iterations > 0) {
+    const Grid<float> talus = Resample(fields.talus, n, n);
+    ThermalOptions thermal;
+    thermal.iterations = phase.thermal_iterations;
+    ErodeThermally(cell_m, thermal, &talus, 0, land_m);
+  }
+  for (std::size_t i = 0; i < land_m->size(); ++i) {
+    if (own.outlet.data()[i] != 0) land_m->data()[i] = own.height_m.data()[i];
+  }
+}
+
+// Creep rounds soft land, and everywhere a little what the lattice's eight directions left.
+void Creep(const GridGeometry& lattice, const SmoothedMasks& masks, Grid<float>* land_m) {
+  const double layout_cell = LatticeCellsPerLayoutCell(lattice);
+  const Grid<float> smoothness = MixTrait(masks, &ClassTraits::smoothness);
+  Grid<float> wide = *land_m;
+  GaussianBlur(0.05 * layout_cell, land_m);
+  GaussianBlur(0.35 * layout_cell, &wide);
+  for (std::size_t i = 0; i < wide.size(); ++i) {
+    land_m->data()[i] += smoothness.data()[i] * (wide.data()[i] - land_m->data()[i]);
+  }
+}
+
+Grid<float> RiverFall(const GridGeometry& lattice, const SmoothedMasks& masks) {
+  // The water's own class says nothing of the land that it runs through: look around.
+  Grid<float> sum(lattice.rows(), lattice.cols()), share(lattice.rows(), lattice.cols());
+  for (const SmoothedMask& entry : masks.classes) {
+    if (entry.letter == 'W') continue;
+    const float fall = TraitsOf(masks.vocabulary, entry.letter).river_fall;
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      sum.data()[i] += fall * entry.weight.data()[i];
+      share.data()[i] += entry.weight.data()[i];
+    }
+  }
+  const double around = 1.0 * LatticeCellsPerLayoutCell(lattice);
+  GaussianBlur(around, &sum);
+  GaussianBlur(around, &share);
+  constexpr float kLeastFall = 0.001f, kTiny = 1e-3f;
+  const auto cell_m = static_cast<float>(lattice.resolution_m());
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    sum.data()[i] = cell_m * std::max(kLeastFall, sum.data()[i] / std::max(share.data()[i], kTiny));
+  }
+  return sum;
 }
 
 // Terraces of this height [m] and more are worth smoothing.
@@ -123,7 +231,7 @@ void SmoothSteps(double step_m, Grid<float>* land) {
   constexpr int kRounds = 3;
   const Grid<float> given = *land;
   const auto half = static_cast<float>(0.5 * step_m);
-  double sigma_cells = land->rows() / 64.0;
+  double sigma_cells = std::min(land->rows(), land->cols()) / 64.0;
   for (int round = 0; round < kRounds; ++round, sigma_cells *= 0.5) {
     GaussianBlur(sigma_cells, land);
     for (std::size_t i = 0; i < given.size(); ++i) {
@@ -135,17 +243,83 @@ void SmoothSteps(double step_m, Grid<float>* land) {
 
 }  // namespace
 
-Grid<float> ShapedLand(const GridGeometry& geometry, const ClassWeights& weights,
-                       const Grid<char>& letters, std::uint64_t seed) {
-  const double hills_m = std::min(kHillsOfSize * geometry.size_m(), kMaxHills_m);
-  Grid<float> land = ProceduralRelief(geometry, hills_m, seed);
-  AddUndulation(geometry, weights, seed, &land);
-  if (weights.vocabulary == Vocabulary::kWild) AddMountains(geometry, letters, seed, &land);
-  return land;
+Result<ShapedLand> ShapeLand(const GridGeometry& lattice, const SmoothedMasks& masks,
+                             const WaterBodies& water, std::uint64_t seed,
+                             const Progress& progress) {
+  const int n = lattice.rows();
+  const double size_m = lattice.size_m();
+  const double incision_m = std::min(kMaxIncision_m, kIncisionOfSize * size_m);
+  const Grid<float> hills_m =
+      ProceduralRelief(lattice, std::min(kHillsOfSize * size_m, kMaxHills_m), seed);
+  const Fields fields = FieldsOf(lattice, masks, seed);
+
+  // Rivers leave the world where the land is softest and lowest.
+  Grid<float> prior_m = fields.steepness_m;
+  GaussianBlur(3.0 * LatticeCellsPerLayoutCell(lattice), &prior_m);
+  for (std::size_t i = 0; i < prior_m.size(); ++i) {
+    prior_m.data()[i] = hills_m.data()[i] + 4.0f * prior_m.data()[i];
+  }
+  const std::vector<std::int32_t> outlets = OutletsOf(water, prior_m);
+  ShapedLevels levels(water, FlowDistance(water, outlets, RiverFall(lattice, masks)));
+  levels.SetOpenBases(outlets, hills_m, incision_m);
+  levels.Reconcile(kNeighbourSlope * lattice.resolution_m());
+
+  // First a coarse land around the water that leaves the world: it says how high closed lakes lie.
+  const int coarse = n / 4;
+  // Rough to begin with, so that valleys do not run straight.
+  NoiseOptions rough;
+  rough.wavelength_m = 0.15 * size_m;
+  rough.octaves = 5;
+  rough.gain = 0.6;
+  Grid<float> land_m = FractalNoise(lattice, rough, StreamSeed(seed, "terrain/first_land"));
+  for (std::size_t i = 0; i < land_m.size(); ++i) {
+    land_m.data()[i] =
+        hills_m.data()[i] + fields.steepness_m.data()[i] * (3.0f + 6.0f * land_m.data()[i]);
+  }
+  Evolve(lattice, {coarse, 12, 0}, BaseLevelOf(hills_m, levels.Levels()), fields, &land_m);
+  LW_RETURN_IF_ERROR(progress.CheckCancelled());
+  levels.SetClosedBases(Resample(land_m, n, n), incision_m);
+  levels.Reconcile(kNeighbourSlope * lattice.resolution_m());
+  ShapedLand result;
+  result.water_level_m = levels.Levels();
+
+  const BaseLevel base = BaseLevelOf(hills_m, result.water_level_m);
+  for (const Phase& phase : {Phase{coarse, 4, 0}, Phase{n / 2, 3, 6}, Phase{n, 1, 8}}) {
+    Evolve(lattice, phase, base, fields, &land_m);
+    LW_RETURN_IF_ERROR(progress.CheckCancelled());
+  }
+  Creep(lattice, masks, &land_m);
+  result.height_m = std::move(land_m);
+  return result;
 }
 
-Grid<float> ReliefLand(const GridGeometry& geometry, const Relief& relief) {
-  Grid<float> land = Resample(relief.height_m, geometry.rows(), geometry.cols());
+void FillHollows(double cell_m, const WaterBodies& water, const Grid<float>& level_m,
+                 Grid<float>* land_m) {
+  constexpr double kLeastFall = 0.004;  // [m/m]
+  const int n = land_m->rows();
+  Grid<unsigned char> outlet = water.wet;
+  for (const std::int32_t cell : EdgeCells(n)) outlet.data()[cell] = 1;
+  Grid<float> surface = *land_m;
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    if (water.wet.data()[i] != 0) surface.data()[i] = level_m.data()[i];
+  }
+  surface = FillDepressions(surface, &outlet);
+  // What was filled gets a gentle fall, so that nothing finer closes it again.
+  const auto fall_m = static_cast<float>(kLeastFall * cell_m);
+  const FlowGraph flow = RouteFlow(surface, &outlet);
+  for (const std::int32_t cell : flow.order) {
+    const std::int32_t below = flow.receiver[cell];
+    if (below == cell) continue;
+    surface.data()[cell] = std::max(surface.data()[cell], surface.data()[below] + fall_m);
+  }
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    if (water.wet.data()[i] == 0) land_m->data()[i] = surface.data()[i];
+  }
+}
+
+Grid<float> ReliefLand(const Relief& relief, int cells) {
+  const bool finer = relief.height_m.rows() > cells || relief.height_m.cols() > cells;
+  Grid<float> land = finer ? Resample(relief.height_m, cells, cells) : relief.height_m;
   if (relief.height_step_m >= kVisibleStep_m) SmoothSteps(relief.height_step_m, &land);
   return land;
 }

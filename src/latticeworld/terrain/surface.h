@@ -36,10 +36,15 @@ constexpr std::array<EnumName<SurfaceClass>, 9> EnumNames(SurfaceClass) {
 struct SurfaceProperties {
   double friction;            // Coulomb coefficient against rubber
   double rolling_resistance;  // coefficient of a rubber wheel
+  // Soil strength by the cone penetrometer of the Waterways Experiment Station [kPa]: mean over the
+  // upper 15 cm. A wheel sinks into what is soft: light robots need about 20 to 50, cars and farm
+  // vehicles 300 to 600. Paving and rock, which no cone enters, have kHardConeIndex_kPa.
+  double cone_index_kpa;
 };
+inline constexpr double kHardConeIndex_kPa = 5000.0;
 
-// Friction and rolling resistance of a surface under a weather (rain and snow lower friction).
-// Values follow vehicle dynamics textbooks (Wong, Theory of Ground Vehicles, 2008).
+// Friction, rolling resistance and softness of a surface under a weather: rain and snow lower
+// friction, rain softens soil. surface.cc names the source of each value and marks estimates.
 SurfaceProperties PropertiesOf(SurfaceClass surface, Weather weather);
 
 }  // namespace latticeworld

@@ -2,13 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "latticeworld/common/check.h"
+#include "latticeworld/common/range.h"
+#include "latticeworld/geomorphology/distance.h"
+#include "latticeworld/geomorphology/resample.h"
+#include "latticeworld/geomorphology/slope.h"
+#include "latticeworld/terrain/banks.h"
+#include "latticeworld/terrain/benches.h"
 #include "latticeworld/terrain/cover.h"
 #include "latticeworld/terrain/land.h"
-#include "latticeworld/terrain/paving.h"
-#include "latticeworld/terrain/water.h"
+#include "latticeworld/terrain/lattice.h"
+#include "latticeworld/terrain/render.h"
+#include "latticeworld/terrain/roads.h"
+#include "latticeworld/terrain/water_bodies.h"
+#include "latticeworld/terrain/water_level.h"
 
 namespace latticeworld {
 namespace {
@@ -22,7 +32,63 @@ DecodeOptions BorderOptions(const GridGeometry& geometry) {
   return options;
 }
 
+// Of land that is shaped around its water anyway.
+constexpr double kShapedBankSlope = 0.35;
+constexpr float kFordReach_cells = 4.0f;
+constexpr float kRoughSlope = 0.06f;  // where half of the undulation shows [m/m]
+
+// Water, and what would be without a road over it.
+Grid<unsigned char> WetCells(const Grid<char>& letters, const Grid<Crossing>& crossing) {
+  Grid<unsigned char> wet = internal::MaskOf('W', letters);
+  for (std::size_t i = 0; i < wet.size(); ++i) {
+    if (letters.data()[i] == 'R' && crossing.data()[i] != Crossing::kNone) wet.data()[i] = 1;
+  }
+  return wet;
+}
+
+Grid<unsigned char> FordCells(const Grid<char>& letters, const Grid<Crossing>& crossing) {
+  Grid<unsigned char> ford(letters.rows(), letters.cols());
+  for (std::size_t i = 0; i < ford.size(); ++i) {
+    ford.data()[i] = letters.data()[i] == 'R' && crossing.data()[i] == Crossing::kFord ? 1 : 0;
+  }
+  return ford;
+}
+
+// How deep water may be on and beside roads [m]: fords are shallow and lead into the water gently,
+// and the bed falls away from a road no steeper than an embankment. NaN: a dam, which no bed is dug
+// into.
+Grid<float> DepthNearRoads(const GridGeometry& lattice, const Grid<unsigned char>& road,
+                           const Grid<Crossing>& crossing, const Grid<unsigned char>& wet,
+                           double ford_depth_m) {
+  constexpr float kBedSlope = 0.4f;
+  constexpr float kFordSlope = 0.08f;
+  const auto cell_m = static_cast<float>(lattice.resolution_m());
+  const auto ford_m = static_cast<float>(ford_depth_m);
+  Grid<float> depth_m = DistanceTo(true, road);
+  const Grid<float> to_shore = DistanceTo(false, wet);
+  for (std::size_t i = 0; i < depth_m.size(); ++i) {
+    float& depth = depth_m.data()[i];
+    if (road.data()[i] == 0) {
+      depth = ford_m + kBedSlope * std::max(depth - 1.0f, 0.0f) * cell_m;
+    } else if (crossing.data()[i] == Crossing::kCauseway) {
+      depth = std::numeric_limits<float>::quiet_NaN();
+    } else {
+      depth = std::min(ford_m, kFordSlope * std::max(to_shore.data()[i] - 0.5f, 0.0f) * cell_m);
+    }
+  }
+  return depth_m;
+}
+
 }  // namespace
+
+std::vector<Violation> Validate(const TerrainOptions& options) {
+  std::vector<Violation> violations;
+  CheckRange("max_road_slope", options.max_road_slope, {0.001, 0.5}, "", &violations);
+  CheckRange("embankment_slope", options.embankment_slope, {0.1, 1.0}, "", &violations);
+  CheckRange("max_bank_slope", options.max_bank_slope, {0.1, 1.0}, "", &violations);
+  CheckRange("ford_depth", options.ford_depth_m, {0.02, 0.14}, " m", &violations);
+  return violations;
+}
 
 double Terrain::WaterDepthAt(WorldPoint point) const {
   const float level_m = water_level_m[geometry().CellAt(point)];
@@ -36,38 +102,94 @@ SurfaceClass Terrain::SurfaceAt(WorldPoint point) const {
 
 Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& progress) {
   LW_CHECK(request.layout != nullptr, "a terrain needs a layout");
-  const GridGeometry& geometry = request.geometry;
   const auto advance = [&progress](double fraction) {
     progress.Report("terrain", fraction);
     return progress.CheckCancelled();
   };
 
-  LW_RETURN_IF_ERROR(advance(0.0));
-  Terrain terrain;
-  terrain.weights = DecodeLayout(*request.layout, geometry, BorderOptions(geometry), request.seed);
-  const Grid<char> letters = internal::DominantLetters(terrain.weights);
-  terrain.surface = internal::SurfacesOf(terrain.weights.vocabulary, letters);
-
-  LW_RETURN_IF_ERROR(advance(0.4));
-  const bool has_relief = request.relief != nullptr;
-  Grid<float> land_m = has_relief
-                           ? internal::ReliefLand(geometry, *request.relief)
-                           : internal::ShapedLand(geometry, terrain.weights, letters, request.seed);
-
-  LW_RETURN_IF_ERROR(advance(0.6));
-  internal::WaterShaper water(
-      geometry, internal::MaskOf('W', letters),
-      has_relief ? internal::WaterRule::kGraded : internal::WaterRule::kLevel);
-  water.ShapeBanks(&land_m);
-
-  LW_RETURN_IF_ERROR(advance(0.8));
-  if (terrain.weights.vocabulary == Vocabulary::kSuburb) {
-    internal::LevelPads(geometry, internal::MaskOf('B', letters), &land_m);
-    internal::SmoothRoads(geometry, internal::MaskOf('R', letters), &land_m);
+  if (std::vector<Violation> violations = Validate(request.options); !violations.empty()) {
+    return Status::FromViolations("unusable terrain options", std::move(violations));
   }
-  water.Settle(&land_m);
-  terrain.water_level_m = water.TakeLevel();
-  terrain.ground = HeightField(geometry, std::move(land_m));
+  // The plan, on the lattice.
+  LW_RETURN_IF_ERROR(advance(0.0));
+  const GridGeometry lattice = internal::LatticeOf(request.geometry);
+  const int n = lattice.rows();
+  DecodedLayout lines =
+      DecodeLayoutWithLines(*request.layout, lattice, BorderOptions(lattice), request.seed);
+  const Grid<char> letters = internal::DominantLetters(lines.masks);
+  const bool has_relief = request.relief != nullptr;
+  const internal::WaterBodies water = internal::FindWaterBodies(
+      WetCells(letters, lines.crossing), internal::LatticeCellsPerLayoutCell(lattice), !has_relief);
+  LW_RETURN_IF_ERROR(advance(0.1));
+
+  internal::LandPlan plan;
+  Grid<float> level_m;
+  if (has_relief) {
+    plan.fine_given_m = internal::ReliefLand(*request.relief, request.geometry.rows());
+    plan.height_m = Resample(plan.fine_given_m, n, n);
+    plan.given_m = plan.height_m;
+    level_m = internal::GradedLevels(lattice, water, plan.height_m, internal::GradedRule());
+  } else {
+    LW_ASSIGN_OR_RETURN(internal::ShapedLand land,
+                        internal::ShapeLand(lattice, lines.masks, water, request.seed, progress));
+    plan.height_m = std::move(land.height_m);
+    level_m = std::move(land.water_level_m);
+  }
+  LW_RETURN_IF_ERROR(advance(0.5));
+
+  const internal::Banks banks(lattice, water, level_m,
+                              has_relief
+                                  ? request.options.max_bank_slope
+                                  : std::min(kShapedBankSlope, request.options.max_bank_slope));
+  banks.Shape(&plan.height_m);
+  if (!has_relief) internal::FillHollows(lattice.resolution_m(), water, level_m, &plan.height_m);
+  Grid<float> shaped(n, n, 0.0f);
+  if (lines.masks.vocabulary == Vocabulary::kSuburb) {
+    for (const SmoothedMask& entry : lines.masks.classes) {
+      if (entry.letter == 'A') internal::TerraceFields(lattice, entry.weight, &plan.height_m);
+    }
+    internal::LevelPads(lattice, internal::MaskOf('B', letters), banks, &plan.height_m, &shaped);
+    const Grid<unsigned char> road = internal::MaskOf('R', letters);
+    const double ford_depth_m =
+        std::min(request.options.ford_depth_m, internal::RiverDepth_m(lattice.size_m()));
+    const Grid<float> depth_m =
+        DepthNearRoads(lattice, road, lines.crossing, water.wet, ford_depth_m);
+    internal::RoadRule rule;
+    rule.max_slope = request.options.max_road_slope;
+    rule.embankment_slope = request.options.embankment_slope;
+    internal::GradeRoads(lattice, road, lines, banks, depth_m, rule, &plan.height_m, &shaped);
+    // What was built must not open a shore.
+    Grid<unsigned char> beside_roads = road;
+    for (unsigned char& cell : beside_roads) cell = cell == 0 ? 1 : 0;
+    banks.Clamp(beside_roads, &plan.height_m);
+    banks.Dig(&depth_m, &plan.height_m);
+  } else {
+    banks.Dig(nullptr, &plan.height_m);
+  }
+  LW_RETURN_IF_ERROR(advance(0.6));
+
+  const Grid<float> slope = GradientMagnitude(plan.height_m, lattice.resolution_m());
+  plan.masks = std::move(lines.masks);
+  plan.level_m = banks.level_everywhere_m();
+  plan.lowest_m = banks.lowest_m();
+  const Grid<float> to_ford = DistanceTo(true, FordCells(letters, lines.crossing));
+  plan.fordable = Grid<float>(n, n);
+  plan.detail = Grid<float>(n, n);
+  for (std::size_t i = 0; i < shaped.size(); ++i) {
+    // A little into the river, so that no edge of the road stays dry between ford and river.
+    plan.fordable.data()[i] =
+        water.wet.data()[i] != 0 && to_ford.data()[i] < kFordReach_cells ? 1.0f : 0.0f;
+    // Near water nothing finer may open a shore.
+    const float near_water = std::clamp(banks.to_water().data()[i] / 8.0f - 0.25f, 0.0f, 1.0f);
+    // What the valleys' floors are like the drainage has said: the steeper, the rougher.
+    const float steep = has_relief
+                            ? 1.0f
+                            : slope.data()[i] * slope.data()[i] /
+                                  (slope.data()[i] * slope.data()[i] + kRoughSlope * kRoughSlope);
+    plan.detail.data()[i] = (1.0f - shaped.data()[i]) * near_water * steep;
+  }
+  LW_ASSIGN_OR_RETURN(Terrain terrain, internal::Render(request.geometry, plan, request.seed,
+                                                        request.threads, progress));
   LW_RETURN_IF_ERROR(advance(1.0));
   return terrain;
 }

@@ -2,6 +2,7 @@
 #define LATTICEWORLD_TERRAIN_TERRAIN_H_
 
 #include <cstdint>
+#include <vector>
 
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
@@ -28,15 +29,30 @@ struct Terrain {
   SurfaceClass SurfaceAt(WorldPoint point) const;
 };
 
+// How the built parts of the land are shaped; slopes are tangents [m/m].
+struct TerrainOptions {
+  double max_road_slope = 0.12;   // along roads, (0, 0.5]
+  double embankment_slope = 0.5;  // of cuts and fills beside roads, [0.1, 1]
+  double max_bank_slope = 0.6;    // of the land beside water, [0.1, 1]
+  double ford_depth_m = 0.12;     // of water over a ford, [0.02, 0.14]
+};
+std::vector<Violation> Validate(const TerrainOptions& options);
+
 struct TerrainRequest {
   GridGeometry geometry;
   const SymbolicLayout* layout = nullptr;  // never null
   const Relief* relief = nullptr;          // variable-height scene; null: gentle procedural relief
   std::uint64_t seed = 0;
+  TerrainOptions options;
+  int threads = 0;  // 0: as many as cores; the terrain is the same with any
 };
 
-// Elevation that fits the layout: water lies low and level, snow high, roads and building pads are
-// smooth. Errors: CANCELLED.
+// Elevation that fits the layout. Without a relief the land comes from landscape evolution with the
+// layout's water as base level: gentle where its classes are, ridges and valleys in rock and snow.
+// With one it stays as given but for what is built into it. Either way rivers fall along their
+// course into lakes, the sea or over the world's edge, still water is level and held by its shores,
+// roads keep to their slope and ford narrow rivers, building land and fields on slopes lie in level
+// steps. Errors: INVALID_ARGUMENT (options), CANCELLED.
 Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& progress);
 
 }  // namespace latticeworld

@@ -1,0 +1,20 @@
+# latticeworld_plain_library(<room>) makes latticeworld_<room>_plain: the same sources built plainly,
+# at -O2 without the room's own flags, for benchmarks to compare against. Call it for the lower rooms
+# first: a room takes the plain library of another where there is one.
+function(latticeworld_plain_library room)
+  set(target latticeworld_${room})
+  get_target_property(sources ${target} SOURCES)
+  get_target_property(source_dir ${target} SOURCE_DIR)
+  get_target_property(libraries ${target} LINK_LIBRARIES)
+  list(TRANSFORM sources PREPEND ${source_dir}/)
+  add_library(${target}_plain STATIC ${sources})
+  target_include_directories(${target}_plain PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  target_compile_options(${target}_plain PRIVATE -O2)
+  target_compile_definitions(${target}_plain PRIVATE LATTICEWORLD_PLAIN)
+  foreach(library ${libraries})
+    if(TARGET ${library}_plain)
+      set(library ${library}_plain)
+    endif()
+    target_link_libraries(${target}_plain PUBLIC ${library})
+  endforeach()
+endfunction()

@@ -1,0 +1,53 @@
+#include "latticeworld/relief/sketch.h"
+
+#include <string>
+#include <utility>
+
+#include "latticeworld/common/range.h"
+#include "latticeworld/relief/sketch_model.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr int kMinSamples = 64;
+constexpr int kMaxSamples = 8192;
+
+void CheckCount(std::string pointer, int value, int low, int high,
+                std::vector<Violation>* violations) {
+  if (value >= low && value <= high) return;
+  violations->push_back({"out_of_range", pointer,
+                         pointer + " is " + std::to_string(value) + "; legal are " +
+                             std::to_string(low) + " to " + std::to_string(high),
+                         std::to_string(value)});
+}
+
+}  // namespace
+
+std::vector<Violation> Validate(const SketchOptions& options) {
+  std::vector<Violation> violations;
+  CheckCount("samples", options.samples, kMinSamples, kMaxSamples, &violations);
+  CheckRange("size", options.size_m, {kMinSize_m, kMaxSize_m}, " m", &violations);
+  CheckRange("height_scale", options.height_scale_m, {1.0, 9000.0}, " m", &violations);
+  CheckRange("height_offset", options.height_offset_m, {-9000.0, 9000.0}, " m", &violations);
+  constexpr int kMostThreads = 1024;
+  CheckCount("threads", options.threads, 0, kMostThreads, &violations);
+  return violations;
+}
+
+Result<Relief> SketchToRelief(std::string_view bytes, const SketchOptions& options,
+                              const Progress& progress, const SketchModel* model) {
+  LW_RETURN_IF_ERROR(Status::FromViolations("illegal sketch options", Validate(options)));
+  progress.Report("relief", 0.0);
+  LW_ASSIGN_OR_RETURN(const Sketch sketch, ReadSketch(bytes, options.threads));
+  LW_RETURN_IF_ERROR(progress.CheckCancelled());
+  if (model != nullptr) {
+    LW_ASSIGN_OR_RETURN(Grid<float> made, SketchToHeight(sketch, *model, options));
+    LW_RETURN_IF_ERROR(progress.CheckCancelled());
+    progress.Report("relief", 1.0);
+    return MakeRelief(std::move(made));
+  }
+  LW_ASSIGN_OR_RETURN(Grid<float> height_m, SketchToHeight(sketch, options, progress));
+  return MakeRelief(std::move(height_m));
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,45 @@
+#include "latticeworld/terrain/class_traits.h"
+
+#include <cstddef>
+
+#include "latticeworld/terrain/cover.h"
+
+namespace latticeworld::internal {
+
+ClassTraits TraitsOf(Vocabulary vocabulary, char letter) {
+  switch (SurfaceOf(vocabulary, letter)) {
+    case SurfaceClass::kGrass:
+      return {0.50f, 0.35f, 0.90f, 0.35f, 0.003f};
+    case SurfaceClass::kForestFloor:
+      return {0.90f, 0.45f, 0.75f, 0.80f, 0.006f};
+    case SurfaceClass::kFarmland:
+      return {0.20f, 0.15f, 1.00f, 0.06f, 0.002f};
+    case SurfaceClass::kBarren:
+      return {0.70f, 0.40f, 0.75f, 0.50f, 0.004f};
+    case SurfaceClass::kRoad:
+      return {0.20f, 0.20f, 1.00f, 0.00f, 0.003f};
+    case SurfaceClass::kBuilding:
+      return {0.15f, 0.15f, 1.00f, 0.00f, 0.002f};
+    case SurfaceClass::kRock:
+      return {4.50f, 0.58f, 0.10f, 1.00f, 0.030f};
+    case SurfaceClass::kSnow:
+      return {6.50f, 0.55f, 0.15f, 0.80f, 0.040f};
+    case SurfaceClass::kWaterBed:
+      return {0.10f, 0.20f, 1.00f, 0.00f, 0.002f};
+  }
+  return {};
+}
+
+Grid<float> MixTrait(const SmoothedMasks& masks, float ClassTraits::*trait) {
+  const Grid<float>& first = masks.classes.front().weight;
+  Grid<float> mixed(first.rows(), first.cols());
+  for (const SmoothedMask& entry : masks.classes) {
+    const float value = TraitsOf(masks.vocabulary, entry.letter).*trait;
+    const float* weight = entry.weight.data();
+    float* sum = mixed.data();
+    for (std::size_t i = 0; i < mixed.size(); ++i) sum[i] += value * weight[i];
+  }
+  return mixed;
+}
+
+}  // namespace latticeworld::internal

@@ -1,0 +1,91 @@
+#include "latticeworld_ros/world_messages.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "latticeworld/generation/world_generator.h"
+
+namespace latticeworld {
+namespace {
+
+std::shared_ptr<const World> SmallForest() {
+  GenerationRequest request;
+  request.layout_instruction = "Dense forest everywhere.";
+  request.environment_instruction = "A sunny summer noon.";
+  request.seed = 3;
+  request.size_m = 64.0;
+  return MakeDefaultWorldGenerator().Generate(request, Progress()).value();
+}
+
+std::uint32_t FirstTree(const Scene& scene) {
+  std::uint32_t i = 0;
+  while (scene.assets[i].kind != AssetKind::kTree) ++i;
+  return i;
+}
+
+TEST(WorldMessagesTest, ATreeThatFallsMakesNewMapsAndLeavesTheRestAsItIs) {
+  const auto world = SmallForest();
+  const WorldServerOptions options;
+  std::vector<StageTime> stages;
+  WorldMessages before = BuildWorldMessages(*world, options, Progress(), &stages).value();
+  SetStamp(ros::Time(1, 0), &before);
+  const std::vector<std::int8_t> data_before = before.octomap_binary->data;
+
+  const SceneChanges changes = {{{FirstTree(*world->scene), 0.5}}, {}};
+  const WorldMessages after =
+      RebuildMaps(*world, options, changes, ros::Time(2, 0), Progress(), before).value();
+  EXPECT_NE(after.octomap_binary->data, before.octomap_binary->data);
+  EXPECT_NE(after.octomap_full->data, before.octomap_full->data);
+  EXPECT_NE(after.map->data, before.map->data);
+  for (const ros::Time stamp :
+       {after.octomap_binary->header.stamp, after.octomap_full->header.stamp,
+        after.map->header.stamp, after.height_map->info.header.stamp})
+    EXPECT_EQ(stamp, ros::Time(2, 0));
+  EXPECT_EQ(after.info, before.info);
+  EXPECT_EQ(after.layout, before.layout);
+  EXPECT_EQ(after.environment, before.environment);
+  EXPECT_EQ(after.height_image, before.height_image);
+  EXPECT_EQ(after.markers, before.markers);
+  // What was published stays as it was.
+  EXPECT_EQ(before.octomap_binary->data, data_before);
+  EXPECT_EQ(before.map->header.stamp, ros::Time(1, 0));
+
+  // Upright again it is the old map.
+  const WorldMessages back =
+      RebuildMaps(*world, options, {}, ros::Time(3, 0), Progress(), after).value();
+  EXPECT_EQ(back.octomap_full->data, before.octomap_full->data);
+  EXPECT_EQ(back.map->data, before.map->data);
+}
+
+TEST(WorldMessagesTest, RefusesChangesOfAssetsThatAreNotThere) {
+  const auto world = SmallForest();
+  const WorldServerOptions options;
+  std::vector<StageTime> stages;
+  const WorldMessages before = BuildWorldMessages(*world, options, Progress(), &stages).value();
+  const SceneChanges changes = {{}, {static_cast<std::uint32_t>(world->scene->assets.size())}};
+  EXPECT_EQ(
+      RebuildMaps(*world, options, changes, ros::Time(2, 0), Progress(), before).status().code(),
+      StatusCode::kInvalidArgument);
+}
+
+TEST(WorldMessagesTest, TheHeightMapHasTheDistanceToWhatTheMapHasOccupied) {
+  const auto world = SmallForest();
+  std::vector<StageTime> stages;
+  const WorldMessages messages =
+      BuildWorldMessages(*world, WorldServerOptions(), Progress(), &stages).value();
+  const auto& layers = messages.height_map->layers;
+  const auto layer = std::find(layers.begin(), layers.end(), "distance") - layers.begin();
+  ASSERT_LT(layer, static_cast<std::ptrdiff_t>(layers.size()));
+  const std::vector<float>& distance_m = messages.height_map->data[layer].data;
+  const std::size_t count = messages.map->data.size();
+  ASSERT_EQ(distance_m.size(), count);
+  // The grid map begins in the north-east, the map in the south-west.
+  for (std::size_t i = 0; i < count; ++i)
+    EXPECT_EQ(messages.map->data[i] == 100, distance_m[count - 1 - i] == 0.0f);
+}
+
+}  // namespace
+}  // namespace latticeworld
