@@ -8,7 +8,9 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-program=${LATTICEWORLD_BUILD_DIR:-$root/build}/src/tools/latticeworld
+build=${LATTICEWORLD_BUILD_DIR:-$root/build}
+program=$build/devel/lib/latticeworld/latticeworld
+[ -x "$program" ] || program=$build/src/tools/latticeworld  # built without ROS
 
 seeds=20
 layout="Snow-capped mountains with forest valleys, rocky slopes and a river from the upper left to the\
