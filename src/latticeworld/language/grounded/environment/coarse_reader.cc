@@ -5,11 +5,11 @@
 #include <string>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/environment/loose_phrase.h"
 
 namespace latticeworld {
 namespace {
 
-constexpr std::size_t kPhraseTokens = 6;  // of a phrase, not counting small words
 constexpr double kFreezing_degC = 2.0;
 constexpr double kHot_degC = 24.0;
 
@@ -91,22 +91,9 @@ class CoarseReader {
     }
   }
 
-  // The longest phrase that starts here, whether or not small words stand within: "the sun was
-  // just setting" is "sun setting".
+  // "the sun was just setting" is "sun setting".
   WordTable<CoarseWord>::Match MatchAt(std::size_t at) const {
-    const auto exact = words_.coarse.At(tokens_, at);
-    if (noted_.IsPause(at) || IsFiller(at)) return exact;
-    std::vector<Token> heavy;
-    std::vector<std::size_t> ends;
-    for (std::size_t i = at; !noted_.IsPause(i) && heavy.size() < kPhraseTokens; ++i) {
-      if (IsFiller(i)) continue;
-      heavy.push_back(tokens_[i]);
-      ends.push_back(i + 1 - at);
-    }
-    auto loose = words_.coarse.At(heavy, 0);
-    if (loose.tokens < 2 || ends[loose.tokens - 1] <= exact.tokens) return exact;
-    loose.tokens = ends[loose.tokens - 1];
-    return loose;
+    return LoosePhraseAt(words_.coarse, noted_, at, [this](std::size_t i) { return IsFiller(i); });
   }
 
   bool IsFiller(std::size_t at) const {

@@ -5,12 +5,12 @@
 
 #include "latticeworld/language/grounded/environment/fine_measures.h"
 #include "latticeworld/language/grounded/environment/fine_wishes.h"
+#include "latticeworld/language/grounded/environment/loose_phrase.h"
 
 namespace latticeworld {
 namespace {
 
-constexpr std::size_t kPhraseTokens = 6;  // of a phrase, not counting small words
-constexpr std::size_t kReach = 5;         // tokens from an adjective to its noun
+constexpr std::size_t kReach = 5;  // tokens from an adjective to its noun
 
 // An adjective that waits for its noun, or looks back to it.
 struct Quality {
@@ -141,22 +141,10 @@ class FineReader {
            });
   }
 
-  // The longest phrase that starts here, whether or not small words stand within: "moss growing on
-  // the bark" is "moss on the bark".
+  // "moss growing on the bark" is "moss on the bark".
   WordTable<VariantWord>::Match VariantAt(std::size_t at) const {
-    const auto exact = words_.variants.At(tokens_, at);
-    if (noted_.IsPause(at) || IsFiller(at)) return exact;
-    std::vector<Token> heavy;
-    std::vector<std::size_t> ends;
-    for (std::size_t i = at; !noted_.IsPause(i) && heavy.size() < kPhraseTokens; ++i) {
-      if (IsFiller(i)) continue;
-      heavy.push_back(tokens_[i]);
-      ends.push_back(i + 1 - at);
-    }
-    auto loose = words_.variants.At(heavy, 0);
-    if (loose.tokens < 2 || ends[loose.tokens - 1] <= exact.tokens) return exact;
-    loose.tokens = ends[loose.tokens - 1];
-    return loose;
+    return LoosePhraseAt(words_.variants, noted_, at,
+                         [this](std::size_t i) { return IsFiller(i); });
   }
 
   bool IsFiller(std::size_t at) const {
