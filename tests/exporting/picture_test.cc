@@ -4,21 +4,15 @@
 
 #include <cmath>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "../mapping/hand_made_scene.h"
+#include "decode_picture.h"
 
 namespace latticeworld {
 namespace {
 
 constexpr int kWidth_px = 300;
 constexpr PictureOptions kOptions = {kWidth_px, true};
-
-cv::Mat Decode(const Result<std::string>& png) {
-  EXPECT_TRUE(png.ok()) << png.status().ToString();
-  const std::vector<unsigned char> bytes(png->begin(), png->end());
-  return cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
-}
 
 Scene Meadow() {
   return MakeScene(64, 64.0, [](double, double) { return 1.0; });

@@ -6,21 +6,15 @@
 #include <limits>
 #include <memory>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "../mapping/hand_made_scene.h"
+#include "decode_picture.h"
 
 namespace latticeworld {
 namespace {
 
 constexpr int kWidth_px = 300;
 constexpr PictureOptions kOptions = {kWidth_px, true};
-
-cv::Mat Decode(const Result<std::string>& png) {
-  EXPECT_TRUE(png.ok()) << png.status().ToString();
-  const std::vector<unsigned char> bytes(png->begin(), png->end());
-  return cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
-}
 
 // Mean BGR over a box around a place, given in shares of the map's side from its north-west corner.
 cv::Scalar ColorAt(const cv::Mat& picture, double u, double v) {
