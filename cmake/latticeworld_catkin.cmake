@@ -56,6 +56,7 @@ add_message_files(FILES
   StageTime.msg
   Status.msg
   TerrainSample.msg
+  Weather.msg
   WorldBundle.msg
   WorldInfo.msg
 )
@@ -68,6 +69,7 @@ add_service_files(FILES
   RemoveAgent.srv
   ResetWorld.srv
   SaveWorld.srv
+  SetWeather.srv
   SpawnAgent.srv
   Step.srv
 )

@@ -9,7 +9,8 @@ packages=(
   ca-certificates ccache clang-format cmake g++ ninja-build pkg-config
   # the core
   libbenchmark-dev libeigen3-dev libgtest-dev libode-dev liboctomap-dev libopencv-dev libssl-dev
-  libcli11-dev libcurl4-openssl-dev libembree-dev libgdal-dev nlohmann-json3-dev zlib1g-dev
+  libcli11-dev libcurl4-openssl-dev libembree-dev libgdal-dev libvalijson-dev nlohmann-json3-dev
+  zlib1g-dev
   # testing against real peers
   octomap-tools openssl python3-numpy python3-onnx python3-yaml
   # ROS: building

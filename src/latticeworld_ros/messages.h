@@ -23,11 +23,13 @@
 #include <latticeworld/RemoveAgent.h>
 #include <latticeworld/ResetWorld.h>
 #include <latticeworld/SaveWorld.h>
+#include <latticeworld/SetWeather.h>
 #include <latticeworld/SpawnAgent.h>
 #include <latticeworld/StageTime.h>
 #include <latticeworld/Status.h>
 #include <latticeworld/Step.h>
 #include <latticeworld/TerrainSample.h>
+#include <latticeworld/Weather.h>
 #include <latticeworld/WorldBundle.h>
 #include <latticeworld/WorldInfo.h>
 #undef latticeworld

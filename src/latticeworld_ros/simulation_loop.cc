@@ -126,6 +126,15 @@ Result<SimulationLoop::Agent> SimulationLoop::Remove(const std::string& name) {
   });
 }
 
+Result<SimulationLoop::WeatherAnswer> SimulationLoop::SetWeather(const WeatherChange& change) {
+  return Call<WeatherAnswer>([this, change]() -> Result<WeatherAnswer> {
+    if (running_.simulator == nullptr) return NoWorld();
+    LW_RETURN_IF_ERROR(running_.simulator->SetWeather(change));
+    Settle();
+    return WeatherAnswer{running_.world->id, Now(), running_.simulator->WeatherTarget()};
+  });
+}
+
 void SimulationLoop::Command(const std::string& agent, const VelocityCommand& command) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -324,6 +333,7 @@ SimulationLoop::Snapshot SimulationLoop::Look(bool hash) const {
   snapshot.step = state->step;
   snapshot.episode_step = state->episode_step;
   snapshot.paused = paused_;
+  snapshot.atmosphere = state->atmosphere;
   if (hash) snapshot.state_hash = running_.simulator->StateHash();
   return snapshot;
 }

@@ -60,8 +60,15 @@ class SimulationLoop {
     std::string name;
     std::string world_id;
   };
+  struct WeatherAnswer {
+    std::string world_id;
+    ros::Time now;
+    Atmosphere target;  // once the change is complete
+  };
   Result<Agent> Spawn(const SpawnRequest& request);
   Result<Agent> Remove(const std::string& name);
+  // Errors: FAILED_PRECONDITION (no world), INVALID_ARGUMENT with every violation.
+  Result<WeatherAnswer> SetWeather(const WeatherChange& change);
   // Does not block; what comes of it goes to the log. Of several commands to one agent between two
   // steps only the last counts.
   void Command(const std::string& agent, const VelocityCommand& command);
@@ -74,6 +81,7 @@ class SimulationLoop {
     std::uint64_t episode_step = 0;
     bool paused = false;
     std::string state_hash;  // empty: not asked for
+    Atmosphere atmosphere;   // of the moment
   };
   // FAILED_PRECONDITION while there is no world.
   Result<Snapshot> Inspect(bool hash);

@@ -14,6 +14,7 @@
 #include "latticeworld_ros/agent_conversion.h"
 #include "latticeworld_ros/agent_markers.h"
 #include "latticeworld_ros/diagnostics.h"
+#include "latticeworld_ros/weather_conversion.h"
 
 namespace latticeworld {
 namespace {
@@ -32,10 +33,12 @@ StatePublisher::StatePublisher(ros::NodeHandle node, const WorldServerOptions& o
       ticks_per_clock_(TicksPer(options.clock_rate_hz, options.simulator.step_s)),
       ticks_per_state_(TicksPer(options.state_rate_hz, options.simulator.step_s)),
       ticks_per_markers_(TicksPer(options.marker_rate_hz, options.simulator.step_s)),
+      ticks_per_weather_(TicksPer(1.0, options.simulator.step_s)),
       clock_(node.advertise<rosgraph_msgs::Clock>("/clock", 100)),
       tf_(node.advertise<tf2_msgs::TFMessage>("/tf", 100)),
       agents_(node.advertise<latticeworld_msgs::AgentStates>("agents", 100)),
       events_(node.advertise<latticeworld_msgs::AgentEvent>("agent_events", 1000)),
+      weather_(node.advertise<latticeworld_msgs::Weather>("world/weather", 1, /*latch=*/true)),
       markers_(node.advertise<visualization_msgs::MarkerArray>("agents/markers", 10)),
       diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("diagnostics", 10)) {}
 
@@ -45,18 +48,29 @@ void StatePublisher::OnTick(const Tick& tick) {
   const bool markers_due = tick.simulator != nullptr && due(ticks_per_markers_);
   std::vector<Event> events;
   if (tick.simulator != nullptr) events = tick.simulator->TakeEvents();
+  const bool weather_told = std::any_of(events.begin(), events.end(), [](const Event& event) {
+    return event.kind == EventKind::kWeatherChanged;
+  });
+  const bool weather_due =
+      tick.simulator != nullptr && (weather_told || (weather_moves_ && due(ticks_per_weather_)));
 
-  if (due(ticks_per_clock_) || state_due || markers_due || !events.empty()) PublishClock(tick.now);
+  if (due(ticks_per_clock_) || state_due || markers_due || weather_due || !events.empty()) {
+    PublishClock(tick.now);
+  }
   PublishEvents(tick, events);
-  if (!state_due && !markers_due) return;
+  if (!state_due && !markers_due && !weather_due) return;
   const std::shared_ptr<const WorldState> state = tick.simulator->State();
+  if (weather_due) PublishWeather(tick, *state);
   if (state_due) PublishState(tick, *state);
   if (markers_due) PublishMarkers(tick, *state);
 }
 
 void StatePublisher::OnStandstill(ros::Time now) { PublishClock(now); }
 
-void StatePublisher::OnBegin() { map_from_odom_.clear(); }
+void StatePublisher::OnBegin() {
+  map_from_odom_.clear();
+  weather_moves_ = true;  // the next tick shows it
+}
 
 void StatePublisher::OnStatistics(const LoopStatistics& statistics) {
   // The clock first: what is published below carries this stamp.
@@ -113,6 +127,11 @@ void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
   }
   tf_.publish(transforms);
   agents_.publish(ToRos(state, tick.now, tick.world_id));
+}
+
+void StatePublisher::PublishWeather(const Tick& tick, const WorldState& state) {
+  weather_moves_ = state.weather_change_s > 0.0 || tick.simulator->options().day_length_s > 0.0;
+  weather_.publish(ToRos(state.atmosphere, state.weather_change_s, tick.now, tick.world_id));
 }
 
 void StatePublisher::PublishMarkers(const Tick& tick, const WorldState& state) {

@@ -18,8 +18,9 @@
 namespace latticeworld {
 
 // Publishes what changes while a world runs: /clock (before all that carries its stamp), /tf (one
-// message a tick, whatever the number of agents), agents, agent_events, odometry, agents/markers
-// and diagnostics. Everything but the constructor runs on the simulation loop's thread.
+// message a tick, whatever the number of agents), agents, agent_events, world/weather (latched,
+// once a second while it moves), odometry, agents/markers and diagnostics. Everything but the
+// constructor runs on the simulation loop's thread.
 class StatePublisher : public SimulationListener {
  public:
   // language_server: for diagnostics; nullptr: there is none.
@@ -35,6 +36,7 @@ class StatePublisher : public SimulationListener {
   void PublishClock(ros::Time now);
   void PublishEvents(const Tick& tick, const std::vector<Event>& events);
   void PublishState(const Tick& tick, const WorldState& state);
+  void PublishWeather(const Tick& tick, const WorldState& state);
   void PublishMarkers(const Tick& tick, const WorldState& state);
 
   RobotTopics* const robots_;
@@ -42,7 +44,9 @@ class StatePublisher : public SimulationListener {
   const std::uint64_t ticks_per_clock_;
   const std::uint64_t ticks_per_state_;
   const std::uint64_t ticks_per_markers_;
-  ros::Publisher clock_, tf_, agents_, events_, markers_, diagnostics_;
+  const std::uint64_t ticks_per_weather_;
+  ros::Publisher clock_, tf_, agents_, events_, weather_, markers_, diagnostics_;
+  bool weather_moves_ = true;  // as published last; true: nothing was
 
   std::vector<std::string> robot_names_;                    // as last told to robots_
   std::map<std::string, Eigen::Isometry3d> map_from_odom_;  // where each robot began

@@ -4,6 +4,8 @@
 #include <string>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/scene/surface_table.h"
+#include "latticeworld/scene/water_depth.h"
 #include "latticeworld_ros/agent_conversion.h"
 
 namespace latticeworld {
@@ -71,12 +73,14 @@ std::vector<latticeworld_msgs::StageTime> ToRos(const std::vector<StageTime>& st
 }
 
 Result<std::vector<latticeworld_msgs::TerrainSample>> SampleTerrain(
-    const Scene& scene, const std::vector<geometry_msgs::Point>& points) {
+    const Scene& scene, const Atmosphere& atmosphere,
+    const std::vector<geometry_msgs::Point>& points) {
   if (points.size() > kMaxTerrainPoints) {
     return ResourceExhausted(std::to_string(points.size()) + " points are given; at most " +
                              std::to_string(kMaxTerrainPoints) + " are legal in one call");
   }
   const Terrain& terrain = *scene.terrain;
+  const SurfaceTable surfaces(scene, atmosphere.ground());
   const double half_m = terrain.geometry().half_size_m();
   std::vector<latticeworld_msgs::TerrainSample> samples;
   samples.reserve(points.size());
@@ -96,8 +100,8 @@ Result<std::vector<latticeworld_msgs::TerrainSample>> SampleTerrain(
     sample.slope = terrain.ground.SlopeAt(point);
     sample.surface = std::string(NameOf(surface));
     sample.letter = std::string(1, terrain.weights.DominantAt(terrain.geometry().CellAt(point)));
-    sample.water_depth = terrain.WaterDepthAt(point);
-    const SurfaceProperties properties = PropertiesOf(surface, scene.atmosphere.weather);
+    sample.water_depth = WaterDepthAt(terrain, atmosphere, point);
+    const SurfaceProperties& properties = surfaces.Of(surface);
     sample.friction = properties.friction;
     sample.rolling_resistance = properties.rolling_resistance;
     sample.cone_index_kpa = properties.cone_index_kpa;

@@ -21,10 +21,11 @@ std::vector<latticeworld_msgs::ClaimOutcome> ToRos(const std::vector<ClaimOutcom
 // Most points that one query_terrain may ask for.
 inline constexpr std::size_t kMaxTerrainPoints = 1000000;
 
-// The ground at each point. Errors: OUT_OF_RANGE naming the first point that is not inside the
-// world (or not finite); RESOURCE_EXHAUSTED for too many.
+// The ground at each point in that weather. Errors: OUT_OF_RANGE naming the first point that is not
+// inside the world (or not finite); RESOURCE_EXHAUSTED for too many.
 Result<std::vector<latticeworld_msgs::TerrainSample>> SampleTerrain(
-    const Scene& scene, const std::vector<geometry_msgs::Point>& points);
+    const Scene& scene, const Atmosphere& atmosphere,
+    const std::vector<geometry_msgs::Point>& points);
 
 }  // namespace latticeworld
 

@@ -1,16 +1,20 @@
 #include "latticeworld_ros/world_markers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <string>
+#include <utility>
 
+#include "latticeworld/common/random.h"
+#include "latticeworld/meshes/mesh.h"
 #include "latticeworld_ros/agent_conversion.h"
+#include "latticeworld_ros/marker_pieces.h"
 
 namespace latticeworld {
 namespace {
 
-using visualization_msgs::Marker;
+using PartColors = std::array<Rgb, kMeshPartCount>;
 
 std_msgs::ColorRGBA Color(float r, float g, float b, float a = 1.0f) {
   std_msgs::ColorRGBA color;
@@ -21,30 +25,17 @@ std_msgs::ColorRGBA Color(float r, float g, float b, float a = 1.0f) {
   return color;
 }
 
+std_msgs::ColorRGBA ColorOf(const PartColors& colors, MeshPart part) {
+  const Rgb& rgb = colors[static_cast<std::size_t>(part)];
+  return Color(rgb.r / 255.0f, rgb.g / 255.0f, rgb.b / 255.0f);
+}
+
 geometry_msgs::Point Point(double x, double y, double z) {
   geometry_msgs::Point point;
   point.x = x;
   point.y = y;
   point.z = z;
   return point;
-}
-
-Marker Triangles(const std::string& ns) {
-  Marker marker;
-  marker.header.frame_id = kMapFrame;
-  marker.ns = ns;
-  marker.type = Marker::TRIANGLE_LIST;
-  marker.action = Marker::ADD;
-  marker.pose.orientation.w = 1.0;
-  marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
-  marker.color = Color(1.0f, 1.0f, 1.0f);
-  return marker;
-}
-
-void AddTriangle(const geometry_msgs::Point& a, const geometry_msgs::Point& b,
-                 const geometry_msgs::Point& c, const std_msgs::ColorRGBA& color, Marker* marker) {
-  marker->points.insert(marker->points.end(), {a, b, c});
-  marker->colors.push_back(color);  // one a triangle
 }
 
 // The classes' colours at a cell, mixed by their weights.
@@ -60,7 +51,7 @@ std_msgs::ColorRGBA GroundColor(const ClassWeights& weights, CellIndex cell) {
   return Color(r, g, b);
 }
 
-void AddGround(const Terrain& terrain, int cells, Marker* ground, Marker* water) {
+void AddGround(const Terrain& terrain, int cells, MarkerPieces* ground, MarkerPieces* water) {
   const GridGeometry& geometry = terrain.geometry();
   const double half_m = geometry.half_size_m(), edge_m = geometry.size_m() / cells;
   const auto corner = [&](int i, int j) {
@@ -71,39 +62,43 @@ void AddGround(const Terrain& terrain, int cells, Marker* ground, Marker* water)
     for (int i = 0; i < cells; ++i) {
       const auto sw = corner(i, j), se = corner(i + 1, j), nw = corner(i, j + 1),
                  ne = corner(i + 1, j + 1);
-      const CellIndex cell =
-          geometry.CellAt({-half_m + (i + 0.5) * edge_m, -half_m + (j + 0.5) * edge_m});
+      const WorldPoint middle{-half_m + (i + 0.5) * edge_m, -half_m + (j + 0.5) * edge_m};
+      const CellIndex cell = geometry.CellAt(middle);
       const auto color = GroundColor(terrain.weights, cell);
-      AddTriangle(sw, se, nw, color, ground);
-      AddTriangle(se, ne, nw, color, ground);
+      ground->MoveTo(middle);
+      ground->Add(sw, se, nw, color);
+      ground->Add(se, ne, nw, color);
       const float level_m = terrain.water_level_m[cell];
       if (std::isnan(level_m)) continue;
       const auto raised = [&](const geometry_msgs::Point& p) { return Point(p.x, p.y, level_m); };
       const auto blue = Color(0.15f, 0.35f, 0.8f, 0.7f);
-      AddTriangle(raised(sw), raised(se), raised(nw), blue, water);
-      AddTriangle(raised(se), raised(ne), raised(nw), blue, water);
+      water->MoveTo(middle);
+      water->Add(raised(sw), raised(se), raised(nw), blue);
+      water->Add(raised(se), raised(ne), raised(nw), blue);
     }
   }
 }
 
 // A body between a ring of corners around the middle and one point above and below it.
-void AddSpindle(const Asset& asset, int corners, double ring_z_m, double low_z_m,
-                const std_msgs::ColorRGBA& color, Marker* marker) {
+void AddSpindle(const Asset& asset, int corners, double ring_share,
+                const std_msgs::ColorRGBA& upper, const std_msgs::ColorRGBA& lower,
+                MarkerPieces* pieces) {
+  const double ring_z_m = asset.z_m + ring_share * asset.height_m;
   const auto ring = [&](int k) {
     const double angle = asset.yaw_rad + 2.0 * M_PI * k / corners;
     return Point(asset.x_m + asset.half_length_m * std::cos(angle),
                  asset.y_m + asset.half_length_m * std::sin(angle), ring_z_m);
   };
   const auto top = Point(asset.x_m, asset.y_m, asset.z_m + asset.height_m);
-  const auto low = Point(asset.x_m, asset.y_m, low_z_m);
+  const auto low = Point(asset.x_m, asset.y_m, asset.z_m);
   for (int k = 0; k < corners; ++k) {
-    AddTriangle(ring(k), ring(k + 1), top, color, marker);
-    AddTriangle(ring(k + 1), ring(k), low, color, marker);
+    pieces->Add(ring(k), ring(k + 1), top, upper);
+    pieces->Add(ring(k + 1), ring(k), low, lower);
   }
 }
 
-void AddBox(const Asset& asset, const std_msgs::ColorRGBA& wall, const std_msgs::ColorRGBA& roof,
-            Marker* marker) {
+void AddBuilding(const Asset& asset, const std_msgs::ColorRGBA& wall,
+                 const std_msgs::ColorRGBA& roof, MarkerPieces* pieces) {
   const double c = std::cos(asset.yaw_rad), s = std::sin(asset.yaw_rad);
   const auto corner = [&](int k, double z_m) {
     const double u = (k == 1 || k == 2) ? asset.half_length_m : -asset.half_length_m;
@@ -113,41 +108,67 @@ void AddBox(const Asset& asset, const std_msgs::ColorRGBA& wall, const std_msgs:
   const double low_m = asset.z_m, high_m = asset.z_m + asset.height_m;
   for (int k = 0; k < 4; ++k) {
     const int next = (k + 1) % 4;
-    AddTriangle(corner(k, low_m), corner(next, low_m), corner(next, high_m), wall, marker);
-    AddTriangle(corner(k, low_m), corner(next, high_m), corner(k, high_m), wall, marker);
+    pieces->Add(corner(k, low_m), corner(next, low_m), corner(next, high_m), wall);
+    pieces->Add(corner(k, low_m), corner(next, high_m), corner(k, high_m), wall);
   }
-  AddTriangle(corner(0, high_m), corner(1, high_m), corner(2, high_m), roof, marker);
-  AddTriangle(corner(0, high_m), corner(2, high_m), corner(3, high_m), roof, marker);
+  pieces->Add(corner(0, high_m), corner(1, high_m), corner(2, high_m), roof);
+  pieces->Add(corner(0, high_m), corner(2, high_m), corner(3, high_m), roof);
 }
 
 bool IsDrawn(AssetKind kind) { return IsSolid(kind) || kind == AssetKind::kBush; }
 
-void AddAssets(const Scene& scene, int max_assets, Marker* marker) {
+// The pieces of every kind that is drawn.
+struct AssetPieces {
+  MarkerPieces trees, bushes, stones, buildings;
+
+  explicit AssetPieces(double size_m)
+      : trees("trees", size_m),
+        bushes("bushes", size_m),
+        stones("stones", size_m),
+        buildings("buildings", size_m) {}
+};
+
+void AddAsset(const Asset& asset, const PartColors& colors, AssetPieces* pieces) {
+  const auto leaves = ColorOf(colors, MeshPart::kLeaves);
+  switch (asset.kind) {
+    case AssetKind::kTree:
+      pieces->trees.MoveTo(asset.position());
+      AddSpindle(asset, 5, 0.3, leaves, ColorOf(colors, MeshPart::kBark), &pieces->trees);
+      break;
+    case AssetKind::kBush:
+      pieces->bushes.MoveTo(asset.position());
+      AddSpindle(asset, 4, 0.5, leaves, leaves, &pieces->bushes);
+      break;
+    case AssetKind::kBuilding:
+      pieces->buildings.MoveTo(asset.position());
+      AddBuilding(asset, ColorOf(colors, MeshPart::kWall), ColorOf(colors, MeshPart::kRoof),
+                  &pieces->buildings);
+      break;
+    default: {
+      const auto stone = ColorOf(colors, MeshPart::kStone);
+      pieces->stones.MoveTo(asset.position());
+      AddSpindle(asset, 4, 0.5, stone, stone, &pieces->stones);
+      break;
+    }
+  }
+}
+
+void AddAssets(const Scene& scene, int max_assets, AssetPieces* pieces) {
   const auto drawn = std::count_if(scene.assets.begin(), scene.assets.end(),
                                    [](const Asset& asset) { return IsDrawn(asset.kind); });
   // Bresenham's way to keep max_assets of them, evenly: an asset stays when the sum rolls over.
   std::int64_t sum = 0;
-  for (const Asset& asset : scene.assets) {
+  for (std::size_t i = 0; i < scene.assets.size(); ++i) {
+    const Asset& asset = scene.assets[i];
     if (!IsDrawn(asset.kind)) continue;
     sum += std::min<std::int64_t>(max_assets, drawn);
     if (sum < drawn) continue;
     sum -= drawn;
-    const double middle_m = asset.z_m + 0.5 * asset.height_m;
-    switch (asset.kind) {
-      case AssetKind::kTree:
-        AddSpindle(asset, 5, asset.z_m + 0.3 * asset.height_m, asset.z_m,
-                   Color(0.13f, 0.42f, 0.16f), marker);
-        break;
-      case AssetKind::kBush:
-        AddSpindle(asset, 4, middle_m, asset.z_m, Color(0.35f, 0.55f, 0.25f), marker);
-        break;
-      case AssetKind::kBuilding:
-        AddBox(asset, Color(0.82f, 0.76f, 0.68f), Color(0.6f, 0.25f, 0.2f), marker);
-        break;
-      default:
-        AddSpindle(asset, 4, middle_m, asset.z_m, Color(0.5f, 0.5f, 0.5f), marker);
-        break;
-    }
+    const double draw = HashToUnit(0, static_cast<std::int64_t>(i), 0);  // which individual
+    AddAsset(asset,
+             ColorsOf(*scene.catalogue, TypeOf(asset.kind), asset.season_variant, asset.material,
+                      scene.environment.coarse.season, draw),
+             pieces);
   }
 }
 
@@ -155,18 +176,21 @@ void AddAssets(const Scene& scene, int max_assets, Marker* marker) {
 
 visualization_msgs::MarkerArray ToMarkers(const Scene& scene, const WorldMarkerOptions& options) {
   visualization_msgs::MarkerArray array;
-  Marker clear;
+  visualization_msgs::Marker clear;
   clear.header.frame_id = kMapFrame;
-  clear.action = Marker::DELETEALL;
+  clear.action = visualization_msgs::Marker::DELETEALL;
   array.markers.push_back(clear);
 
-  Marker ground = Triangles("ground"), water = Triangles("water"), assets = Triangles("assets");
+  const double size_m = scene.geometry().size_m();
+  MarkerPieces ground("ground", size_m), water("water", size_m);
+  AssetPieces assets(size_m);
   AddGround(*scene.terrain, std::min(options.terrain_cells, scene.geometry().rows()), &ground,
             &water);
   AddAssets(scene, options.max_assets, &assets);
-  for (Marker* marker : {&ground, &water, &assets}) {
-    // rviz warns about a list without points.
-    if (!marker->points.empty()) array.markers.push_back(std::move(*marker));
+  for (MarkerPieces* pieces :
+       {&ground, &water, &assets.trees, &assets.bushes, &assets.stones, &assets.buildings}) {
+    for (visualization_msgs::Marker& marker : pieces->Take())
+      array.markers.push_back(std::move(marker));
   }
   return array;
 }

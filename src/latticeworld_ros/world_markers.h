@@ -12,9 +12,10 @@ struct WorldMarkerOptions {
   int max_assets = 20000;   // more than that are thinned out evenly
 };
 
-// What stands still, for rviz: ground and water as triangles in the layout's colours, trees as
-// cones, bushes and stones as octahedra, buildings as boxes. Frame map, stamps left at zero. The
-// first marker deletes what was there before.
+// What stands still, for rviz, in pieces of bounded size that are drawn or left out one by one
+// (MarkerPieces): namespace ground in the layout's colours, water, trees and bushes as spindles,
+// stones as octahedra, buildings as boxes with roofs, all in the catalogue's colours of the season.
+// Frame map, stamps left at zero. The first marker deletes what was there before.
 visualization_msgs::MarkerArray ToMarkers(const Scene& scene, const WorldMarkerOptions& options);
 
 }  // namespace latticeworld

@@ -48,7 +48,8 @@ GenerationService::Options GenerationOptions(const WorldServerOptions& options) 
 }  // namespace
 
 WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options,
-                         LanguageBackends backends, SketchTranslator sketches)
+                         LanguageBackends backends, SketchTranslator sketches,
+                         std::shared_ptr<const Catalogue> catalogue)
     : maps_(node),
       robots_(WithQueue(node, &command_queue_),
               [this](const std::string& robot, const VelocityCommand& command) {
@@ -57,10 +58,10 @@ WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options
       states_(node, options, &robots_, backends.server),
       loop_(LoopOptions(options), &states_),
       launcher_(options, &loop_, &robots_, &maps_, &current_),
-      generation_(
-          node, GenerationOptions(options),
-          WorldGenerator(std::move(backends.by_name), options.generator, std::move(sketches)),
-          &launcher_),
+      generation_(node, GenerationOptions(options),
+                  WorldGenerator(std::move(backends.by_name), options.generator,
+                                 std::move(sketches), std::move(catalogue)),
+                  &launcher_),
       services_(node, WorldsDirectory(options), &loop_, &robots_, &current_) {
   loop_.Start();
   command_spinner_.start();

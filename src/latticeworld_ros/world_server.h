@@ -4,6 +4,9 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
+#include <memory>
+
+#include "latticeworld/catalogue/catalogue.h"
 #include "latticeworld/generation/language_backends.h"
 #include "latticeworld/generation/sketch_translator.h"
 #include "latticeworld_ros/current_world.h"
@@ -27,9 +30,10 @@ namespace latticeworld {
 //   robot topics (1)             makes and ends the topics of robots
 class WorldServer {
  public:
-  // options: valid. sketches: what options.sketch_model names.
+  // options: valid. sketches: what options.sketch_model names. catalogue: what options.catalogue
+  // adds to; not null.
   WorldServer(ros::NodeHandle node, const WorldServerOptions& options, LanguageBackends backends,
-              SketchTranslator sketches);
+              SketchTranslator sketches, std::shared_ptr<const Catalogue> catalogue);
   ~WorldServer();
 
  private:

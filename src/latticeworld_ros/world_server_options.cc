@@ -44,7 +44,7 @@ std::vector<Violation> Validate(const WorldServerOptions& options) {
   check_range("state_rate", options.state_rate_hz, 1.0, 1000.0);
   check_range("marker_rate", options.marker_rate_hz, 0.1, 1000.0);
   check_range("marker_terrain_cells", options.marker_terrain_cells, 16, 512);
-  check_range("marker_max_assets", options.marker_max_assets, 0, 200000);
+  check_range("marker_max_assets", options.marker_max_assets, 0, 500000);
   check_zero_or_range("octomap_resolution", options.octomap_resolution_m, 0.05, 16.0);
   check_range("octomap_thickness", options.octomap_thickness_m, 0.0, 100.0);
   check_range("robot_radius", options.robot.radius_m, 0.0, 10.0);

@@ -17,20 +17,21 @@ struct WorldServerOptions {
   // Time.
   double real_time_factor = 1.0;  // 0: as fast as possible; else [0.01, 1000]
   bool start_paused = false;
-  SimulatorOptions simulator;  // step_s, command_timeout_s, pursuit_distance_m
+  SimulatorOptions simulator;  // step_s, command_timeout_s, pursuit_distance_m, day_length_s
 
   // Publishing, in Hz of simulated time.
   double clock_rate_hz = 100.0;    // [1, 1000]
   double state_rate_hz = 50.0;     // [1, 1000]: tf, agents, odometry
   double marker_rate_hz = 10.0;    // [0.1, 1000]: agents/markers
   int marker_terrain_cells = 128;  // [16, 512] a side: ground of world/markers
-  int marker_max_assets = 20000;   // [0, 200000]: assets of world/markers
+  int marker_max_assets = 20000;   // [0, 500000]: assets of world/markers
 
   // Worlds.
   std::string generator = "grounded";  // "grounded", or "remote" where remote.server.url is set
   RemoteBackendOptions remote;
   std::string worlds_directory = "~/.ros/latticeworld/worlds";
   std::vector<std::string> visual_directories = {"~/.ros/latticeworld/visuals"};
+  std::string catalogue;     // "": the built-in one, else a file or directory that adds to it
   std::string sketch_model;  // "": sketches become land by the embedded method, else an ONNX file
 
   // Maps.

@@ -10,6 +10,7 @@
 #include "latticeworld_ros/agent_conversion.h"
 #include "latticeworld_ros/bundle_name.h"
 #include "latticeworld_ros/status_conversion.h"
+#include "latticeworld_ros/weather_conversion.h"
 #include "latticeworld_ros/world_conversion.h"
 
 namespace latticeworld {
@@ -40,6 +41,7 @@ WorldServices::WorldServices(ros::NodeHandle node, std::filesystem::path worlds_
   Advertise<latticeworld_msgs::QueryTerrain>("query_terrain", &WorldServices::OnQuery);
   Advertise<latticeworld_msgs::SpawnAgent>("spawn_agent", &WorldServices::OnSpawn);
   Advertise<latticeworld_msgs::RemoveAgent>("remove_agent", &WorldServices::OnRemove);
+  Advertise<latticeworld_msgs::SetWeather>("set_weather", &WorldServices::OnSetWeather);
   Advertise<latticeworld_msgs::ResetWorld>("reset_world", &WorldServices::OnReset);
   Advertise<latticeworld_msgs::Step>("step", &WorldServices::OnStep);
   Advertise<std_srvs::Trigger>("pause", &WorldServices::OnPause);
@@ -77,7 +79,7 @@ bool WorldServices::OnGet(latticeworld_msgs::GetWorld::Request&,
   }
   response.layout = ToText(world.layout);
   response.environment = ToJson(world.environment);
-  response.environment_schema = EnvironmentSchema();
+  response.environment_schema = EnvironmentSchema(*world.scene->catalogue);
   response.fidelity = ToRos(world.fidelity.claims);
   response.not_understood = world.fidelity.not_understood;
   response.warnings = world.warnings;
@@ -127,14 +129,12 @@ bool WorldServices::OnList(latticeworld_msgs::ListWorlds::Request&,
 
 bool WorldServices::OnQuery(latticeworld_msgs::QueryTerrain::Request& request,
                             latticeworld_msgs::QueryTerrain::Response& response) {
-  const std::shared_ptr<const PublishedWorld> current = current_->Get();
-  if (current == nullptr) {
-    response.status = ToRos(NoWorld());
-    return true;
-  }
-  response.world_id = current->world->id;
+  const Result<SimulationLoop::Snapshot> snapshot = loop_->Inspect(/*hash=*/false);
+  response.status = ToRos(snapshot.status());
+  if (!snapshot.ok()) return true;
+  response.world_id = snapshot->world->id;
   Result<std::vector<latticeworld_msgs::TerrainSample>> samples =
-      SampleTerrain(*current->world->scene, request.points);
+      SampleTerrain(*snapshot->world->scene, snapshot->atmosphere, request.points);
   response.status = ToRos(samples.status());
   if (samples.ok()) response.samples = std::move(samples).value();
   return true;
@@ -162,6 +162,19 @@ bool WorldServices::OnRemove(latticeworld_msgs::RemoveAgent::Request& request,
     robots_->WaitUntilReady();
     response.world_id = agent->world_id;
   }
+  return true;
+}
+
+bool WorldServices::OnSetWeather(latticeworld_msgs::SetWeather::Request& request,
+                                 latticeworld_msgs::SetWeather::Response& response) {
+  const auto set = [&]() -> Status {
+    LW_ASSIGN_OR_RETURN(const WeatherChange change, FromRos(request));
+    LW_ASSIGN_OR_RETURN(const SimulationLoop::WeatherAnswer answer, loop_->SetWeather(change));
+    response.world_id = answer.world_id;
+    response.weather = ToRos(answer.target, 0.0, answer.now, answer.world_id);
+    return Status();
+  };
+  response.status = ToRos(set());
   return true;
 }
 

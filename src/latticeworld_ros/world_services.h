@@ -44,6 +44,8 @@ class WorldServices {
   bool OnSpawn(latticeworld_msgs::SpawnAgent::Request&, latticeworld_msgs::SpawnAgent::Response&);
   bool OnRemove(latticeworld_msgs::RemoveAgent::Request&,
                 latticeworld_msgs::RemoveAgent::Response&);
+  bool OnSetWeather(latticeworld_msgs::SetWeather::Request&,
+                    latticeworld_msgs::SetWeather::Response&);
   bool OnReset(latticeworld_msgs::ResetWorld::Request&, latticeworld_msgs::ResetWorld::Response&);
   bool OnStep(latticeworld_msgs::Step::Request&, latticeworld_msgs::Step::Response&);
   bool OnPause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response&);

@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "latticeworld/catalogue/catalogue.h"
 #include "latticeworld/generation/language_backends.h"
 #include "latticeworld/generation/sketch_translator.h"
 #include "latticeworld_ros/parameters.h"
@@ -43,10 +44,19 @@ int main(int argc, char** argv) {
     ROS_FATAL_STREAM(sketches.status().WithContext("sketch_model").ToString());
     return EXIT_FAILURE;
   }
+  auto catalogue = latticeworld::Catalogue::BuiltIn();
+  if (!options->catalogue.empty()) {
+    auto loaded = latticeworld::Catalogue::Load({latticeworld::ExpandHome(options->catalogue)});
+    if (!loaded.ok()) {
+      ROS_FATAL_STREAM(loaded.status().WithContext("catalogue").ToString());
+      return EXIT_FAILURE;
+    }
+    catalogue = *std::move(loaded);
+  }
   try {
     ros::NodeHandle node;
     auto server = std::make_unique<latticeworld::WorldServer>(node, *options, *std::move(backends),
-                                                              *std::move(sketches));
+                                                              *std::move(sketches), catalogue);
     ROS_INFO("ready: call generate_world or load_world");
     // From the first word of it on: taking leave of a master that hangs has no end either.
     while (!ros::isShuttingDown()) std::this_thread::sleep_for(std::chrono::milliseconds(20));

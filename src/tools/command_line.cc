@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tools/arguments.h"
+#include "tools/catalogue_command.h"
 #include "tools/generate_command.h"
 #include "tools/measure_command.h"
 #include "tools/picture_command.h"
@@ -40,8 +41,8 @@ int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
   std::cerr << "latticeworld" << called << ": " << error.what() << "\n";
   if (commands.empty()) {
     std::cerr
-        << "legal are the commands generate, show, picture, measure, score and rebuild, --help "
-           "and --version\n";
+        << "legal are the commands generate, show, picture, measure, score, rebuild and catalogue, "
+           "--help and --version\n";
   } else {
     std::cerr << "legal are " << LegalOptions(*commands.front()) << "; each at most once\n";
   }
@@ -59,6 +60,7 @@ int Run(int argc, const char* const* argv) {
   AddMeasureCommand(&app, &exit_status);
   AddScoreCommand(&app, &exit_status);
   AddRebuildCommand(&app, &exit_status);
+  AddCatalogueCommand(&app, &exit_status);
   app.footer(kFooter);  // after the commands, which would inherit it
   try {
     app.parse(argc, argv);

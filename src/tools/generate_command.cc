@@ -5,10 +5,12 @@
 #include <CLI/Formatter.hpp>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <random>
 #include <string>
 #include <utility>
 
+#include "latticeworld/catalogue/catalogue.h"
 #include "latticeworld/common/files.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/sketch_translator.h"
@@ -81,6 +83,15 @@ Result<GenerationRequest> ReadRequest(const CLI::App& command) {
   return request;
 }
 
+// What worlds are furnished with: the built-in catalogue and what the user adds to it.
+Result<std::shared_ptr<const Catalogue>> CatalogueOf(const CLI::App& command) {
+  const auto path = ValueOf(command, "--catalogue");
+  if (!path) return Catalogue::BuiltIn();
+  auto catalogue = Catalogue::Load({*path});
+  if (!catalogue.ok()) return catalogue.status().WithContext("--catalogue");
+  return catalogue;
+}
+
 // Whether a bundle can be written there, before any work is done for it.
 Status CheckTarget(const std::filesystem::path& target) {
   return DirectoryWriter::Create(target).status().WithContext("--out");
@@ -95,7 +106,9 @@ Status Generate(const CLI::App& command) {
   const std::string default_backend = backends.server != nullptr ? "remote" : "grounded";
   auto sketches = SketchTranslator::Load(ValueOf(command, "--sketch-model").value_or(""));
   if (!sketches.ok()) return sketches.status().WithContext("--sketch-model");
-  WorldGenerator generator(std::move(backends.by_name), default_backend, *std::move(sketches));
+  LW_ASSIGN_OR_RETURN(auto catalogue, CatalogueOf(command));
+  WorldGenerator generator(std::move(backends.by_name), default_backend, *std::move(sketches),
+                           std::move(catalogue));
   LW_RETURN_IF_ERROR(generator.Validate(request));
   LW_RETURN_IF_ERROR(CheckTarget(target));
 
@@ -151,6 +164,10 @@ void AddGenerateCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--height-offset", "METRES",
                  "Height of a black pixel of the height map, or of the lowest point of a "
                  "sketch's land, -9000 to 9000 [0].");
+  AddValueOption(
+      command, "--catalogue", "PATH",
+      "Adds to what worlds are furnished with: a file (see latticeworld catalogue), or a "
+      "directory of them.");
   AddValueOption(command, "--vocabulary", "NAME", "suburb or wild. Without it the words decide.");
   AddLanguageOptions(command);
   AddValueOption(command, "--seed", "N",

@@ -28,7 +28,7 @@ Status ScoreBundle(const std::string& directory) {
   LW_ASSIGN_OR_RETURN(const auto world, LoadBundle(directory));
   PrintReport(
       AssessFidelity(world->request.layout_instruction, world->request.environment_instruction,
-                     world->layout, world->environment),
+                     world->layout, world->environment, *world->scene->catalogue),
       &std::cout);
   return Status();
 }

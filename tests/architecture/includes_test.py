@@ -12,8 +12,8 @@ import unittest
 FLOORS = [
     ["common"],
     ["geometry"],
-    ["geomorphology"],
-    ["layout", "environment", "relief"],
+    ["geomorphology", "catalogue"],
+    ["layout", "environment", "relief", "meshes"],
     ["language", "terrain"],
     ["scene"],
     ["mapping", "sensing"],

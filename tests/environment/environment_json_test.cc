@@ -24,15 +24,7 @@ EnvironmentConfig RandomEnvironment(std::uint64_t seed) {
   environment.coarse = {Draw<TerrainType>(&random), Draw<Season>(&random),
                         Draw<ArtisticStyle>(&random), Draw<Weather>(&random),
                         Draw<TimeOfDay>(&random)};
-  environment.fine = DeriveFineAttributes(environment.coarse);
-  for (const auto& entry : EnumNames(AssetType{})) {
-    FineAttribute& fine = environment.fine_of(entry.value);
-    fine.density = random.Uniform();
-    if (ValuesOf(entry.value).has_rotation) {
-      for (double& angle : fine.rotation_deg) angle = random.Uniform(0.0, 360.0);
-    }
-    if (ValuesOf(entry.value).has_scale) fine.scale = random.Uniform(0.25, 4.0);
-  }
+  environment.fine = SampleFineAttributes(environment.coarse, *Catalogue::BuiltIn(), &random);
   for (int i = random.UniformInt(0, 5); i > 0; --i) {
     AgentGroup group{Draw<AgentCategory>(&random), random.UniformInt(1, 100), AgentState::kIdle,
                      Draw<Region>(&random)};

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "catalogue/larch.h"
 #include "latticeworld/environment/environment_config.h"
 
 namespace latticeworld {
@@ -71,6 +72,29 @@ TEST(EnvironmentSchemaTest, SchemaAndParserAgreeOnEveryEnumValue) {
       }
     }
   }
+}
+
+TEST(EnvironmentSchemaTest, NamesTheRulesThatItCannotSay) {
+  const std::string description = Json::parse(EnvironmentSchema())["description"];
+  for (const char* id : {"own-season", "lying-snow", "winter-growth", "sandstorm", "summer-thaw"}) {
+    EXPECT_NE(description.find(id), std::string::npos) << id;
+  }
+  // It only weighs what is drawn.
+  EXPECT_EQ(description.find("pine-land"), std::string::npos);
+}
+
+TEST(EnvironmentSchemaTest, HasTheValuesOfAUsersCatalogue) {
+  const auto catalogue = Catalogue::Extended({{"larch.json", LarchFile()}}).value();
+  const Json schema = Json::parse(EnvironmentSchema(*catalogue));
+  EnvironmentConfig environment;
+  environment.coarse.season = Season::kAutumn;
+  environment.fine = DeriveFineAttributes(environment.coarse, *catalogue);
+  environment.fine_of(AssetType::kForest).season_variant = "golden larch";
+  const std::string json = ToJson(environment, *catalogue);
+  EXPECT_EQ(Breaks(schema, Json::parse(json), ""), "");
+  EXPECT_NE(Breaks(Json::parse(EnvironmentSchema()), Json::parse(json), ""), "");
+  EXPECT_TRUE(ParseEnvironment(json, *catalogue).ok());
+  EXPECT_EQ(ParseEnvironment(json).status().violations()[0].code, "unknown_value");
 }
 
 TEST(EnvironmentSchemaTest, WhatBreaksItIsRefusedByTheParserToo) {

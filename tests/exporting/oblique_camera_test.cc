@@ -6,14 +6,13 @@
 #include <cmath>
 
 #include "../mapping/hand_made_scene.h"
-#include "latticeworld/exporting/ground_colors.h"
 
 namespace latticeworld {
 namespace {
 
 constexpr int kSide_px = 500;
 constexpr float kSize_m = 256.0f;
-constexpr float kSkirt_m = 0.045f * kSize_m;
+constexpr float kBlock_m = 0.045f * kSize_m;
 
 // Where the land and the block below it come to lie in the picture [px].
 struct Box {
@@ -26,25 +25,25 @@ struct Box {
   }
 };
 
-ShadedGround GroundOf(const Scene& scene) {
-  return ShadeGround(scene, MaterialsOf(scene), SceneLight(scene), 1.6f);
+RayCamera CameraOf(const Scene& scene) {
+  return ObliqueCamera(scene, kBlock_m, kSide_px, kSide_px);
 }
 
 Box BoxOf(const Scene& scene) {
-  const ShadedGround ground = GroundOf(scene);
-  const ObliqueCamera camera(scene, ground, kSkirt_m, kSide_px, kSide_px);
+  const RayCamera camera = CameraOf(scene);
   const GridGeometry& geometry = scene.geometry();
+  const HeightField& ground = scene.terrain->ground;
   Box box;
   for (int row = 0; row < geometry.rows(); ++row) {
     for (int col = 0; col < geometry.cols(); ++col) {
       const WorldPoint at = geometry.CenterOf({row, col});
-      box.Add(
-          camera.Project(at.x_m, camera.DistanceOf(at.y_m), ground.surface_m.at<float>(row, col)));
+      box.Add(camera.Project(
+          Eigen::Vector3d(at.x_m, at.y_m, ground.height_m()(row, col)).cast<float>()));
     }
   }
   const float half_m = 0.5f * kSize_m;
   for (const float x_m : {-half_m, half_m})
-    box.Add(camera.Project(x_m, camera.DistanceOf(-half_m), -kSkirt_m));
+    box.Add(camera.Project({x_m, -half_m, ground.min_m() - kBlock_m}));
   return box;
 }
 
@@ -78,18 +77,18 @@ TEST(ObliqueCameraTest, TallTreesAndFlyersAtTheFarEdgeAreInThePicture) {
   eagle.position = {0.0, 127.0};
   eagle.height_above_ground_m = 35.0;
   scene.agents.push_back(eagle);
-  const ObliqueCamera camera(scene, GroundOf(scene), kSkirt_m, kSide_px, kSide_px);
-  EXPECT_GT(camera.Project(0.0f, camera.DistanceOf(127.0f), 35.0f).y(), 0.0f);
+  EXPECT_GT(CameraOf(scene).Project({0.0f, 127.0f, 35.0f}).y(), 0.0f);
 }
 
 TEST(ObliqueCameraTest, UprightStaysUprightAndFartherIsHigherAndSmaller) {
   const Scene scene = Mountains(0.0, 0.0);
-  const ObliqueCamera camera(scene, GroundOf(scene), kSkirt_m, kSide_px, kSide_px);
-  const float near_m = camera.DistanceOf(-100.0f), far_m = camera.DistanceOf(100.0f);
-  EXPECT_LT(near_m, far_m);
-  EXPECT_GT(camera.PixelsPerMetre(near_m), camera.PixelsPerMetre(far_m));
-  EXPECT_GT(camera.Project(50.0f, near_m, 0.0f).y(), camera.Project(50.0f, far_m, 0.0f).y());
-  EXPECT_EQ(camera.Project(50.0f, near_m, 0.0f).x(), camera.Project(50.0f, near_m, 40.0f).x());
+  const RayCamera camera = CameraOf(scene);
+  const Eigen::Vector3f near_m(50.0f, -100.0f, 0.0f), far_m(50.0f, 100.0f, 0.0f);
+  EXPECT_LT(camera.DepthOf(near_m), camera.DepthOf(far_m));
+  EXPECT_GT(camera.PixelsPerMetre(camera.DepthOf(near_m)),
+            camera.PixelsPerMetre(camera.DepthOf(far_m)));
+  EXPECT_GT(camera.Project(near_m).y(), camera.Project(far_m).y());
+  EXPECT_NEAR(camera.Project(near_m).x(), camera.Project({50.0f, -100.0f, 40.0f}).x(), 1e-3f);
 }
 
 }  // namespace

@@ -12,7 +12,9 @@ namespace latticeworld {
 namespace {
 
 constexpr int kWidth_px = 300;
-constexpr PictureOptions kOptions = {kWidth_px, true};
+// Coarse shapes and plain light, which are quick; the rays themselves: ray_picture_test.
+constexpr PictureOptions kOptions = {kWidth_px, true, 3, true};
+constexpr PictureOptions kUnmarked = {kWidth_px, false, 3, true};
 
 Scene Meadow() {
   return MakeScene(64, 64.0, [](double, double) { return 1.0; });
@@ -137,13 +139,14 @@ TEST(PictureTest, EveryStyleHasItsOwnPaletteInBothViews) {
   }
 }
 
-TEST(PictureTest, StylesChangeColoursButNotWhereThingsAre) {
-  // What a house changes in a picture lies in the same place in every style.
+TEST(PictureTest, StylesChangeColoursAndProportionsButNotWhereThingsAre) {
+  // What a house changes in a picture stands in the same place in every style.
   std::vector<cv::Rect> places;
   for (const auto& style : EnumNames(ArtisticStyle{})) {
     Scene scene = Meadow();
     scene.environment.coarse.artistic_style = style.value;
     scene.environment.coarse.weather = Weather::kFog;
+    scene.atmosphere.weather = Weather::kFog;
     const cv::Mat without = Decode(DrawObliqueView(scene, kOptions));
     const cv::Mat with = Decode(DrawObliqueView(
         WithAssets(scene, {MakeBuilding(4.0f, 0.0f, 6.0f, 5.0f, 4.0f, 0.0f)}), kOptions));
@@ -156,10 +159,9 @@ TEST(PictureTest, StylesChangeColoursButNotWhereThingsAre) {
   }
   for (const cv::Rect& place : places) {
     EXPECT_GT(place.area(), 400);
-    EXPECT_NEAR(place.x, places[0].x, 2);
-    EXPECT_NEAR(place.y, places[0].y, 2);
-    EXPECT_NEAR(place.width, places[0].width, 4);
-    EXPECT_NEAR(place.height, places[0].height, 4);
+    EXPECT_NEAR(place.x, places[0].x, 4);
+    EXPECT_NEAR(place.width, places[0].width, 8);
+    EXPECT_NEAR(place.br().y, places[0].br().y, 4);
   }
 }
 
@@ -191,7 +193,7 @@ TEST(PictureTest, ThickAirLeavesTheNearHalfReadable) {
   const auto contrast = [&](double visibility_m, Weather weather, int y) {
     scene.atmosphere.weather = weather;
     scene.atmosphere.visibility_m = visibility_m;
-    const cv::Mat picture = Decode(DrawObliqueView(scene, {kWidth_px, false}));
+    const cv::Mat picture = Decode(DrawObliqueView(scene, kUnmarked));
     return Difference(cv::mean(picture(cv::Rect(145, y, 10, 6))),
                       cv::mean(picture(cv::Rect(90, y, 10, 6))));
   };
@@ -202,13 +204,13 @@ TEST(PictureTest, ThickAirLeavesTheNearHalfReadable) {
 TEST(PictureTest, FlyersAreMarkedAtTheirHeight) {
   const auto top_of_mark = [](double height_m) {
     Scene scene = Meadow();
-    const cv::Mat empty = Decode(DrawObliqueView(scene, {kWidth_px, false}));
+    const cv::Mat empty = Decode(DrawObliqueView(scene, kUnmarked));
     AgentStart eagle;
     eagle.category = AgentCategory::kEagle;
     eagle.position = {0.0, -20.0};
     eagle.height_above_ground_m = height_m;
     scene.agents.push_back(eagle);
-    const cv::Mat marked = Decode(DrawObliqueView(scene, {kWidth_px, true}));
+    const cv::Mat marked = Decode(DrawObliqueView(scene, kOptions));
     for (int y = 0; y < kWidth_px - 6; ++y)
       if (cv::norm(marked.row(y).colRange(7, 293), empty.row(y).colRange(7, 293), cv::NORM_INF) >
           60.0)
@@ -240,7 +242,7 @@ TEST(PictureTest, AHillHidesWhatStandsBehindIt) {
     // Without sun no shadow gives the house away.
     scene.atmosphere.weather = Weather::kFog;
     scene.atmosphere.sun_direction = -Eigen::Vector3d::UnitY();
-    return Decode(DrawObliqueView(scene, {kWidth_px, false}));
+    return Decode(DrawObliqueView(scene, kUnmarked));
   };
   const cv::Mat empty = picture_with(0.0f, false);
   EXPECT_LT(cv::norm(empty, picture_with(-3.0f, true), cv::NORM_INF), 40.0);
@@ -255,7 +257,7 @@ TEST(PictureTest, AgentsAreMarkedOnlyWhenAsked) {
   robot.position = {-16.0, -16.0};
   scene.agents.push_back(robot);
   const cv::Mat marked = Decode(DrawTopView(scene, kOptions));
-  const cv::Mat unmarked = Decode(DrawTopView(scene, {kWidth_px, false}));
+  const cv::Mat unmarked = Decode(DrawTopView(scene, kUnmarked));
   EXPECT_GT(Difference(TopColorAt(empty, 0.25, 0.75), TopColorAt(marked, 0.25, 0.75)), 20.0);
   EXPECT_LT(Difference(TopColorAt(empty, 0.25, 0.75), TopColorAt(unmarked, 0.25, 0.75)), 1.0);
 }

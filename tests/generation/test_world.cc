@@ -61,6 +61,7 @@ std::vector<Asset> MakeAssets(const Terrain& terrain) {
     const float i = static_cast<float>(assets.size());
     Asset asset;
     asset.kind = entry.value;
+    asset.model = Catalogue::BuiltIn()->models_of(entry.value).back();
     asset.season_variant = 1;
     asset.material = 1;
     asset.x_m = -14.0f + 1.7f * i;
@@ -75,6 +76,32 @@ std::vector<Asset> MakeAssets(const Terrain& terrain) {
     assets.push_back(asset);
   }
   return assets;
+}
+
+// Every field another than its default.
+Atmosphere MakeAtmosphere() {
+  Atmosphere atmosphere;
+  atmosphere.weather = Weather::kRain;
+  atmosphere.intensity = 1.0 / 3.0;
+  atmosphere.visibility_m = 1000.0 / 3.0;
+  atmosphere.rain_mmph = 4.5;
+  atmosphere.snowfall_mmph = 0.1;
+  atmosphere.cloud_cover = 0.9;
+  atmosphere.wind_mps = {0.1, -0.2, 0.0};
+  atmosphere.gust_mps = 0.7;
+  atmosphere.hour = 40.0 / 3.0;
+  atmosphere.day_of_year = 266.0;
+  atmosphere.latitude_deg = -12.1;
+  atmosphere.direct_light = 0.3;
+  atmosphere.diffuse_light = 0.6;
+  atmosphere.sun_direction = {0.6, 0.0, 0.8};
+  atmosphere.sun_intensity = 0.7;
+  atmosphere.ambient_intensity = 0.2;
+  atmosphere.ground_wetness = 0.95;
+  atmosphere.snow_depth_m = 0.01;
+  atmosphere.blown_sand = 0.2;
+  atmosphere.water_rise_m = -0.3;
+  return atmosphere;
 }
 
 std::vector<AgentStart> MakeAgents() {
@@ -112,6 +139,7 @@ void ExpectSameAssets(const std::vector<Asset>& a, const std::vector<Asset>& b) 
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].kind, b[i].kind);
+    EXPECT_EQ(a[i].model, b[i].model);
     EXPECT_EQ(a[i].season_variant, b[i].season_variant);
     EXPECT_EQ(a[i].material, b[i].material);
     EXPECT_EQ(a[i].x_m, b[i].x_m);
@@ -143,13 +171,25 @@ void ExpectSameAgents(const std::vector<AgentStart>& a, const std::vector<AgentS
 
 void ExpectSameAtmosphere(const Atmosphere& a, const Atmosphere& b) {
   EXPECT_EQ(a.weather, b.weather);
+  EXPECT_EQ(a.intensity, b.intensity);
   EXPECT_EQ(a.visibility_m, b.visibility_m);
   EXPECT_EQ(a.rain_mmph, b.rain_mmph);
-  EXPECT_EQ(a.snow_depth_m, b.snow_depth_m);
+  EXPECT_EQ(a.snowfall_mmph, b.snowfall_mmph);
+  EXPECT_EQ(a.cloud_cover, b.cloud_cover);
   EXPECT_EQ(a.wind_mps, b.wind_mps);
+  EXPECT_EQ(a.gust_mps, b.gust_mps);
+  EXPECT_EQ(a.hour, b.hour);
+  EXPECT_EQ(a.day_of_year, b.day_of_year);
+  EXPECT_EQ(a.latitude_deg, b.latitude_deg);
+  EXPECT_EQ(a.direct_light, b.direct_light);
+  EXPECT_EQ(a.diffuse_light, b.diffuse_light);
   EXPECT_EQ(a.sun_direction, b.sun_direction);
   EXPECT_EQ(a.sun_intensity, b.sun_intensity);
   EXPECT_EQ(a.ambient_intensity, b.ambient_intensity);
+  EXPECT_EQ(a.ground_wetness, b.ground_wetness);
+  EXPECT_EQ(a.snow_depth_m, b.snow_depth_m);
+  EXPECT_EQ(a.blown_sand, b.blown_sand);
+  EXPECT_EQ(a.water_rise_m, b.water_rise_m);
 }
 
 void ExpectSameRequest(const GenerationRequest& a, const GenerationRequest& b) {
@@ -222,8 +262,7 @@ std::shared_ptr<World> MakeTestWorld() {
   scene->environment = world->environment;
   scene->assets = MakeAssets(*scene->terrain);
   scene->index = AssetIndex(geometry.size_m(), scene->assets);
-  scene->atmosphere = {Weather::kRain,   1.0 / 3.0,       4.5, 0.0,
-                       {0.1, -0.2, 0.0}, {0.6, 0.0, 0.8}, 0.7, 0.2};
+  scene->atmosphere = MakeAtmosphere();
   scene->agents = MakeAgents();
   world->scene = scene;
   world->fidelity.claims = {

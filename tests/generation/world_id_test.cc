@@ -37,8 +37,13 @@ TEST(WorldIdTest, ChangesWithEveryPartOfTheContent) {
       },
       [](SymbolicLayout*, Terrain*, Scene* scene) { scene->environment.agents[0].quantity = 3; },
       [](SymbolicLayout*, Terrain*, Scene* scene) { scene->assets[2].yaw_rad += 0.01f; },
+      [](SymbolicLayout*, Terrain*, Scene* scene) { ++scene->assets[2].model; },
       [](SymbolicLayout*, Terrain*, Scene* scene) { scene->assets.pop_back(); },
       [](SymbolicLayout*, Terrain*, Scene* scene) { scene->atmosphere.wind_mps.x() += 0.1; },
+      [](SymbolicLayout*, Terrain*, Scene* scene) { scene->atmosphere.intensity += 0.1; },
+      [](SymbolicLayout*, Terrain*, Scene* scene) { scene->atmosphere.gust_mps += 0.1; },
+      [](SymbolicLayout*, Terrain*, Scene* scene) { scene->atmosphere.hour += 0.1; },
+      [](SymbolicLayout*, Terrain*, Scene* scene) { scene->atmosphere.water_rise_m += 0.1; },
       [](SymbolicLayout*, Terrain*, Scene* scene) { scene->agents[0].heading_rad += 0.1; },
       [](SymbolicLayout*, Terrain*, Scene* scene) { scene->agents.pop_back(); },
   };

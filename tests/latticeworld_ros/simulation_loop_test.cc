@@ -34,6 +34,7 @@ class FakeSimulator : public Simulator {
     auto state = std::make_shared<WorldState>();
     state->step = step_;
     state->episode_step = episode_step_;
+    state->atmosphere = weather_;
     return state;
   }
   std::vector<Event> TakeEvents() override { return {}; }
@@ -43,6 +44,12 @@ class FakeSimulator : public Simulator {
     return request.name;
   }
   latticeworld::Status Remove(const std::string&) override { return NotFound("nobody"); }
+  latticeworld::Status SetWeather(const WeatherChange& change) override {
+    if (change.intensity.has_value()) return InvalidArgument("intensity");
+    weather_.snow_depth_m = change.snow_depth_m.value_or(0.0);
+    return latticeworld::Status();
+  }
+  const Atmosphere& WeatherTarget() const override { return weather_; }
   void Reset(std::uint64_t seed) override {
     seed_ = seed;
     episode_step_ = 0;
@@ -55,6 +62,7 @@ class FakeSimulator : public Simulator {
   std::function<void(const VelocityCommand&)> on_command;
 
  private:
+  Atmosphere weather_;
   Scene scene_;
   SimulatorOptions options_;
   std::uint64_t seed_, step_ = 0, episode_step_ = 0;
@@ -114,7 +122,7 @@ class SimulationLoopTest : public testing::Test {
 TEST_F(SimulationLoopTest, WithoutAWorldEverythingSaysWhatToDo) {
   for (const Status& status :
        {loop_.Inspect(true).status(), loop_.Reset(1).status(), loop_.Step(1, false).status(),
-        loop_.Spawn({}).status(), loop_.Remove("a").status()}) {
+        loop_.Spawn({}).status(), loop_.Remove("a").status(), loop_.SetWeather({}).status()}) {
     EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition);
     EXPECT_NE(status.message().find("generate_world"), std::string::npos);
   }
@@ -169,6 +177,22 @@ TEST_F(SimulationLoopTest, ResetKeepsTheSeedUnlessAnotherIsGiven) {
   EXPECT_EQ(snapshot->seed, 8u);
   EXPECT_EQ(snapshot->episode_step, 0u);
   EXPECT_EQ(snapshot->step, 5u);
+}
+
+TEST_F(SimulationLoopTest, WeatherChangesBetweenTwoStepsAndIsShownAtOnce) {
+  Begin();
+  const std::size_t shown = recorder_.times().size();
+  WeatherChange snow;
+  snow.snow_depth_m = 0.25;
+  const auto answer = loop_.SetWeather(snow);
+  ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+  EXPECT_EQ(answer->world_id, "one");
+  EXPECT_EQ(answer->target.snow_depth_m, 0.25);
+  EXPECT_GT(recorder_.times().size(), shown);
+  EXPECT_EQ(loop_.Inspect(false)->atmosphere.snow_depth_m, 0.25);
+  WeatherChange refused;
+  refused.intensity = 2.0;
+  EXPECT_EQ(loop_.SetWeather(refused).status().code(), StatusCode::kInvalidArgument);
 }
 
 TEST_F(SimulationLoopTest, SwapGivesBackTheWorldBefore) {

@@ -55,6 +55,7 @@ inline Scene WithWater(Scene scene, float level_m) {
 inline Asset MakeTree(float x_m, float y_m, float height_m, float crown_m, float trunk_m) {
   Asset tree;
   tree.kind = AssetKind::kTree;
+  tree.model = Catalogue::BuiltIn()->models_of(tree.kind).front();
   tree.x_m = x_m;
   tree.y_m = y_m;
   tree.height_m = height_m;
@@ -66,6 +67,7 @@ inline Asset MakeTree(float x_m, float y_m, float height_m, float crown_m, float
 inline Asset MakeRound(AssetKind kind, float x_m, float y_m, float height_m, float radius_m) {
   Asset asset = MakeTree(x_m, y_m, height_m, radius_m, 0.0f);
   asset.kind = kind;
+  asset.model = Catalogue::BuiltIn()->models_of(kind).front();
   return asset;
 }
 

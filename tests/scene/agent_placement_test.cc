@@ -163,5 +163,34 @@ TEST(AgentPlacementTest, WhatDoesNotFitIsCounted) {
   EXPECT_GT(answer.scene->agents.size(), 10u);
 }
 
+// A pond of 24 m in a meadow, and twenty groups of 500 whales that all want into it.
+TEST(AgentPlacementTest, TenThousandInAPondAreCountedGroupByGroup) {
+  TestGround ground;
+  ground.size_m = 128.0;
+  ground.cells = 128;
+  const auto is_pond = [](WorldPoint point) { return std::hypot(point.x_m, point.y_m) < 12.0; };
+  ground.letter_at = [=](WorldPoint point) { return is_pond(point) ? 'W' : 'G'; };
+  ground.height_at_m = [=](WorldPoint point) { return is_pond(point) ? -6.0 : 1.0; };
+  ground.water_at_m = [=](WorldPoint point) { return is_pond(point) ? 0.0 : double{NAN}; };
+  const SceneAnswer answer = BuildWith(
+      MakeTerrain(ground), std::vector<AgentGroup>(20, {AgentCategory::kWhale, 500,
+                                                        AgentState::kSwimming, Region::kAnywhere}));
+  std::size_t whales = 0;
+  for (const AgentStart& agent : answer.scene->agents) {
+    if (agent.category != AgentCategory::kWhale) continue;
+    ++whales;
+    EXPECT_TRUE(is_pond(agent.position));
+  }
+  EXPECT_GT(whales, 0u);
+  EXPECT_LT(whales, 100u);
+  ASSERT_EQ(std::count_if(answer.warnings.begin(), answer.warnings.end(),
+                          [](const std::string& warning) {
+                            return warning.find(" of 500 whale agents: no place") !=
+                                   std::string::npos;
+                          }),
+            20);
+  EXPECT_NE(answer.warnings[0].find("there is no water deep enough"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace latticeworld

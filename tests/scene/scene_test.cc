@@ -12,46 +12,15 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/scene/densities.h"
+#include "latticeworld/scene/footprint.h"
 #include "latticeworld/scene/placement.h"
-#include "latticeworld/scene/road_finder.h"
+#include "latticeworld/scene/settlement_rules.h"
 #include "test_world.h"
 
 namespace latticeworld {
 namespace {
 
 constexpr int kSeeds = 20;
-constexpr double kDegree = M_PI / 180.0;
-
-std::shared_ptr<const Terrain> Uniform(Vocabulary vocabulary, char letter, double size_m = 256.0) {
-  TestGround ground;
-  ground.vocabulary = vocabulary;
-  ground.size_m = size_m;
-  ground.letter_at = [letter](WorldPoint) { return letter; };
-  return MakeTerrain(ground);
-}
-
-std::vector<Asset> OfKind(const Scene& scene, AssetKind kind) {
-  std::vector<Asset> assets;
-  std::copy_if(scene.assets.begin(), scene.assets.end(), std::back_inserter(assets),
-               [kind](const Asset& asset) { return asset.kind == kind; });
-  return assets;
-}
-
-bool SameBytes(const Asset& a, const Asset& b) {
-  return a.kind == b.kind && a.season_variant == b.season_variant && a.material == b.material &&
-         a.x_m == b.x_m && a.y_m == b.y_m && a.z_m == b.z_m && a.yaw_rad == b.yaw_rad &&
-         a.scale == b.scale && a.height_m == b.height_m && a.half_length_m == b.half_length_m &&
-         a.half_width_m == b.half_width_m && a.trunk_radius_m == b.trunk_radius_m;
-}
-
-bool SameBytes(const std::vector<Asset>& a, const std::vector<Asset>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const Asset& x, const Asset& y) { return SameBytes(x, y); });
-}
-
-double AngleBetween(double a_rad, double b_rad) {
-  return std::abs(std::remainder(a_rad - b_rad, 2.0 * M_PI));
-}
 
 // The rules that hold for every world.
 void ExpectRulesHold(const Scene& scene) {
@@ -78,21 +47,26 @@ void ExpectRulesHold(const Scene& scene) {
     } else {
       ASSERT_NEAR(asset.z_m, terrain.ground.HeightAt(asset.position()), 1e-3);
     }
-    // Nobody else's solid circle, buildings' wider gap included, and no ground cover in a solid.
+    // Nobody else's solid part, buildings' gap included, and no ground cover in a solid.
     const bool building = asset.kind == AssetKind::kBuilding;
     scene.index.ForEachNear(
-        asset.position(), radius_m + (building ? kBuildingGap_m : 0.0), [&](std::uint32_t j) {
+        asset.position(), radius_m + (building ? kLeastWallGap_m : 0.0), [&](std::uint32_t j) {
           if (j == i) return;
           const Asset& other = scene.assets[j];
-          const double gap_m = std::hypot(other.x_m - asset.x_m, other.y_m - asset.y_m) - radius_m -
-                               SolidRadius(other);
-          if (IsSolid(asset.kind)) {
-            ASSERT_GE(gap_m, -1e-3);
-          } else {
+          if (!IsSolid(asset.kind)) {
             ASSERT_FALSE(SolidContains(other, asset.position(), 0.0));
-          }
-          if (building && other.kind == AssetKind::kBuilding) {
-            ASSERT_GE(gap_m, kBuildingGap_m - 1e-3);
+          } else if (building && other.kind == AssetKind::kBuilding) {
+            // The houses of a terrace touch.
+            const double gap_m = GapBetween(asset, other);
+            ASSERT_TRUE(gap_m >= kLeastWallGap_m - 1e-3 || std::abs(gap_m) < 0.02) << gap_m;
+          } else if (building || other.kind == AssetKind::kBuilding) {
+            const Asset& round = building ? other : asset;
+            ASSERT_FALSE(SolidContains(building ? asset : other, round.position(),
+                                       SolidRadius(round) - 1e-3));
+          } else {
+            ASSERT_GE(std::hypot(other.x_m - asset.x_m, other.y_m - asset.y_m) - radius_m -
+                          SolidRadius(other),
+                      -1e-3);
           }
         });
   }
@@ -214,25 +188,26 @@ TEST(SceneTest, DensityMeansTheStatedNumberPerHectare) {
                                    {Vocabulary::kWild, 'B', AssetKind::kBush},
                                    {Vocabulary::kWild, 'R', AssetKind::kStone}};
   for (const Case& item : cases) {
-    const auto terrain = Uniform(item.vocabulary, item.letter);
+    const auto terrain = MakeUniform(item.vocabulary, item.letter);
     for (const double density : {0.0, 0.3, 1.0}) {
       const SceneAnswer answer = Build(terrain, MakeEnvironment(density), 5);
       const double expected =
-          PerHectare(item.vocabulary, item.letter, item.kind) * density * 6.5536;  // hectares
+          Catalogue::BuiltIn()->PerHectare(item.kind, NameOf(item.vocabulary), item.letter) *
+          density * 6.5536;  // hectares
       EXPECT_NEAR(CountOf(*answer.scene, item.kind), expected,
                   0.1 * expected + 2.0 * std::sqrt(expected))
           << NameOf(item.kind) << " at " << density;
     }
   }
-  EXPECT_EQ(PerHectare(Vocabulary::kWild, 'F', AssetKind::kTree), 400.0);
 }
 
-TEST(SceneTest, NoHectareHoldsMoreThanStated) {
+TEST(SceneTest, NoHectareHoldsMoreThanAWorldCanBear) {
+  constexpr double kMostPerHectare = 2000.0;
   for (const auto& vocabulary : EnumNames(Vocabulary{})) {
     for (const LayoutClass& item : ClassesOf(vocabulary.value)) {
       double sum = 0.0;
       for (const auto& kind : EnumNames(AssetKind{})) {
-        sum += PerHectare(vocabulary.value, item.letter, kind.value);
+        sum += Catalogue::BuiltIn()->PerHectare(kind.value, vocabulary.name, item.letter);
       }
       EXPECT_LE(sum, kMostPerHectare) << item.letter;
     }
@@ -240,84 +215,12 @@ TEST(SceneTest, NoHectareHoldsMoreThanStated) {
 }
 
 TEST(SceneTest, LargeWorldsAreThinnedToTheLimitAndSaySo) {
-  const auto terrain = Uniform(Vocabulary::kSuburb, 'G', 2048.0);
+  const auto terrain = MakeUniform(Vocabulary::kSuburb, 'G', 2048.0);
   const SceneAnswer answer = Build(terrain, MakeEnvironment(1.0), 1);
   EXPECT_LE(static_cast<int>(answer.scene->assets.size()), kMaxAssets);
   EXPECT_GT(static_cast<int>(answer.scene->assets.size()), kMaxAssets / 2);
   ASSERT_FALSE(answer.warnings.empty());
   EXPECT_NE(answer.warnings[0].find("thinned"), std::string::npos) << answer.warnings[0];
-}
-
-TEST(SceneTest, TreesVaryAndTheirTrunksFollowTheirHeight) {
-  const SceneAnswer answer = Build(Uniform(Vocabulary::kWild, 'F'), MakeEnvironment(1.0), 2);
-  const std::vector<Asset> trees = OfKind(*answer.scene, AssetKind::kTree);
-  std::set<float> heights, crowns;
-  for (const Asset& tree : trees) {
-    heights.insert(tree.height_m);
-    crowns.insert(tree.half_length_m);
-    EXPECT_EQ(tree.half_length_m, tree.half_width_m);
-    EXPECT_TRUE(tree.height_m >= 4.0f && tree.height_m <= 28.0f);
-    const double diameter_m = std::pow(tree.height_m / 23.6, 1.5);
-    EXPECT_NEAR(2.0 * tree.trunk_radius_m, diameter_m, 0.16 * diameter_m);
-    EXPECT_LT(tree.trunk_radius_m, tree.half_length_m);
-  }
-  EXPECT_GT(heights.size(), trees.size() / 2);
-  EXPECT_GT(crowns.size(), trees.size() / 2);
-}
-
-TEST(SceneTest, BuildingsStandAlongRoadsAndFaceThem) {
-  TestGround ground;
-  ground.letter_at = [](WorldPoint point) {
-    if (std::abs(point.y_m) < 4.0) return 'R';
-    return std::abs(point.y_m) < 50.0 ? 'B' : 'G';
-  };
-  const auto terrain = MakeTerrain(ground);
-  for (int seed = 0; seed < kSeeds; ++seed) {
-    const SceneAnswer answer = Build(terrain, MakeEnvironment(0.25), seed);
-    const std::vector<Asset> buildings = OfKind(*answer.scene, AssetKind::kBuilding);
-    ASSERT_GT(buildings.size(), 8u);
-    int beside_road = 0;
-    for (const Asset& building : buildings) {
-      EXPECT_LT(std::abs(building.y_m), 50.0) << "outside the built-up area";
-      const double to_road_rad = building.y_m > 0.0f ? -M_PI / 2.0 : M_PI / 2.0;
-      if (std::abs(building.y_m) < 40.0) {
-        EXPECT_LT(AngleBetween(building.yaw_rad, to_road_rad), 15.0 * kDegree);
-      }
-      if (std::abs(building.y_m) - building.half_length_m < 4.0 + 8.0) ++beside_road;
-    }
-    EXPECT_GE(beside_road, static_cast<int>(buildings.size()) / 2);
-  }
-}
-
-TEST(SceneTest, BuildingsWithoutRoadsFollowTheirArea) {
-  TestGround ground;
-  ground.letter_at = [](WorldPoint point) {
-    return std::abs(point.x_m - point.y_m) < 45.0 ? 'B' : 'G';
-  };
-  const SceneAnswer answer = Build(MakeTerrain(ground), MakeEnvironment(1.0), 6);
-  const std::vector<Asset> buildings = OfKind(*answer.scene, AssetKind::kBuilding);
-  ASSERT_GT(buildings.size(), 8u);
-  std::set<float> yaws;
-  for (const Asset& building : buildings) {
-    // Along or across the diagonal, with at most 10 degrees of variation.
-    const double off_rad = std::remainder(building.yaw_rad - M_PI / 4.0, M_PI / 2.0);
-    EXPECT_LT(std::abs(off_rad), 14.0 * kDegree);
-    yaws.insert(building.yaw_rad);
-  }
-  EXPECT_EQ(yaws.size(), buildings.size());
-}
-
-TEST(SceneTest, NoBuildingOnASteepSlope) {
-  TestGround ground;
-  ground.letter_at = [](WorldPoint) { return 'B'; };
-  // Level in the west, 20 degrees in the east.
-  ground.height_at_m = [](WorldPoint point) {
-    return std::max(0.0, point.x_m) * std::tan(20.0 * kDegree);
-  };
-  const SceneAnswer answer = Build(MakeTerrain(ground), MakeEnvironment(1.0), 6);
-  const std::vector<Asset> buildings = OfKind(*answer.scene, AssetKind::kBuilding);
-  ASSERT_GT(buildings.size(), 10u);
-  for (const Asset& building : buildings) EXPECT_LT(building.x_m + building.half_width_m, 5.0);
 }
 
 TEST(SceneTest, WildWorldsHaveNoBuildingsOrCrops) {
@@ -327,47 +230,12 @@ TEST(SceneTest, WildWorldsHaveNoBuildingsOrCrops) {
 }
 
 TEST(SceneTest, DeadBranchesLieBelowTrees) {
-  const SceneAnswer answer = Build(Uniform(Vocabulary::kWild, 'F'), MakeEnvironment(1.0), 8);
+  const SceneAnswer answer = Build(MakeUniform(Vocabulary::kWild, 'F'), MakeEnvironment(1.0), 8);
   const std::vector<Asset> trees = OfKind(*answer.scene, AssetKind::kTree);
   for (const Asset& branch : OfKind(*answer.scene, AssetKind::kDeadBranch)) {
     EXPECT_TRUE(std::any_of(trees.begin(), trees.end(), [&branch](const Asset& tree) {
       return std::hypot(tree.x_m - branch.x_m, tree.y_m - branch.y_m) <= tree.half_length_m + 0.31;
     }));
-  }
-}
-
-TEST(SceneTest, CropsStandInRowsAlongTheirField) {
-  TestGround ground;
-  ground.letter_at = [](WorldPoint point) {
-    return std::abs(point.x_m - point.y_m) < 45.0 ? 'A' : 'G';
-  };
-  const SceneAnswer answer = Build(MakeTerrain(ground), MakeEnvironment(1.0), 6);
-  const std::vector<Asset> crops = OfKind(*answer.scene, AssetKind::kCrop);
-  ASSERT_GT(crops.size(), 1000u);
-  const double direction_rad = crops[0].yaw_rad;
-  EXPECT_NEAR(direction_rad, M_PI / 4.0, 0.1);
-  for (const Asset& crop : crops) {
-    ASSERT_EQ(crop.yaw_rad, crops[0].yaw_rad);
-    const double across = -std::sin(direction_rad) * (crop.x_m - crops[0].x_m) +
-                          std::cos(direction_rad) * (crop.y_m - crops[0].y_m);
-    EXPECT_NEAR(std::remainder(across, 2.5), 0.0, 0.01);
-  }
-}
-
-TEST(SceneTest, AssetsCarryTheVariantAndMaterialOfTheEnvironment) {
-  EnvironmentConfig environment = MakeEnvironment(0.8);
-  for (int type = 0; type < kAssetTypeCount; ++type) {
-    const AssetTypeValues& values = ValuesOf(static_cast<AssetType>(type));
-    environment.fine[type].season_variant = values.season_variants.back();
-    environment.fine[type].material = values.materials[1];
-  }
-  for (const auto& vocabulary : EnumNames(Vocabulary{})) {
-    const SceneAnswer answer = Build(MakePatchwork(vocabulary.value, 3), environment, 3);
-    for (const Asset& asset : answer.scene->assets) {
-      const AssetTypeValues& values = ValuesOf(TypeOf(asset.kind));
-      ASSERT_EQ(asset.season_variant, values.season_variants.size() - 1);
-      ASSERT_EQ(asset.material, 1);
-    }
   }
 }
 
@@ -386,7 +254,7 @@ TEST(SceneTest, StopsWhenCancelled) {
   const auto terrain = MakePatchwork(Vocabulary::kSuburb, 1);
   Progress early;
   early.Cancel();
-  EXPECT_EQ(BuildScene({terrain, MakeEnvironment(0.5), 1}, early).status().code(),
+  EXPECT_EQ(BuildScene(MakeRequest(terrain, MakeEnvironment(0.5), 1), early).status().code(),
             StatusCode::kCancelled);
 
   Progress* cancelled_midway = nullptr;
@@ -398,7 +266,7 @@ TEST(SceneTest, StopsWhenCancelled) {
     if (fraction > 0.3) cancelled_midway->Cancel();
   });
   cancelled_midway = &midway;
-  EXPECT_EQ(BuildScene({terrain, MakeEnvironment(0.5), 1}, midway).status().code(),
+  EXPECT_EQ(BuildScene(MakeRequest(terrain, MakeEnvironment(0.5), 1), midway).status().code(),
             StatusCode::kCancelled);
   EXPECT_LT(last, 0.5);
 }

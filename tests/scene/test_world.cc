@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -76,12 +78,43 @@ EnvironmentConfig MakeEnvironment(double density) {
   return environment;
 }
 
+SceneRequest MakeRequest(std::shared_ptr<const Terrain> terrain,
+                         const EnvironmentConfig& environment, std::uint64_t seed) {
+  SceneRequest request;
+  request.terrain = std::move(terrain);
+  request.environment = environment;
+  request.seed = seed;
+  return request;
+}
+
 SceneAnswer Build(std::shared_ptr<const Terrain> terrain, const EnvironmentConfig& environment,
                   std::uint64_t seed) {
   const Progress progress;
-  Result<SceneAnswer> answer = BuildScene({std::move(terrain), environment, seed}, progress);
+  Result<SceneAnswer> answer =
+      BuildScene(MakeRequest(std::move(terrain), environment, seed), progress);
   EXPECT_TRUE(answer.ok()) << answer.status().ToString();
   return std::move(answer).value();
+}
+
+std::shared_ptr<const Terrain> MakeUniform(Vocabulary vocabulary, char letter, double size_m) {
+  TestGround ground;
+  ground.vocabulary = vocabulary;
+  ground.size_m = size_m;
+  ground.letter_at = [letter](WorldPoint) { return letter; };
+  return MakeTerrain(ground);
+}
+
+std::vector<Asset> OfKind(const Scene& scene, AssetKind kind) {
+  std::vector<Asset> assets;
+  std::copy_if(scene.assets.begin(), scene.assets.end(), std::back_inserter(assets),
+               [kind](const Asset& asset) { return asset.kind == kind; });
+  return assets;
+}
+
+bool SameBytes(const std::vector<Asset>& a, const std::vector<Asset>& b) {
+  static_assert(sizeof(Asset) == 40, "no padding, so that bytes can be compared");
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Asset)) == 0);
 }
 
 int CountOf(const Scene& scene, AssetKind kind) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "latticeworld/scene/scene.h"
 
@@ -22,16 +23,26 @@ struct TestGround {
 // Weights are 1 for the letter of each cell. Suburb's R is road.
 std::shared_ptr<const Terrain> MakeTerrain(const TestGround& ground);
 
+// Level ground of one class, dry.
+std::shared_ptr<const Terrain> MakeUniform(Vocabulary vocabulary, char letter,
+                                           double size_m = 256.0);
+
 // Hills, patches of every letter about 32 m wide and lakes 3.5 m deep where the letter is W.
 std::shared_ptr<const Terrain> MakePatchwork(Vocabulary vocabulary, std::uint64_t seed);
 
 // Every density at `density`, the first variant and material of each type, summer, sunny.
 EnvironmentConfig MakeEnvironment(double density);
 
+// The request of a scene with the built-in catalogue.
+SceneRequest MakeRequest(std::shared_ptr<const Terrain> terrain,
+                         const EnvironmentConfig& environment, std::uint64_t seed);
+
 // What BuildScene says; fails the test when it fails.
 SceneAnswer Build(std::shared_ptr<const Terrain> terrain, const EnvironmentConfig& environment,
                   std::uint64_t seed);
 
+std::vector<Asset> OfKind(const Scene& scene, AssetKind kind);
+bool SameBytes(const std::vector<Asset>& a, const std::vector<Asset>& b);
 int CountOf(const Scene& scene, AssetKind kind);
 
 }  // namespace latticeworld

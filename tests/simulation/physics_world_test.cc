@@ -56,7 +56,7 @@ TestScene Ramp(double slope_rad) {
   return scene;
 }
 
-double FrictionOfGrass() { return PropertiesOf(SurfaceClass::kGrass, Weather::kSunny).friction; }
+double FrictionOfGrass() { return DryPropertiesOf(SurfaceClass::kGrass).friction; }
 
 TEST(PhysicsWorldTest, FreeFallFollowsGravity) {
   const auto physics = MakeOdeWorld(TestScene().Build());

@@ -73,6 +73,7 @@ std::shared_ptr<const Scene> TestScene::Build() const {
   scene->index = AssetIndex(geometry.size_m(), assets);
   scene->agents = agents;
   scene->atmosphere = atmosphere;
+  scene->environment = environment;
   return scene;
 }
 

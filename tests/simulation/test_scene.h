@@ -23,6 +23,7 @@ struct TestScene {
   std::vector<Asset> assets;
   std::vector<AgentStart> agents;
   Atmosphere atmosphere;
+  EnvironmentConfig environment;  // without values: every surface is as it is by itself
 
   void AddTree(double x_m, double y_m, double trunk_radius_m = 0.3);
   void AddBuilding(double x_m, double y_m, double half_length_m, double half_width_m,

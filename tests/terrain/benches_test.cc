@@ -40,19 +40,21 @@ TEST(BenchesTest, NearlyLevelFieldsStayAsTheyAre) {
   EXPECT_EQ(fields.ground.height_m(), grass.ground.height_m());
 }
 
-// Relief of the ground under houses of 10 x 10 m all over the building land.
+// Relief of the ground under houses of 10 x 10 m all over the building land, 3 m from streets,
+// whose embankments are beside them.
 std::vector<double> ReliefUnderHouses_m(const Terrain& terrain) {
   std::vector<double> relief_m;
   const auto is_building = [&terrain](int r, int c) {
     return terrain.surface(r, c) == SurfaceClass::kBuilding;
   };
-  for (int r = 5; r < 507; r += 3) {
-    for (int c = 5; c < 507; c += 3) {
+  for (int r = 8; r < 504; r += 3) {
+    for (int c = 8; c < 504; c += 3) {
       float low = 1e9f, high = -1e9f;
       bool inside = true;
-      for (int i = -5; i <= 5; ++i) {
-        for (int k = -5; k <= 5; ++k) {
+      for (int i = -8; i <= 8; ++i) {
+        for (int k = -8; k <= 8; ++k) {
           inside = inside && is_building(r + i, c + k);
+          if (std::max(std::abs(i), std::abs(k)) > 5) continue;
           low = std::min(low, terrain.ground.height_m()(r + i, c + k));
           high = std::max(high, terrain.ground.height_m()(r + i, c + k));
         }

@@ -73,10 +73,12 @@ TEST_F(CommandLineTest, TellsItsVersion) {
 }
 
 TEST_F(CommandLineTest, RefusesWhatIsNoCommand) {
-  ExpectUsageError({}, {"generate, show, picture, measure, score and rebuild"});
-  ExpectUsageError({"grow"}, {"grow", "generate, show, picture, measure, score and rebuild"});
-  ExpectUsageError({"--frobnicate"},
-                   {"--frobnicate", "generate, show, picture, measure, score and rebuild"});
+  ExpectUsageError({}, {"generate, show, picture, measure, score, rebuild and catalogue"});
+  ExpectUsageError({"grow"},
+                   {"grow", "generate, show, picture, measure, score, rebuild and catalogue"});
+  ExpectUsageError(
+      {"--frobnicate"},
+      {"--frobnicate", "generate, show, picture, measure, score, rebuild and catalogue"});
 }
 
 TEST_F(CommandLineTest, RefusesUnusableOptions) {

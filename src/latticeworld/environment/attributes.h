@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "latticeworld/catalogue/season.h"
 #include "latticeworld/common/enum_names.h"
 
 namespace latticeworld {
@@ -19,7 +20,6 @@ enum class TerrainType : std::uint8_t {
   kCoast,
   kWetland
 };
-enum class Season : std::uint8_t { kSpring, kSummer, kAutumn, kWinter };
 enum class ArtisticStyle : std::uint8_t { kRealistic, kCartoon, kCyberpunk };
 enum class Weather : std::uint8_t { kSunny, kCloudy, kRain, kSnow, kFog, kSandstorm };
 enum class TimeOfDay : std::uint8_t { kDawn, kMorning, kNoon, kAfternoon, kDusk, kNight, kDay };
@@ -43,12 +43,6 @@ constexpr std::array<EnumName<TerrainType>, 9> EnumNames(TerrainType) {
            {TerrainType::kSuburb, "suburb"},
            {TerrainType::kCoast, "coast"},
            {TerrainType::kWetland, "wetland"}}};
-}
-constexpr std::array<EnumName<Season>, 4> EnumNames(Season) {
-  return {{{Season::kSpring, "spring"},
-           {Season::kSummer, "summer"},
-           {Season::kAutumn, "autumn"},
-           {Season::kWinter, "winter"}}};
 }
 constexpr std::array<EnumName<ArtisticStyle>, 3> EnumNames(ArtisticStyle) {
   return {{{ArtisticStyle::kRealistic, "realistic"},

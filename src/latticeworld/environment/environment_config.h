@@ -12,6 +12,8 @@
 
 namespace latticeworld {
 
+class RandomStream;
+
 // y_C: the environment of a world.
 struct EnvironmentConfig {
   CoarseAttributes coarse;
@@ -22,20 +24,35 @@ struct EnvironmentConfig {
   FineAttribute& fine_of(AssetType type) { return fine[static_cast<int>(type)]; }
 };
 
-// Fine attributes that follow from the coarse ones (winter: low vegetation density, bare foliage).
+// The typical fine attributes under coarse ones (rules.h): of variants and materials those of the
+// most weight, of equals the first; of parameters the typical values. Legal and deterministic.
+FineAttributes DeriveFineAttributes(const CoarseAttributes& coarse, const Catalogue& catalogue);
 FineAttributes DeriveFineAttributes(const CoarseAttributes& coarse);
 
-// Every value in range, every variant legal for its type, agents within their limits and able to be
-// in their state, and no fine value that the coarse ones forbid.
+// Fine attributes drawn from the distributions of the rules, numbers in hundredths. Legal; every
+// legal variant and material comes up.
+FineAttributes SampleFineAttributes(const CoarseAttributes& coarse, const Catalogue& catalogue,
+                                    RandomStream* random);
+
+// Every value in range, every name one of its type's in the catalogue, agents within their limits
+// and able to be in their state (code conflict), and no fine value that the coarse ones forbid
+// (code conflict; the message names the rule, its reason and what is legal). Functions without a
+// catalogue take Catalogue::BuiltIn().
+std::vector<Violation> Validate(const EnvironmentConfig& environment, const Catalogue& catalogue);
 std::vector<Violation> Validate(const EnvironmentConfig& environment);
 
 // The JSON of INTERFACES. Errors: INVALID_ARGUMENT with every violation at once, each with its JSON
 // pointer: parse_error, unknown_key, missing_key, wrong_type, out_of_range, unknown_value,
 // duplicate_key, and what Validate finds.
+Result<EnvironmentConfig> ParseEnvironment(std::string_view json, const Catalogue& catalogue);
 Result<EnvironmentConfig> ParseEnvironment(std::string_view json);
-std::string ToJson(const EnvironmentConfig& environment);  // indented by two, keys in schema order
+// Indented by two, keys in schema order.
+std::string ToJson(const EnvironmentConfig& environment, const Catalogue& catalogue);
+std::string ToJson(const EnvironmentConfig& environment);
 
-// JSON Schema (draft 2020-12) of that JSON.
+// JSON Schema (draft 2020-12) of that JSON with the catalogue's values. What it cannot say, the
+// rules that bind fine values to coarse ones, stands in its description.
+std::string EnvironmentSchema(const Catalogue& catalogue);
 std::string EnvironmentSchema();
 
 }  // namespace latticeworld

@@ -1,10 +1,14 @@
-// JSON Schema of the environment, made from the tables that the parser reads.
+// JSON Schema of the environment, made from the catalogue and the rules that the parser obeys.
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
+#include "latticeworld/common/text.h"
 #include "latticeworld/environment/environment_config.h"
 #include "latticeworld/environment/ranges.h"
+#include "latticeworld/environment/rule_book.h"
 
 namespace latticeworld {
 namespace {
@@ -34,8 +38,7 @@ Json ObjectSchema(const Json& properties) {
           {"additionalProperties", false}};
 }
 
-Json FineSchema(AssetType type) {
-  const AssetTypeValues& values = ValuesOf(type);
+Json FineSchema(const AssetTypeValues& values) {
   Json properties;
   properties["season_variant"] = {{"enum", values.season_variants}};
   properties["material"] = {{"enum", values.materials}};
@@ -54,12 +57,29 @@ Json FineSchema(AssetType type) {
   return ObjectSchema(properties);
 }
 
+bool Binds(const RuleEffect& effect) {
+  return !effect.season_variants.exclude.empty() || !effect.materials.exclude.empty() ||
+         std::any_of(effect.numbers.begin(), effect.numbers.end(),
+                     [](const auto& number) { return number && (number->min || number->max); });
+}
+
+// The rules that make a document illegal which the schema lets through.
+std::string RuleDescription() {
+  std::vector<std::string> rules;
+  for (const Rule& rule : RuleBook::BuiltIn().rules()) {
+    if (std::any_of(rule.then.begin(), rule.then.end(), Binds)) {
+      rules.push_back(rule.label.id + " (" + rule.label.why + ")");
+    }
+  }
+  return "Beyond this schema rules bind fine values to coarse ones: " + Join(rules, "; ") + ".";
+}
+
 }  // namespace
 
-std::string EnvironmentSchema() {
+std::string EnvironmentSchema(const Catalogue& catalogue) {
   Json fine;
   for (const auto& entry : EnumNames(AssetType{})) {
-    fine[std::string(entry.name)] = FineSchema(entry.value);
+    fine[std::string(entry.name)] = FineSchema(catalogue.ValuesOf(entry.value));
   }
   const Json agent = ObjectSchema(
       {{"category", NamesSchema<AgentCategory>()},
@@ -69,6 +89,7 @@ std::string EnvironmentSchema() {
   Json schema;
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   schema["title"] = "LatticeWorld environment configuration";
+  schema["description"] = RuleDescription();
   schema.update(
       ObjectSchema({{"coarse", ObjectSchema({{"terrain_type", NamesSchema<TerrainType>()},
                                              {"season", NamesSchema<Season>()},
@@ -79,5 +100,7 @@ std::string EnvironmentSchema() {
                     {"agents", {{"type", "array"}, {"items", agent}}}}));
   return schema.dump(2) + "\n";
 }
+
+std::string EnvironmentSchema() { return EnvironmentSchema(*Catalogue::BuiltIn()); }
 
 }  // namespace latticeworld

@@ -2,57 +2,11 @@
 #define LATTICEWORLD_ENVIRONMENT_FINE_ATTRIBUTES_H_
 
 #include <array>
-#include <cstdint>
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include "latticeworld/common/enum_names.h"
+#include "latticeworld/catalogue/catalogue.h"
 
 namespace latticeworld {
-
-// The eleven asset types of the method's table (the twelfth row, the height map, is the relief).
-enum class AssetType : std::uint8_t {
-  kGrass,
-  kFlower,
-  kDeadBranch,
-  kStone,
-  kArchitecture,
-  kRoad,
-  kLake,
-  kDesert,
-  kForest,
-  kCrops,
-  kSnowMountain
-};
-inline constexpr int kAssetTypeCount = 11;
-
-constexpr std::array<EnumName<AssetType>, kAssetTypeCount> EnumNames(AssetType) {
-  return {{{AssetType::kGrass, "grass"},
-           {AssetType::kFlower, "flower"},
-           {AssetType::kDeadBranch, "dead_branch"},
-           {AssetType::kStone, "stone"},
-           {AssetType::kArchitecture, "architecture"},
-           {AssetType::kRoad, "road"},
-           {AssetType::kLake, "lake"},
-           {AssetType::kDesert, "desert"},
-           {AssetType::kForest, "forest"},
-           {AssetType::kCrops, "crops"},
-           {AssetType::kSnowMountain, "snow_mountain"}}};
-}
-
-// The values that one asset type can take: 49 seasonal and 37 material ones over the whole table.
-struct AssetTypeValues {
-  AssetType type;
-  std::vector<std::string_view> season_variants;
-  std::vector<std::string_view> materials;
-  bool has_rotation;  // rotation_deg
-  bool has_scale;     // scale
-  bool has_height;    // height_m
-  bool has_wind;      // wind_mps
-  bool has_slope;     // slope_deg
-};
-const AssetTypeValues& ValuesOf(AssetType type);
 
 // Continuous parameters that a type lacks (ValuesOf) keep their defaults and are not in the JSON.
 struct FineAttribute {

@@ -3,15 +3,15 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/environment/environment_config.h"
-#include "latticeworld/environment/ranges.h"
-#include "latticeworld/environment/season_rules.h"
+#include "latticeworld/environment/rules.h"
 
 namespace latticeworld {
 namespace {
 
 class Validator {
  public:
-  explicit Validator(const EnvironmentConfig& environment) : environment_(environment) {}
+  Validator(const EnvironmentConfig& environment, const Catalogue& catalogue)
+      : environment_(environment), catalogue_(catalogue) {}
 
   std::vector<Violation> Run() {
     for (const auto& entry : EnumNames(AssetType{})) CheckFine(entry.value);
@@ -25,43 +25,57 @@ class Validator {
         {std::move(code), std::move(pointer), std::move(message), std::move(given)});
   }
 
-  void CheckRange(std::string pointer, double value, const Range& range) {
-    latticeworld::CheckRange(std::move(pointer), value, range, "", &violations_);
-  }
-
-  void CheckName(const std::string& pointer, const std::string& name,
+  // Whether it is one of the values.
+  bool CheckName(const std::string& pointer, const std::string& name,
                  const std::vector<std::string_view>& legal) {
-    if (std::find(legal.begin(), legal.end(), name) != legal.end()) return;
+    if (std::find(legal.begin(), legal.end(), name) != legal.end()) return true;
     const std::vector<std::string> names(legal.begin(), legal.end());
     Add("unknown_value", pointer, Quote(name) + " is not one of " + Join(names, ", "), Quote(name));
+    return false;
+  }
+
+  void CheckValue(const std::string& pointer, const std::string& name,
+                  const std::vector<std::string_view>& known,
+                  const std::vector<ValueBound>& bounds) {
+    if (!CheckName(pointer, name, known)) return;
+    const std::string breach = BreachOf(bounds, name);
+    if (!breach.empty()) AddConflict(pointer, Quote(name), breach);
+  }
+
+  void CheckNumber(const std::string& pointer, double value, const Range& range,
+                   const NumberBound& bound) {
+    const std::size_t before = violations_.size();
+    CheckRange(pointer, value, range, "", &violations_);
+    if (violations_.size() > before) return;
+    const std::string breach = BreachOf(bound, value);
+    if (!breach.empty()) AddConflict(pointer, FormatDouble(value), breach);
+  }
+
+  void AddConflict(const std::string& pointer, const std::string& given,
+                   const std::string& breach) {
+    const CoarseAttributes& coarse = environment_.coarse;
+    Add("conflict", pointer,
+        given + " does not go with terrain type " + std::string(NameOf(coarse.terrain_type)) +
+            ", season " + std::string(NameOf(coarse.season)) + ", weather " +
+            std::string(NameOf(coarse.weather)) + " and time of day " +
+            std::string(NameOf(coarse.time_of_day)) + ": " + breach,
+        given);
   }
 
   void CheckFine(AssetType type) {
     const FineAttribute& fine = environment_.fine_of(type);
-    const AssetTypeValues& values = ValuesOf(type);
+    const AssetTypeValues& values = catalogue_.ValuesOf(type);
+    const FineBounds bounds = BoundsOf(environment_.coarse, type, catalogue_);
     const std::string pointer = "/fine/" + std::string(NameOf(type));
-    const std::size_t before = violations_.size();
-    CheckName(pointer + "/season_variant", fine.season_variant, values.season_variants);
-    if (violations_.size() == before &&
-        !IsAllowed(type, fine.season_variant, environment_.coarse)) {
-      Add("conflict", pointer + "/season_variant",
-          Quote(fine.season_variant) + " does not go with season " +
-              std::string(NameOf(environment_.coarse.season)) + " and weather " +
-              std::string(NameOf(environment_.coarse.weather)),
-          Quote(fine.season_variant));
+    CheckValue(pointer + "/season_variant", fine.season_variant, values.season_variants,
+               bounds.season_variants);
+    CheckValue(pointer + "/material", fine.material, values.materials, bounds.materials);
+    for (const auto& entry : EnumNames(FineParameter{})) {
+      const auto& bound = bounds.number(entry.value);
+      if (!bound) continue;
+      CheckNumber(pointer + PointerOf(entry.value), ValueOf(fine, entry.value),
+                  RangeOf(entry.value), *bound);
     }
-    CheckName(pointer + "/material", fine.material, values.materials);
-    CheckRange(pointer + "/density", fine.density, kDensityRange);
-    if (values.has_rotation) {
-      for (int i = 0; i < 3; ++i) {
-        CheckRange(pointer + "/rotation/" + std::to_string(i),
-                   fine.rotation_deg[static_cast<std::size_t>(i)], kRotationRange);
-      }
-    }
-    if (values.has_scale) CheckRange(pointer + "/scale", fine.scale, kScaleRange);
-    if (values.has_height) CheckRange(pointer + "/height", fine.height_m, kHeightRange);
-    if (values.has_wind) CheckRange(pointer + "/wind", fine.wind_mps, kWindRange);
-    if (values.has_slope) CheckRange(pointer + "/slope", fine.slope_deg, kSlopeRange);
   }
 
   void CheckAgents() {
@@ -93,13 +107,18 @@ class Validator {
   }
 
   const EnvironmentConfig& environment_;
+  const Catalogue& catalogue_;
   std::vector<Violation> violations_;
 };
 
 }  // namespace
 
+std::vector<Violation> Validate(const EnvironmentConfig& environment, const Catalogue& catalogue) {
+  return Validator(environment, catalogue).Run();
+}
+
 std::vector<Violation> Validate(const EnvironmentConfig& environment) {
-  return Validator(environment).Run();
+  return Validate(environment, *Catalogue::BuiltIn());
 }
 
 }  // namespace latticeworld

@@ -1,25 +1,31 @@
 #ifndef LATTICEWORLD_EXPORTING_ASSET_LOOKS_H_
 #define LATTICEWORLD_EXPORTING_ASSET_LOOKS_H_
 
-#include <cstddef>
+#include <array>
 
 #include "latticeworld/environment/agent_group.h"
 #include "latticeworld/exporting/picture_light.h"
+#include "latticeworld/meshes/mesh.h"
 
 namespace latticeworld {
 
+struct Asset;
 struct Scene;
 
-// How one asset looks, the same in every view; drawn from its number, not from a stream, so that
-// views may draw in any order.
+inline Color ColorOf(const Rgb& color) { return FromRgb(color.r, color.g, color.b); }
+
+// How one asset looks, the same in every view: drawn from where it stands, so that views may draw
+// in any order.
+// Colours of its parts in the scene's season and style.
+std::array<Rgb, kMeshPartCount> PartColors(const Scene& scene, const Asset& asset);
+
 struct PlantLook {
   Color leaf;
   Color bark;
-  bool conifer = false;
   float foliage = 1.0f;  // share of the crown that hides what is behind, bare trees less
   float snow = 0.0f;     // on what faces up, [0, 1]
 };
-PlantLook LookOfPlant(const Scene& scene, std::size_t asset);
+PlantLook LookOfPlant(const Scene& scene, const Asset& asset);
 
 struct BuildingLook {
   Color wall;
@@ -27,9 +33,9 @@ struct BuildingLook {
   bool gabled = true;
   float snow = 0.0f;
 };
-BuildingLook LookOfBuilding(const Scene& scene, std::size_t asset);
+BuildingLook LookOfBuilding(const Scene& scene, const Asset& asset);
 
-Color StoneColor(const Scene& scene, std::size_t asset);
+Color StoneColor(const Scene& scene, const Asset& asset);
 Color AgentColor(AgentCategory category);
 
 }  // namespace latticeworld

@@ -26,10 +26,7 @@ double BarLength(const Scene& scene) { return RoundLength(kBarShare * scene.geom
 
 std::string BarText(const Scene& scene) { return FormatDouble(BarLength(scene)) + " m"; }
 
-std::string NoteText(float exaggeration) {
-  const double rounded = std::round(10.0 * exaggeration) / 10.0;
-  return rounded == 1.0 ? "from the south" : "from the south, heights x " + FormatDouble(rounded);
-}
+constexpr char kNote[] = "from the south";
 
 std::string CaptionText(const Scene& scene) {
   const CoarseAttributes& coarse = scene.environment.coarse;
@@ -66,7 +63,7 @@ Footer LayOutFooter(const Scene& scene, int width_px, bool agents) {
   footer.caption.x_px = right_px - LabelWidth(footer.caption.text, footer.caption.letter_px);
   const float lead_px =
       std::max(static_cast<float>(kBarShare) * room_px + LabelWidth(BarText(scene), letter_px),
-               LabelWidth(NoteText(1.5f), letter_px));
+               LabelWidth(kNote, letter_px));
   if (sheet.margin + lead_px + 2.0f * letter_px > footer.caption.x_px) {
     footer.caption.line = 1;
     footer.caption.x_px = sheet.margin;
@@ -126,10 +123,10 @@ void DrawScaleBar(const Scene& scene, const Sheet& sheet, cv::Mat* bgr) {
       sheet.letter(), InkColor(), bgr);
 }
 
-void DrawNote(const Sheet& sheet, float exaggeration, cv::Mat* bgr) {
+void DrawNote(const Sheet& sheet, cv::Mat* bgr) {
   if (!sheet.lettered()) return;
-  DrawLabel(NoteText(exaggeration), {static_cast<float>(sheet.margin), sheet.baseline(0)},
-            sheet.letter(), InkColor(), bgr);
+  DrawLabel(kNote, {static_cast<float>(sheet.margin), sheet.baseline(0)}, sheet.letter(),
+            InkColor(), bgr);
 }
 
 }  // namespace latticeworld

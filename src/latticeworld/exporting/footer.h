@@ -37,7 +37,7 @@ Footer LayOutFooter(const Scene& scene, int width_px, bool agents);
 void DrawFooter(const Footer& footer, const Sheet& sheet, cv::Mat* bgr);
 // On the first line's left.
 void DrawScaleBar(const Scene& scene, const Sheet& sheet, cv::Mat* bgr);
-void DrawNote(const Sheet& sheet, float exaggeration, cv::Mat* bgr);
+void DrawNote(const Sheet& sheet, cv::Mat* bgr);
 
 }  // namespace latticeworld
 

@@ -138,17 +138,14 @@ float ReliefExaggeration(const Scene& scene) {
   return static_cast<float>(std::clamp(0.1 * scene.geometry().size_m() / range_m, 1.0, 3.5));
 }
 
-ShadedGround ShadeGround(const Scene& scene, const GroundMaterials& materials,
-                         const PictureLight& light, float largest_exaggeration) {
+cv::Mat ShadeGround(const Scene& scene, const GroundMaterials& materials,
+                    const PictureLight& light) {
   const Terrain& terrain = *scene.terrain;
   const GridGeometry& geometry = terrain.geometry();
   const int rows = geometry.rows(), cols = geometry.cols();
   const double cell_m = geometry.resolution_m();
   const float stretch = ReliefExaggeration(scene);
 
-  ShadedGround result;
-  result.exaggeration = std::min(stretch, largest_exaggeration);
-  result.base_m = terrain.ground.min_m();
   const cv::Mat& depth_m = materials.water_depth_m;
   const cv::Mat ground_m(rows, cols, CV_32FC1,
                          const_cast<float*>(terrain.ground.height_m().data()));
@@ -166,15 +163,14 @@ ShadedGround ShadeGround(const Scene& scene, const GroundMaterials& materials,
   for (const Asset& asset : scene.assets) shadows.Add(asset);
   cv::GaussianBlur(sun, sun, {}, std::max(0.5, 0.35 / cell_m));
 
-  result.color = materials.color.clone();
-  result.water.create(rows, cols, CV_32FC1);
+  cv::Mat color = materials.color.clone();
   const cv::Mat ripples = SmoothNoise(rows, cols, std::max(1.0, 3.0 / cell_m), 104);
   const Color flat = Shade(light, Eigen::Vector3f::UnitZ(), 1.0f);
   for (int row = 0; row < rows; ++row) {
     const float* north = ground_m.ptr<float>(std::max(row - 1, 0));
     const float* south = ground_m.ptr<float>(std::min(row + 1, rows - 1));
     const float* here = ground_m.ptr<float>(row);
-    Color* out = result.color.ptr<Color>(row);
+    Color* out = color.ptr<Color>(row);
     for (int col = 0; col < cols; ++col) {
       const float scale = stretch / static_cast<float>(2.0 * cell_m);
       const Eigen::Vector3f normal =
@@ -188,7 +184,6 @@ ShadedGround ShadeGround(const Scene& scene, const GroundMaterials& materials,
 
       const float depth = depth_m.at<float>(row, col);
       const float water = std::clamp(depth / 0.25f, 0.0f, 1.0f);
-      result.water.at<float>(row, col) = water;
       if (water > 0.0f) {
         const float ripple = 1.0f + 0.02f * ripples.at<float>(row, col);
         const Color surface =
@@ -198,8 +193,7 @@ ShadedGround ShadeGround(const Scene& scene, const GroundMaterials& materials,
       out[col] = ground;
     }
   }
-  result.surface_m = (level_m - result.base_m) * result.exaggeration;
-  return result;
+  return color;
 }
 
 }  // namespace latticeworld

@@ -11,70 +11,72 @@ namespace {
 constexpr float kHighestEye_rad = 0.74f;  // lower where mountains need the room
 constexpr float kLowestEye_rad = 0.5f;
 constexpr float kEyeStep_rad = 0.03f;
-constexpr float kStandOff = 3.2f;       // from the south edge, in world sizes
+constexpr float kStandOff = 2.8f;       // from the south edge, in world sizes
 constexpr float kLargestWidth = 0.95f;  // of the picture that the world may take
 constexpr float kLargestHeight = 0.92f;
 constexpr float kBottomMargin = 0.05f;  // of the picture, below the world
 constexpr float kHighestFlyer = 0.15f;  // in world sizes; pins of higher ones end at the frame
 
-}  // namespace
+// What the world takes up, at a focal length of one pixel.
+struct Extent {
+  float width;
+  float top;
+  float bottom;
+};
 
-ObliqueCamera::ObliqueCamera(const Scene& scene, const ShadedGround& ground, float skirt_m,
-                             int width_px, int height_px) {
-  const float size_m = static_cast<float>(scene.geometry().size_m());
-  eye_y_m_ = -(kStandOff + 0.5f) * size_m;
-  center_x_px_ = 0.5f * width_px;
-  // The highest eye that still fits the world by its width, if any does.
-  const float slimmest = kLargestHeight * height_px / (kLargestWidth * width_px);
-  Extent extent;
-  elevation_rad_ = kHighestEye_rad;
-  for (;; elevation_rad_ -= kEyeStep_rad) {
-    eye_z_m_ = (kStandOff + 0.5f) * size_m * std::tan(elevation_rad_);
-    extent = ExtentOf(scene, ground, skirt_m);
-    if (extent.bottom - extent.top <= slimmest * extent.width) break;
-    if (elevation_rad_ - kEyeStep_rad < kLowestEye_rad) break;
-  }
-  focal_px_ = std::min(kLargestWidth * width_px / extent.width,
-                       kLargestHeight * height_px / (extent.bottom - extent.top));
-  // Flat worlds stand in the middle, but for a little more sky above.
-  const float free_px = height_px - focal_px_ * (extent.bottom - extent.top);
-  const float below_px = std::max(kBottomMargin * height_px, 0.4f * free_px);
-  center_y_px_ = height_px - std::min(below_px, 0.6f * free_px) - focal_px_ * extent.bottom;
-}
-
-ObliqueCamera::Extent ObliqueCamera::ExtentOf(const Scene& scene, const ShadedGround& ground,
-                                              float skirt_m) const {
+Extent ExtentOf(const Scene& scene, const Eigen::Vector3f& eye_m, float block_m) {
   const GridGeometry& geometry = scene.geometry();
-  const float size_m = static_cast<float>(geometry.size_m());
-  const auto line_of = [&](float y_m, float z_m) { return (eye_z_m_ - z_m) / DistanceOf(y_m); };
-  const auto ground_at = [&](WorldPoint point) {
-    const CellIndex cell = geometry.CellAt(point);
-    return ground.surface_m.at<float>(std::clamp(cell.row, 0, geometry.rows() - 1),
-                                      std::clamp(cell.col, 0, geometry.cols() - 1));
+  const HeightField& ground = scene.terrain->ground;
+  const float half_m = static_cast<float>(geometry.half_size_m());
+  const auto line_of = [&](double y_m, double z_m) {
+    return static_cast<float>((eye_m.z() - z_m) / (y_m - eye_m.y()));
   };
-  const float near_m = DistanceOf(-0.5f * size_m);
-  Extent extent = {size_m / near_m, 1e9f, (eye_z_m_ + skirt_m) / near_m};
+  const float near_m = -half_m - eye_m.y();
+  Extent extent = {2.0f * half_m / near_m, 1e9f, line_of(-half_m, ground.min_m() - block_m)};
   for (int row = 0; row < geometry.rows(); ++row) {
-    const float* z_m = ground.surface_m.ptr<float>(row);
-    const float y_m = static_cast<float>(geometry.CenterOf({row, 0}).y_m);
+    const float* z_m = ground.height_m().row(row);
+    const double y_m = geometry.CenterOf({row, 0}).y_m;
     extent.top = std::min(extent.top, line_of(y_m, *std::max_element(z_m, z_m + geometry.cols())));
   }
-  const float high_m = kHighestFlyer * size_m;
-  for (const Asset& asset : scene.assets) {
-    const float z_m = ground_at(asset.position()) + std::min(asset.height_m, high_m);
-    extent.top = std::min(extent.top, line_of(asset.y_m, z_m));
-  }
+  const float high_m = 2.0f * kHighestFlyer * half_m;
+  for (const Asset& asset : scene.assets)
+    extent.top =
+        std::min(extent.top, line_of(asset.y_m, asset.z_m + std::min(asset.height_m, high_m)));
   for (const AgentStart& agent : scene.agents) {
     const float up_m = std::min(static_cast<float>(agent.height_above_ground_m), high_m);
-    const float z_m = ground_at(agent.position) + up_m;
-    extent.top = std::min(extent.top, line_of(static_cast<float>(agent.position.y_m), z_m));
+    extent.top =
+        std::min(extent.top, line_of(agent.position.y_m, ground.HeightAt(agent.position) + up_m));
   }
   return extent;
 }
 
-ViewAxes ObliqueCamera::axes() const {
-  const float c = std::cos(elevation_rad_), s = std::sin(elevation_rad_);
-  return {Eigen::Vector3f::UnitX(), Eigen::Vector3f(0.0f, s, c), Eigen::Vector3f(0.0f, -c, s)};
+}  // namespace
+
+RayCamera ObliqueCamera(const Scene& scene, float block_m, int width_px, int height_px) {
+  const float size_m = static_cast<float>(scene.geometry().size_m());
+  const float base_m = scene.terrain->ground.min_m();
+  // The highest eye that still fits the world by its width, if any does.
+  const float slimmest = kLargestHeight * static_cast<float>(height_px) /
+                         (kLargestWidth * static_cast<float>(width_px));
+  Eigen::Vector3f eye_m;
+  Extent extent;
+  for (float elevation_rad = kHighestEye_rad;; elevation_rad -= kEyeStep_rad) {
+    eye_m = {0.0f, -(kStandOff + 0.5f) * size_m,
+             base_m + (kStandOff + 0.5f) * size_m * std::tan(elevation_rad)};
+    extent = ExtentOf(scene, eye_m, block_m);
+    if (extent.bottom - extent.top <= slimmest * extent.width) break;
+    if (elevation_rad - kEyeStep_rad < kLowestEye_rad) break;
+  }
+  const float focal_px =
+      std::min(kLargestWidth * static_cast<float>(width_px) / extent.width,
+               kLargestHeight * static_cast<float>(height_px) / (extent.bottom - extent.top));
+  // Flat worlds stand in the middle, but for a little more sky above.
+  const float height = static_cast<float>(height_px);
+  const float free_px = height - focal_px * (extent.bottom - extent.top);
+  const float below_px = std::max(kBottomMargin * height, 0.4f * free_px);
+  const float center_y_px = height - std::min(below_px, 0.6f * free_px) - focal_px * extent.bottom;
+  return RayCamera::FacingNorth(eye_m, focal_px,
+                                {0.5f * static_cast<float>(width_px), center_y_px});
 }
 
 }  // namespace latticeworld

@@ -3,17 +3,25 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "latticeworld/common/result.h"
 #include "latticeworld/exporting/footer.h"
 #include "latticeworld/exporting/ground_colors.h"
+#include "latticeworld/exporting/picture.h"
 
 namespace latticeworld {
 
 struct Scene;
 
-// The world as a block of land under its sky on a sheet, supersampled (CV_8UC3). The footer takes
-// its room in any case, so that views stand side by side, but is written only when asked.
-cv::Mat PaintObliqueView(const Scene& scene, const GroundMaterials& materials, const Footer& footer,
-                         int width_px, bool agents, bool write_footer);
+// The world as a block of land under its sky on a sheet, ray-traced, supersampled (CV_8UC3). The
+// footer takes its room in any case, so that views stand side by side, but is written only when
+// asked. Errors: as TracePicture.
+Result<cv::Mat> PaintObliqueView(const Scene& scene, const GroundMaterials& materials,
+                                 const Footer& footer, const PictureOptions& options,
+                                 bool write_footer);
+
+// The block alone, without pins and paper, in a picture of that many pixels (CV_8UC3).
+Result<cv::Mat> PaintBlock(const Scene& scene, const GroundMaterials& materials,
+                           const PictureOptions& options, int width_px, int height_px);
 
 }  // namespace latticeworld
 

@@ -110,8 +110,8 @@ Color HeightColor(float share) {
 }
 
 // Far voxels first, so that near ones cover them; hidden faces are left out.
-void PaintVoxels(const VoxelGrid& voxels, Canvas* canvas) {
-  const Projection project(voxels, static_cast<float>(canvas->bgr.cols));
+void PaintVoxels(const VoxelGrid& voxels, cv::Mat* bgr) {
+  const Projection project(voxels, static_cast<float>(bgr->cols));
   for (int y = voxels.count(1) - 1; y >= 0; --y) {
     for (int x = 0; x < voxels.count(0); ++x) {
       for (int z = 0; z < voxels.count(2); ++z) {
@@ -121,7 +121,7 @@ void PaintVoxels(const VoxelGrid& voxels, Canvas* canvas) {
           std::vector<Eigen::Vector2f> polygon;
           for (const auto& at : corners)
             polygon.push_back(project(x + at[0], y + at[1], z + at[2]));
-          FillPolygon(polygon, color * light, 0.0f, canvas);
+          FillPolygon(polygon, color * light, bgr);
         };
         if (!voxels.At(x, y, z + 1)) paint({{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}}, 1.0f);
         if (!voxels.At(x, y - 1, z)) paint({{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}}, 0.74f);
@@ -150,11 +150,10 @@ Result<std::string> DrawOctree(const Scene& scene, const PictureOptions& options
   cv::Mat bgr(sheet.height * kSupersample, sheet.width * kSupersample, CV_8UC3,
               cv::Scalar(paper[0], paper[1], paper[2]));
   const int side_px = sheet.map_side() * kSupersample;
-  Canvas canvas;
-  canvas.bgr =
+  cv::Mat map =
       bgr(cv::Rect(sheet.margin * kSupersample, sheet.margin * kSupersample, side_px, side_px));
-  canvas.bgr.setTo(cv::Scalar(236, 232, 228));
-  PaintVoxels(VoxelGrid(*tree), &canvas);
+  map.setTo(cv::Scalar(236, 232, 228));
+  PaintVoxels(VoxelGrid(*tree), &map);
   DrawFrame({sheet.margin, sheet.margin, sheet.map_side(), sheet.map_side()}, &bgr);
   if (sheet.lettered()) {
     DrawLabel("OctoMap, voxels of " + FormatDouble(octree_options.resolution_m) + " m",

@@ -23,7 +23,7 @@ float Speckle(int x, int y) {
 }
 
 void PaintLit(int x, int y, const Eigen::Vector3f& normal, const Ball& ball,
-              const PictureLight& light, Canvas* canvas) {
+              const PictureLight& light, cv::Mat* bgr) {
   const int grain = 1 + static_cast<int>(ball.radius.x() / 9.0f);
   const float speckle = Speckle(x / grain, y / grain);
   if (speckle > ball.foliage) return;
@@ -33,8 +33,7 @@ void PaintLit(int x, int y, const Eigen::Vector3f& normal, const Ball& ball,
         ball.snow * std::clamp(2.2f * normal.z() - 0.7f + 0.5f * speckle, 0.0f, 1.0f);
     color = Mix(color, FromRgb(242, 246, 250), 0.9f * cover);
   }
-  canvas->bgr.at<cv::Vec3b>(y, x) =
-      ToBytes(Mix(Times(color, Shade(light, normal, 1.0f)), light.fog, ball.haze));
+  bgr->at<cv::Vec3b>(y, x) = ToBytes(Times(color, Shade(light, normal, 1.0f)));
 }
 
 }  // namespace
@@ -46,8 +45,7 @@ cv::Vec3b ToBytes(const Color& color) {
   return {byte(color[0]), byte(color[1]), byte(color[2])};
 }
 
-void FillPolygon(const std::vector<Eigen::Vector2f>& corners, const Color& color, float distance,
-                 Canvas* canvas) {
+void FillPolygon(const std::vector<Eigen::Vector2f>& corners, const Color& color, cv::Mat* bgr) {
   const cv::Vec3b bytes = ToBytes(color);
   float low = corners[0].y(), high = corners[0].y();
   for (const auto& corner : corners) {
@@ -55,7 +53,7 @@ void FillPolygon(const std::vector<Eigen::Vector2f>& corners, const Color& color
     high = std::max(high, corner.y());
   }
   const int first = std::max(0, static_cast<int>(std::ceil(low)));
-  const int last = std::min(canvas->bgr.rows - 1, static_cast<int>(std::floor(high)));
+  const int last = std::min(bgr->rows - 1, static_cast<int>(std::floor(high)));
   for (int y = first; y <= last; ++y) {
     float left = 1e9f, right = -1e9f;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -68,19 +66,18 @@ void FillPolygon(const std::vector<Eigen::Vector2f>& corners, const Color& color
       right = std::max(right, x);
     }
     const int x_first = std::max(0, static_cast<int>(std::ceil(left)));
-    const int x_last = std::min(canvas->bgr.cols - 1, static_cast<int>(std::floor(right)));
-    for (int x = x_first; x <= x_last; ++x)
-      if (!canvas->Hides(x, y, distance)) canvas->bgr.at<cv::Vec3b>(y, x) = bytes;
+    const int x_last = std::min(bgr->cols - 1, static_cast<int>(std::floor(right)));
+    for (int x = x_first; x <= x_last; ++x) bgr->at<cv::Vec3b>(y, x) = bytes;
   }
 }
 
-void PaintBall(const Ball& ball, const ViewAxes& axes, const PictureLight& light, Canvas* canvas) {
+void PaintBall(const Ball& ball, const PictureLight& light, cv::Mat* bgr) {
   const int y_first = std::max(0, static_cast<int>(std::ceil(ball.center.y() - ball.radius.y())));
-  const int y_last = std::min(canvas->bgr.rows - 1,
-                              static_cast<int>(std::floor(ball.center.y() + ball.radius.y())));
+  const int y_last =
+      std::min(bgr->rows - 1, static_cast<int>(std::floor(ball.center.y() + ball.radius.y())));
   const int x_first = std::max(0, static_cast<int>(std::ceil(ball.center.x() - ball.radius.x())));
-  const int x_last = std::min(canvas->bgr.cols - 1,
-                              static_cast<int>(std::floor(ball.center.x() + ball.radius.x())));
+  const int x_last =
+      std::min(bgr->cols - 1, static_cast<int>(std::floor(ball.center.x() + ball.radius.x())));
   for (int y = y_first; y <= y_last; ++y) {
     const float v = (ball.center.y() - y) / ball.radius.y();
     for (int x = x_first; x <= x_last; ++x) {
@@ -88,38 +85,7 @@ void PaintBall(const Ball& ball, const ViewAxes& axes, const PictureLight& light
       const float out = u * u + v * v;
       // A ragged rim for leaves.
       if (out > 1.0f - 0.35f * ball.roughness * Speckle(x, y)) continue;
-      if (canvas->Hides(x, y, ball.distance)) continue;
-      const Eigen::Vector3f normal =
-          u * axes.right + v * axes.up + std::sqrt(1.0f - out) * axes.viewer;
-      PaintLit(x, y, normal, ball, light, canvas);
-    }
-  }
-}
-
-void PaintConifer(const Eigen::Vector2f& top, float height, const Ball& look, const ViewAxes& axes,
-                  const PictureLight& light, Canvas* canvas) {
-  constexpr float kTiers = 3.5f;
-  constexpr float kStemShare = 0.1f;  // of the width that the tip has, for body
-  const int y_first = std::max(0, static_cast<int>(std::ceil(top.y())));
-  const int y_last = std::min(canvas->bgr.rows - 1, static_cast<int>(top.y() + height));
-  for (int y = y_first; y <= y_last; ++y) {
-    const float down = (y - top.y()) / height;
-    const float tier = kTiers * down - std::floor(kTiers * down);
-    const float half =
-        look.radius.x() * (kStemShare + (1.0f - kStemShare) * down) * (0.7f + 0.3f * tier);
-    const int x_first = std::max(0, static_cast<int>(std::ceil(top.x() - half)));
-    const int x_last = std::min(canvas->bgr.cols - 1, static_cast<int>(std::floor(top.x() + half)));
-    for (int x = x_first; x <= x_last; ++x) {
-      if (canvas->Hides(x, y, look.distance)) continue;
-      const float u = (x - top.x()) / std::max(half, 0.5f);
-      const Eigen::Vector3f normal =
-          (u * axes.right + 0.55f * axes.up + std::sqrt(std::max(0.0f, 1.0f - u * u)) * axes.viewer)
-              .normalized();
-      Ball lit = look;
-      lit.color *= 1.15f - 0.4f * tier;
-      // Snow lies on the upper side of each tier and leaves green below its rim.
-      lit.snow *= std::clamp(1.25f - 1.9f * tier - 0.35f * u * u, 0.0f, 1.0f);
-      PaintLit(x, y, normal, lit, light, canvas);
+      PaintLit(x, y, Eigen::Vector3f(u, v, std::sqrt(1.0f - out)), ball, light, bgr);
     }
   }
 }

@@ -19,9 +19,10 @@ Result<std::string> DrawTopView(const Scene& scene, const PictureOptions& option
 Result<std::string> DrawObliqueView(const Scene& scene, const PictureOptions& options) {
   LW_RETURN_IF_ERROR(Validate(options));
   const Footer footer = LayOutFooter(scene, options.width_px, options.agents);
-  return EncodePng(Averaged(PaintObliqueView(scene, MaterialsOf(scene), footer, options.width_px,
-                                             options.agents, /*write_footer=*/true)),
-                   options);
+  LW_ASSIGN_OR_RETURN(const cv::Mat oblique,
+                      PaintObliqueView(scene, MaterialsOf(scene), footer, options,
+                                       /*write_footer=*/true));
+  return EncodePng(Averaged(oblique), options);
 }
 
 Result<std::string> DrawWorld(const Scene& scene, const PictureOptions& options) {
@@ -30,9 +31,9 @@ Result<std::string> DrawWorld(const Scene& scene, const PictureOptions& options)
   const GroundMaterials materials = MaterialsOf(scene);
   const cv::Mat top =
       Averaged(PaintTopView(scene, materials, footer, options.width_px, options.agents));
-  const cv::Mat oblique =
-      Averaged(PaintObliqueView(scene, materials, footer, options.width_px, options.agents,
-                                /*write_footer=*/false));
+  LW_ASSIGN_OR_RETURN(const cv::Mat traced, PaintObliqueView(scene, materials, footer, options,
+                                                             /*write_footer=*/false));
+  const cv::Mat oblique = Averaged(traced);
   // Two margins meet in the middle: half of one is enough there.
   const Sheet sheet(options.width_px, footer.lines);
   cv::Mat picture;

@@ -26,7 +26,7 @@ Color InStyle(ArtisticStyle style, const Color& natural) {
     case ArtisticStyle::kRealistic:
       return natural;
     case ArtisticStyle::kCartoon:  // bright and pure
-      return Clamped(Mix(Saturated(natural, 1.75f), FromRgb(255, 255, 255), 0.1f));
+      return Clamped(Mix(Saturated(natural, 1.55f), FromRgb(255, 255, 255), 0.1f));
     case ArtisticStyle::kCyberpunk: {  // dark violet to pale cyan, a hint of the hue left
       const float luma = Luma(natural);
       const Color toned = luma < 0.5f
@@ -55,6 +55,22 @@ void ApplyStyle(ArtisticStyle style, PictureLight* light) {
       light->ambient = Times(light->ambient, FromRgb(214, 214, 255));
       return;
   }
+}
+
+Proportions ProportionsOf(ArtisticStyle style, AssetKind kind) {
+  switch (style) {
+    case ArtisticStyle::kRealistic:
+      return {};
+    case ArtisticStyle::kCartoon:  // round and big
+      if (kind == AssetKind::kTree) return {1.3f, 1.0f};
+      if (kind == AssetKind::kBush || kind == AssetKind::kStone) return {1.2f, 1.15f};
+      if (kind == AssetKind::kFlower) return {1.7f, 1.5f};
+      return {};
+    case ArtisticStyle::kCyberpunk:  // houses tower
+      if (kind == AssetKind::kBuilding) return {1.0f, 1.45f};
+      return {};
+  }
+  return {};
 }
 
 Color WindowLight(ArtisticStyle style, double draw) {

@@ -1,16 +1,23 @@
 #ifndef LATTICEWORLD_EXPORTING_PICTURE_STYLE_H_
 #define LATTICEWORLD_EXPORTING_PICTURE_STYLE_H_
 
+#include "latticeworld/catalogue/asset_kind.h"
 #include "latticeworld/environment/attributes.h"
 #include "latticeworld/exporting/picture_light.h"
 
 namespace latticeworld {
 
-// The palette of a style: what becomes of a natural colour. Styles change colours only, never where
-// or what is drawn.
+// The palette of a style: what becomes of a natural colour.
 Color InStyle(ArtisticStyle style, const Color& natural);
 // The same for what shines.
 void ApplyStyle(ArtisticStyle style, PictureLight* light);
+
+// How much wider and higher than they are things are drawn in views from the side. Styles are of
+// pictures only: bodies, rays of sensors and maps meet things as they are.
+struct Proportions {
+  float width = 1.0f, height = 1.0f;
+};
+Proportions ProportionsOf(ArtisticStyle style, AssetKind kind);
 
 // Lamplight behind a window; draw in [0, 1) picks one where the style has several.
 Color WindowLight(ArtisticStyle style, double draw);

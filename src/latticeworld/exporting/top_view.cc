@@ -18,10 +18,9 @@ class MapPainter {
   MapPainter(const Scene& scene, const PictureLight& light, int side_px, cv::Mat bgr)
       : scene_(scene),
         light_(light),
-        axes_{Eigen::Vector3f::UnitX(), Eigen::Vector3f::UnitY(), Eigen::Vector3f::UnitZ()},
         px_per_m_(static_cast<float>(side_px / scene.geometry().size_m())),
         half_size_m_(static_cast<float>(scene.geometry().half_size_m())),
-        canvas_{std::move(bgr), {}} {}
+        bgr_(std::move(bgr)) {}
 
   Eigen::Vector2f PixelOf(float x_m, float y_m) const {
     return Eigen::Vector2f(x_m + half_size_m_, half_size_m_ - y_m) * px_per_m_;
@@ -32,13 +31,13 @@ class MapPainter {
     switch (asset.kind) {
       case AssetKind::kTree:
       case AssetKind::kBush:
-        PaintPlant(asset, LookOfPlant(scene_, index));
+        PaintPlant(asset, LookOfPlant(scene_, asset));
         break;
       case AssetKind::kStone:
-        PaintRound(asset, StoneColor(scene_, index), 0.25f);
+        PaintRound(asset, StoneColor(scene_, asset), 0.25f);
         break;
       case AssetKind::kBuilding:
-        PaintBuilding(asset, LookOfBuilding(scene_, index));
+        PaintBuilding(asset, LookOfBuilding(scene_, asset));
         break;
       case AssetKind::kDeadBranch:
         PaintRound(asset, FromRgb(104, 84, 64), 0.3f);
@@ -57,14 +56,14 @@ class MapPainter {
     ball.foliage = look.foliage;
     ball.roughness = 0.4f;
     ball.snow = 0.75f * look.snow;
-    PaintBall(ball, axes_, light_, &canvas_);
+    PaintBall(ball, light_, &bgr_);
   }
 
   void PaintRound(const Asset& asset, const Color& color, float roughness) {
     Ball ball = BallOf(asset);
     ball.color = color;
     ball.roughness = roughness;
-    PaintBall(ball, axes_, light_, &canvas_);
+    PaintBall(ball, light_, &bgr_);
   }
 
   Ball BallOf(const Asset& asset) const {
@@ -87,7 +86,7 @@ class MapPainter {
     const auto quad = [&](float w_low, float w_high, float grow, const Color& color) {
       FillPolygon(
           {corner(-grow, w_low), corner(grow, w_low), corner(grow, w_high), corner(-grow, w_high)},
-          color, 0.0f, &canvas_);
+          color, &bgr_);
     };
     const Color roof = Mix(look.roof, FromRgb(240, 244, 250), 0.8f * look.snow);
     const float rim = 1.0f + 0.5f / std::max(1.0f, asset.half_width_m);
@@ -109,10 +108,9 @@ class MapPainter {
 
   const Scene& scene_;
   const PictureLight& light_;
-  const ViewAxes axes_;
   const float px_per_m_;
   const float half_size_m_;
-  Canvas canvas_;
+  cv::Mat bgr_;
 };
 
 // Low things first, so that crowns lie over what they cover.
@@ -138,11 +136,11 @@ cv::Mat PaintTopView(const Scene& scene, const GroundMaterials& materials, const
       bgr(cv::Rect(sheet.margin * kSupersample, sheet.margin * kSupersample, side_px, side_px));
 
   const PictureLight light = MapLight();
-  const ShadedGround ground = ShadeGround(scene, materials, light, 1.0f);
+  const cv::Mat ground = ShadeGround(scene, materials, light);
   cv::Mat bytes;
-  ground.color.convertTo(bytes, CV_8UC3, 255.0);
+  ground.convertTo(bytes, CV_8UC3, 255.0);
   cv::resize(bytes, map, map.size(), 0, 0,
-             side_px < ground.color.cols ? cv::INTER_AREA : cv::INTER_CUBIC);
+             side_px < ground.cols ? cv::INTER_AREA : cv::INTER_CUBIC);
 
   MapPainter painter(scene, light, side_px, map);
   for (const std::size_t asset : ByTop(scene.assets)) painter.Paint(asset);

@@ -11,55 +11,94 @@
 namespace latticeworld {
 namespace {
 
-constexpr double kPlotLength_m = 21.0;
-constexpr double kPlotWidth_m = 15.0;
-constexpr float kYard_m = 2.6f;  // around a house
-constexpr float kRim_m = 1.1f;   // of a road
+constexpr double kLawn_m = 13.0;  // width of a patch of garden
+constexpr double kBedRow_m = 2.4;
+constexpr double kBedShare = 0.16;     // of the patches
+constexpr double kYard_m = 1.3;        // around a house
+constexpr double kWorkYard_m = 3.5;    // around what is wide: barns, blocks
+constexpr double kWideFrom_m = 7.5;    // half the frontage
+constexpr double kPath_m = 1.4;        // half the width of the way to a door
+constexpr double kPathReach_m = 14.0;  // to the street
+constexpr float kRim_m = 1.1f;         // of a road
+
+// The nearest of points that are scattered one to a square of the plane: patches with straight
+// borders that no grid shows in.
+struct Patch {
+  int row = 0, col = 0;
+};
+Patch PatchAt(double x_m, double y_m) {
+  const double u = x_m / kLawn_m, v = y_m / kLawn_m;
+  const int col = static_cast<int>(std::floor(u)), row = static_cast<int>(std::floor(v));
+  Patch nearest;
+  double least = INFINITY;
+  for (int r = row - 1; r <= row + 1; ++r) {
+    for (int c = col - 1; c <= col + 1; ++c) {
+      const double du = c + 0.15 + 0.7 * HashToUnit(61, r, c) - u;
+      const double dv = r + 0.15 + 0.7 * HashToUnit(62, r, c) - v;
+      if (du * du + dv * dv >= least) continue;
+      least = du * du + dv * dv;
+      nearest = {r, c};
+    }
+  }
+  return nearest;
+}
+
+// Fills a rectangle in a building's own axes: from `back` to `front` along yaw, `half` to each
+// side.
+void FillBeside(const Asset& building, const GridGeometry& geometry, double back_m, double front_m,
+                double half_m, cv::Mat* mask) {
+  constexpr int kFraction = 4;  // bits of OpenCV's fixed-point coordinates
+  const double cosine = std::cos(building.yaw_rad), sine = std::sin(building.yaw_rad);
+  std::vector<cv::Point> corners;
+  const double corner_m[4][2] = {
+      {back_m, -half_m}, {front_m, -half_m}, {front_m, half_m}, {back_m, half_m}};
+  for (const auto& [along_m, left_m] : corner_m) {
+    const double x_m = building.x_m + cosine * along_m - sine * left_m;
+    const double y_m = building.y_m + sine * along_m + cosine * left_m;
+    corners.emplace_back(static_cast<int>(std::lround(geometry.ColOf(x_m) * (1 << kFraction))),
+                         static_cast<int>(std::lround(geometry.RowOf(y_m) * (1 << kFraction))));
+  }
+  cv::fillConvexPoly(*mask, corners, cv::Scalar(1.0), cv::LINE_8, kFraction);
+}
+
+// How far the street is ahead of a building's front [m], 0: none within reach.
+double ToStreet_m(const Scene& scene, const Asset& building) {
+  for (double ahead_m = 1.0; ahead_m <= kPathReach_m; ahead_m += 0.5) {
+    const double along_m = building.half_length_m + ahead_m;
+    const WorldPoint point = {building.x_m + std::cos(building.yaw_rad) * along_m,
+                              building.y_m + std::sin(building.yaw_rad) * along_m};
+    if (!scene.geometry().Contains(point)) return 0.0;
+    if (scene.terrain->SurfaceAt(point) == SurfaceClass::kRoad) return ahead_m;
+  }
+  return 0.0;
+}
 
 }  // namespace
 
 Color GardenColor(const Color& grass, double x_m, double y_m, float waviness) {
-  const double v = y_m / kPlotWidth_m + 0.06 * waviness;
-  const double row = std::floor(v);
-  const double u = x_m / kPlotLength_m + HashToUnit(61, static_cast<int>(row), 0) + 0.05 * waviness;
-  const double col = std::floor(u);
-  const double kind = HashToUnit(62, static_cast<int>(row), static_cast<int>(col));
-  const Color garden = Mix(grass, FromRgb(104, 150, 70), 0.45f);
-  Color plot;
-  if (kind < 0.45) {
-    plot = garden * (0.97f + 0.2f * static_cast<float>(kind));
-  } else if (kind < 0.7) {  // beds
-    const bool bed = std::sin(y_m * (2.0 * M_PI / 2.6)) > 0.1;
-    plot = bed ? FromRgb(130, 104, 76) : garden * 0.92f;
-  } else {
-    plot = Mix(garden, FromRgb(176, 154, 118), 0.62f);
-  }
-  const double hedge_m = std::min(std::min(u - col, col + 1.0 - u) * kPlotLength_m,
-                                  std::min(v - row, row + 1.0 - v) * kPlotWidth_m);
-  return Mix(plot, FromRgb(74, 104, 54),
-             0.7f * static_cast<float>(std::clamp(1.2 - hedge_m, 0.0, 1.0)));
+  const Patch patch = PatchAt(x_m + 0.8 * waviness, y_m - 0.8 * waviness);
+  const double kind = HashToUnit(63, patch.row, patch.col);
+  const Color lawn = Mix(grass, FromRgb(104, 150, 70), 0.45f);
+  if (kind >= kBedShare) return lawn * (0.96f + 0.10f * static_cast<float>(kind));
+  const double turn_rad = M_PI * HashToUnit(64, patch.row, patch.col);
+  const double across_m = x_m * std::cos(turn_rad) + y_m * std::sin(turn_rad);
+  const bool bed = std::sin(across_m * (2.0 * M_PI / kBedRow_m)) > 0.1;
+  return bed ? Mix(lawn, FromRgb(130, 104, 76), 0.7f) : lawn * 0.95f;
 }
 
 cv::Mat YardsAroundHouses(const Scene& scene) {
-  constexpr int kFraction = 4;  // bits of OpenCV's fixed-point coordinates
   const GridGeometry& geometry = scene.geometry();
   cv::Mat yards = cv::Mat::zeros(geometry.rows(), geometry.cols(), CV_32FC1);
   bool any = false;
   for (const Asset& asset : scene.assets) {
     if (asset.kind != AssetKind::kBuilding) continue;
     any = true;
-    const Eigen::Vector2f along(std::cos(asset.yaw_rad), std::sin(asset.yaw_rad));
-    const Eigen::Vector2f across(-along.y(), along.x());
-    std::vector<cv::Point> corners;
-    for (const auto& [l, w] : {std::pair<int, int>{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-      const Eigen::Vector2f at = Eigen::Vector2f(asset.x_m, asset.y_m) +
-                                 along * (l * (asset.half_length_m + kYard_m)) +
-                                 across * (w * (asset.half_width_m + kYard_m));
-      corners.emplace_back(
-          static_cast<int>(std::lround(geometry.ColOf(at.x()) * (1 << kFraction))),
-          static_cast<int>(std::lround(geometry.RowOf(at.y()) * (1 << kFraction))));
+    const double yard_m = asset.half_width_m >= kWideFrom_m ? kWorkYard_m : kYard_m;
+    FillBeside(asset, geometry, -asset.half_length_m - yard_m, asset.half_length_m + yard_m,
+               asset.half_width_m + yard_m, &yards);
+    if (const double street_m = ToStreet_m(scene, asset); street_m > 0.0) {
+      FillBeside(asset, geometry, 0.0, asset.half_length_m + street_m, kPath_m, &yards);
     }
-    cv::fillConvexPoly(yards, corners, cv::Scalar(1.0), cv::LINE_8, kFraction);
   }
   if (any) cv::GaussianBlur(yards, yards, {}, std::max(0.5, 0.8 / geometry.resolution_m()));
   return yards;

@@ -9,11 +9,12 @@ namespace latticeworld {
 
 struct Scene;
 
-// Village ground between houses: lawns, beds and trodden earth, plot by plot, behind hedges.
-// waviness: smooth noise that bends the plots' borders.
+// Village ground between houses: lawns and beds, patch by patch. Hedges are assets. waviness:
+// smooth noise that bends the patches' borders.
 Color GardenColor(const Color& grass, double x_m, double y_m, float waviness);
 
-// How much each cell is the trodden yard around a house (CV_32FC1, [0, 1]).
+// How much each cell is the trodden yard around a building or the way from its door to the street
+// (CV_32FC1, [0, 1]).
 cv::Mat YardsAroundHouses(const Scene& scene);
 
 // How much each cell of road is its rim (CV_32FC1, [0, 1]), where roads are wide enough for one.

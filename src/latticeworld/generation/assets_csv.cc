@@ -29,7 +29,7 @@ constexpr std::array<Column, 9> kColumns = {{{"x_m", &Asset::x_m, kAny},
                                              {"trunk_radius_m", &Asset::trunk_radius_m, 0.0f}}};
 
 std::string HeaderLine() {
-  std::string line = "kind,season_variant,material";
+  std::string line = "kind,model,season_variant,material";
   for (const Column& column : kColumns) line.append(",").append(column.name);
   return line;
 }
@@ -59,11 +59,22 @@ Result<std::uint8_t> IndexOf(std::string_view name, const std::vector<std::strin
   return DataLoss(std::string(what) + " is " + Quote(name) + "; legal are " + legal);
 }
 
-Result<Asset> DecodeAsset(std::string_view line, const GridGeometry& geometry) {
+Result<std::uint8_t> ModelOf(AssetKind kind, std::string_view name, const Catalogue& catalogue) {
+  for (const std::uint8_t model : catalogue.models_of(kind)) {
+    if (catalogue.models()[model].name == name) return model;
+  }
+  std::vector<std::string_view> legal;
+  for (const std::uint8_t model : catalogue.models_of(kind))
+    legal.push_back(catalogue.models()[model].name);
+  return IndexOf(name, legal, "model").status();
+}
+
+Result<Asset> DecodeAsset(std::string_view line, const GridGeometry& geometry,
+                          const Catalogue& catalogue) {
   const auto commas = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
-  if (commas != kColumns.size() + 2) {
+  if (commas != kColumns.size() + 3) {
     return DataLoss("has " + std::to_string(commas + 1) + " fields, not " +
-                    std::to_string(kColumns.size() + 3));
+                    std::to_string(kColumns.size() + 4));
   }
   Asset asset;
   const std::string_view kind_name = TakeUntil(',', &line);
@@ -72,7 +83,8 @@ Result<Asset> DecodeAsset(std::string_view line, const GridGeometry& geometry) {
     return DataLoss("kind is " + Quote(kind_name) + "; legal are " + LegalNames<AssetKind>());
   }
   asset.kind = *kind;
-  const AssetTypeValues& values = ValuesOf(TypeOf(*kind));
+  LW_ASSIGN_OR_RETURN(asset.model, ModelOf(*kind, TakeUntil(',', &line), catalogue));
+  const AssetTypeValues& values = catalogue.ValuesOf(TypeOf(*kind));
   LW_ASSIGN_OR_RETURN(asset.season_variant,
                       IndexOf(TakeUntil(',', &line), values.season_variants, "season_variant"));
   LW_ASSIGN_OR_RETURN(asset.material, IndexOf(TakeUntil(',', &line), values.materials, "material"));
@@ -96,18 +108,21 @@ Result<Asset> DecodeAsset(std::string_view line, const GridGeometry& geometry) {
 
 }  // namespace
 
-Result<std::string> EncodeAssets(const std::vector<Asset>& assets) {
+Result<std::string> EncodeAssets(const std::vector<Asset>& assets, const Catalogue& catalogue) {
   std::string content = HeaderLine() + "\n";
   content.reserve(content.size() + 100 * assets.size());
   for (const Asset& asset : assets) {
-    const AssetTypeValues& values = ValuesOf(TypeOf(asset.kind));
-    if (asset.season_variant >= values.season_variants.size() ||
+    const AssetTypeValues& values = catalogue.ValuesOf(TypeOf(asset.kind));
+    if (asset.model >= catalogue.models().size() ||
+        catalogue.models()[asset.model].kind != asset.kind ||
+        asset.season_variant >= values.season_variants.size() ||
         asset.material >= values.materials.size()) {
       return Internal("asset " + std::to_string(&asset - assets.data()) + ", a " +
                       std::string(NameOf(asset.kind)) +
-                      ", has a variant or material that its type has not");
+                      ", has a model, variant or material that its kind has not");
     }
     content.append(NameOf(asset.kind)).append(",");
+    content.append(catalogue.models()[asset.model].name).append(",");
     content.append(values.season_variants[asset.season_variant]).append(",");
     content.append(values.materials[asset.material]);
     for (const Column& column : kColumns) {
@@ -119,13 +134,14 @@ Result<std::string> EncodeAssets(const std::vector<Asset>& assets) {
   return content;
 }
 
-Result<std::vector<Asset>> DecodeAssets(std::string_view content, const GridGeometry& geometry) {
+Result<std::vector<Asset>> DecodeAssets(std::string_view content, const GridGeometry& geometry,
+                                        const Catalogue& catalogue) {
   if (TakeUntil('\n', &content) != HeaderLine()) {
     return DataLoss("line 1 is not \"" + HeaderLine() + "\"");
   }
   std::vector<Asset> assets;
   while (!content.empty()) {
-    const Result<Asset> asset = DecodeAsset(TakeUntil('\n', &content), geometry);
+    const Result<Asset> asset = DecodeAsset(TakeUntil('\n', &content), geometry, catalogue);
     if (!asset.ok()) {
       return asset.status().WithContext("line " + std::to_string(assets.size() + 2));
     }

@@ -16,6 +16,7 @@ inline constexpr char kLayoutFile[] = "layout.txt";
 inline constexpr char kEnvironmentFile[] = "environment.json";
 inline constexpr char kFidelityFile[] = "fidelity.json";
 inline constexpr char kRepliesFile[] = "replies.json";
+inline constexpr char kCatalogueFile[] = "catalogue.json";
 inline constexpr char kTerrainFile[] = "terrain.bin";
 inline constexpr char kAssetsFile[] = "assets.csv";
 inline constexpr char kAgentsFile[] = "agents.json";

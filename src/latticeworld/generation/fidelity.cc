@@ -40,9 +40,11 @@ FidelityReport AssessLayoutFidelity(std::string_view instruction, const Symbolic
 
 FidelityReport AssessFidelity(std::string_view layout_instruction,
                               std::string_view environment_instruction,
-                              const SymbolicLayout& layout, const EnvironmentConfig& environment) {
+                              const SymbolicLayout& layout, const EnvironmentConfig& environment,
+                              const Catalogue& catalogue) {
   FidelityReport report = AssessLayoutFidelity(layout_instruction, layout);
-  EnvironmentReading reading = ReadEnvironmentInstruction(environment_instruction);
+  EnvironmentReading reading =
+      ReadEnvironmentInstruction(environment_instruction, nullptr, catalogue);
   for (const EnvironmentClaim& claim : reading.claims) {
     report.claims.push_back(
         OutcomeOf(InstructionPart::kEnvironment, claim, Measure(claim, environment)));

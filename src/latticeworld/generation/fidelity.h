@@ -37,10 +37,11 @@ struct FidelityReport {
 };
 
 // Reads both instructions and measures layout and environment by what they say, whichever back end
-// made them.
+// made them. catalogue: what the environment's values are of.
 FidelityReport AssessFidelity(std::string_view layout_instruction,
                               std::string_view environment_instruction,
-                              const SymbolicLayout& layout, const EnvironmentConfig& environment);
+                              const SymbolicLayout& layout, const EnvironmentConfig& environment,
+                              const Catalogue& catalogue = *Catalogue::BuiltIn());
 
 // The same of a layout alone.
 FidelityReport AssessLayoutFidelity(std::string_view instruction, const SymbolicLayout& layout);

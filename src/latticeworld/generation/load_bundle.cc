@@ -11,6 +11,7 @@
 #include "latticeworld/generation/assets_csv.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/bundle_files.h"
+#include "latticeworld/generation/catalogue_json.h"
 #include "latticeworld/generation/fidelity_json.h"
 #include "latticeworld/generation/replies_json.h"
 #include "latticeworld/generation/terrain_file.h"
@@ -44,6 +45,7 @@ Status CheckFileList(const Manifest& manifest) {
   for (const LayoutClass& entry : ClassesOf(*FromName<Vocabulary>(manifest.request.vocabulary))) {
     legal.insert(WeightFile(entry.letter));  // only for classes that occur
   }
+  legal.insert(kCatalogueFile);  // only where a user added to it
   for (const BundleFile& file : manifest.files) {
     if (legal.erase(file.name) == 0) {
       return DataLoss("lists " + Quote(file.name) + ", which no bundle has or which it has twice");
@@ -74,13 +76,14 @@ Result<std::string> ReadVerified(const fs::path& directory, const BundleFile& fi
 
 // The files that a world is read back from. The others are checked and forgotten.
 struct Contents {
-  std::string layout, environment, fidelity, replies, terrain, assets, agents, visual;
+  std::string layout, environment, fidelity, replies, catalogue, terrain, assets, agents, visual;
 
   std::string* Find(std::string_view name) {
     if (name == kLayoutFile) return &layout;
     if (name == kEnvironmentFile) return &environment;
     if (name == kFidelityFile) return &fidelity;
     if (name == kRepliesFile) return &replies;
+    if (name == kCatalogueFile) return &catalogue;
     if (name == kTerrainFile) return &terrain;
     if (name == kAssetsFile) return &assets;
     if (name == kAgentsFile) return &agents;
@@ -98,20 +101,29 @@ Result<Contents> ReadContents(const fs::path& directory, const Manifest& manifes
   return contents;
 }
 
+Result<std::shared_ptr<const Catalogue>> ParseCatalogue(const Contents& contents) {
+  if (contents.catalogue.empty()) return Catalogue::BuiltIn();
+  auto catalogue = DecodeCatalogue(contents.catalogue);
+  if (!catalogue.ok()) return Damaged(kCatalogueFile, catalogue.status());
+  return catalogue;
+}
+
 Result<std::shared_ptr<const Scene>> ParseScene(const Contents& contents, const Manifest& manifest,
+                                                std::shared_ptr<const Catalogue> catalogue,
                                                 EnvironmentConfig environment) {
   LW_ASSIGN_OR_RETURN(const GridGeometry geometry,
                       GridGeometry::Create(manifest.request.size_m, manifest.request.resolution_m));
   auto terrain =
       DecodeTerrain(contents.terrain, geometry, *FromName<Vocabulary>(manifest.request.vocabulary));
   if (!terrain.ok()) return Damaged(kTerrainFile, terrain.status());
-  auto assets = DecodeAssets(contents.assets, geometry);
+  auto assets = DecodeAssets(contents.assets, geometry, *catalogue);
   if (!assets.ok()) return Damaged(kAssetsFile, assets.status());
   auto agents = DecodeAgents(contents.agents, geometry);
   if (!agents.ok()) return Damaged(kAgentsFile, agents.status());
 
   auto scene = std::make_shared<Scene>();
   scene->terrain = std::make_shared<const Terrain>(*std::move(terrain));
+  scene->catalogue = std::move(catalogue);
   scene->environment = std::move(environment);
   scene->assets = *std::move(assets);
   scene->index = AssetIndex(geometry.size_m(), scene->assets);
@@ -128,13 +140,14 @@ Result<std::shared_ptr<const World>> Load(const fs::path& directory) {
   LW_ASSIGN_OR_RETURN(Contents contents, ReadContents(directory, manifest));
   auto layout = ParseLayout(contents.layout, *FromName<Vocabulary>(manifest.request.vocabulary));
   if (!layout.ok()) return Damaged(kLayoutFile, layout.status());
-  auto environment = ParseEnvironment(contents.environment);
+  LW_ASSIGN_OR_RETURN(const auto catalogue, ParseCatalogue(contents));
+  auto environment = ParseEnvironment(contents.environment, *catalogue);
   if (!environment.ok()) return Damaged(kEnvironmentFile, environment.status());
   auto fidelity = DecodeFidelity(contents.fidelity);
   if (!fidelity.ok()) return Damaged(kFidelityFile, fidelity.status());
   auto replies = DecodeReplies(contents.replies);
   if (!replies.ok()) return Damaged(kRepliesFile, replies.status());
-  LW_ASSIGN_OR_RETURN(auto scene, ParseScene(contents, manifest, *environment));
+  LW_ASSIGN_OR_RETURN(auto scene, ParseScene(contents, manifest, catalogue, *environment));
 
   const std::string id = ContentId(*layout, *scene, manifest.geo);
   if (id != manifest.world_id) {

@@ -101,24 +101,52 @@ Eigen::Vector3d DecodeVector(const Json& object, const char* key) {
 
 Json Encode(const Atmosphere& atmosphere) {
   return {{"weather", NameOf(atmosphere.weather)},
+          {"intensity", atmosphere.intensity},
           {"visibility_m", atmosphere.visibility_m},
           {"rain_mmph", atmosphere.rain_mmph},
-          {"snow_depth_m", atmosphere.snow_depth_m},
+          {"snowfall_mmph", atmosphere.snowfall_mmph},
+          {"cloud_cover", atmosphere.cloud_cover},
           {"wind_mps", Encode(atmosphere.wind_mps)},
+          {"gust_mps", atmosphere.gust_mps},
+          {"hour", atmosphere.hour},
+          {"day_of_year", atmosphere.day_of_year},
+          {"latitude_deg", atmosphere.latitude_deg},
+          {"direct_light", atmosphere.direct_light},
+          {"diffuse_light", atmosphere.diffuse_light},
           {"sun_direction", Encode(atmosphere.sun_direction)},
           {"sun_intensity", atmosphere.sun_intensity},
-          {"ambient_intensity", atmosphere.ambient_intensity}};
+          {"ambient_intensity", atmosphere.ambient_intensity},
+          {"ground_wetness", atmosphere.ground_wetness},
+          {"snow_depth_m", atmosphere.snow_depth_m},
+          {"blown_sand", atmosphere.blown_sand},
+          {"water_rise_m", atmosphere.water_rise_m}};
 }
 
 Atmosphere DecodeAtmosphere(const Json& json) {
-  jf::ExpectKeys(json, {"weather", "visibility_m", "rain_mmph", "snow_depth_m", "wind_mps",
-                        "sun_direction", "sun_intensity", "ambient_intensity"});
+  jf::ExpectKeys(json, {"weather",        "intensity",     "visibility_m",  "rain_mmph",
+                        "snowfall_mmph",  "cloud_cover",   "wind_mps",      "gust_mps",
+                        "hour",           "day_of_year",   "latitude_deg",  "direct_light",
+                        "diffuse_light",  "sun_direction", "sun_intensity", "ambient_intensity",
+                        "ground_wetness", "snow_depth_m",  "blown_sand",    "water_rise_m"});
   Atmosphere atmosphere;
   atmosphere.weather = jf::Named<Weather>(json, "weather");
-  atmosphere.visibility_m = jf::Number(json, "visibility_m", 0.0);
+  atmosphere.intensity = jf::Number(json, "intensity", 0.0, 1.0);
+  // Air that nothing can be seen through is no air to see by: everything divides by this.
+  atmosphere.visibility_m = jf::Number(json, "visibility_m", 1.0);
   atmosphere.rain_mmph = jf::Number(json, "rain_mmph", 0.0);
-  atmosphere.snow_depth_m = jf::Number(json, "snow_depth_m", 0.0);
+  atmosphere.snowfall_mmph = jf::Number(json, "snowfall_mmph", 0.0);
+  atmosphere.cloud_cover = jf::Number(json, "cloud_cover", 0.0, 1.0);
   atmosphere.wind_mps = DecodeVector(json, "wind_mps");
+  atmosphere.gust_mps = jf::Number(json, "gust_mps", 0.0);
+  atmosphere.hour = jf::Number(json, "hour", 0.0, 24.0);
+  atmosphere.day_of_year = jf::Number(json, "day_of_year", 1.0, 366.0);
+  atmosphere.latitude_deg = jf::Number(json, "latitude_deg", -90.0, 90.0);
+  atmosphere.direct_light = jf::Number(json, "direct_light", 0.0, 1.0);
+  atmosphere.diffuse_light = jf::Number(json, "diffuse_light", 0.0, 1.0);
+  atmosphere.ground_wetness = jf::Number(json, "ground_wetness", 0.0, 1.0);
+  atmosphere.snow_depth_m = jf::Number(json, "snow_depth_m", 0.0);
+  atmosphere.blown_sand = jf::Number(json, "blown_sand", 0.0, 1.0);
+  atmosphere.water_rise_m = jf::Number(json, "water_rise_m");
   atmosphere.sun_direction = DecodeVector(json, "sun_direction");
   if (!(std::abs(atmosphere.sun_direction.norm() - 1.0) < 1e-6)) {
     jf::Fail("sun_direction", json["sun_direction"], "a unit vector");

@@ -13,7 +13,7 @@
 
 namespace latticeworld {
 
-inline constexpr int kBundleFormatVersion = 3;
+inline constexpr int kBundleFormatVersion = 4;
 
 // One file of a bundle besides the manifest itself.
 struct BundleFile {

@@ -15,7 +15,8 @@ Result<std::shared_ptr<const World>> RebuildWorld(const World& world, const Prog
                               sketches.name() + "; give the model that it was made with");
   }
   LanguageBackends backends = MakeReplayBackends(world.replies);
-  WorldGenerator generator(std::move(backends.by_name), "grounded", std::move(sketches));
+  WorldGenerator generator(std::move(backends.by_name), "grounded", std::move(sketches),
+                           world.scene->catalogue);
   return generator.Generate(world.request, progress);
 }
 

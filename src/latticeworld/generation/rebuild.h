@@ -11,8 +11,9 @@
 namespace latticeworld {
 
 // Makes a world again from its request and the recorded answers of its language model, without the
-// model: on the same build the same world, with the same id. sketches: has to be what the world's
-// sketch became land by. Errors: as WorldGenerator; FAILED_PRECONDITION for another translator.
+// model, from its own catalogue: on the same build the same world, with the same id. sketches: has
+// to be what the world's sketch became land by. Errors: as WorldGenerator; FAILED_PRECONDITION for
+// another translator.
 Result<std::shared_ptr<const World>> RebuildWorld(const World& world, const Progress& progress,
                                                   SketchTranslator sketches = SketchTranslator());
 

@@ -12,6 +12,7 @@
 #include "latticeworld/generation/assets_csv.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/bundle_files.h"
+#include "latticeworld/generation/catalogue_json.h"
 #include "latticeworld/generation/fidelity_json.h"
 #include "latticeworld/generation/raster_files.h"
 #include "latticeworld/generation/replies_json.h"
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 
 // Columns of voxels a side of world.bt; bounds the memory that a large world's octree takes.
 constexpr double kMaxOctreeColumns = 2048.0;
-constexpr int kPreviewWidth_px = 512;  // of each of its two views
+constexpr int kPreviewWidth_px = 512;  // the map: painted, which takes less than tracing rays
 
 // Writes files one after another and keeps the manifest's list of them.
 class BundleWriter {
@@ -50,13 +51,17 @@ class BundleWriter {
 };
 
 Status AddSources(const World& world, BundleWriter* writer) {
+  const Catalogue& catalogue = *world.scene->catalogue;
   LW_RETURN_IF_ERROR(writer->Add(kLayoutFile, ToText(world.layout)));
   LW_RETURN_IF_ERROR(writer->Add(kEnvironmentFile, ToJson(world.environment)));
   LW_RETURN_IF_ERROR(writer->Add(kFidelityFile, EncodeFidelity(world.fidelity)));
   LW_RETURN_IF_ERROR(writer->Add(kRepliesFile, EncodeReplies(world.replies)));
   LW_RETURN_IF_ERROR(writer->Add(kTerrainFile, EncodeTerrain(*world.scene->terrain)));
-  LW_RETURN_IF_ERROR(writer->Add(kAssetsFile, EncodeAssets(world.scene->assets)));
+  LW_RETURN_IF_ERROR(writer->Add(kAssetsFile, EncodeAssets(world.scene->assets, catalogue)));
   LW_RETURN_IF_ERROR(writer->Add(kAgentsFile, EncodeAgents(world.scene->agents)));
+  if (!catalogue.added_files().empty()) {
+    LW_RETURN_IF_ERROR(writer->Add(kCatalogueFile, EncodeCatalogue(catalogue)));
+  }
   if (world.request.visual_kind == VisualKind::kNone) return Status();
   return writer->Add(kVisualFile, world.request.visual);
 }
@@ -83,7 +88,7 @@ Status AddMaps(const Scene& scene, BundleWriter* writer) {
   LW_RETURN_IF_ERROR(writer->Add(kMapFile, map->yaml));
   PictureOptions options;
   options.width_px = kPreviewWidth_px;
-  return writer->Add(kPreviewFile, DrawWorld(scene, options));
+  return writer->Add(kPreviewFile, DrawTopView(scene, options));
 }
 
 Result<std::string> EncodeOctree(const Scene& scene, double resolution_m,

@@ -76,6 +76,7 @@ class StageRunner {
 
 Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, LanguageBackend* backend,
                                                const SketchTranslator& sketches,
+                                               const std::shared_ptr<const Catalogue>& catalogue,
                                                const Progress& progress) {
   auto world = std::make_shared<World>();
   StageRunner stages(progress);
@@ -112,6 +113,7 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
     environment_request.relief = relief_pointer;
     environment_request.layout = &world->layout;
     environment_request.size_m = request.size_m;
+    environment_request.catalogue = catalogue;
     environment_request.seed = StreamSeed(request.seed, "environment");
     return backend->environment->Generate(environment_request, progress);
   }));
@@ -119,7 +121,7 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
   for (ModelReply& reply : environment.replies) world->replies.push_back(std::move(reply));
   add_warnings(std::move(environment.warnings));
   world->fidelity = AssessFidelity(request.layout_instruction, request.environment_instruction,
-                                   world->layout, world->environment);
+                                   world->layout, world->environment, *catalogue);
   add_warnings(WarningsOf(world->fidelity, world->warnings));
 
   LW_ASSIGN_OR_RETURN(Terrain terrain, stages.Run("terrain", [&] {
@@ -134,7 +136,9 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
   LW_ASSIGN_OR_RETURN(SceneAnswer scene, stages.Run("scene", [&] {
     SceneRequest scene_request;
     scene_request.terrain = std::make_shared<const Terrain>(std::move(terrain));
+    scene_request.catalogue = catalogue;
     scene_request.environment = world->environment;
+    if (world->geo) scene_request.latitude_deg = world->geo->latitude_deg;
     scene_request.seed = StreamSeed(request.seed, "scene");
     return BuildScene(scene_request, progress);
   }));
@@ -151,10 +155,13 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
 }  // namespace
 
 WorldGenerator::WorldGenerator(std::map<std::string, LanguageBackend> backends,
-                               std::string default_backend, SketchTranslator sketches)
+                               std::string default_backend, SketchTranslator sketches,
+                               std::shared_ptr<const Catalogue> catalogue)
     : backends_(std::move(backends)),
       default_backend_(std::move(default_backend)),
-      sketches_(std::move(sketches)) {
+      sketches_(std::move(sketches)),
+      catalogue_(std::move(catalogue)) {
+  LW_CHECK(catalogue_ != nullptr, "worlds are furnished from a catalogue");
   LW_CHECK(backends_.count(default_backend_) == 1, "the default back end is among the back ends");
   for (const auto& [name, backend] : backends_) {
     LW_CHECK(backend.layout != nullptr && backend.environment != nullptr,
@@ -204,7 +211,7 @@ Result<std::shared_ptr<const World>> WorldGenerator::Generate(const GenerationRe
     if (resolved.generator.empty()) resolved.generator = default_backend_;
     ResolveVisual(sketches_, &resolved);
     LanguageBackend* backend = &backends_.at(resolved.generator);
-    return RunStages(std::move(resolved), backend, sketches_, progress);
+    return RunStages(std::move(resolved), backend, sketches_, catalogue_, progress);
   } catch (const std::bad_alloc&) {
     return ResourceExhausted("not enough memory for a world of " + FormatDouble(request.size_m) +
                              " m at " + FormatDouble(request.resolution_m) +

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "latticeworld/catalogue/catalogue.h"
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
 #include "latticeworld/generation/sketch_translator.h"
@@ -23,9 +24,10 @@ struct LanguageBackend {
 class WorldGenerator {
  public:
   // backends: by name; default_backend must be among them.
-  // sketches: how they become land.
+  // sketches: how they become land. catalogue: what worlds are furnished with; not null.
   WorldGenerator(std::map<std::string, LanguageBackend> backends, std::string default_backend,
-                 SketchTranslator sketches = SketchTranslator());
+                 SketchTranslator sketches = SketchTranslator(),
+                 std::shared_ptr<const Catalogue> catalogue = Catalogue::BuiltIn());
 
   // Everything that can be said about a request before any work is done, every violation at once.
   Status Validate(const GenerationRequest& request) const;
@@ -40,6 +42,7 @@ class WorldGenerator {
   std::map<std::string, LanguageBackend> backends_;
   std::string default_backend_;
   SketchTranslator sketches_;
+  std::shared_ptr<const Catalogue> catalogue_;
 };
 
 // The generator with every back end that is built in ("grounded").

@@ -53,6 +53,7 @@ std::string FieldsOf(const std::vector<Asset>& assets) {
     fields.Add(asset.kind);
     fields.Add(asset.season_variant);
     fields.Add(asset.material);
+    fields.Add(asset.model);
     fields.Add(asset.x_m);
     fields.Add(asset.y_m);
     fields.Add(asset.z_m);
@@ -69,13 +70,25 @@ std::string FieldsOf(const std::vector<Asset>& assets) {
 std::string FieldsOf(const Atmosphere& atmosphere) {
   FieldBuffer fields;
   fields.Add(atmosphere.weather);
+  fields.Add(atmosphere.intensity);
   fields.Add(atmosphere.visibility_m);
   fields.Add(atmosphere.rain_mmph);
-  fields.Add(atmosphere.snow_depth_m);
+  fields.Add(atmosphere.snowfall_mmph);
+  fields.Add(atmosphere.cloud_cover);
   fields.Add(atmosphere.wind_mps);
+  fields.Add(atmosphere.gust_mps);
+  fields.Add(atmosphere.hour);
+  fields.Add(atmosphere.day_of_year);
+  fields.Add(atmosphere.latitude_deg);
+  fields.Add(atmosphere.direct_light);
+  fields.Add(atmosphere.diffuse_light);
   fields.Add(atmosphere.sun_direction);
   fields.Add(atmosphere.sun_intensity);
   fields.Add(atmosphere.ambient_intensity);
+  fields.Add(atmosphere.ground_wetness);
+  fields.Add(atmosphere.snow_depth_m);
+  fields.Add(atmosphere.blown_sand);
+  fields.Add(atmosphere.water_rise_m);
   return fields.bytes();
 }
 
@@ -100,6 +113,7 @@ std::string ContentId(const SymbolicLayout& layout, const Scene& scene,
   digest.AddText(ToText(layout));
   digest.AddText(ToJson(scene.environment));
   AddTerrain(*scene.terrain, &digest);
+  for (const CatalogueFile& file : scene.catalogue->added_files()) digest.AddText(file.text);
   digest.AddText(FieldsOf(scene.assets));
   digest.AddText(FieldsOf(scene.atmosphere));
   for (const AgentStart& agent : scene.agents) AddAgent(agent, &digest);

@@ -46,6 +46,9 @@ Status Validate(const EnvironmentRequest& request) {
   if (request.layout == nullptr) {
     return InvalidArgument("an environment needs a layout; none was given");
   }
+  if (request.catalogue == nullptr) {
+    return InvalidArgument("an environment needs a catalogue; none was given");
+  }
   if (request.layout->cells.rows() != kLayoutSize || request.layout->cells.cols() != kLayoutSize) {
     return InvalidArgument("the layout has " + std::to_string(request.layout->cells.rows()) +
                            " x " + std::to_string(request.layout->cells.cols()) +

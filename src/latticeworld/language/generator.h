@@ -2,10 +2,12 @@
 #define LATTICEWORLD_LANGUAGE_GENERATOR_H_
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "latticeworld/catalogue/catalogue.h"
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
 #include "latticeworld/environment/environment_config.h"
@@ -54,8 +56,9 @@ class LayoutGenerator {
 struct EnvironmentRequest {
   std::string instruction;  // x_C: may be empty, then the environment follows from the layout
   const Relief* relief = nullptr;
-  const SymbolicLayout* layout = nullptr;  // never null
-  double size_m = 512.0;                   // side of the world
+  const SymbolicLayout* layout = nullptr;                             // never null
+  std::shared_ptr<const Catalogue> catalogue = Catalogue::BuiltIn();  // never null
+  double size_m = 512.0;                                              // side of the world
   std::uint64_t seed = 0;
 };
 

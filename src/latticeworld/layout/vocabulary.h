@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "latticeworld/common/enum_names.h"
+#include "latticeworld/common/rgb.h"
 
 namespace latticeworld {
 
@@ -16,13 +17,6 @@ enum class Vocabulary : std::uint8_t { kSuburb, kWild };
 constexpr std::array<EnumName<Vocabulary>, 2> EnumNames(Vocabulary) {
   return {{{Vocabulary::kSuburb, "suburb"}, {Vocabulary::kWild, "wild"}}};
 }
-
-struct Rgb {
-  std::uint8_t r = 0;
-  std::uint8_t g = 0;
-  std::uint8_t b = 0;
-  friend bool operator==(Rgb a, Rgb b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
-};
 
 struct LayoutClass {
   char letter;

@@ -7,10 +7,6 @@ namespace latticeworld {
 
 static_assert(sizeof(Asset) <= 64, "a world holds many assets: keep them small");
 
-bool IsSolid(AssetKind kind) {
-  return kind == AssetKind::kTree || kind == AssetKind::kStone || kind == AssetKind::kBuilding;
-}
-
 double SolidRadius(const Asset& asset) {
   switch (asset.kind) {
     case AssetKind::kTree:
@@ -36,27 +32,6 @@ bool SolidContains(const Asset& asset, WorldPoint point, double margin_m) {
   const double across = std::abs(-sine * dx + cosine * dy) - asset.half_width_m;
   if (along < 0.0 && across < 0.0) return std::max(along, across) < margin_m;
   return std::hypot(std::max(along, 0.0), std::max(across, 0.0)) < margin_m;
-}
-
-AssetType TypeOf(AssetKind kind) {
-  switch (kind) {
-    case AssetKind::kTree:
-      return AssetType::kForest;
-    case AssetKind::kBush:
-    case AssetKind::kGrassTuft:
-      return AssetType::kGrass;
-    case AssetKind::kStone:
-      return AssetType::kStone;
-    case AssetKind::kBuilding:
-      return AssetType::kArchitecture;
-    case AssetKind::kDeadBranch:
-      return AssetType::kDeadBranch;
-    case AssetKind::kFlower:
-      return AssetType::kFlower;
-    case AssetKind::kCrop:
-      return AssetType::kCrops;
-  }
-  return AssetType::kGrass;
 }
 
 }  // namespace latticeworld

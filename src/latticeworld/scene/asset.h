@@ -1,42 +1,19 @@
 #ifndef LATTICEWORLD_SCENE_ASSET_H_
 #define LATTICEWORLD_SCENE_ASSET_H_
 
-#include <array>
 #include <cstdint>
 
-#include "latticeworld/common/enum_names.h"
-#include "latticeworld/environment/fine_attributes.h"
+#include "latticeworld/catalogue/asset_kind.h"
 #include "latticeworld/geometry/grid_geometry.h"
 
 namespace latticeworld {
-
-// What stands in a world. Roads, lakes, deserts and snow are ground, not assets.
-enum class AssetKind : std::uint8_t {
-  kTree,
-  kBush,
-  kStone,
-  kBuilding,
-  kDeadBranch,
-  kGrassTuft,
-  kFlower,
-  kCrop
-};
-constexpr std::array<EnumName<AssetKind>, 8> EnumNames(AssetKind) {
-  return {{{AssetKind::kTree, "tree"},
-           {AssetKind::kBush, "bush"},
-           {AssetKind::kStone, "stone"},
-           {AssetKind::kBuilding, "building"},
-           {AssetKind::kDeadBranch, "dead_branch"},
-           {AssetKind::kGrassTuft, "grass_tuft"},
-           {AssetKind::kFlower, "flower"},
-           {AssetKind::kCrop, "crop"}}};
-}
 
 // One placed thing. It stands at `position` on the ground with its base at z_m.
 struct Asset {
   AssetKind kind = AssetKind::kTree;
   std::uint8_t season_variant = 0;  // index into ValuesOf(TypeOf(kind)).season_variants
   std::uint8_t material = 0;        // index into ValuesOf(TypeOf(kind)).materials
+  std::uint8_t model = 0;           // index into Catalogue::models(), of that kind
   float x_m = 0.0f;                 // centre, map frame
   float y_m = 0.0f;
   float z_m = 0.0f;  // base
@@ -50,14 +27,11 @@ struct Asset {
   WorldPoint position() const { return {x_m, y_m}; }
 };
 
-// Solid assets stop bodies and rays and are occupied in maps: trees (trunk), stones, buildings.
-bool IsSolid(AssetKind kind);
 // Radius of the circle around `position` that nothing solid may overlap [m]: the trunk of a tree,
 // the circumscribed circle of a building.
 double SolidRadius(const Asset& asset);
 // True when the point is closer than margin_m to the asset's solid part, seen from above.
 bool SolidContains(const Asset& asset, WorldPoint point, double margin_m);
-AssetType TypeOf(AssetKind kind);
 
 }  // namespace latticeworld
 

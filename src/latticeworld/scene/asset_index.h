@@ -1,6 +1,7 @@
 #ifndef LATTICEWORLD_SCENE_ASSET_INDEX_H_
 #define LATTICEWORLD_SCENE_ASSET_INDEX_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,10 @@ class AssetIndex {
   void ForEachNear(WorldPoint point, double radius_m, Visit&& visit) const;
 
   double largest_solid_radius_m() const { return largest_solid_radius_m_; }
+  // Of memory that it holds.
+  std::size_t bytes() const {
+    return entries_.capacity() * sizeof(Entry) + bucket_begin_.capacity() * sizeof(std::uint32_t);
+  }
 
  private:
   struct Entry {

@@ -3,130 +3,119 @@
 #include <algorithm>
 #include <cmath>
 
+#include "latticeworld/scene/sun.h"
+
 namespace latticeworld {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-constexpr double kLatitude_rad = 45.0 * kDegree;          // of every world
-constexpr double kObliquity_rad = 23.44 * kDegree;        // of the ecliptic
-constexpr double kTwilightElevation_rad = 3.0 * kDegree;  // of the sun at dawn and dusk
+// ln(1 / 0.05): light over the meteorological optical range.
+constexpr double kOpticalRangeDepth = 2.996;
+constexpr double kClearVisibility_m = 20000.0;
+// From `slight` at intensity 0 over the geometric middle at 0.5 to `extreme` at 1: people and
+// weather services grade rain, snow and fog by factors, not by differences.
+double Graded(double slight, double extreme, double intensity) {
+  return slight * std::pow(extreme / slight, intensity);
+}
 
-// What a weather does to sight, water and light.
-struct WeatherEffects {
-  double visibility_m;
-  double rain_mmph;
-  double wind_mps;
-  double direct_light;  // share of the direct sunlight that comes through
-  double diffuse_light;
-};
+// Visibility where air of that extinction [1/km] is added to clear air [m].
+double VisibilityWith(double extinction_per_km) {
+  return kOpticalRangeDepth / (kOpticalRangeDepth / kClearVisibility_m + 1e-3 * extinction_per_km);
+}
 
-// Visibility after the classes of the WMO Guide to Instruments and Methods of Observation (WMO-No.
-// 8) and Manual on Codes (WMO-No. 306): fog below 1 km, moderate snow 0.5 to 1 km, moderate rain 2
-// to 10 km, sandstorm below 1 km, clear air above 10 km. Rain: moderate is 2.5 to 10 mm/h. Wind:
-// Beaufort 1 (fog) to 7 (sandstorm, which needs about 15 m/s to lift sand).
-WeatherEffects EffectsOf(Weather weather) {
+// Rainfall: slight below 2.5 mm/h, moderate to 10, heavy to 50 (WMO-No. 8). Visibility by the
+// attenuation of light in rain, 1.076 R^0.67 dB/km (Carbonneau and Wisely 1998; ITU-R P.1814).
+void Rain(double intensity, Atmosphere* air) {
+  constexpr double kDecibel = 4.342945;  // per unit of optical depth
+  air->rain_mmph = Graded(0.5, 50.0, intensity);
+  air->visibility_m = VisibilityWith(1.076 * std::pow(air->rain_mmph, 0.67) / kDecibel);
+  air->cloud_cover = 0.9 + 0.1 * intensity;
+  air->ground_wetness = 1.0 - std::exp(-air->rain_mmph / 1.5);
+  air->water_rise_m = 0.3 * intensity * intensity;  // a rise that small waters keep. Estimate.
+}
+
+// Snowfall as water: slight below 1 mm/h, moderate to 5 (WMO-No. 8). Visibility by the attenuation
+// of light in dry snow, 5.50 S^1.38 dB/km (ITU-R P.1814, at 905 nm).
+void Snow(double intensity, Atmosphere* air) {
+  constexpr double kDecibel = 4.342945;
+  air->snowfall_mmph = Graded(0.4, 10.0, intensity);
+  air->visibility_m = VisibilityWith(5.55 * std::pow(air->snowfall_mmph, 1.38) / kDecibel);
+  air->cloud_cover = 0.9 + 0.1 * intensity;
+  air->ground_wetness = 0.2;
+}
+
+// Mean wind, visibility and light of each weather. Visibility: fog and sandstorms are below 1 km,
+// dense fog below 40 m (WMO-No. 306, code table 4677; WMO-No. 8). Wind: Beaufort 1 (fog) to 9
+// (strong sandstorms; sand is lifted from about 8 m/s on, Bagnold 1941). Light and wetness are
+// estimates: the share that comes through thickens like a layer of cloud does, so that it falls
+// exponentially with intensity, through the first value at the usual one.
+void SetWeather(Weather weather, double intensity, Atmosphere* air) {
+  double direct = 1.0, diffuse = 0.8, wind_mps = 2.0;
   switch (weather) {
     case Weather::kSunny:
-      return {20000.0, 0.0, 2.0, 1.0, 0.8};
+      air->visibility_m = Graded(10000.0, 40000.0, intensity);
+      air->cloud_cover = 0.2 * (1.0 - intensity);
+      break;
     case Weather::kCloudy:
-      return {15000.0, 0.0, 4.0, 0.35, 1.0};
+      air->visibility_m = 15000.0;
+      air->cloud_cover = 0.6 + 0.4 * intensity;
+      direct = 0.35, diffuse = 1.0, wind_mps = 4.0;
+      break;
     case Weather::kRain:
-      return {4000.0, 5.0, 7.0, 0.15, 0.8};
+      Rain(intensity, air);
+      direct = 0.15, diffuse = 0.8, wind_mps = Graded(3.5, 14.0, intensity);
+      break;
     case Weather::kSnow:
-      return {800.0, 0.0, 5.0, 0.2, 1.0};
+      Snow(intensity, air);
+      direct = 0.2, diffuse = 1.0, wind_mps = Graded(2.5, 10.0, intensity);
+      break;
     case Weather::kFog:
-      return {200.0, 0.0, 0.5, 0.15, 0.9};
+      air->visibility_m = Graded(1000.0, 40.0, intensity);
+      air->cloud_cover = 1.0;
+      air->ground_wetness = 0.15;
+      direct = 0.15, diffuse = 0.9, wind_mps = 0.5;
+      break;
     case Weather::kSandstorm:
-      return {300.0, 0.0, 15.0, 0.2, 0.6};
+      air->visibility_m = Graded(1000.0, 90.0, intensity);
+      air->cloud_cover = 0.5;
+      air->blown_sand = std::min(1.0, 2.0 * intensity);
+      direct = 0.2, diffuse = 0.6, wind_mps = Graded(10.0, 22.5, intensity);
+      break;
   }
-  return {20000.0, 0.0, 2.0, 1.0, 0.8};
+  air->direct_light = std::pow(direct, 0.5 + intensity);
+  air->diffuse_light = std::pow(diffuse, 0.5 + intensity);
+  air->wind_mps = {wind_mps, 0.0, 0.0};
 }
 
 // Winter ground is snow-covered unless rain washes most of it away; falling snow lies in every
 // season, thinner outside winter.
-double SnowDepthOf(Season season, Weather weather) {
-  if (season == Season::kWinter) {
-    if (weather == Weather::kSnow) return 0.3;
-    return weather == Weather::kRain ? 0.05 : 0.1;
-  }
-  return weather == Weather::kSnow ? 0.05 : 0.0;
-}
-
-// Solar declination: solstices for summer and winter, equinoxes between.
-double DeclinationOf(Season season) {
-  if (season == Season::kSummer) return kObliquity_rad;
-  return season == Season::kWinter ? -kObliquity_rad : 0.0;
-}
-
-// Hour angle of the sun, 0 at solar noon, positive in the afternoon [rad].
-double HourAngleOf(TimeOfDay time, double declination_rad) {
-  const double twilight_rad = std::acos(
-      (std::sin(kTwilightElevation_rad) - std::sin(kLatitude_rad) * std::sin(declination_rad)) /
-      (std::cos(kLatitude_rad) * std::cos(declination_rad)));
-  constexpr double kHour_rad = 15.0 * kDegree;
-  switch (time) {
-    case TimeOfDay::kDawn:
-      return -twilight_rad;
-    case TimeOfDay::kMorning:
-      return -3.0 * kHour_rad;
-    case TimeOfDay::kNoon:
-      return 0.0;
-    case TimeOfDay::kAfternoon:
-      return 3.0 * kHour_rad;
-    case TimeOfDay::kDusk:
-      return twilight_rad;
-    case TimeOfDay::kNight:
-      return M_PI;
-    case TimeOfDay::kDay:
-      return -1.0 * kHour_rad;
-  }
-  return 0.0;
-}
-
-// Share of the overhead clear-sky sun that reaches the ground: air mass after Kasten and Young
-// (1989), transmission 0.7^(AM^0.678) after Meinel and Meinel (1976), 1 for the sun at the zenith.
-double ClearSkyIntensity(double elevation_rad) {
-  if (elevation_rad <= 0.0) return 0.0;
-  const double elevation_deg = elevation_rad / kDegree;
-  const double air_mass =
-      1.0 / (std::sin(elevation_rad) + 0.50572 * std::pow(elevation_deg + 6.07995, -1.6364));
-  return std::min(1.0, std::pow(0.7, std::pow(air_mass, 0.678)) / 0.7);
+double SnowDepthOf(Season season, Weather weather, double intensity) {
+  const double fallen_m = weather == Weather::kSnow ? 0.1 * intensity : 0.0;
+  if (season != Season::kWinter) return fallen_m;
+  return weather == Weather::kRain ? 0.05 : 0.1 + 4.0 * fallen_m;
 }
 
 }  // namespace
 
 Atmosphere DeriveAtmosphere(const CoarseAttributes& coarse, double desert_wind_mps,
-                            double wind_heading_rad) {
-  const WeatherEffects effects = EffectsOf(coarse.weather);
+                            double wind_heading_rad, double latitude_deg, double intensity) {
   Atmosphere atmosphere;
   atmosphere.weather = coarse.weather;
-  atmosphere.visibility_m = effects.visibility_m;
-  atmosphere.rain_mmph = effects.rain_mmph;
-  atmosphere.snow_depth_m = SnowDepthOf(coarse.season, coarse.weather);
+  atmosphere.intensity = intensity;
+  SetWeather(coarse.weather, intensity, &atmosphere);
+  atmosphere.snow_depth_m = SnowDepthOf(coarse.season, coarse.weather, intensity);
 
   const bool desert_wind =
       coarse.terrain_type == TerrainType::kDesert || coarse.weather == Weather::kSandstorm;
-  const double wind_mps =
-      desert_wind ? std::max(effects.wind_mps, desert_wind_mps) : effects.wind_mps;
+  double wind_mps = atmosphere.wind_mps.norm();
+  if (desert_wind) wind_mps = std::max(wind_mps, desert_wind_mps);
   atmosphere.wind_mps = {wind_mps * std::cos(wind_heading_rad),
                          wind_mps * std::sin(wind_heading_rad), 0.0};
+  atmosphere.gust_mps = kGustsOverMean * wind_mps;
 
-  // Equatorial to horizontal coordinates, as an east-north-up vector.
-  const double declination_rad = DeclinationOf(coarse.season);
-  const double hour_rad = HourAngleOf(coarse.time_of_day, declination_rad);
-  const double up = std::sin(kLatitude_rad) * std::sin(declination_rad) +
-                    std::cos(kLatitude_rad) * std::cos(declination_rad) * std::cos(hour_rad);
-  atmosphere.sun_direction =
-      Eigen::Vector3d(-std::cos(declination_rad) * std::sin(hour_rad),
-                      std::cos(kLatitude_rad) * std::sin(declination_rad) -
-                          std::sin(kLatitude_rad) * std::cos(declination_rad) * std::cos(hour_rad),
-                      up)
-          .normalized();
-  atmosphere.sun_intensity =
-      effects.direct_light * ClearSkyIntensity(std::asin(std::clamp(up, -1.0, 1.0)));
-  constexpr double kNightSky = 0.05, kDaySky = 0.3;
-  const double daylight = std::clamp(up / 0.5, 0.0, 1.0);  // full once the sun is 30 degrees high
-  atmosphere.ambient_intensity = kNightSky + kDaySky * effects.diffuse_light * std::sqrt(daylight);
+  atmosphere.latitude_deg = latitude_deg;
+  atmosphere.day_of_year = DayOfYear(coarse.season, latitude_deg);
+  atmosphere.hour = HourOf(coarse.time_of_day, atmosphere.day_of_year, latitude_deg);
+  SetSun(&atmosphere);
   return atmosphere;
 }
 

@@ -1,171 +1,283 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include "latticeworld/common/random.h"
 #include "latticeworld/scene/blue_noise.h"
-#include "latticeworld/scene/class_areas.h"
-#include "latticeworld/scene/densities.h"
+#include "latticeworld/scene/builder.h"
+#include "latticeworld/scene/gardens.h"
 #include "latticeworld/scene/placement.h"
+#include "latticeworld/scene/plots.h"
 #include "latticeworld/scene/road_finder.h"
+#include "latticeworld/scene/settlement_map.h"
+#include "latticeworld/scene/settlement_rules.h"
+#include "latticeworld/scene/street_fronts.h"
 
 namespace latticeworld {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
-constexpr double kLeastWeight = 0.5;         // of the built-up class under a building
-constexpr double kRoadsideShare = 0.7;       // of the buildings, at most, is put along roads first
-constexpr double kFrontsPerHectare = 200.0;  // places that are tried
-constexpr double kVariation_deg = 10.0;      // of the orientation of buildings away from roads
-constexpr double kStorey_m = 3.0;
+constexpr double kMoveBack_m = 2.5;
+constexpr int kMostMovesBack = 2;            // within kMostSetback_m
+constexpr double kShedChance = 0.4;          // of a house
+constexpr double kInfillPerHectare = 200.0;  // places that are tried away from streets
+constexpr double kInfillReach_m = 45.0;      // from them to a street or another building
+constexpr double kInfillGap_m = 2.0;         // beyond kLeastWallGap_m
+constexpr double kYardWidth_m = 9.0;         // of a farm
 
-struct Size {
-  double half_length_m;  // from the middle to the front wall: along yaw, which faces the road
-  double half_width_m;   // half the frontage
-  double height_m;
-};
-
-Size DrawSize(const EnvironmentConfig& environment, RandomStream* random) {
-  const double scale = environment.fine_of(AssetType::kArchitecture).scale;
-  Size size;
-  size.half_length_m = 0.5 * scale * random->Uniform(7.0, 11.0);
-  size.half_width_m = 0.5 * scale * random->Uniform(8.0, 15.0);
-  const bool towers = environment.coarse.artistic_style == ArtisticStyle::kCyberpunk;
-  const int storeys = towers ? random->UniformInt(4, 14) : random->UniformInt(1, 3);
-  constexpr double kRoof_m = 1.5;
-  size.height_m = scale * (storeys * kStorey_m + kRoof_m);
-  return size;
-}
-
-// Places buildings one by one, refusing what the rules forbid.
-class Builder {
+// The settlements of a world, built one after the other.
+class Settler {
  public:
-  Builder(Placement* placement, const WeightGrid& weight)
+  Settler(Placement* placement, const std::vector<StreetFront>& fronts)
       : placement_(placement),
-        weight_(weight),
-        proto_(MakeAsset(placement->environment, AssetKind::kBuilding)) {}
+        map_(placement->terrain),
+        builder_(placement, map_),
+        fronts_(fronts),
+        seed_(StreamSeed(placement->seed, "scene/buildings")) {
+    const FineAttribute& fine = placement->environment.fine_of(AssetType::kArchitecture);
+    rule_.rotation_rad = fine.rotation_deg[2] * kDegree;
+    rule_.sparseness = 1.0 + 1.2 * (1.0 - std::clamp(fine.density * placement->thinning, 0.0, 1.0));
+  }
 
-  bool Build(WorldPoint point, double yaw_rad, const Size& size) {
-    const Terrain& terrain = placement_->terrain;
-    const GridGeometry& geometry = terrain.geometry();
-    if (!geometry.Contains(point) || weight_[geometry.CellAt(point)] < kLeastWeight) return false;
-    Asset asset = proto_;
-    asset.x_m = static_cast<float>(point.x_m);
-    asset.y_m = static_cast<float>(point.y_m);
-    asset.yaw_rad = static_cast<float>(std::remainder(yaw_rad, 2.0 * M_PI));
-    asset.half_length_m = static_cast<float>(size.half_length_m);
-    asset.half_width_m = static_cast<float>(size.half_width_m);
-    asset.height_m = static_cast<float>(size.height_m);
-    asset.scale =
-        static_cast<float>(placement_->environment.fine_of(AssetType::kArchitecture).scale);
-    const double radius_m = SolidRadius(asset);
-    if (!IsInside(asset, radius_m) ||
-        placement_->solids.Overlaps(asset.position(), radius_m + kBuildingGap_m) ||
-        !StandsWell(&asset)) {
-      return false;
+  // wanted: in the whole world.
+  void Build(int wanted) {
+    ShareOut(wanted);
+    for (std::size_t i = 0; i < quota_.size(); ++i) BuildChurch(static_cast<int>(i));
+    PointRandom random(seed_, 0);
+    std::vector<Plot> plots =
+        PlotsAlong(fronts_, placement_->terrain, map_, builder_.models(), rule_, &random);
+    std::stable_sort(plots.begin(), plots.end(),
+                     [](const Plot& a, const Plot& b) { return a.order < b.order; });
+    for (const Plot& plot : plots) {
+      if (plot.buildings.size() > 1) {
+        BuildTerrace(plot, &random);
+        continue;
+      }
+      const std::optional<BuildingPlan> standing =
+          PutOrMoveBack(plot.settlement, plot.buildings.front(), &random);
+      if (!standing || standing->use != BuildingUse::kFarmhouse) continue;
+      BuildFarmyard(plot.settlement, standing->footprint, &random);
     }
-    AddAsset(placement_, asset);
-    return true;
+    BuildSheds();
+    Fill();
+    PlantGardens(builder_, placement_);
   }
 
  private:
-  bool IsInside(const Asset& asset, double radius_m) const {
-    const double limit_m = placement_->terrain.geometry().half_size_m() - radius_m;
-    return std::abs(asset.x_m) <= limit_m && std::abs(asset.y_m) <= limit_m;
+  // How many buildings each settlement gets, by its built-up land.
+  void ShareOut(int wanted) {
+    double land_m2 = 0.0;
+    for (const Settlement& settlement : map_.settlements()) land_m2 += settlement.area_m2;
+    double owed = 0.0;
+    for (const Settlement& settlement : map_.settlements()) {
+      owed += wanted * settlement.area_m2 / std::max(land_m2, 1.0);
+      const int whole = static_cast<int>(std::lround(owed));
+      quota_.push_back(whole);
+      owed -= whole;
+    }
   }
 
-  // Dry, off the road and level enough everywhere below it; sets the base to the lowest ground, so
-  // that no corner floats.
-  bool StandsWell(Asset* asset) const {
-    const Terrain& terrain = placement_->terrain;
-    const double step_m = std::clamp(terrain.geometry().resolution_m(), 0.5, 2.0);
-    const double reach_x_m = asset->half_length_m + kRoadMargin_m;
-    const double reach_y_m = asset->half_width_m + kRoadMargin_m;
-    const int steps_x = static_cast<int>(std::ceil(2.0 * reach_x_m / step_m));
-    const int steps_y = static_cast<int>(std::ceil(2.0 * reach_y_m / step_m));
-    const double cosine = std::cos(asset->yaw_rad), sine = std::sin(asset->yaw_rad);
-    double lowest_m = INFINITY;
-    for (int i = 0; i <= steps_x; ++i) {
-      for (int j = 0; j <= steps_y; ++j) {
-        const double along = (2.0 * i / steps_x - 1.0) * reach_x_m;
-        const double across = (2.0 * j / steps_y - 1.0) * reach_y_m;
-        const WorldPoint point = {asset->x_m + cosine * along - sine * across,
-                                  asset->y_m + sine * along + cosine * across};
-        if (!IsBuildable(terrain, point, 0.0) ||
-            terrain.ground.SlopeAt(point) > kSteepestForBuildings_deg * kDegree) {
-          return false;
-        }
-        lowest_m = std::min(lowest_m, terrain.ground.HeightAt(point));
-      }
-    }
-    asset->z_m = static_cast<float>(lowest_m);
+  bool IsFull(int settlement) const { return settlement < 0 || quota_[settlement] <= 0; }
+
+  bool Put(int settlement, const BuildingPlan& plan, PointRandom* random) {
+    if (IsFull(settlement) || !builder_.Build(plan, random)) return false;
+    --quota_[settlement];
     return true;
   }
 
+  // A little farther from the street where it does not fit beside it: what stands there.
+  std::optional<BuildingPlan> PutOrMoveBack(int settlement, BuildingPlan plan,
+                                            PointRandom* random) {
+    if (IsFull(settlement)) return std::nullopt;
+    for (int moves = 0; moves <= kMostMovesBack; ++moves) {
+      if (Put(settlement, plan, random)) return plan;
+      plan.footprint.centre = plan.footprint.At(-kMoveBack_m, 0.0);
+    }
+    return std::nullopt;
+  }
+
+  // As many houses side by side as fit, two at least.
+  void BuildTerrace(const Plot& plot, PointRandom* random) {
+    if (IsFull(plot.settlement)) return;
+    std::size_t begin = 0, end = 0, first = 0;
+    for (std::size_t i = 0; i <= plot.buildings.size(); ++i) {
+      if (i < plot.buildings.size() && builder_.Fits(plot.buildings[i])) continue;
+      if (i - first > end - begin) {
+        begin = first;
+        end = i;
+      }
+      first = i + 1;
+    }
+    if (end - begin < 2 || quota_[plot.settlement] < 2) return;
+    for (std::size_t i = begin; i < end; ++i) Put(plot.settlement, plot.buildings[i], random);
+  }
+
+  void BuildChurch(int settlement) {
+    if (map_.settlements()[settlement].area_m2 < kChurchFrom_m2 ||
+        !builder_.models().Has(BuildingUse::kChurch)) {
+      return;
+    }
+    PointRandom random(StreamSeed(seed_, "church"), static_cast<std::uint64_t>(settlement));
+    for (const BuildingPlan& plan : ChurchPlans(fronts_, placement_->terrain, map_, settlement,
+                                                builder_.models(), rule_, &random)) {
+      if (Put(settlement, plan, &random)) return;
+    }
+  }
+
+  // A building of its drawn size with its centre at a point.
+  BuildingPlan PlanAt(BuildingUse use, WorldPoint centre, double yaw_rad,
+                      PointRandom* random) const {
+    const BuildingSize size = builder_.models().Draw(use, random);
+    BuildingPlan plan;
+    plan.use = use;
+    plan.footprint = {centre, yaw_rad, size.half_length_m, size.half_width_m};
+    plan.height_m = size.height_m;
+    return plan;
+  }
+
+  // A barn across the yard behind the farmhouse or beside it, wherever there is room, and a shed.
+  void BuildFarmyard(int settlement, const Footprint& house, PointRandom* random) {
+    const BuildingPlan barn = PlanAt(BuildingUse::kBarn, house.centre, house.yaw_rad, random);
+    const double side = random->Chance(0.5) ? 1.0 : -1.0;
+    const double yard_m = kYardWidth_m * random->Uniform(0.8, 1.3);
+    const double length_m = barn.footprint.half_length_m, width_m = barn.footprint.half_width_m;
+    const double behind_m = house.half_length_m + kLeastWallGap_m + 0.5;
+    struct Spot {
+      double along_m, left_m, turn_rad;
+    };
+    const Spot spots[] = {
+        {-(behind_m + width_m), side * (0.5 * yard_m + length_m), -0.5 * side * M_PI},
+        {-(house.half_length_m + yard_m + length_m), 0.0, 0.0},
+        {-(behind_m + width_m), -side * (0.5 * yard_m + length_m), 0.5 * side * M_PI},
+        {0.0, side * (house.half_width_m + yard_m + length_m), -0.5 * side * M_PI},
+        {0.0, -side * (house.half_width_m + yard_m + length_m), 0.5 * side * M_PI}};
+    for (const Spot& spot : spots) {
+      BuildingPlan plan = barn;
+      plan.footprint.centre = house.At(spot.along_m, spot.left_m);
+      plan.footprint.yaw_rad += spot.turn_rad;
+      if (Put(settlement, plan, random)) break;
+    }
+    BuildingPlan shed = PlanAt(BuildingUse::kShed, house.centre, house.yaw_rad, random);
+    shed.footprint.yaw_rad += 0.5 * side * M_PI;
+    shed.footprint.centre = house.At(-(behind_m + shed.footprint.half_width_m),
+                                     -side * (house.half_width_m - shed.footprint.half_length_m));
+    Put(settlement, shed, random);
+  }
+
+  // What no street has room for, over the rest of the land: facing a street within reach, else
+  // along its settlement, near what is built already, from the heart outwards.
+  void Fill() {
+    if (std::all_of(quota_.begin(), quota_.end(), [](int left) { return left <= 0; })) return;
+    RandomStream noise(placement_->seed, "scene/buildings/infill");
+    constexpr double kHectare_m2 = 10000.0;
+    const GridGeometry& geometry = placement_->terrain.geometry();
+    struct Spot {
+      double from_heart_m;
+      WorldPoint point;
+      int settlement;
+    };
+    std::vector<Spot> spots;
+    const WeightGrid& weight = *placement_->terrain.weights.Find('B');
+    for (const WorldPoint& point :
+         BlueNoise(geometry.size_m(), kInfillPerHectare / kHectare_m2, &noise)) {
+      if (weight[geometry.CellAt(point)] < kLeastBuiltUp) continue;
+      const int settlement = map_.At(point);
+      if (IsFull(settlement)) continue;
+      const WorldPoint heart = map_.settlements()[settlement].heart;
+      spots.push_back(
+          {std::hypot(point.x_m - heart.x_m, point.y_m - heart.y_m), point, settlement});
+    }
+    std::stable_sort(spots.begin(), spots.end(),
+                     [](const Spot& a, const Spot& b) { return a.from_heart_m < b.from_heart_m; });
+    const RoadFinder roads(placement_->terrain);
+    PointRandom random(StreamSeed(seed_, "infill"), 0);
+    std::vector<bool> begun(quota_.size(), false);
+    for (const Built& built : builder_.built()) {
+      if (built.settlement >= 0) begun[built.settlement] = true;
+    }
+    for (const Spot& spot : spots) {
+      if (IsFull(spot.settlement)) continue;
+      const Settlement& settlement = map_.settlements()[spot.settlement];
+      const BuildingUse use = UseInside(settlement, spot.point, &random);
+      const std::optional<RoadFinder::Road> road = roads.Nearest(spot.point);
+      const double turn_rad = random.Uniform(-2.0, 2.0) * kMostTurn_deg * kDegree;
+      const int quarters = static_cast<int>(4.0 * random.Uniform());
+      const double yaw_rad = road ? road->heading_rad + 0.5 * turn_rad
+                                  : settlement.axis_rad + quarters * 0.5 * M_PI + turn_rad;
+      const BuildingPlan plan = PlanAt(use, spot.point, yaw_rad + rule_.rotation_rad, &random);
+      const double to_nearest_m = builder_.ToNearest_m(plan.footprint, kInfillReach_m);
+      if (to_nearest_m < kLeastWallGap_m + kInfillGap_m) continue;
+      const bool near =
+          to_nearest_m < kInfillReach_m || (road && road->distance_m < kInfillReach_m);
+      if (begun[spot.settlement] && !near) continue;
+      if (!Put(spot.settlement, plan, &random)) continue;
+      begun[spot.settlement] = true;
+      if (use == BuildingUse::kFarmhouse) BuildFarmyard(spot.settlement, plan.footprint, &random);
+    }
+  }
+
+  // Hamlets near fields are farms.
+  BuildingUse UseInside(const Settlement& settlement, WorldPoint point, PointRandom* random) const {
+    const double draw = random->Uniform();
+    const double inner_m = map_.ToBorder_m(point);
+    const double farms = settlement.area_m2 < kHamletBelow_m2 ? 1.0 : 0.4;
+    if (map_.ToField_m(point) <= kFarmReach_m && settlement.area_m2 < kTownFrom_m2 &&
+        draw < farms && builder_.models().Has(BuildingUse::kFarmhouse)) {
+      return BuildingUse::kFarmhouse;
+    }
+    if (settlement.area_m2 >= kCityFrom_m2 && inner_m >= kInner_m && draw < 0.3 &&
+        builder_.models().Has(BuildingUse::kApartmentBlock)) {
+      return BuildingUse::kApartmentBlock;
+    }
+    return BuildingUse::kDetachedHouse;
+  }
+
+  // Behind houses, at one side of their gardens.
+  void BuildSheds() {
+    if (!builder_.models().Has(BuildingUse::kShed)) return;
+    PointRandom random(StreamSeed(seed_, "sheds"), 0);
+    const std::vector<Built> houses = builder_.built();
+    for (const Built& house : houses) {
+      const bool wanted = random.Chance(kShedChance);
+      const double behind_m = random.Uniform(4.0, 8.0), side = random.Chance(0.5) ? 1.0 : -1.0;
+      BuildingPlan shed = PlanAt(BuildingUse::kShed, house.plan.footprint.centre,
+                                 house.plan.footprint.yaw_rad, &random);
+      if (house.plan.use != BuildingUse::kDetachedHouse || !wanted) continue;
+      const Footprint& of = house.plan.footprint;
+      shed.footprint.centre = of.At(-(of.half_length_m + behind_m + shed.footprint.half_length_m),
+                                    side * (of.half_width_m + 1.5 - shed.footprint.half_width_m));
+      Put(house.settlement, shed, &random);
+    }
+  }
+
   Placement* placement_;
-  const WeightGrid& weight_;
-  Asset proto_;
+  SettlementMap map_;
+  Builder builder_;
+  const std::vector<StreetFront>& fronts_;
+  std::uint64_t seed_;
+  PlotRule rule_;
+  std::vector<int> quota_;  // what each settlement may still get
 };
 
 }  // namespace
 
 void PlaceBuildings(Placement* placement) {
   const Terrain& terrain = placement->terrain;
-  const GridGeometry& geometry = terrain.geometry();
-  const DensityField density(terrain.weights, placement->environment, AssetKind::kBuilding,
-                             placement->thinning);
-  const WeightGrid* weight =
-      terrain.weights.vocabulary == Vocabulary::kSuburb ? terrain.weights.Find('B') : nullptr;
-  if (weight == nullptr || density.largest_per_m2() <= 0.0) return;
-
+  const DensityField density = DensityFor(*placement, AssetKind::kBuilding);
+  if (terrain.weights.vocabulary != Vocabulary::kSuburb || terrain.weights.Find('B') == nullptr ||
+      density.largest_per_m2() <= 0.0) {
+    return;
+  }
   // Larger buildings leave room for fewer.
-  const FineAttribute& fine = placement->environment.fine_of(AssetType::kArchitecture);
-  const double crowding = std::max(1.0, fine.scale * fine.scale);
-  const int wanted = static_cast<int>(std::lround(density.Expected(geometry) / crowding));
-  int built = 0;
-  Builder builder(placement, *weight);
-  const RoadFinder roads(terrain);
-
-  // First along the roads: each place is moved until its front wall keeps a set-back to the road.
-  RandomStream roadside(placement->seed, "scene/buildings/roadside");
-  constexpr double kHectare_m2 = 10000.0;
-  std::vector<WorldPoint> points =
-      BlueNoise(geometry.size_m(), kFrontsPerHectare / kHectare_m2, &roadside);
-  roadside.Shuffle(&points);
-  for (const WorldPoint& point : points) {
-    if (built >= kRoadsideShare * wanted) break;
-    const Size size = DrawSize(placement->environment, &roadside);
-    const double setback_m = roadside.Uniform(3.0, 7.0);
-    // Only places in built-up areas are worth the search for a road.
-    if ((*weight)[geometry.CellAt(point)] < kLeastWeight) continue;
-    const std::optional<RoadFinder::Road> road = roads.Nearest(point);
-    if (!road) continue;
-    const double move_m = road->distance_m - (size.half_length_m + setback_m);
-    const WorldPoint moved = {point.x_m + move_m * std::cos(road->heading_rad),
-                              point.y_m + move_m * std::sin(road->heading_rad)};
-    if (!geometry.Contains(moved)) continue;
-    const std::optional<RoadFinder::Road> front = roads.Nearest(moved);
-    if (front && builder.Build(moved, front->heading_rad, size)) ++built;
-  }
-
-  // Then the rest over the built-up areas: facing a road within reach, else along their area.
-  RandomStream inner(placement->seed, "scene/buildings/inner");
-  const ClassAreas areas(geometry, *weight);
-  points = BlueNoise(geometry.size_m(), kFrontsPerHectare / kHectare_m2, &inner);
-  inner.Shuffle(&points);
-  for (const WorldPoint& point : points) {
-    if (built >= wanted) break;
-    const Size size = DrawSize(placement->environment, &inner);
-    const double variation_rad = inner.Uniform(-kVariation_deg, kVariation_deg) * kDegree;
-    const int quarter_turns = inner.UniformInt(0, 3);
-    const int area = areas.AreaAt(point);
-    if (area < 0 || (*weight)[geometry.CellAt(point)] < kLeastWeight) continue;
-    double yaw_rad = areas.areas()[area].direction_rad + fine.rotation_deg[2] * kDegree +
-                     quarter_turns * 0.5 * M_PI + variation_rad;
-    if (const std::optional<RoadFinder::Road> road = roads.Nearest(point)) {
-      yaw_rad = road->heading_rad;
-    }
-    if (builder.Build(point, yaw_rad, size)) ++built;
-  }
+  const double scale = placement->environment.fine_of(AssetType::kArchitecture).scale;
+  const double crowding = std::max(1.0, scale * scale);
+  const int wanted = static_cast<int>(std::lround(density.Expected(terrain.geometry()) / crowding));
+  placement->tally.Of(AssetKind::kBuilding).wanted = wanted;
+  const std::vector<StreetFront> fronts = StreetFrontsOf(terrain);
+  Settler(placement, fronts).Build(wanted);
 }
 
 }  // namespace latticeworld

@@ -1,71 +1,122 @@
+// What stands in rows: crops and orchards.
+
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "latticeworld/common/parallel.h"
 #include "latticeworld/common/random.h"
-#include "latticeworld/scene/class_areas.h"
-#include "latticeworld/scene/densities.h"
+#include "latticeworld/scene/fields.h"
 #include "latticeworld/scene/placement.h"
+#include "latticeworld/scene/scatter.h"
+#include "latticeworld/scene/trees.h"
 
 namespace latticeworld {
 namespace {
 
 constexpr double kRowSpacing_m = 2.5;
-constexpr double kSteepestForCrops_deg = 15.0;
-constexpr double kLeastFieldWeight = 0.5;  // rows end where the field does, not in its blended hem
+constexpr double kOrchardRows_m = 7.0, kOrchardTrees_m = 5.0;
+
+float YawOf(const Field& field) {
+  return static_cast<float>(std::remainder(field.row_rad, 2.0 * M_PI));
+}
+
+Asset MakeFrom(const Field& field) {
+  Asset asset;
+  asset.kind = field.kind;
+  asset.model = field.choice.model;
+  asset.season_variant = field.choice.season_variant;
+  asset.material = field.choice.material;
+  return asset;
+}
 
 }  // namespace
 
-void PlaceCrops(Placement* placement, const AssetIndex& solids) {
+void PlaceOrchards(Placement* placement) {
   const Terrain& terrain = placement->terrain;
-  const GridGeometry& geometry = terrain.geometry();
-  const DensityField density(terrain.weights, placement->environment, AssetKind::kCrop,
-                             placement->thinning);
-  const WeightGrid* weight =
-      terrain.weights.vocabulary == Vocabulary::kSuburb ? terrain.weights.Find('A') : nullptr;
-  if (weight == nullptr || density.largest_per_m2() <= 0.0) return;
-
-  // Rows lie square in a plane that is turned by each field's own direction. They are spread out as
-  // one where thinning or a low density would leave less than a plant per row spacing.
-  RandomStream random(placement->seed, "scene/crops");
-  const ClassAreas fields(geometry, *weight);
-  const double row_m = std::max(kRowSpacing_m, 1.0 / std::sqrt(density.largest_per_m2()) / 2.0);
-  const double plant_m = 1.0 / (row_m * density.largest_per_m2());
-  const double turn_rad =
-      placement->environment.fine_of(AssetType::kCrops).rotation_deg[2] * M_PI / 180.0;
-  const Asset proto = MakeAsset(placement->environment, AssetKind::kCrop);
-  for (std::size_t field = 0; field < fields.areas().size(); ++field) {
-    const ClassAreas::Area& area = fields.areas()[field];
-    const double direction_rad = area.direction_rad + turn_rad;
-    const double cosine = std::cos(direction_rad), sine = std::sin(direction_rad);
-    const int rows = static_cast<int>(area.reach_m / row_m) + 1;
-    const int plants = static_cast<int>(area.reach_m / plant_m) + 1;
-    for (int row = -rows; row <= rows; ++row) {
-      for (int plant = -plants; plant <= plants; ++plant) {
-        const double across = row * row_m, along_exact = plant * plant_m;
-        const WorldPoint exact = {area.centre.x_m + cosine * along_exact - sine * across,
-                                  area.centre.y_m + sine * along_exact + cosine * across};
-        if (!geometry.Contains(exact) || fields.AreaAt(exact) != static_cast<int>(field)) continue;
-        const double along = along_exact + random.Uniform(-0.15, 0.15) * plant_m;
-        const WorldPoint point = {area.centre.x_m + cosine * along - sine * across,
-                                  area.centre.y_m + sine * along + cosine * across};
-        Asset asset = proto;
-        asset.x_m = static_cast<float>(point.x_m);
-        asset.y_m = static_cast<float>(point.y_m);
-        asset.yaw_rad = static_cast<float>(std::remainder(direction_rad, 2.0 * M_PI));
-        asset.height_m = static_cast<float>(random.Uniform(0.6, 1.4));
-        asset.scale = asset.height_m;
-        asset.half_length_m = static_cast<float>(asset.height_m * random.Uniform(0.2, 0.35));
-        asset.half_width_m = asset.half_length_m;
-        if (!IsBuildable(terrain, asset.position(), 0.0) ||
-            (*weight)[geometry.CellAt(asset.position())] < kLeastFieldWeight ||
-            terrain.ground.SlopeAt(asset.position()) > kSteepestForCrops_deg * M_PI / 180.0 ||
-            !IsFreeOfSolids(*placement, solids, asset.position())) {
-          continue;
-        }
-        asset.z_m = static_cast<float>(terrain.ground.HeightAt(asset.position()));
-        AddAsset(placement, asset);
+  const FieldPlan plan(*placement);
+  const std::uint64_t seed = StreamSeed(placement->seed, "scene/orchards");
+  Tally::Kind& trees = placement->tally.Of(AssetKind::kTree);
+  Tally::Kind& crops = placement->tally.Of(AssetKind::kCrop);
+  constexpr double kTreesPerM2 = 1.0 / (kOrchardRows_m * kOrchardTrees_m);
+  for (std::size_t i = 0; i < plan.fields().size(); ++i) {
+    const Field& field = plan.fields()[i];
+    if (field.kind != AssetKind::kTree) continue;
+    PointRandom random(seed, i);
+    const std::vector<WorldPoint> places =
+        RowsOf(field, terrain.geometry(), kOrchardRows_m, kOrchardTrees_m, 0.05, &random);
+    // They stand instead of crops.
+    trees.wanted += static_cast<double>(places.size());
+    crops.wanted = std::max(0.0, crops.wanted - static_cast<double>(places.size()) / kTreesPerM2 /
+                                                    InnerShareOf(field) * field.crop_per_m2);
+    for (const WorldPoint& point : places) {
+      Asset tree = MakeFrom(field);
+      StandAt(terrain, point, &tree);
+      SizeTree(placement->catalogue.models()[tree.model], field.choice.vigour, kTreesPerM2, &random,
+               &tree);
+      const double radius_m = SolidRadius(tree);
+      if (!IsSlopeAtMost(terrain, tree.position(), kSteepestForCrops_deg)) {
+        trees.Refuse(Refusal::kTooSteep);
+      } else if (!IsBuildable(terrain, tree.position(), radius_m + kRoadMargin_m)) {
+        trees.Refuse(Refusal::kWaterOrRoad);
+      } else if (placement->solids.Overlaps(tree.position(), radius_m)) {
+        trees.Refuse(Refusal::kOccupied);
+      } else {
+        AddAsset(placement, tree);
       }
     }
+  }
+}
+
+void PlaceCrops(Placement* placement, const AssetIndex& solids) {
+  const Terrain& terrain = placement->terrain;
+  const FieldPlan plan(*placement);
+  const std::uint64_t seed = StreamSeed(placement->seed, "scene/crops");
+  const auto count = static_cast<int>(plan.fields().size());
+  std::vector<std::vector<Asset>> grown(count);
+  std::vector<Tally::Kind> tallies(count);
+  ParallelFor(count, placement->threads, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const Field& field = plan.fields()[i];
+      if (field.kind != AssetKind::kCrop) continue;
+      const AssetModel& model = placement->catalogue.models()[field.choice.model];
+      const double growth =
+          placement->catalogue.season_variants(AssetType::kCrops)[field.choice.season_variant]
+              .growth;
+      // Rows are spread out where thinning or a low density would leave less than a plant per row
+      // spacing. What the margin takes stands closer inside.
+      const double per_m2 = field.crop_per_m2 / InnerShareOf(field);
+      const double rows_m = std::max(kRowSpacing_m, 0.5 / std::sqrt(per_m2));
+      PointRandom random(seed, static_cast<std::uint64_t>(i));
+      for (const WorldPoint& point :
+           RowsOf(field, terrain.geometry(), rows_m, 1.0 / (rows_m * per_m2), 0.15, &random)) {
+        Asset crop = MakeFrom(field);
+        StandAt(terrain, point, &crop);
+        const double full_m = DrawSize(model.height_m, &random);
+        crop.height_m = static_cast<float>(full_m * growth);
+        crop.scale = static_cast<float>(full_m / model.height_m.mean);
+        crop.half_length_m = static_cast<float>(full_m * DrawSize(model.spread, &random));
+        crop.half_width_m = crop.half_length_m;
+        crop.yaw_rad = YawOf(field);
+        if (!IsSlopeAtMost(terrain, crop.position(), kSteepestForCrops_deg)) {
+          tallies[i].Refuse(Refusal::kTooSteep);
+        } else if (!IsBuildable(terrain, crop.position(), 0.0)) {
+          tallies[i].Refuse(Refusal::kWaterOrRoad);
+        } else if (!IsFreeOfSolids(*placement, solids, crop.position())) {
+          tallies[i].Refuse(Refusal::kOccupied);
+        } else {
+          grown[i].push_back(crop);
+        }
+      }
+    }
+  });
+  std::size_t total = placement->assets.size();
+  for (const std::vector<Asset>& crops : grown) total += crops.size();
+  placement->assets.reserve(total);
+  Tally::Kind& tally = placement->tally.Of(AssetKind::kCrop);
+  for (int i = 0; i < count; ++i) {
+    for (int k = 0; k < kRefusalCount; ++k) tally.refused[k] += tallies[i].refused[k];
+    for (const Asset& crop : grown[i]) AddAsset(placement, crop);
   }
 }
 

@@ -22,17 +22,33 @@ bool IsDryAndOffRoad(const Terrain& terrain, WorldPoint point) {
 
 }  // namespace
 
-Asset MakeAsset(const EnvironmentConfig& environment, AssetKind kind) {
+DensityField DensityFor(const Placement& placement, AssetKind kind) {
+  return DensityField(placement.terrain.weights, placement.environment, placement.catalogue, kind,
+                      placement.thinning);
+}
+
+Asset MakeAsset(const Placement& placement, AssetKind kind) {
+  const Catalogue& catalogue = placement.catalogue;
   const AssetType type = TypeOf(kind);
-  const AssetTypeValues& values = ValuesOf(type);
+  const AssetTypeValues& values = catalogue.ValuesOf(type);
+  const FineAttribute& fine = placement.environment.fine_of(type);
   Asset asset;
   asset.kind = kind;
-  asset.season_variant = IndexOf(values.season_variants, environment.fine_of(type).season_variant);
-  asset.material = IndexOf(values.materials, environment.fine_of(type).material);
+  asset.season_variant = IndexOf(values.season_variants, fine.season_variant);
+  asset.material = IndexOf(values.materials, fine.material);
+  asset.model = catalogue.models_of(kind).front();
+  for (const std::uint8_t model : catalogue.models_of(kind)) {
+    if (!catalogue.CanWear(model, asset.season_variant) ||
+        !catalogue.CanBeOf(model, asset.material)) {
+      continue;
+    }
+    asset.model = model;
+    break;
+  }
   return asset;
 }
 
-void AddAsset(Placement* placement, Asset asset) {
+void AddAsset(Placement* placement, const Asset& asset) {
   if (IsSolid(asset.kind)) placement->solids.Add(asset.position(), SolidRadius(asset));
   placement->assets.push_back(asset);
 }
@@ -57,6 +73,17 @@ bool IsFreeOfSolids(const Placement& placement, const AssetIndex& solids, WorldP
     is_free = is_free && !SolidContains(placement.assets[i], point, 0.0);
   });
   return is_free;
+}
+
+bool IsSlopeAtMost(const Terrain& terrain, WorldPoint point, double limit_deg) {
+  return terrain.ground.SlopeAt(point) <= limit_deg * M_PI / 180.0;
+}
+
+double DrawSize(const SizeRange& range, PointRandom* random) {
+  double size = range.mean + range.deviation * random->Normal();
+  // What falls below the least is turned back up, so that no heap of equal sizes forms there.
+  if (size < range.low) size = 2.0 * range.low - size;
+  return std::clamp(size, range.low, range.high);
 }
 
 }  // namespace latticeworld

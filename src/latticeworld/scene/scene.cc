@@ -18,9 +18,15 @@ namespace {
 
 // Factor on all densities that keeps the expected number of assets below kMaxAssets. The number
 // that a world gets varies by its square root, far less than the margin.
-double ThinningFor(const Terrain& terrain, const EnvironmentConfig& environment,
-                   std::vector<std::string>* warnings) {
-  const double expected = ExpectedAssets(terrain.weights, environment, terrain.geometry());
+double ThinningFor(const Placement& placement, std::vector<std::string>* warnings) {
+  const Terrain& terrain = placement.terrain;
+  double expected = ExpectedAssets(terrain.weights, placement.environment, placement.catalogue,
+                                   terrain.geometry());
+  const double shore_m2 = placement.sites.ShoreArea_m2(kShoreBelt_m);
+  for (const auto& kind : EnumNames(AssetKind{})) {
+    expected += shore_m2 * ShorePerM2(kind.value) *
+                placement.environment.fine_of(TypeOf(kind.value)).density;
+  }
   constexpr double kMargin = 0.9;
   const double most = kMargin * kMaxAssets;
   if (expected <= most) return 1.0;
@@ -41,35 +47,47 @@ Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& prog
   SceneAnswer answer;
   auto scene = std::make_shared<Scene>();
   scene->terrain = request.terrain;
+  scene->catalogue = request.catalogue;
   scene->environment = request.environment;
 
   RandomStream wind(request.seed, "scene/wind");
   scene->atmosphere = DeriveAtmosphere(request.environment.coarse,
                                        request.environment.fine_of(AssetType::kDesert).wind_mps,
-                                       wind.Uniform(-M_PI, M_PI));
+                                       wind.Uniform(-M_PI, M_PI), request.latitude_deg);
 
-  Placement placement(terrain, request.environment, request.seed,
-                      ThinningFor(terrain, request.environment, &answer.warnings));
+  LW_RETURN_IF_ERROR(progress.CheckCancelled());
+  Placement placement(terrain, *request.catalogue, request.environment, request.seed,
+                      request.threads);
+  placement.thinning = ThinningFor(placement, &answer.warnings);
+  for (const auto& kind : EnumNames(AssetKind{})) {
+    placement.tally.Of(kind.value).wanted =
+        DensityFor(placement, kind.value).Expected(terrain.geometry());
+  }
   double done = 0.0;
   const auto step = [&progress, &done]() {
-    constexpr double kStages = 9.0;  // eight kinds, and the agents
+    constexpr double kStages = 11.0;  // eight kinds, orchards, shores and the agents
     done += 1.0;
     progress.Report("scene", done / kStages);
     return progress.CheckCancelled();
   };
-  LW_RETURN_IF_ERROR(progress.CheckCancelled());
-  for (const auto place : {PlaceBuildings, PlaceTrees, PlaceStones}) {
+  for (const auto place : {PlaceBuildings, PlaceOrchards, PlaceTrees, PlaceStones}) {
     place(&placement);
     LW_RETURN_IF_ERROR(step());
   }
+  placement.canopy = Canopy(terrain.geometry().size_m(), placement.assets, request.threads);
   // What follows is not solid, so that the index stays true.
   scene->index = AssetIndex(terrain.geometry().size_m(), placement.assets);
-  for (const auto place :
-       {PlaceBushes, PlaceDeadBranches, PlaceCrops, PlaceFlowers, PlaceGrassTufts}) {
+  for (const auto place : {PlaceShorePlants, PlaceBushes, PlaceDeadBranches, PlaceCrops,
+                           PlaceFlowers, PlaceGrassTufts}) {
     place(&placement, scene->index);
     LW_RETURN_IF_ERROR(step());
   }
   scene->assets = std::move(placement.assets);
+  scene->assets.shrink_to_fit();
+  answer.counts = placement.tally.Count(scene->assets);
+  for (std::string& warning : placement.tally.Shortfalls(answer.counts)) {
+    answer.warnings.push_back(std::move(warning));
+  }
   scene->agents = PlaceAgents(*scene, request.seed, &answer.warnings);
   LW_RETURN_IF_ERROR(step());
   answer.scene = std::move(scene);

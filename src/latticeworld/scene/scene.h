@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "latticeworld/catalogue/catalogue.h"
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
 #include "latticeworld/environment/environment_config.h"
@@ -17,7 +18,7 @@
 namespace latticeworld {
 
 // No world holds more assets than this; larger ones are thinned and say so in a warning.
-inline constexpr int kMaxAssets = 200000;
+inline constexpr int kMaxAssets = 500000;
 
 // Agents of a scene at most: those of the groups and the robot that every world has.
 inline constexpr int kMaxAgentStarts = kMaxAgents + 1;
@@ -36,7 +37,8 @@ struct AgentStart {
 
 // Everything of a world that does not change while it is simulated.
 struct Scene {
-  std::shared_ptr<const Terrain> terrain;  // never null
+  std::shared_ptr<const Terrain> terrain;                             // never null
+  std::shared_ptr<const Catalogue> catalogue = Catalogue::BuiltIn();  // what assets are; never null
   EnvironmentConfig environment;
   std::vector<Asset> assets;
   AssetIndex index;  // over assets
@@ -48,12 +50,23 @@ struct Scene {
 
 struct SceneRequest {
   std::shared_ptr<const Terrain> terrain;
+  std::shared_ptr<const Catalogue> catalogue = Catalogue::BuiltIn();
   EnvironmentConfig environment;
+  double latitude_deg = kUsualLatitude_deg;  // where the sun stands; [-90, 90]
   std::uint64_t seed = 0;
+  int threads = 0;  // 0: as many as cores; the scene is the same with any
+};
+
+// How many of a kind the densities ask for over the whole world, and how many found a place.
+struct KindCount {
+  AssetKind kind = AssetKind::kTree;
+  int wanted = 0;
+  int placed = 0;
 };
 
 struct SceneAnswer {
   std::shared_ptr<const Scene> scene;
+  std::vector<KindCount> counts;      // one a kind, in the order of AssetKind
   std::vector<std::string> warnings;  // what could not be placed and why
 };
 

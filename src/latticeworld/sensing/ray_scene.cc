@@ -1,99 +1,169 @@
 #include "latticeworld/sensing/ray_scene.h"
 
-#include <embree3/rtcore.h>
-
-#include <limits>
 #include <string>
 #include <utility>
 
 #include "latticeworld/geometry/height_field.h"
+#include "latticeworld/meshes/mesh.h"
+#include "latticeworld/scene/scene.h"
+#include "latticeworld/sensing/embree_handles.h"
+#include "latticeworld/sensing/scene_instances.h"
+#include "latticeworld/sensing/surface_geometry.h"
 
 namespace latticeworld {
 namespace {
 
-Status StatusOf(RTCError error) {
-  switch (error) {
-    case RTC_ERROR_NONE:
-      return Status();
-    case RTC_ERROR_OUT_OF_MEMORY:
-      return ResourceExhausted("no memory for the rays' ground");
-    case RTC_ERROR_UNSUPPORTED_CPU:
-      return Internal("Embree does not support this processor");
-    default:
-      return Internal("Embree failed with error " + std::to_string(static_cast<int>(error)));
-  }
+constexpr unsigned kGroundGeometry = 0;
+
+EmbreeScene NewScene(RTCDevice device) {
+  EmbreeScene scene(rtcNewScene(device));
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  return scene;
 }
 
-// Vertices of the cell centres and, around them, of the world's edge, up to which the surface goes
-// on flat; from the south-west, eastward and then northward.
-void FillVertices(const HeightField& ground, float* vertices) {
-  const GridGeometry& geometry = ground.geometry();
-  const int side = geometry.rows() + 2;
-  const auto coordinate_m = [&](int i) {
-    if (i == 0) return -geometry.half_size_m();
-    if (i == side - 1) return geometry.half_size_m();
-    return geometry.CenterOf({0, i - 1}).x_m;
-  };
-  for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x) {
-      *vertices++ = static_cast<float>(coordinate_m(x));
-      *vertices++ = static_cast<float>(coordinate_m(y));
-      *vertices++ = ground.height_m().Clamped(geometry.rows() - y, x - 1);
-    }
-  }
+RTCRay ToEmbree(const Ray& ray) {
+  RTCRay result = {};
+  result.org_x = ray.origin_m.x();
+  result.org_y = ray.origin_m.y();
+  result.org_z = ray.origin_m.z();
+  result.dir_x = ray.direction.x();
+  result.dir_y = ray.direction.y();
+  result.dir_z = ray.direction.z();
+  result.tnear = ray.from_m;
+  result.tfar = ray.to_m;
+  result.mask = ~0u;
+  return result;
+}
+
+// The nearest hit up to ray->tfar, which it brings nearer.
+bool Intersect(RTCScene scene, RTCRayHit* ray) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  ray->hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene, &context, ray);
+  return ray->hit.geomID != RTC_INVALID_GEOMETRY_ID;
+}
+
+bool Occludes(RTCScene scene, RTCRay ray) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene, &context, &ray);
+  return ray.tfar < 0.0f;
+}
+
+void SetAsset(const MeshInstances& instances, RayTarget target, const RTCHit& hit, RayHit* result) {
+  result->target = target;
+  result->index = instances.instance(hit.instID[0]).index;
+  result->part = instances.PartOf(hit.instID[0], hit.primID);
 }
 
 }  // namespace
 
-void RayScene::Release::operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
-void RayScene::Release::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
+struct RayScene::Parts {
+  // Released from the last to the first.
+  EmbreeDevice device;
+  std::unique_ptr<MeshInstances> assets, agents;  // null: none
+  EmbreeScene solid, water, bodies;               // the latter two null: none
+};
+
+RayScene::RayScene(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 Result<RayScene> RayScene::Create(const HeightField& ground) {
-  RayScene rays;
-  rays.device_.reset(rtcNewDevice(nullptr));
-  RTCDevice device = rays.device_.get();
-  if (device == nullptr) return StatusOf(rtcGetDeviceError(nullptr));
-  rays.scene_.reset(rtcNewScene(device));
-  rtcSetSceneFlags(rays.scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  auto parts = std::make_unique<Parts>();
+  parts->device.reset(rtcNewDevice(nullptr));
+  RTCDevice device = parts->device.get();
+  if (device == nullptr) return EmbreeStatus(nullptr);
+  parts->solid = NewScene(device);
+  rtcAttachGeometryByID(parts->solid.get(), GroundGeometry(device, ground).get(), kGroundGeometry);
+  rtcCommitScene(parts->solid.get());
+  LW_RETURN_IF_ERROR(EmbreeStatus(device));
+  return RayScene(std::move(parts));
+}
 
-  // Embree splits a cell of a grid between its second vertex of the first row and its first of the
-  // second: with rows from south to north that is from south-east to north-west, as HeightField
-  // splits it.
-  const auto side = static_cast<std::size_t>(ground.geometry().rows()) + 2;
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_GRID);
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), side * side));
-  auto* grid = static_cast<RTCGrid*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_GRID, 0,
-                                                             RTC_FORMAT_GRID, sizeof(RTCGrid), 1));
-  if (vertices != nullptr && grid != nullptr) {
-    FillVertices(ground, vertices);
-    *grid = {0, static_cast<unsigned int>(side), static_cast<unsigned short>(side),
-             static_cast<unsigned short>(side)};
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(rays.scene_.get(), geometry);
+Result<RayScene> RayScene::Create(const Scene& scene, const RaySceneOptions& options,
+                                  const Progress& progress) {
+  if (options.detail < 0 || options.detail >= kMeshDetails)
+    return InvalidArgument("detail must be from 0 to " + std::to_string(kMeshDetails - 1) +
+                           ", not " + std::to_string(options.detail));
+  auto parts = std::make_unique<Parts>();
+  const std::string threads =
+      options.threads > 0 ? "threads=" + std::to_string(options.threads) : std::string();
+  parts->device.reset(rtcNewDevice(threads.c_str()));
+  RTCDevice device = parts->device.get();
+  if (device == nullptr) return EmbreeStatus(nullptr);
+
+  LW_ASSIGN_OR_RETURN(parts->assets, AssetInstances(device, scene, options, progress));
+  progress.Report("ray scene", 0.8);
+  parts->solid = NewScene(device);
+  rtcAttachGeometryByID(parts->solid.get(), GroundGeometry(device, scene.terrain->ground).get(),
+                        kGroundGeometry);
+  if (!parts->assets->empty())
+    rtcAttachGeometry(parts->solid.get(), parts->assets->MakeGeometry(device).get());
+  rtcCommitScene(parts->solid.get());
+  LW_RETURN_IF_ERROR(progress.CheckCancelled());
+
+  if (const EmbreeGeometry water = WaterGeometry(device, *scene.terrain)) {
+    parts->water = NewScene(device);
+    rtcAttachGeometry(parts->water.get(), water.get());
+    rtcCommitScene(parts->water.get());
   }
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(rays.scene_.get());
-  LW_RETURN_IF_ERROR(StatusOf(rtcGetDeviceError(device)));
-  return rays;
+  if (options.agents && !scene.agents.empty()) {
+    parts->agents = AgentInstances(device, scene);
+    parts->bodies = NewScene(device);
+    rtcAttachGeometry(parts->bodies.get(), parts->agents->MakeGeometry(device).get());
+    rtcCommitScene(parts->bodies.get());
+  }
+  LW_RETURN_IF_ERROR(EmbreeStatus(device));
+  progress.Report("ray scene", 1.0);
+  return RayScene(std::move(parts));
 }
 
 double RayScene::Distance(const Eigen::Vector3d& origin_m, const Eigen::Vector3d& direction) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  RTCRayHit ray = {};
-  ray.ray.org_x = static_cast<float>(origin_m.x());
-  ray.ray.org_y = static_cast<float>(origin_m.y());
-  ray.ray.org_z = static_cast<float>(origin_m.z());
-  ray.ray.dir_x = static_cast<float>(direction.x());
-  ray.ray.dir_y = static_cast<float>(direction.y());
-  ray.ray.dir_z = static_cast<float>(direction.z());
-  ray.ray.tfar = std::numeric_limits<float>::infinity();
-  ray.ray.mask = ~0u;
-  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene_.get(), &context, &ray);
-  return ray.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<double>::infinity()
-                                                   : ray.ray.tfar;
+  Ray ray;
+  ray.origin_m = origin_m.cast<float>();
+  ray.direction = direction.cast<float>();
+  return Trace(ray, kSeesSolid).distance_m;
+}
+
+RayHit RayScene::Trace(const Ray& ray, RaySights sights) const {
+  RTCRayHit embree = {};
+  embree.ray = ToEmbree(ray);
+  RayHit result;
+  bool met = false;
+  if ((sights & kSeesSolid) != 0 && Intersect(parts_->solid.get(), &embree)) {
+    met = true;
+    if (embree.hit.geomID == kGroundGeometry) {
+      result.target = RayTarget::kGround;
+    } else {
+      SetAsset(*parts_->assets, RayTarget::kAsset, embree.hit, &result);
+    }
+    result.normal = {embree.hit.Ng_x, embree.hit.Ng_y, embree.hit.Ng_z};
+  }
+  if ((sights & kSeesWater) != 0 && parts_->water && Intersect(parts_->water.get(), &embree)) {
+    met = true;
+    result.target = RayTarget::kWater;
+    result.normal = {embree.hit.Ng_x, embree.hit.Ng_y, embree.hit.Ng_z};
+  }
+  if ((sights & kSeesAgents) != 0 && parts_->bodies && Intersect(parts_->bodies.get(), &embree)) {
+    met = true;
+    SetAsset(*parts_->agents, RayTarget::kAgent, embree.hit, &result);
+    result.normal = {embree.hit.Ng_x, embree.hit.Ng_y, embree.hit.Ng_z};
+  }
+  if (!met) return RayHit();
+  result.distance_m = embree.ray.tfar;
+  result.normal.normalize();
+  if (result.normal.dot(ray.direction) > 0.0f) result.normal = -result.normal;
+  return result;
+}
+
+bool RayScene::IsBlocked(const Ray& ray, RaySights sights) const {
+  const RTCRay embree = ToEmbree(ray);
+  return ((sights & kSeesSolid) != 0 && Occludes(parts_->solid.get(), embree)) ||
+         ((sights & kSeesWater) != 0 && parts_->water && Occludes(parts_->water.get(), embree)) ||
+         ((sights & kSeesAgents) != 0 && parts_->bodies && Occludes(parts_->bodies.get(), embree));
 }
 
 }  // namespace latticeworld

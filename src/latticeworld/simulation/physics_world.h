@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "latticeworld/terrain/surface.h"
+
 namespace latticeworld {
 
 class Digest;
@@ -27,6 +29,7 @@ struct WheelSpec {
   double radius_m = 0.1;
   double mass_kg = 1.0;
   double max_torque_nm = 10.0;
+  double width_m = 0.06;
 };
 
 // A body. Towards solid things and other bodies it is an upright prism over its footprint; towards
@@ -91,6 +94,10 @@ class PhysicsWorld {
   // Act at the centre of mass during the next step, map frame [N], [N m].
   virtual void AddForce(BodyId body, const Eigen::Vector3d& force_n) = 0;
   virtual void AddTorque(BodyId body, const Eigen::Vector3d& torque_nm) = 0;
+
+  // What weather has made of the ground from the next step on; at first it is the scene's. Bodies
+  // that rest wake up when their hold on the ground changes.
+  virtual void SetGround(const GroundState& ground) = 0;
 
   // Moves a body as a whole; wheels keep their places on it.
   virtual void Place(BodyId body, const BodyMotion& motion) = 0;

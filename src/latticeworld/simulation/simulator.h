@@ -10,6 +10,7 @@
 
 #include "latticeworld/common/result.h"
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/scene/weather_change.h"
 #include "latticeworld/simulation/world_state.h"
 
 namespace latticeworld {
@@ -18,6 +19,7 @@ struct SimulatorOptions {
   double step_s = 0.01;              // fixed step, [0.001, 0.05]
   double command_timeout_s = 0.5;    // a robot without a newer command stops; [0.05, 60]
   double pursuit_distance_m = 25.0;  // adversaries pursue main agents nearer than this; (0, 1000]
+  double day_length_s = 0.0;         // from noon to noon; 0: the hour stands still; else [60, 1e6]
 };
 std::vector<Violation> Validate(const SimulatorOptions& options);
 
@@ -37,8 +39,8 @@ struct SpawnRequest {
   bool controllable = false;
 };
 
-// Steps a scene. Not thread safe: one thread owns it. Same scene, seed, step count, commands and
-// spawns: the same states, bit for bit, on the same build.
+// Steps a scene. Not thread safe: one thread owns it. Same scene, seed, step count, commands,
+// weather changes and spawns: the same states, bit for bit, on the same build.
 class Simulator {
  public:
   // Begins with the scene's agents. Errors: INVALID_ARGUMENT (options).
@@ -64,8 +66,15 @@ class Simulator {
   virtual Result<std::string> Spawn(const SpawnRequest& request) = 0;
   virtual Status Remove(const std::string& agent) = 0;
 
-  // Back to the scene's agents at episode step 0; step and time go on. The state afterwards is the
-  // start state of that seed (only step and time_s differ).
+  // From the next step on the weather moves to what the change says; an event tells when it begins
+  // to and when it is there. Maps keep the waters' mean level. Errors: INVALID_ARGUMENT with every
+  // violation; nothing changes then.
+  virtual Status SetWeather(const WeatherChange& change) = 0;
+  // What the weather is once it stops moving.
+  virtual const Atmosphere& WeatherTarget() const = 0;
+
+  // Back to the scene's agents and weather at episode step 0; step and time go on. The state
+  // afterwards is the start state of that seed (only step and time_s differ).
   virtual void Reset(std::uint64_t seed) = 0;
 
   // SHA-256 of all that the future depends on, without `step` and `time_s`, so that it is the same

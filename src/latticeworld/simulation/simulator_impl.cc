@@ -7,6 +7,7 @@
 #include "latticeworld/common/digest.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/mapping/traversability.h"
+#include "latticeworld/scene/water_depth.h"
 #include "latticeworld/simulation/agent_names.h"
 #include "latticeworld/simulation/agents/bodies.h"
 #include "latticeworld/simulation/agents/locomotion.h"
@@ -69,20 +70,21 @@ void SimulatorImpl::Reset(std::uint64_t seed) {
   agent_of_body_.clear();
   last_agent_ = 0;
   physics_ = MakeOdeWorld(scene_);
+  weather_.emplace(*scene_, options_.day_length_s, seed);
+  surfaces_.emplace(*scene_, weather_->now().ground());
   for (const AgentStart& start : scene_->agents) Begin(start);
   state_.reset();
 }
 
 double SimulatorImpl::StartHeight(const AgentStart& start) const {
   const double ground_m = scene_->terrain->ground.HeightAt(start.position);
+  const double depth_m = WaterDepthAt(*scene_->terrain, weather_->now(), start.position);
   const Locomotion locomotion = LocomotionOf(start.category);
   if (locomotion == Locomotion::kWings) {
-    return ground_m + scene_->terrain->WaterDepthAt(start.position) +
-           std::max(0.0, start.height_above_ground_m);
+    return ground_m + depth_m + std::max(0.0, start.height_above_ground_m);
   }
   if (locomotion == Locomotion::kFins) {
-    const double spare_m =
-        scene_->terrain->WaterDepthAt(start.position) - SpeciesOf(start.category).height_m;
+    const double spare_m = depth_m - SpeciesOf(start.category).height_m;
     return ground_m + std::max(0.1, 0.5 * spare_m);
   }
   return ground_m;
@@ -118,6 +120,10 @@ Agent& SimulatorImpl::Begin(const AgentStart& start) {
 
 Surroundings SimulatorImpl::World() {
   return {*scene_,
+          weather_->now(),
+          *surfaces_,
+          weather_->gusts(),
+          weather_->drift_m(),
           traversability_,
           agents_,
           *physics_,
@@ -131,12 +137,40 @@ Surroundings SimulatorImpl::World() {
 void SimulatorImpl::Step() {
   ++step_;
   ++episode_step_;
+  StepWeather();
   ThinkAndDrive();
   physics_->Step(options_.step_s, StreamSeed(seed_ ^ episode_step_, "solver"));
   ReadMotions();
   TellCollisions();
   BoundEvents();
   state_.reset();
+}
+
+void SimulatorImpl::StepWeather() {
+  const bool complete = weather_->Step(options_.step_s);
+  if (complete || weather_->moving()) WeatherGround();
+  if (complete) TellWeather(std::string(NameOf(weather_->now().weather)));
+}
+
+void SimulatorImpl::WeatherGround() {
+  const GroundState ground = weather_->now().ground();
+  surfaces_.emplace(*scene_, ground);
+  physics_->SetGround(ground);
+}
+
+void SimulatorImpl::TellWeather(const std::string& what) {
+  events_.push_back({step_, EventKind::kWeatherChanged, "", what, Eigen::Vector3d::Zero()});
+}
+
+Status SimulatorImpl::SetWeather(const WeatherChange& change) {
+  LW_RETURN_IF_ERROR(Status::FromViolations("weather", Validate(change)));
+  if (IsEmpty(change)) return Status();
+  weather_->Change(change);
+  const std::string name(NameOf(weather_->target().weather));
+  TellWeather(weather_->moving() ? name + " begins" : name);
+  WeatherGround();
+  state_.reset();
+  return Status();
 }
 
 void SimulatorImpl::ThinkAndDrive() {
@@ -235,6 +269,8 @@ std::shared_ptr<const WorldState> SimulatorImpl::State() const {
   state->episode_step = episode_step_;
   state->episode_time_s = static_cast<double>(episode_step_) * options_.step_s;
   state->contacts = static_cast<int>(physics_->contacts().size());
+  state->atmosphere = weather_->now();
+  state->weather_change_s = weather_->remaining_s();
   state->agents.reserve(agents_.size());
   for (const auto& [name, id] : ids_) state->agents.push_back(SnapshotOf(agents_.at(id)));
   state_ = std::move(state);
@@ -250,6 +286,7 @@ std::string SimulatorImpl::StateHash() const {
   digest.Add(options_.step_s);
   digest.Add(options_.command_timeout_s);
   digest.Add(options_.pursuit_distance_m);
+  weather_->AddTo(&digest);
   digest.Add(last_agent_);
   for (const std::uint64_t word : spawn_random_.state()) digest.Add(word);
   for (const auto& [id, agent] : agents_) AddTo(&digest, agent);

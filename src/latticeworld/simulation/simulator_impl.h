@@ -3,11 +3,13 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "latticeworld/simulation/agents/agent.h"
 #include "latticeworld/simulation/agents/surroundings.h"
+#include "latticeworld/simulation/running_weather.h"
 #include "latticeworld/simulation/simulator.h"
 
 namespace latticeworld {
@@ -23,6 +25,8 @@ class SimulatorImpl : public Simulator {
   std::vector<Event> TakeEvents() override;
   Result<std::string> Spawn(const SpawnRequest& request) override;
   Status Remove(const std::string& agent) override;
+  Status SetWeather(const WeatherChange& change) override;
+  const Atmosphere& WeatherTarget() const override { return weather_->target(); }
   void Reset(std::uint64_t seed) override;
   std::string StateHash() const override;
   const Scene& scene() const override { return *scene_; }
@@ -35,6 +39,10 @@ class SimulatorImpl : public Simulator {
   Agent& Begin(const AgentStart& start);
   // Where base_link of the start begins [m].
   double StartHeight(const AgentStart& start) const;
+  void StepWeather();
+  // Tells the ground what the weather has made of it.
+  void WeatherGround();
+  void TellWeather(const std::string& what);
   void ThinkAndDrive();
   // Puts back what physics lost: not finite, or beyond the world.
   void ReadMotions();
@@ -54,6 +62,8 @@ class SimulatorImpl : public Simulator {
   std::uint64_t episode_step_ = 0;
   RandomStream spawn_random_;
   std::unique_ptr<PhysicsWorld> physics_;
+  std::optional<RunningWeather> weather_;  // made by Reset
+  std::optional<SurfaceTable> surfaces_;   // under that weather
   AgentId last_agent_ = 0;
   std::map<AgentId, Agent> agents_;
   std::map<std::string, AgentId> ids_;  // by name

@@ -10,6 +10,7 @@
 
 #include "latticeworld/common/enum_names.h"
 #include "latticeworld/environment/agent_group.h"
+#include "latticeworld/scene/atmosphere.h"
 
 namespace latticeworld {
 
@@ -58,9 +59,10 @@ enum class EventKind : std::uint8_t {
   kHit,
   kDied,
   kCollided,
-  kLeftWorld
+  kLeftWorld,
+  kWeatherChanged
 };
-constexpr std::array<EnumName<EventKind>, 8> EnumNames(EventKind) {
+constexpr std::array<EnumName<EventKind>, 9> EnumNames(EventKind) {
   return {{{EventKind::kSpawned, "spawned"},
            {EventKind::kRemoved, "removed"},
            {EventKind::kPursued, "pursued"},
@@ -68,14 +70,17 @@ constexpr std::array<EnumName<EventKind>, 8> EnumNames(EventKind) {
            {EventKind::kHit, "hit"},
            {EventKind::kDied, "died"},
            {EventKind::kCollided, "collided"},
-           {EventKind::kLeftWorld, "left_world"}}};
+           {EventKind::kLeftWorld, "left_world"},
+           {EventKind::kWeatherChanged, "weather_changed"}}};
 }
 
 struct Event {
   std::uint64_t step = 0;
   EventKind kind = EventKind::kSpawned;
-  std::string agent;  // who
-  std::string other;  // with or against whom or what; may be empty
+  std::string agent;  // who; empty: the world
+  // With or against whom or what; may be empty. kWeatherChanged: "rain begins" when the weather
+  // begins to move there, "rain" once it is there.
+  std::string other;
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
 };
 
@@ -85,7 +90,9 @@ struct WorldState {
   double time_s = 0.0;             // step * fixed step
   std::uint64_t episode_step = 0;  // since the last reset
   double episode_time_s = 0.0;
-  int contacts = 0;                   // of the last step
+  int contacts = 0;  // of the last step
+  Atmosphere atmosphere;
+  double weather_change_s = 0.0;      // until the weather stops moving; 0: it does not move
   std::vector<AgentSnapshot> agents;  // sorted by name
 };
 

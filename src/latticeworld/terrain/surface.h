@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "latticeworld/common/enum_names.h"
-#include "latticeworld/environment/attributes.h"
 
 namespace latticeworld {
 
@@ -21,7 +20,8 @@ enum class SurfaceClass : std::uint8_t {
   kSnow,
   kWaterBed
 };
-constexpr std::array<EnumName<SurfaceClass>, 9> EnumNames(SurfaceClass) {
+inline constexpr int kSurfaceClassCount = 9;
+constexpr std::array<EnumName<SurfaceClass>, kSurfaceClassCount> EnumNames(SurfaceClass) {
   return {{{SurfaceClass::kGrass, "grass"},
            {SurfaceClass::kForestFloor, "forest floor"},
            {SurfaceClass::kFarmland, "farmland"},
@@ -43,9 +43,25 @@ struct SurfaceProperties {
 };
 inline constexpr double kHardConeIndex_kPa = 5000.0;
 
-// Friction, rolling resistance and softness of a surface under a weather: rain and snow lower
-// friction, rain softens soil. surface.cc names the source of each value and marks estimates.
-SurfaceProperties PropertiesOf(SurfaceClass surface, Weather weather);
+// What weather has made of the ground.
+struct GroundState {
+  double wetness = 0.0;       // [0, 1]: dry .. wet through, paving under a film of water
+  double snow_depth_m = 0.0;  // >= 0
+  double blown_sand = 0.0;    // [0, 1]: none .. the loose cover that a sandstorm leaves
+};
+
+// On a dry and bare summer day. surface.cc names the source of each value and marks estimates.
+SurfaceProperties DryPropertiesOf(SurfaceClass surface);
+
+// What becomes of a surface's dry properties: continuous in each part of the state; more water or
+// more snow never gives more grip, an easier roll or firmer soil. Snow fields and the beds of
+// waters stay as they are. dry: all > 0.
+SurfaceProperties Weathered(SurfaceClass surface, const SurfaceProperties& dry,
+                            const GroundState& state);
+
+// Weathered(surface, DryPropertiesOf(surface), state). What the values of a world's environment
+// make of a surface is scene/surface_table.h.
+SurfaceProperties PropertiesOf(SurfaceClass surface, const GroundState& state);
 
 }  // namespace latticeworld
 

@@ -17,6 +17,7 @@
 #include "latticeworld/terrain/lattice.h"
 #include "latticeworld/terrain/render.h"
 #include "latticeworld/terrain/roads.h"
+#include "latticeworld/terrain/streets.h"
 #include "latticeworld/terrain/water_bodies.h"
 #include "latticeworld/terrain/water_level.h"
 
@@ -144,12 +145,19 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
   banks.Shape(&plan.height_m);
   if (!has_relief) internal::FillHollows(lattice.resolution_m(), water, level_m, &plan.height_m);
   Grid<float> shaped(n, n, 0.0f);
+  std::vector<internal::Street> streets;
   if (lines.masks.vocabulary == Vocabulary::kSuburb) {
     for (const SmoothedMask& entry : lines.masks.classes) {
       if (entry.letter == 'A') internal::TerraceFields(lattice, entry.weight, &plan.height_m);
     }
     internal::LevelPads(lattice, internal::MaskOf('B', letters), banks, &plan.height_m, &shaped);
     const Grid<unsigned char> road = internal::MaskOf('R', letters);
+    Grid<unsigned char> paved = road;
+    if (std::find(letters.begin(), letters.end(), 'B') != letters.end()) {
+      const internal::StreetGround ground = {lattice, &letters, &water.wet, &plan.height_m, &lines};
+      streets = internal::LayOutStreets(ground, internal::StreetRule(), request.seed);
+      internal::MarkStreets(lattice, streets, water.wet, &paved, &lines);
+    }
     const double ford_depth_m =
         std::min(request.options.ford_depth_m, internal::RiverDepth_m(lattice.size_m()));
     const Grid<float> depth_m =
@@ -157,7 +165,7 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
     internal::RoadRule rule;
     rule.max_slope = request.options.max_road_slope;
     rule.embankment_slope = request.options.embankment_slope;
-    internal::GradeRoads(lattice, road, lines, banks, depth_m, rule, &plan.height_m, &shaped);
+    internal::GradeRoads(lattice, paved, lines, banks, depth_m, rule, &plan.height_m, &shaped);
     // What was built must not open a shore.
     Grid<unsigned char> beside_roads = road;
     for (unsigned char& cell : beside_roads) cell = cell == 0 ? 1 : 0;
@@ -190,6 +198,7 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
   }
   LW_ASSIGN_OR_RETURN(Terrain terrain, internal::Render(request.geometry, plan, request.seed,
                                                         request.threads, progress));
+  internal::PaveStreets(streets, &terrain);
   LW_RETURN_IF_ERROR(advance(1.0));
   return terrain;
 }

@@ -7,7 +7,7 @@
 
 #include "language/remote/fake_chat_server.h"
 #include "latticeworld/common/text.h"
-#include "latticeworld/environment/season_rules.h"
+#include "latticeworld/environment/fine_attributes.h"
 #include "latticeworld/language/remote/forms.h"
 
 namespace latticeworld {
@@ -130,6 +130,10 @@ TEST_F(EnvironmentPromptTest, TellsTheRulesThatNoSchemaCanSay) {
   const std::string text = EnvironmentPrompt(Request(""), false)[0].text;
   EXPECT_TRUE(Has(text, "  lake: open (any season), frozen (winter)\n"));
   EXPECT_TRUE(Has(text, "snow-covered (winter or weather snow)"));
+  EXPECT_TRUE(Has(text, "  winter: grass density 0.9 at most, flower density 0.7 at most"));
+  EXPECT_TRUE(Has(text, "  summer: no snow_mountain of powder"));
+  EXPECT_TRUE(Has(text, "  sandstorm: desert wind 8 at least\n"));
+  EXPECT_TRUE(Has(text, "  rain: no desert of dry storm\n"));
   EXPECT_TRUE(Has(text, "  sheep: idle, grazing\n"));
   for (const auto& type : EnumNames(AssetType{})) {
     for (const auto& variant : ValuesOf(type.value).season_variants) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue/larch.h"
 #include "language/remote/fake_chat_server.h"
 #include "latticeworld/language/remote/forms.h"
 #include "latticeworld/language/remote/remote.h"
@@ -59,6 +60,29 @@ TEST_F(RemoteEnvironmentTest, WhatTheSchemaLetThroughGoesBackToTheModel) {
     EXPECT_NE(repair.find("- " + violation.pointer + ": " + violation.message), std::string::npos)
         << violation.message;
   }
+}
+
+// The same answer is legal with a user's catalogue that has its value, and only with that.
+TEST_F(RemoteEnvironmentTest, AUsersCatalogueIsToldEnforcedAndRead) {
+  request_.catalogue = Catalogue::Extended({{"larch.json", LarchFile()}}).value();
+  EnvironmentConfig environment;
+  environment.coarse.season = Season::kAutumn;
+  environment.fine = DeriveFineAttributes(environment.coarse, *request_.catalogue);
+  environment.fine_of(AssetType::kForest).season_variant = "golden larch";
+  environment.fine_of(AssetType::kForest).material = "larch bark";
+  const std::string said = ToJson(environment, *request_.catalogue);
+  server_->Say(said);
+  const auto answer = Generate();
+  ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+  EXPECT_EQ(ToJson(answer->environment, *request_.catalogue), said);
+  const ChatRequest& asked = server_->requests()[0];
+  EXPECT_EQ(asked.form.json_schema, EnvironmentForm(*request_.catalogue).json_schema);
+  EXPECT_NE(asked.form.json_schema.find("\"golden larch\""), std::string::npos);
+  EXPECT_NE(asked.form.json_schema.find("\"larch bark\""), std::string::npos);
+  EXPECT_NE(asked.messages[0].text.find("golden larch (autumn)"), std::string::npos);
+
+  EXPECT_FALSE(ParseEnvironment(said).ok());
+  EXPECT_EQ(EnvironmentForm().json_schema.find("larch"), std::string::npos);
 }
 
 TEST_F(RemoteEnvironmentTest, GivesUpWithDataLoss) {

@@ -25,13 +25,14 @@ struct LayoutReading {
 LayoutReading ReadLayoutInstruction(std::string_view instruction, Vocabulary vocabulary);
 
 // What an environment instruction says. Places that features of the land name ("by the lake") are
-// claimed only where the layout is given.
+// claimed only where the layout is given. Values that the catalogue adds are known by their names.
 struct EnvironmentReading {
   std::vector<EnvironmentClaim> claims;
   std::vector<std::string> not_understood;  // words, as they stand in the instruction
 };
 EnvironmentReading ReadEnvironmentInstruction(std::string_view instruction,
-                                              const SymbolicLayout* layout = nullptr);
+                                              const SymbolicLayout* layout = nullptr,
+                                              const Catalogue& catalogue = *Catalogue::BuiltIn());
 
 }  // namespace latticeworld
 

@@ -50,7 +50,7 @@ std::vector<std::string_view> ObjectsIn(std::string_view text) {
 
 }  // namespace
 
-Result<EnvironmentConfig> ReadEnvironmentAnswer(std::string_view text) {
+Result<EnvironmentConfig> ReadEnvironmentAnswer(std::string_view text, const Catalogue& catalogue) {
   const std::string answer = WithoutThinking(text);
   const std::vector<std::string_view> objects = ObjectsIn(answer);
   if (objects.empty()) {
@@ -61,14 +61,14 @@ Result<EnvironmentConfig> ReadEnvironmentAnswer(std::string_view text) {
                                     Quote(answer)}});
   }
   for (auto object = objects.rbegin(); object != objects.rend(); ++object) {
-    Result<EnvironmentConfig> environment = ParseEnvironment(*object);
+    Result<EnvironmentConfig> environment = ParseEnvironment(*object, catalogue);
     if (environment.ok()) return environment;
   }
   std::string_view longest;
   for (const std::string_view object : objects) {
     if (object.size() >= longest.size()) longest = object;
   }
-  return ParseEnvironment(longest);
+  return ParseEnvironment(longest, catalogue);
 }
 
 }  // namespace latticeworld

@@ -12,7 +12,8 @@ namespace latticeworld {
 // fences around. Of several objects the last legal one counts, or without one the longest (of
 // equally long ones the last). The object itself is read strictly. Errors: INVALID_ARGUMENT with
 // every violation, as ParseEnvironment gives them, or no_object when there is nothing like one.
-Result<EnvironmentConfig> ReadEnvironmentAnswer(std::string_view text);
+Result<EnvironmentConfig> ReadEnvironmentAnswer(std::string_view text,
+                                                const Catalogue& catalogue = *Catalogue::BuiltIn());
 
 }  // namespace latticeworld
 

@@ -88,10 +88,11 @@ AnswerForm LayoutForm(Vocabulary vocabulary) {
   return form;
 }
 
-AnswerForm EnvironmentForm() {
-  Json schema = Json::parse(EnvironmentSchema());
+AnswerForm EnvironmentForm(const Catalogue& catalogue) {
+  Json schema = Json::parse(EnvironmentSchema(catalogue));
   schema.erase("$schema");
   schema.erase("title");
+  schema.erase("description");
   MakeEnforceable(&schema);
   schema["properties"]["agents"]["maxItems"] = kMostGroups;
   AnswerForm form;

@@ -1,6 +1,7 @@
 #ifndef LATTICEWORLD_LANGUAGE_REMOTE_FORMS_H_
 #define LATTICEWORLD_LANGUAGE_REMOTE_FORMS_H_
 
+#include "latticeworld/catalogue/catalogue.h"
 #include "latticeworld/language/chat/chat_server.h"
 #include "latticeworld/layout/vocabulary.h"
 
@@ -17,7 +18,7 @@ AnswerForm LayoutForm(Vocabulary vocabulary);
 // EnvironmentSchema(): continuous values are enums in steps, because grammars made from ranges of
 // numbers let wrong ones through, and there are at most 64 groups. Every enum has its type, every
 // object all its keys and no others. Named "environment".
-AnswerForm EnvironmentForm();
+AnswerForm EnvironmentForm(const Catalogue& catalogue = *Catalogue::BuiltIn());
 
 }  // namespace latticeworld
 

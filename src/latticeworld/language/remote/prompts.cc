@@ -94,8 +94,9 @@ Result<std::vector<ChatMessage>> EnvironmentMessages(const EnvironmentRequest& r
   std::string layout = ToText(*request.layout);
   layout.pop_back();  // the template ends the line
   std::string system =
-      Fill("environment_system.txt", {{"schema", EnvironmentForm().json_schema},
-                                      {"seasons", SeasonTable()},
+      Fill("environment_system.txt", {{"schema", EnvironmentForm(*request.catalogue).json_schema},
+                                      {"seasons", SeasonTable(*request.catalogue)},
+                                      {"limits", LimitTable(*request.catalogue)},
                                       {"states", StateTable()},
                                       {"most_in_group", std::to_string(kMaxGroupQuantity)},
                                       {"most_agents", std::to_string(kMaxAgents)}});

@@ -44,14 +44,14 @@ class RemoteEnvironmentGenerator final : public EnvironmentGenerator {
     Question question;
     question.purpose = "environment";
     LW_ASSIGN_OR_RETURN(question.first.messages, EnvironmentMessages(request, server_->sees()));
-    question.first.form = EnvironmentForm();
+    question.first.form = EnvironmentForm(*request.catalogue);
     question.first.max_tokens = options_.environment_max_tokens;
     question.first.temperature = options_.temperature;
     question.first.seed = request.seed;
     question.repair_turns = options_.repair_turns;
     question.make_listener = [&progress] { return MakeListener(&progress); };
-    question.read = [&answer](std::string_view text) {
-      LW_ASSIGN_OR_RETURN(answer.environment, ReadEnvironmentAnswer(text));
+    question.read = [&answer, &request](std::string_view text) {
+      LW_ASSIGN_OR_RETURN(answer.environment, ReadEnvironmentAnswer(text, *request.catalogue));
       return Status();
     };
     question.repair_text = EnvironmentRepairText;

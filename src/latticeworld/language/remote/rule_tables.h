@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "latticeworld/catalogue/catalogue.h"
+
 namespace latticeworld {
 
 // What no schema can say, in words for a prompt, made from the rules that the validation of an
@@ -10,7 +12,11 @@ namespace latticeworld {
 
 // Which seasonal variants go with which seasons, one asset type a line:
 // "grass: lush (spring, summer, autumn), dry (any season), snow-covered (winter or weather snow)".
-std::string SeasonTable();
+std::string SeasonTable(const Catalogue& catalogue);
+
+// What single coarse values forbid besides, one of them a line:
+// "winter: grass density 0.9 at most, crops density 0.9 at most".
+std::string LimitTable(const Catalogue& catalogue);
 
 // Which states a category can be in, one category a line: "sheep: idle, grazing".
 std::string StateTable();

@@ -30,7 +30,7 @@ std::optional<WorldPoint> DrawReachable(Agent* agent, const Surroundings& world,
     const WorldPoint place = DrawAround(center, near_m, far_m, &agent->mind.random);
     if (!world.scene.geometry().Contains(place)) continue;
     if (on_foot && !Passable(world, place)) continue;
-    if (CanGo(world.scene, *agent, from, place)) return place;
+    if (CanGo(world, *agent, from, place)) return place;
   }
   return std::nullopt;
 }
@@ -112,12 +112,12 @@ Steering Rest(const Agent& agent) {
 }
 
 Steering Travel(Agent* agent, Surroundings* world, WorldPoint place, double speed_mps) {
-  Steering steering = SteerTo(world->scene, agent, place, speed_mps);
+  Steering steering = SteerTo(*world, agent, place, speed_mps);
   if (LocomotionOf(agent->category) == Locomotion::kWings) {
     const double reach_m = 2.0 * speed_mps + 4.0;
     steering.base_z_m =
         SpeciesOf(agent->category).altitude_m +
-        HighestAhead(world->scene, agent->place(), steering.heading_rad, reach_m, agent->radius_m);
+        HighestAhead(*world, agent->place(), steering.heading_rad, reach_m, agent->radius_m);
   }
   return steering;
 }
@@ -161,7 +161,7 @@ Steering Graze(Agent* agent, Surroundings* world) {
     }
     SetGoal(agent, *world, *patch, speed_mps);
   }
-  const Steering steering = SteerTo(world->scene, agent, *mind.goal, speed_mps);
+  const Steering steering = SteerTo(*world, agent, *mind.goal, speed_mps);
   // Around an obstacle the way may lead off the grass: better to look for another patch.
   if (IsGrass(*world, here) && !IsGrass(*world, Ahead(here, steering.heading_rad, 1.0))) {
     PauseFor(agent, *world, 0.5, 2.0);
@@ -179,12 +179,11 @@ Steering Swim(Agent* agent, Surroundings* world) {
     const auto place = DrawReachable(agent, *world, here, here, 10.0, 60.0);
     if (place.has_value()) SetGoal(agent, *world, *place, species.cruise_mps);
   }
-  Steering steering = mind.goal.has_value()
-                          ? SteerTo(world->scene, agent, *mind.goal, species.cruise_mps)
-                          : Rest(*agent);
+  Steering steering =
+      mind.goal.has_value() ? SteerTo(*world, agent, *mind.goal, species.cruise_mps) : Rest(*agent);
   // Halfway between bed and surface, with its back covered.
   const double bed_m = world->scene.terrain->ground.HeightAt(here);
-  const double depth_m = world->scene.terrain->WaterDepthAt(here);
+  const double depth_m = world->WaterDepthAt(here);
   steering.base_z_m = bed_m + std::max(0.2, 0.5 * (depth_m - species.height_m));
   return steering;
 }
@@ -203,9 +202,8 @@ Steering Soar(Agent* agent, Surroundings* world) {
   steering.heading_rad = HeadingTo(here, carrot);
   steering.speed_mps = SpeciesOf(agent->category).cruise_mps;
   const double reach_m = 2.0 * steering.speed_mps + 4.0;
-  steering.base_z_m =
-      SpeciesOf(agent->category).altitude_m +
-      HighestAhead(world->scene, here, steering.heading_rad, reach_m, agent->radius_m);
+  steering.base_z_m = SpeciesOf(agent->category).altitude_m +
+                      HighestAhead(*world, here, steering.heading_rad, reach_m, agent->radius_m);
   return steering;
 }
 

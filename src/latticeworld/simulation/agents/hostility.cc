@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "latticeworld/sensing/line_of_sight.h"
+#include "latticeworld/sensing/weather_effects.h"
 #include "latticeworld/simulation/agents/behaviours.h"
 #include "latticeworld/simulation/agents/species.h"
 #include "latticeworld/simulation/agents/steering.h"
@@ -73,7 +74,7 @@ Steering FaceTo(const Agent& agent, WorldPoint place) {
 
 bool Sees(const Agent& agent, const Agent& other, const Surroundings& world, double distance_m) {
   const Eigen::Vector3d from = EyeOf(agent), to = EyeOf(other);
-  if ((to - from).norm() > std::min(distance_m, world.scene.atmosphere.visibility_m)) return false;
+  if ((to - from).norm() > std::min(distance_m, SightRange(world.atmosphere))) return false;
   return HasLineOfSight(world.scene, from, to);
 }
 

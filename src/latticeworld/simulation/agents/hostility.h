@@ -8,7 +8,8 @@
 
 namespace latticeworld {
 
-// True when the agent sees the other: near enough, and no ground or solid thing between their eyes.
+// True when the agent sees the other: near enough, nearer than the air lets it see, and no ground
+// or solid thing between their eyes.
 bool Sees(const Agent& agent, const Agent& other, const Surroundings& world, double distance_m);
 
 // What an adversary does about robots and main agents: pursues the nearest one that it sees within

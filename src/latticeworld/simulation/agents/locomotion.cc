@@ -9,11 +9,15 @@
 namespace latticeworld {
 namespace {
 
-constexpr double kVelocityGain_hz = 3.0;    // of thrust and strokes on the velocity error
-constexpr double kAirDrag_hz = 0.3;         // drag acceleration per speed through the air
-constexpr double kWaterDrag_hz = 0.5;       // the same in water
-constexpr double kWindCompensation = 0.95;  // share of the drag that a flyer feels and counters
-constexpr double kThrustToWeight = 2.0;     // largest
+constexpr double kVelocityGain_hz = 3.0;  // of thrust and strokes on the velocity error
+constexpr double kAirDensity_kgpm3 = 1.225;
+constexpr double kWaterDrag_hz = 0.5;       // drag acceleration per speed through water
+constexpr double kWindCompensation = 0.95;  // share of the mean wind's drag that a flyer counters
+// Wind on what stands on the ground: lighter pushes than this share of its weight are no matter,
+// and only heavier ones could move what rests.
+constexpr double kFeltWind = 0.02;
+constexpr double kWakingWind = 0.10;
+constexpr double kThrustToWeight = 2.0;  // largest
 constexpr double kYawGain_hz = 10.0;
 constexpr double kCeiling_m = 300.0;  // above the highest ground: no flyer climbs further
 
@@ -47,6 +51,36 @@ void DriveWheels(const Agent& agent, PhysicsWorld* physics) {
                          (forward + turn) / kWheelRadius_m);
 }
 
+// Drag of air of that velocity on a body of that velocity [N].
+Eigen::Vector3d AirDrag(double drag_area_m2, const Eigen::Vector3d& wind_mps,
+                        const Eigen::Vector3d& velocity_mps) {
+  const Eigen::Vector3d relative_mps = wind_mps - velocity_mps;
+  return 0.5 * kAirDensity_kgpm3 * drag_area_m2 * relative_mps.norm() * relative_mps;
+}
+
+// Wind pushes what stands on the ground; what is light or broad moves.
+void BlowOn(const Agent& agent, const Surroundings& world) {
+  const Species& species = SpeciesOf(agent.category);
+  const double weight_n = species.mass_kg * kGravity_mps2;
+  // Nobody looks for gusts where not even their peak is felt.
+  const double strongest_mps = world.atmosphere.wind_mps.norm() + 2.0 * world.atmosphere.gust_mps;
+  const double strongest_n =
+      0.5 * kAirDensity_kgpm3 * species.drag_area_m2 * strongest_mps * strongest_mps;
+  if (strongest_n < kFeltWind * weight_n) return;
+  Eigen::Vector3d push =
+      AirDrag(species.drag_area_m2, world.WindAt(agent.place()), agent.motion.linear_velocity_mps);
+  push.z() = 0.0;
+  const double least = world.physics.IsResting(agent.body) ? kWakingWind : kFeltWind;
+  if (push.norm() >= least * weight_n) world.physics.AddForce(agent.body, push);
+}
+
+// Share of its top speed that a walker keeps in snow: at equal effort speed goes with the square
+// root of the terrain factor of Pandolf, Givoni and Goldman (1977), which for soft snow is 2.5 at a
+// depth of 15 cm, 3.3 at 25 and 4.1 at 35, and 1 on bare ground.
+double SpeedInSnow(double depth_m) {
+  return 1.0 / std::sqrt(std::min(1.0 + 20.0 * depth_m, 1.3 + 8.0 * depth_m));
+}
+
 void DriveLegs(const Agent& agent, PhysicsWorld* physics) {
   const Eigen::Vector3d forward(agent.driven.linear_mps.x(), 0.0, 0.0);
   physics->SetWalkVelocity(agent.body, agent.motion.orientation * forward);
@@ -54,9 +88,10 @@ void DriveLegs(const Agent& agent, PhysicsWorld* physics) {
 }
 
 void DriveWings(const Agent& agent, const Surroundings& world) {
-  const double mass_kg = SpeciesOf(agent.category).mass_kg;
+  const Species& species = SpeciesOf(agent.category);
+  const double mass_kg = species.mass_kg;
   const Eigen::Vector3d& velocity = agent.motion.linear_velocity_mps;
-  const Eigen::Vector3d drag = mass_kg * kAirDrag_hz * (world.scene.atmosphere.wind_mps - velocity);
+  const Eigen::Vector3d drag = AirDrag(species.drag_area_m2, world.WindAt(agent.place()), velocity);
   Eigen::Vector3d thrust = Eigen::Vector3d::Zero();
   if (agent.alive()) {
     Eigen::Vector3d wanted = agent.motion.orientation * agent.driven.linear_mps;
@@ -64,7 +99,7 @@ void DriveWings(const Agent& agent, const Surroundings& world) {
     if (agent.motion.position_m.z() > ceiling_m) wanted.z() = std::min(wanted.z(), -1.0);
     thrust = mass_kg * (kVelocityGain_hz * (wanted - velocity) +
                         kGravity_mps2 * Eigen::Vector3d::UnitZ()) -
-             kWindCompensation * drag;
+             kWindCompensation * AirDrag(species.drag_area_m2, world.atmosphere.wind_mps, velocity);
     const double limit_n = kThrustToWeight * mass_kg * kGravity_mps2;
     if (thrust.norm() > limit_n) thrust *= limit_n / thrust.norm();
     TurnTo(agent, agent.driven.yaw_rate_radps, &world.physics);
@@ -75,7 +110,7 @@ void DriveWings(const Agent& agent, const Surroundings& world) {
 void DriveFins(const Agent& agent, const Surroundings& world) {
   const Species& species = SpeciesOf(agent.category);
   const WorldPoint place = agent.place();
-  const double depth_m = world.scene.terrain->WaterDepthAt(place);
+  const double depth_m = world.WaterDepthAt(place);
   const double surface_m = world.scene.terrain->ground.HeightAt(place) + depth_m;
   // Share of the body under water: as dense as water, so that it floats level when under.
   const double submerged =
@@ -119,13 +154,22 @@ VelocityCommand ClampToLimits(AgentCategory category, const VelocityCommand& com
 }
 
 void Drive(Agent* agent, const VelocityCommand& wanted, Surroundings* world) {
-  RampUp(agent, agent->alive() ? wanted : VelocityCommand(), world->step_s);
-  switch (LocomotionOf(agent->category)) {
+  const Locomotion locomotion = LocomotionOf(agent->category);
+  VelocityCommand able = agent->alive() ? wanted : VelocityCommand();
+  if (locomotion == Locomotion::kLegs) {
+    const double top_mps =
+        SpeciesOf(agent->category).top_speed_mps * SpeedInSnow(world->atmosphere.snow_depth_m);
+    able.linear_mps.x() = std::clamp(able.linear_mps.x(), -top_mps, top_mps);
+  }
+  RampUp(agent, able, world->step_s);
+  switch (locomotion) {
     case Locomotion::kWheels:
       DriveWheels(*agent, &world->physics);
+      BlowOn(*agent, *world);
       break;
     case Locomotion::kLegs:
       DriveLegs(*agent, &world->physics);
+      BlowOn(*agent, *world);
       break;
     case Locomotion::kWings:
       DriveWings(*agent, *world);

@@ -19,6 +19,7 @@ struct Species {
   double wade_depth_m;       // deepest water that it walks into; fins: shallowest that it swims in
   double grip;               // times the friction of the surface
   double altitude_m;         // wings: above ground and obstacles when it flies by itself
+  double drag_area_m2;       // drag coefficient times the area that wind from the side meets
   double hit_points;
   double attack_reach_m;  // between the two bodies' sides; 0: does not attack
   double attack_damage;   // hit points a blow

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "latticeworld/simulation/agents/species.h"
+#include "latticeworld/simulation/agents/surroundings.h"
 
 namespace latticeworld {
 namespace {
@@ -29,27 +30,30 @@ WorldPoint Ahead(WorldPoint from, double heading_rad, double distance_m) {
 
 double WrapAngle(double angle_rad) { return std::remainder(angle_rad, 2.0 * M_PI); }
 
-bool CanStand(const Scene& scene, const Agent& agent, WorldPoint place) {
-  const double half_m = scene.geometry().half_size_m() - agent.radius_m - kEdge_m;
+bool CanStand(const Surroundings& world, const Agent& agent, WorldPoint place) {
+  const double half_m = world.scene.geometry().half_size_m() - agent.radius_m - kEdge_m;
   if (std::abs(place.x_m) > half_m || std::abs(place.y_m) > half_m) return false;
   const Species& species = SpeciesOf(agent.category);
   const Locomotion locomotion = LocomotionOf(agent.category);
   if (locomotion == Locomotion::kWings) return true;
-  const double depth_m = scene.terrain->WaterDepthAt(place);
+  const double depth_m = world.WaterDepthAt(place);
   if (locomotion == Locomotion::kFins) return depth_m >= species.wade_depth_m;
   if (depth_m > species.wade_depth_m) return false;
-  if (scene.terrain->ground.SlopeAt(place) > species.max_slope_rad) return false;
+  // No steeper than it can climb, nor than its feet hold on wet or snowy ground.
+  const double friction = world.surfaces.Of(world.scene.terrain->SurfaceAt(place)).friction;
+  const double max_slope_rad = std::min(species.max_slope_rad, std::atan(species.grip * friction));
+  if (world.scene.terrain->ground.SlopeAt(place) > max_slope_rad) return false;
   bool clear = true;
   const double margin_m = agent.radius_m + kClearance_m;
-  scene.index.ForEachNear(place, margin_m, [&](std::uint32_t index) {
-    clear = clear && !SolidContains(scene.assets[index], place, margin_m);
+  world.scene.index.ForEachNear(place, margin_m, [&](std::uint32_t index) {
+    clear = clear && !SolidContains(world.scene.assets[index], place, margin_m);
   });
   return clear;
 }
 
-bool CanGo(const Scene& scene, const Agent& agent, WorldPoint from, WorldPoint to) {
+bool CanGo(const Surroundings& world, const Agent& agent, WorldPoint from, WorldPoint to) {
   // From where it should not be (pushed, or begun too close to something) any way out will do.
-  if (!CanStand(scene, agent, from)) return CanStand(scene, agent, to);
+  if (!CanStand(world, agent, from)) return CanStand(world, agent, to);
   const double length_m = DistanceBetween(from, to);
   const double stride_m = LocomotionOf(agent.category) == Locomotion::kFins ? 2.0 : 0.5;
   const int strides = std::max(1, static_cast<int>(std::ceil(length_m / stride_m)));
@@ -57,19 +61,19 @@ bool CanGo(const Scene& scene, const Agent& agent, WorldPoint from, WorldPoint t
     const double share = static_cast<double>(i) / strides;
     const WorldPoint place{from.x_m + share * (to.x_m - from.x_m),
                            from.y_m + share * (to.y_m - from.y_m)};
-    if (!CanStand(scene, agent, place)) return false;
+    if (!CanStand(world, agent, place)) return false;
   }
   return true;
 }
 
-std::optional<double> ClearHeading(const Scene& scene, Agent* agent, double wanted_rad,
+std::optional<double> ClearHeading(const Surroundings& world, Agent* agent, double wanted_rad,
                                    double look_m) {
   constexpr double kTurns_rad[] = {0.0, 0.4, 0.8, 1.2, 1.6, 2.1, 2.7};
   const WorldPoint here = agent->place();
   for (const double turn_rad : kTurns_rad) {
     for (const int side : {agent->mind.turn_side, -agent->mind.turn_side}) {
       const double heading_rad = WrapAngle(wanted_rad + side * turn_rad);
-      if (!CanGo(scene, *agent, here, Ahead(here, heading_rad, look_m))) continue;
+      if (!CanGo(world, *agent, here, Ahead(here, heading_rad, look_m))) continue;
       if (turn_rad > 0.0) agent->mind.turn_side = side;
       return heading_rad;
     }
@@ -77,30 +81,30 @@ std::optional<double> ClearHeading(const Scene& scene, Agent* agent, double want
   return std::nullopt;
 }
 
-Steering SteerTo(const Scene& scene, Agent* agent, WorldPoint place, double speed_mps) {
+Steering SteerTo(const Surroundings& world, Agent* agent, WorldPoint place, double speed_mps) {
   Steering steering;
   const WorldPoint here = agent->place();
   const double distance_m = DistanceBetween(here, place);
   steering.heading_rad = agent->motion.yaw_rad();
   if (distance_m < kArrived_m) return steering;
   const double look_m = std::min(distance_m, std::max(2.0, 1.5 * speed_mps) + agent->radius_m);
-  if (const auto heading = ClearHeading(scene, agent, HeadingTo(here, place), look_m)) {
+  if (const auto heading = ClearHeading(world, agent, HeadingTo(here, place), look_m)) {
     steering.heading_rad = *heading;
     steering.speed_mps = speed_mps;
   }
   return steering;
 }
 
-double HighestAhead(const Scene& scene, WorldPoint from, double heading_rad, double reach_m,
+double HighestAhead(const Surroundings& world, WorldPoint from, double heading_rad, double reach_m,
                     double radius_m) {
   constexpr double kStride_m = 4.0;
   double highest_m = -1e9;
   for (double s = 0.0; s <= reach_m; s += kStride_m) {
     const WorldPoint place = Ahead(from, heading_rad, s);
-    highest_m = std::max(
-        highest_m, scene.terrain->ground.HeightAt(place) + scene.terrain->WaterDepthAt(place));
-    scene.index.ForEachNear(place, radius_m + 0.5 * kStride_m, [&](std::uint32_t index) {
-      const Asset& asset = scene.assets[index];
+    highest_m = std::max(highest_m,
+                         world.scene.terrain->ground.HeightAt(place) + world.WaterDepthAt(place));
+    world.scene.index.ForEachNear(place, radius_m + 0.5 * kStride_m, [&](std::uint32_t index) {
+      const Asset& asset = world.scene.assets[index];
       highest_m = std::max(highest_m, static_cast<double>(asset.z_m) + asset.height_m);
     });
   }

@@ -3,10 +3,11 @@
 
 #include <optional>
 
-#include "latticeworld/scene/scene.h"
 #include "latticeworld/simulation/agents/agent.h"
 
 namespace latticeworld {
+
+struct Surroundings;
 
 double DistanceBetween(WorldPoint a, WorldPoint b);
 double HeadingTo(WorldPoint from, WorldPoint to);
@@ -15,21 +16,22 @@ WorldPoint Ahead(WorldPoint from, double heading_rad, double distance_m);
 double WrapAngle(double angle_rad);
 
 // True when the agent's kind can be at the place: inside the world, clear of solid things by its
-// radius, not too steep, in water no deeper than it wades (fins: at least as deep as they need).
-bool CanStand(const Scene& scene, const Agent& agent, WorldPoint place);
+// radius, not too steep for it and for the ground's grip of the moment, in water no deeper than it
+// wades (fins: at least as deep as they need).
+bool CanStand(const Surroundings& world, const Agent& agent, WorldPoint place);
 // True when it can be everywhere on the straight way; from a place where it cannot be, at its end.
-bool CanGo(const Scene& scene, const Agent& agent, WorldPoint from, WorldPoint to);
+bool CanGo(const Surroundings& world, const Agent& agent, WorldPoint from, WorldPoint to);
 
 // The heading nearest to the wanted one that is clear for look_m; it keeps to the side on which it
 // last went around something, so that it rounds long walls. nullopt: shut in.
-std::optional<double> ClearHeading(const Scene& scene, Agent* agent, double wanted_rad,
+std::optional<double> ClearHeading(const Surroundings& world, Agent* agent, double wanted_rad,
                                    double look_m);
 
 // Heads for the place around what stands in the way; speed 0 when shut in or there.
-Steering SteerTo(const Scene& scene, Agent* agent, WorldPoint place, double speed_mps);
+Steering SteerTo(const Surroundings& world, Agent* agent, WorldPoint place, double speed_mps);
 
 // Highest of ground, water and solid tops along the heading for reach_m [m].
-double HighestAhead(const Scene& scene, WorldPoint from, double heading_rad, double reach_m,
+double HighestAhead(const Surroundings& world, WorldPoint from, double heading_rad, double reach_m,
                     double radius_m);
 
 // What the locomotion has to do to follow a steering, in base_link.

@@ -7,6 +7,9 @@
 
 #include "latticeworld/geometry/grid.h"
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/scene/surface_table.h"
+#include "latticeworld/scene/water_depth.h"
+#include "latticeworld/scene/wind.h"
 #include "latticeworld/simulation/agents/agent.h"
 
 namespace latticeworld {
@@ -14,6 +17,10 @@ namespace latticeworld {
 // What agents think with: the world around them, and how they tell what they did.
 struct Surroundings {
   const Scene& scene;
+  const Atmosphere& atmosphere;  // of the moment
+  const SurfaceTable& surfaces;
+  const GustField& gusts;
+  Eigen::Vector2d drift_m;            // of the air since the episode began
   const Grid<float>& traversability;  // of mapping, [0, 1]
   std::map<AgentId, Agent>& agents;
   PhysicsWorld& physics;
@@ -23,6 +30,12 @@ struct Surroundings {
   std::uint64_t step;          // for events
   std::uint64_t episode_step;  // for timers
 
+  double WaterDepthAt(WorldPoint place) const {
+    return latticeworld::WaterDepthAt(*scene.terrain, atmosphere, place);
+  }
+  Eigen::Vector3d WindAt(WorldPoint place) const {
+    return gusts.WindAt(atmosphere, drift_m, place);
+  }
   std::uint64_t StepsIn(double seconds) const {
     return static_cast<std::uint64_t>(seconds / step_s + 0.5);
   }

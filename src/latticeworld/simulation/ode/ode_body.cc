@@ -45,7 +45,9 @@ OdeBody::OdeBody(dWorldID world, const BodySpec& spec) : spec_(spec), trunk_(dBo
   dBodySetMass(trunk_, &mass);
   if (spec.upright) dBodySetGyroscopicMode(trunk_, 0);
 
+  mass_kg_ = spec.mass_kg;
   for (const WheelSpec& wheel : spec.wheels) {
+    mass_kg_ += wheel.mass_kg;
     const dBodyID body = dBodyCreate(world);
     dMassSetSphereTotal(&mass, wheel.mass_kg, wheel.radius_m);
     dBodySetMass(body, &mass);
@@ -79,6 +81,10 @@ Eigen::Vector3d OdeBody::WheelCenter(std::size_t i) const {
 Eigen::Vector3d OdeBody::WheelAxis(std::size_t i) const {
   (void)i;  // every axle lies along y of the trunk
   return OrientationOf(trunk_) * Eigen::Vector3d::UnitY();
+}
+
+double OdeBody::WheelRate(std::size_t i) const {
+  return ToEigen(dBodyGetAngularVel(wheels_[i])).dot(WheelAxis(i));
 }
 
 BodyMotion OdeBody::Motion() const {

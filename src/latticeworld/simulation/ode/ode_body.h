@@ -25,6 +25,8 @@ class OdeBody {
   dBodyID wheel(std::size_t i) const { return wheels_[i]; }
   Eigen::Vector3d WheelCenter(std::size_t i) const;
   Eigen::Vector3d WheelAxis(std::size_t i) const;  // unit, map frame, along y of base_link
+  double WheelRate(std::size_t i) const;           // about that axis, map frame [rad/s]
+  double mass_kg() const { return mass_kg_; }      // with wheels
 
   BodyMotion Motion() const;
   void SetMotion(const BodyMotion& motion);
@@ -54,6 +56,7 @@ class OdeBody {
   std::vector<dBodyID> wheels_;
   std::vector<dJointID> hinges_;
   Eigen::Vector3d walk_velocity_mps_ = Eigen::Vector3d::Zero();
+  double mass_kg_ = 0.0;
   double left_radps_ = 0.0;
   double right_radps_ = 0.0;
   double still_s_ = 0.0;

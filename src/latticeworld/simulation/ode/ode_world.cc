@@ -9,10 +9,12 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/digest.h"
 #include "latticeworld/common/enum_names.h"
+#include "latticeworld/scene/surface_table.h"
 #include "latticeworld/simulation/ode/asset_prism.h"
 #include "latticeworld/simulation/ode/ground_contact.h"
 #include "latticeworld/simulation/ode/ode_body.h"
 #include "latticeworld/simulation/ode/ode_library.h"
+#include "latticeworld/simulation/ode/wheel_ground.h"
 
 namespace latticeworld {
 namespace {
@@ -24,13 +26,15 @@ constexpr double kSurfaceLayer_m = 0.001;        // depth at which contacts rest
 constexpr double kMaxCorrectingSpeed_mps = 2.0;  // so that a deep contact does not shoot bodies off
 constexpr double kObstacleFriction = 0.3;        // bodies against trunks, walls and each other
 constexpr double kPlacingClearance_m = 0.002;
+constexpr double kWakingFriction = 0.02;  // a change of friction that what rests may feel
 
 // How a contact pushes along the surface.
 struct Traction {
   Eigen::Vector3d along = Eigen::Vector3d::Zero();  // first friction direction; zero: any
   double friction_along = 0.0;
   double friction_across = 0.0;
-  double speed_mps = 0.0;  // of the body along `along` that friction pushes towards
+  double speed_mps = 0.0;       // of the body along `along` that friction pushes towards
+  double slip_mps_per_n = 0.0;  // speed that the contact gives way along `along` under a force
 };
 
 Eigen::Vector3d AnyTangent(const Eigen::Vector3d& normal) {
@@ -41,7 +45,10 @@ Eigen::Vector3d AnyTangent(const Eigen::Vector3d& normal) {
 
 class OdeWorld : public PhysicsWorld {
  public:
-  explicit OdeWorld(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
+  explicit OdeWorld(std::shared_ptr<const Scene> scene)
+      : scene_(std::move(scene)),
+        ground_(scene_->atmosphere.ground()),
+        surfaces_(*scene_, ground_) {
     ReadyOde();
     world_ = dWorldCreate();
     contact_group_ = dJointGroupCreate(0);
@@ -52,10 +59,8 @@ class OdeWorld : public PhysicsWorld {
     dWorldSetContactMaxCorrectingVel(world_, kMaxCorrectingSpeed_mps);
     dWorldSetContactSurfaceLayer(world_, kSurfaceLayer_m);
     dWorldSetAutoDisableFlag(world_, 0);
-    const Weather weather = scene_->atmosphere.weather;
     for (const auto& entry : EnumNames(SurfaceClass{})) {
-      friction_[static_cast<std::size_t>(entry.value)] =
-          PropertiesOf(entry.value, weather).friction;
+      woken_friction_[static_cast<std::size_t>(entry.value)] = surfaces_.Of(entry.value).friction;
     }
   }
   ~OdeWorld() override {
@@ -100,6 +105,22 @@ class OdeWorld : public PhysicsWorld {
     body.Wake();
     dBodyAddTorque(body.trunk(), torque_nm.x(), torque_nm.y(), torque_nm.z());
   }
+  void SetGround(const GroundState& ground) override {
+    ground_ = ground;
+    surfaces_ = SurfaceTable(*scene_, ground);
+    bool changed = false;
+    for (const auto& entry : EnumNames(SurfaceClass{})) {
+      const double friction = surfaces_.Of(entry.value).friction;
+      const double woken = woken_friction_[static_cast<std::size_t>(entry.value)];
+      changed = changed || std::abs(friction - woken) > kWakingFriction;
+    }
+    // Weather that moves slowly shall not keep everybody awake.
+    if (!changed) return;
+    for (const auto& entry : EnumNames(SurfaceClass{})) {
+      woken_friction_[static_cast<std::size_t>(entry.value)] = surfaces_.Of(entry.value).friction;
+    }
+    for (auto& [id, body] : bodies_) body->Wake();
+  }
   void Place(BodyId body, const BodyMotion& motion) override { At(body).SetMotion(motion); }
   BodyMotion MotionOf(BodyId body) const override { return At(body).Motion(); }
   double SinkageOf(BodyId body) const override { return Sinkage(At(body)); }
@@ -111,7 +132,7 @@ class OdeWorld : public PhysicsWorld {
     TouchBodies();
     for (const Outlined& one : outlined_) {
       if (one.body->resting()) continue;
-      TouchGroundOf(one.id, *one.body);
+      TouchGroundOf(one.id, *one.body, step_s);
       TouchAssetsOf(one);
       TouchBoundaryOf(one);
     }
@@ -127,6 +148,10 @@ class OdeWorld : public PhysicsWorld {
 
   void AddTo(Digest* digest) const override {
     digest->Add(last_id_);
+    digest->Add(ground_.wetness);
+    digest->Add(ground_.snow_depth_m);
+    digest->Add(ground_.blown_sand);
+    for (const double friction : woken_friction_) digest->Add(friction);
     for (const auto& [id, body] : bodies_) {
       digest->Add(id);
       body->AddTo(digest);
@@ -213,19 +238,31 @@ class OdeWorld : public PhysicsWorld {
     }
   }
 
-  void TouchGroundOf(BodyId id, OdeBody& body) {
+  void TouchGroundOf(BodyId id, OdeBody& body, double step_s) {
+    wheel_touch_.clear();
+    int carrying = 0;  // wheels
     for (std::size_t i = 0; i < body.wheel_count(); ++i) {
-      const GroundContacts touch =
-          TouchGround(ground(), body.WheelCenter(i), body.spec().wheels[i].radius_m);
+      wheel_touch_.push_back(
+          TouchGround(ground(), body.WheelCenter(i), body.spec().wheels[i].radius_m));
+      if (wheel_touch_.back().count > 0) ++carrying;
+    }
+    for (std::size_t i = 0; i < body.wheel_count(); ++i) {
+      const GroundContacts& touch = wheel_touch_[i];
+      const WheelLoad load{body.mass_kg() / std::max(1, carrying), body.spec().wheels[i]};
       for (int k = 0; k < touch.count; ++k) {
         const GroundContact& one = touch.contact[static_cast<std::size_t>(k)];
-        const double friction = FrictionAt(one.position_m) * body.spec().grip;
+        const SurfaceProperties& surface = SurfaceAt(one.position_m);
+        const double friction = surface.friction * body.spec().grip;
         Traction traction;
         traction.along = body.WheelAxis(i).cross(one.normal);
         traction.friction_along = friction;
         traction.friction_across = friction * body.spec().wheel_side_grip;
+        traction.slip_mps_per_n =
+            SlipPerForce(load, surface, friction, body.WheelRate(i)) * touch.count;
         Note({id, ContactKind::kGround, 0, one.position_m, one.normal, one.depth_m, 0.0});
         Join(body.wheel(i), nullptr, one.position_m, one.normal, one.depth_m, traction);
+        ResistRolling(body.wheel(i), load, surface, one.normal, traction.along, step_s,
+                      1.0 / touch.count);
       }
     }
     const BodyMotion motion = body.Motion();
@@ -245,7 +282,7 @@ class OdeWorld : public PhysicsWorld {
   Traction WalkTraction(const OdeBody& body, const Eigen::Vector3d& at,
                         const Eigen::Vector3d& normal) const {
     Traction traction;
-    traction.friction_along = FrictionAt(at) * body.spec().grip;
+    traction.friction_along = SurfaceAt(at).friction * body.spec().grip;
     traction.friction_across = traction.friction_along;
     const Eigen::Vector3d& wanted = body.walk_velocity_mps();
     const Eigen::Vector3d along = wanted - wanted.dot(normal) * normal;
@@ -311,8 +348,8 @@ class OdeWorld : public PhysicsWorld {
 
   void Note(const Contact& contact) { contacts_.push_back(contact); }
 
-  double FrictionAt(const Eigen::Vector3d& at) const {
-    return friction_[static_cast<std::size_t>(scene_->terrain->SurfaceAt({at.x(), at.y()}))];
+  const SurfaceProperties& SurfaceAt(const Eigen::Vector3d& at) const {
+    return surfaces_.Of(scene_->terrain->SurfaceAt({at.x(), at.y()}));
   }
 
   void Join(dBodyID a, dBodyID b, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
@@ -325,6 +362,10 @@ class OdeWorld : public PhysicsWorld {
     contact.surface.soft_erp = kErrorReduction;
     contact.surface.soft_cfm = kContactSoftness;
     contact.surface.motion1 = traction.speed_mps;
+    if (traction.slip_mps_per_n > 0.0) {
+      contact.surface.mode |= dContactSlip1;
+      contact.surface.slip1 = traction.slip_mps_per_n;
+    }
     const double length = traction.along.norm();
     const Eigen::Vector3d along =
         length > 1e-9 ? Eigen::Vector3d(traction.along / length) : AnyTangent(normal);
@@ -340,11 +381,15 @@ class OdeWorld : public PhysicsWorld {
   std::shared_ptr<const Scene> scene_;
   dWorldID world_ = nullptr;
   dJointGroupID contact_group_ = nullptr;
-  std::array<double, 9> friction_{};  // by SurfaceClass, under the scene's weather
+  GroundState ground_;
+  SurfaceTable surfaces_;  // under that state
+  // Friction by SurfaceClass when a change of it last woke the bodies up.
+  std::array<double, kSurfaceClassCount> woken_friction_{};
   BodyId last_id_ = 0;
   std::map<BodyId, std::unique_ptr<OdeBody>> bodies_;
-  std::vector<Outlined> outlined_;  // of this step
-  std::vector<std::size_t> sweep_;  // into outlined_, by lowest x
+  std::vector<Outlined> outlined_;           // of this step
+  std::vector<GroundContacts> wheel_touch_;  // of one body
+  std::vector<std::size_t> sweep_;           // into outlined_, by lowest x
   std::vector<Contact> contacts_;
 };
 

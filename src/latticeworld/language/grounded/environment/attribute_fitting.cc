@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "latticeworld/common/text.h"
-#include "latticeworld/environment/season_rules.h"
+#include "latticeworld/environment/rules.h"
 #include "latticeworld/layout/measures.h"
 
 namespace latticeworld {
@@ -39,19 +39,44 @@ Enum Choose(const HeardCoarse& heard, std::initializer_list<Enum> usual) {
   return *usual.begin();
 }
 
-bool IsPossible(const FineWish& wish, const CoarseAttributes& coarse) {
-  const EnvironmentClaim& claim = wish.claim;
-  if (claim.kind != EnvironmentClaimKind::kVariant ||
-      claim.variant_key != VariantKey::kSeasonVariant) {
-    return true;
-  }
-  return std::any_of(claim.values.begin(), claim.values.end(), [&](const std::string& value) {
-    return IsAllowed(claim.asset, value, coarse);
-  });
+const std::vector<ValueBound>& ValuesOf(const EnvironmentClaim& claim, const FineBounds& bounds) {
+  return claim.variant_key == VariantKey::kMaterial ? bounds.materials : bounds.season_variants;
 }
 
-// The season in which most of the wished variants can be seen, the usual one of equals.
-Season SeasonFor(const HeardEnvironment& heard, CoarseAttributes coarse, Season usual) {
+FineParameter ParameterOf(const EnvironmentClaim& claim) {
+  if (claim.kind == EnvironmentClaimKind::kDensity) return FineParameter::kDensity;
+  switch (claim.parameter_key) {
+    case ParameterKey::kRotationYaw:
+      return FineParameter::kYaw;
+    case ParameterKey::kScale:
+      return FineParameter::kScale;
+    case ParameterKey::kHeight:
+      return FineParameter::kHeight;
+    case ParameterKey::kWind:
+      return FineParameter::kWind;
+    case ParameterKey::kSlope:
+      return FineParameter::kSlope;
+  }
+  return FineParameter::kDensity;
+}
+
+// Whether some value that the wish asks for is legal under the coarse attributes.
+bool IsPossible(const FineWish& wish, const CoarseAttributes& coarse, const Catalogue& catalogue) {
+  const EnvironmentClaim& claim = wish.claim;
+  const FineBounds bounds = BoundsOf(coarse, claim.asset, catalogue);
+  if (claim.kind == EnvironmentClaimKind::kVariant) {
+    return std::any_of(claim.values.begin(), claim.values.end(), [&](const std::string& value) {
+      return BreachOf(ValuesOf(claim, bounds), value).empty();
+    });
+  }
+  const std::optional<NumberBound>& bound = bounds.number(ParameterOf(claim));
+  return !bound || claim.least > claim.most ||  // a yaw through north
+         (claim.least <= bound->range.high && claim.most >= bound->range.low);
+}
+
+// The season in which most of the wishes are legal, the usual one of equals.
+Season SeasonFor(const HeardEnvironment& heard, CoarseAttributes coarse, Season usual,
+                 const Catalogue& catalogue) {
   const HeardCoarse& said = heard.coarse_of(CoarseKey::kSeason);
   if (!said.value.empty() && !said.hint) return usual;
   Season best = usual;
@@ -65,7 +90,7 @@ Season SeasonFor(const HeardEnvironment& heard, CoarseAttributes coarse, Season 
     coarse.season = season;
     const std::ptrdiff_t possible =
         std::count_if(heard.fine.begin(), heard.fine.end(),
-                      [&](const FineWish& wish) { return IsPossible(wish, coarse); });
+                      [&](const FineWish& wish) { return IsPossible(wish, coarse, catalogue); });
     if (possible > most) {
       most = possible;
       best = season;
@@ -74,45 +99,49 @@ Season SeasonFor(const HeardEnvironment& heard, CoarseAttributes coarse, Season 
   return best;
 }
 
-void PutVariant(const FineWish& wish, const CoarseAttributes& coarse, FineAttribute* fine,
+// "a calm breeze": desert wind cannot be 2: the rule ... allows ...; it is 8
+std::string Refusal(const EnvironmentClaim& claim, std::string_view property,
+                    std::string_view wanted, std::string_view breach, std::string_view is) {
+  std::string text = Quote(claim.words) + ": " + std::string(NameOf(claim.asset)) + " ";
+  text.append(property).append(" cannot be ").append(wanted).append(": ").append(breach);
+  return text.append("; it is ").append(is);
+}
+
+void PutVariant(const FineWish& wish, const FineBounds& bounds, FineAttribute* fine,
                 std::vector<std::string>* warnings) {
   const EnvironmentClaim& claim = wish.claim;
   const bool material = claim.variant_key == VariantKey::kMaterial;
   std::string& value = material ? fine->material : fine->season_variant;
   if (std::find(claim.values.begin(), claim.values.end(), value) != claim.values.end()) return;
   for (const std::string& wanted : claim.values) {
-    if (!material && !IsAllowed(claim.asset, wanted, coarse)) continue;
+    if (!BreachOf(ValuesOf(claim, bounds), wanted).empty()) continue;
     value = wanted;
     return;
   }
-  warnings->push_back(Quote(claim.words) + ": " + std::string(NameOf(claim.asset)) + " cannot be " +
-                      claim.values.front() + " in " + std::string(NameOf(coarse.season)) +
-                      "; it is " + value);
+  warnings->push_back(Refusal(claim, NameOf(claim.variant_key), claim.values.front(),
+                              BreachOf(ValuesOf(claim, bounds), claim.values.front()), value));
 }
 
-void PutParameter(const FineWish& wish, FineAttribute* fine) {
-  switch (wish.claim.parameter_key) {
-    case ParameterKey::kRotationYaw:
-      fine->rotation_deg[2] = wish.value;
-      break;
-    case ParameterKey::kScale:
-      fine->scale = wish.value;
-      break;
-    case ParameterKey::kHeight:
-      fine->height_m = wish.value;
-      break;
-    case ParameterKey::kWind:
-      fine->wind_mps = wish.value;
-      break;
-    case ParameterKey::kSlope:
-      fine->slope_deg = wish.value;
-      break;
-  }
+// The wish, or the nearest value that the rules allow.
+void PutNumber(const FineWish& wish, const FineBounds& bounds, FineAttribute* fine,
+               std::vector<std::string>* warnings) {
+  const EnvironmentClaim& claim = wish.claim;
+  const FineParameter parameter = ParameterOf(claim);
+  const std::optional<NumberBound>& bound = bounds.number(parameter);
+  const std::string breach = bound ? BreachOf(*bound, wish.value) : std::string();
+  if (breach.empty()) return SetValue(parameter, wish.value, fine);
+  const double value = std::clamp(wish.value, bound->range.low, bound->range.high);
+  SetValue(parameter, value, fine);
+  // "dense" is many densities: only one that is none of them refuses the words.
+  if (value >= claim.least && value <= claim.most) return;
+  warnings->push_back(
+      Refusal(claim, NameOf(parameter), FormatDouble(wish.value), breach, FormatDouble(value)));
 }
 
 }  // namespace
 
-CoarseAttributes FitCoarse(const HeardEnvironment& heard, const SymbolicLayout& layout) {
+CoarseAttributes FitCoarse(const HeardEnvironment& heard, const SymbolicLayout& layout,
+                           const Catalogue& catalogue) {
   CoarseAttributes coarse;
   coarse.terrain_type =
       Choose(heard.coarse_of(CoarseKey::kTerrainType),
@@ -128,22 +157,23 @@ CoarseAttributes FitCoarse(const HeardEnvironment& heard, const SymbolicLayout& 
   const Season usual = Choose(heard.coarse_of(CoarseKey::kSeason),
                               {coarse.weather == Weather::kSnow ? Season::kWinter : Season::kSummer,
                                Season::kSummer, Season::kAutumn, Season::kSpring});
-  coarse.season = SeasonFor(heard, coarse, usual);
+  coarse.season = SeasonFor(heard, coarse, usual, catalogue);
   return coarse;
 }
 
 FineAttributes FitFine(const std::vector<FineWish>& wishes, const CoarseAttributes& coarse,
-                       std::vector<std::string>* warnings) {
-  FineAttributes fine = DeriveFineAttributes(coarse);
+                       const Catalogue& catalogue, std::vector<std::string>* warnings) {
+  FineAttributes attributes = DeriveFineAttributes(coarse, catalogue);
   for (const FineWish& wish : wishes) {
-    FineAttribute& one = fine[static_cast<std::size_t>(wish.claim.asset)];
-    if (wish.claim.kind == EnvironmentClaimKind::kDensity) one.density = wish.value;
+    const FineBounds bounds = BoundsOf(coarse, wish.claim.asset, catalogue);
+    FineAttribute* fine = &attributes[static_cast<std::size_t>(wish.claim.asset)];
     if (wish.claim.kind == EnvironmentClaimKind::kVariant) {
-      PutVariant(wish, coarse, &one, warnings);
+      PutVariant(wish, bounds, fine, warnings);
+    } else {
+      PutNumber(wish, bounds, fine, warnings);
     }
-    if (wish.claim.kind == EnvironmentClaimKind::kParameter) PutParameter(wish, &one);
   }
-  return fine;
+  return attributes;
 }
 
 }  // namespace latticeworld

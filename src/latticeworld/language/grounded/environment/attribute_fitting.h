@@ -11,13 +11,14 @@
 namespace latticeworld {
 
 // The coarse attributes that were heard; the others follow from the layout, from each other, and
-// from the season that the wished variants need.
-CoarseAttributes FitCoarse(const HeardEnvironment& heard, const SymbolicLayout& layout);
+// from the season that the wishes need.
+CoarseAttributes FitCoarse(const HeardEnvironment& heard, const SymbolicLayout& layout,
+                           const Catalogue& catalogue);
 
-// The fine attributes that follow from the coarse ones, with the wishes put into them. A variant
-// that the season does not allow is left out with a warning.
+// The fine attributes that follow from the coarse ones, with the wishes put into them. What the
+// rules refuse is left out, or the nearest legal number taken, with a warning that names the rule.
 FineAttributes FitFine(const std::vector<FineWish>& wishes, const CoarseAttributes& coarse,
-                       std::vector<std::string>* warnings);
+                       const Catalogue& catalogue, std::vector<std::string>* warnings);
 
 }  // namespace latticeworld
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/environment/added_values.h"
 #include "latticeworld/language/grounded/environment/agent_reader.h"
 #include "latticeworld/language/grounded/environment/coarse_reader.h"
 #include "latticeworld/language/grounded/environment/fine_reader.h"
@@ -21,9 +22,10 @@
 namespace latticeworld {
 namespace {
 
-void MendSpelling(std::vector<Token>* tokens, std::vector<std::string>* warnings) {
+void MendSpelling(const AddedValueWords& added, std::vector<Token>* tokens,
+                  std::vector<std::string>* warnings) {
   for (Token& token : *tokens) {
-    if (token.kind != TokenKind::kWord) continue;
+    if (token.kind != TokenKind::kWord || added.known.count(token.text) > 0) continue;
     const std::string_view mended = MendedWord(token.text);
     if (mended.empty()) continue;
     warnings->push_back("read " + Quote(token.text) + " as " + Quote(mended));
@@ -114,11 +116,13 @@ std::vector<std::string> NotUnderstoodIn(const NotedTokens& noted) {
 
 }  // namespace
 
-HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction) {
-  const EnvironmentWords& words = GetEnvironmentWords();
+HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction,
+                                             const Catalogue& catalogue) {
+  const AddedValueWords added = AddedValueWordsOf(catalogue);
+  const EnvironmentWords& words = added.words ? *added.words : GetEnvironmentWords();
   HeardEnvironment heard;
   std::vector<Token> tokens = Tokenize(instruction);
-  MendSpelling(&tokens, &heard.warnings);
+  MendSpelling(added, &tokens, &heard.warnings);
   MendPlaces(&tokens);
   NotedTokens noted = NoteScopes(instruction, std::move(tokens), words);
   std::vector<HeardMeasure> measures = ReadMeasures(&noted);

@@ -3,13 +3,15 @@
 
 #include <string_view>
 
+#include "latticeworld/catalogue/catalogue.h"
 #include "latticeworld/language/grounded/environment/heard_environment.h"
 
 namespace latticeworld {
 
 // What an environment instruction says. Any UTF-8 text gives a reading; what it cannot read is kept
-// in not_understood.
-HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction);
+// in not_understood. Values that the catalogue adds are known by their names.
+HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction,
+                                             const Catalogue& catalogue = *Catalogue::BuiltIn());
 
 }  // namespace latticeworld
 

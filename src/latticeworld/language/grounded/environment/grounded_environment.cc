@@ -50,16 +50,18 @@ class GroundedEnvironmentGenerator final : public EnvironmentGenerator {
                                      const Progress& progress) override {
     LW_RETURN_IF_ERROR(latticeworld::Validate(request));
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
-    HeardEnvironment heard = ParseEnvironmentInstruction(request.instruction);
+    const Catalogue& catalogue = *request.catalogue;
+    HeardEnvironment heard = ParseEnvironmentInstruction(request.instruction, catalogue);
     EnvironmentAnswer answer;
     answer.warnings = heard.warnings;
     EnvironmentConfig& environment = answer.environment;
-    environment.coarse = FitCoarse(heard, *request.layout);
-    environment.fine = FitFine(heard.fine, environment.coarse, &answer.warnings);
+    environment.coarse = FitCoarse(heard, *request.layout, catalogue);
+    environment.fine = FitFine(heard.fine, environment.coarse, catalogue, &answer.warnings);
     environment.agents = FitAgents(heard.agents, *request.layout, request.size_m, &answer.warnings);
     WarnOfUnmet(ClaimsOf(heard, request.layout), environment, &answer.warnings);
     WarnOfUnknown(heard.not_understood, &answer.warnings);
-    LW_CHECK(latticeworld::Validate(environment).empty(), "the grounded environment must be valid");
+    LW_CHECK(latticeworld::Validate(environment, catalogue).empty(),
+             "the grounded environment must be valid");
     return answer;
   }
 };
@@ -71,8 +73,9 @@ std::unique_ptr<EnvironmentGenerator> MakeGroundedEnvironmentGenerator() {
 }
 
 EnvironmentReading ReadEnvironmentInstruction(std::string_view instruction,
-                                              const SymbolicLayout* layout) {
-  HeardEnvironment heard = ParseEnvironmentInstruction(instruction);
+                                              const SymbolicLayout* layout,
+                                              const Catalogue& catalogue) {
+  HeardEnvironment heard = ParseEnvironmentInstruction(instruction, catalogue);
   return {ClaimsOf(heard, layout), std::move(heard.not_understood)};
 }
 

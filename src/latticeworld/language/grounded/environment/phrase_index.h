@@ -53,6 +53,12 @@ class PhraseIndex {
 
   bool Has(std::string_view phrase) const { return rows_by_phrase_.count(std::string(phrase)) > 0; }
 
+  // What a phrase stands for, to be changed; nullptr: it is none.
+  std::vector<int>* RowsOf(std::string_view phrase) {
+    const auto found = rows_by_phrase_.find(std::string(phrase));
+    return found == rows_by_phrase_.end() ? nullptr : &found->second;
+  }
+
   // Every phrase, in alphabetical order.
   std::vector<std::string_view> Phrases() const {
     std::vector<std::string_view> phrases;

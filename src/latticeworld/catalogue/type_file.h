@@ -1,0 +1,49 @@
+#ifndef LATTICEWORLD_CATALOGUE_TYPE_FILE_H_
+#define LATTICEWORLD_CATALOGUE_TYPE_FILE_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "latticeworld/catalogue/catalogue.h"
+#include "latticeworld/common/schema_check.h"
+
+namespace latticeworld {
+
+// A SeasonVariant or Material as a file has it.
+template <typename Value>
+struct ValueEntry {
+  Value value;                           // without `models`
+  std::vector<std::string> model_names;  // empty: every model of the type
+  std::string pointer;                   // "trees.json#/materials/0"
+};
+
+struct ModelEntry {
+  AssetModel model;
+  std::string pointer;
+};
+
+struct DensityEntry {
+  KindDensity density;
+  std::string pointer;
+};
+
+// What one file says, as far as it can be read.
+struct TypeFile {
+  AssetType type = AssetType::kGrass;
+  std::vector<ValueEntry<SeasonVariant>> season_variants;
+  std::vector<ValueEntry<Material>> materials;
+  std::vector<ModelEntry> models;
+  std::vector<DensityEntry> densities;
+  // Of all models, readable or not: a reference to an unreadable one is no further error.
+  std::vector<std::string> model_names;
+};
+
+// Reads one file and adds all its violations: JSON, schema, and what a schema cannot say about one
+// value. What can be read is, even when other parts cannot. nullopt: nothing can.
+std::optional<TypeFile> ReadTypeFile(const CatalogueFile& file, const SchemaChecker& checker,
+                                     std::vector<Violation>* violations);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_CATALOGUE_TYPE_FILE_H_

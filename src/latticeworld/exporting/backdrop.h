@@ -1,0 +1,22 @@
+#ifndef LATTICEWORLD_EXPORTING_BACKDROP_H_
+#define LATTICEWORLD_EXPORTING_BACKDROP_H_
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include "latticeworld/exporting/picture_light.h"
+
+namespace latticeworld {
+
+struct Scene;
+
+// A painted sky, with stars, behind a block of land (CV_8UC3).
+void PaintBackdrop(const PictureLight& light, cv::Mat* bgr);
+// The shade below the block, whose lower edge runs between the two [px].
+void PaintBlockShade(const Eigen::Vector2f& left_px, const Eigen::Vector2f& right_px, cv::Mat* bgr);
+// Rain and snow in the air before everything.
+void PaintPrecipitation(const Scene& scene, cv::Mat* bgr);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_EXPORTING_BACKDROP_H_

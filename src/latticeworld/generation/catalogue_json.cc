@@ -1,0 +1,39 @@
+#include "latticeworld/generation/catalogue_json.h"
+
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include "latticeworld/generation/json_fields.h"
+
+namespace latticeworld {
+
+namespace jf = json_fields;
+using jf::Json;
+
+std::string EncodeCatalogue(const Catalogue& catalogue) {
+  Json json = Json::array();
+  for (const CatalogueFile& file : catalogue.added_files()) {
+    json.push_back({{"name", file.name}, {"text", file.text}});
+  }
+  return jf::Dump(json);
+}
+
+Result<std::shared_ptr<const Catalogue>> DecodeCatalogue(std::string_view content) {
+  std::vector<CatalogueFile> files;
+  try {
+    const Json json = jf::Parse(content);
+    if (!json.is_array()) return DataLoss("it is not an array");
+    for (const Json& file : json) {
+      jf::ExpectKeys(file, {"name", "text"});
+      files.push_back({jf::Text(file, "name"), jf::Text(file, "text")});
+    }
+  } catch (const std::exception& error) {  // JSON
+    return DataLoss(error.what());
+  }
+  auto catalogue = Catalogue::Extended(std::move(files));
+  if (!catalogue.ok()) return DataLoss(catalogue.status().message());
+  return catalogue;
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,65 @@
+#ifndef LATTICEWORLD_SENSING_MESH_INSTANCES_H_
+#define LATTICEWORLD_SENSING_MESH_INSTANCES_H_
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "latticeworld/sensing/embree_handles.h"
+
+namespace latticeworld {
+
+// A mesh that is kept once and met in many places.
+struct MeshPrototype {
+  EmbreeScene scene;
+  std::vector<std::uint8_t> parts;  // one a triangle
+};
+
+// Errors are the device's.
+MeshPrototype MakePrototype(RTCDevice device, const std::vector<Eigen::Vector3f>& vertices,
+                            const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                            std::vector<std::uint8_t> parts);
+
+// Where one is met: the mesh times size_m, turned by a yaw about z, moved to position_m.
+struct MeshInstance {
+  Eigen::Vector3f position_m;
+  Eigen::Vector3f size_m;  // > 0
+  float cos_yaw = 1.0f;
+  float sin_yaw = 0.0f;
+  std::uint32_t index = 0;  // in its owner's list
+  std::uint16_t prototype = 0;
+};
+
+// Embree's own instances take about a kilobyte each; here all of them are the primitives of one
+// user geometry, whose callbacks carry the ray into the mesh's frame. Hits come back with the
+// number of the instance in instID[0] and that of the triangle in primID. Must stay where it is
+// while a scene holds the geometry.
+class MeshInstances {
+ public:
+  MeshInstances(std::vector<MeshPrototype> prototypes, std::vector<MeshInstance> instances)
+      : prototypes_(std::move(prototypes)), instances_(std::move(instances)) {}
+  MeshInstances(const MeshInstances&) = delete;
+  MeshInstances& operator=(const MeshInstances&) = delete;
+
+  bool empty() const { return instances_.empty(); }
+  // Of nothing where there is none.
+  EmbreeGeometry MakeGeometry(RTCDevice device) const;
+
+  const MeshInstance& instance(unsigned number) const { return instances_[number]; }
+  std::uint8_t PartOf(unsigned instance, unsigned triangle) const {
+    return prototypes_[instances_[instance].prototype].parts[triangle];
+  }
+
+ private:
+  static void Bound(const RTCBoundsFunctionArguments* arguments);
+  static void Intersect(const RTCIntersectFunctionNArguments* arguments);
+  static void Occlude(const RTCOccludedFunctionNArguments* arguments);
+
+  std::vector<MeshPrototype> prototypes_;
+  std::vector<MeshInstance> instances_;
+};
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_SENSING_MESH_INSTANCES_H_

@@ -1,0 +1,23 @@
+#ifndef LATTICEWORLD_SENSING_SCENE_INSTANCES_H_
+#define LATTICEWORLD_SENSING_SCENE_INSTANCES_H_
+
+#include <memory>
+
+#include "latticeworld/common/progress.h"
+#include "latticeworld/common/result.h"
+#include "latticeworld/sensing/mesh_instances.h"
+#include "latticeworld/sensing/ray_scene.h"
+
+namespace latticeworld {
+
+// The assets' meshes: one prototype for each model, share of leaves, detail and individual that
+// occurs. Errors: CANCELLED; the device's are not looked at.
+Result<std::unique_ptr<MeshInstances>> AssetInstances(RTCDevice device, const Scene& scene,
+                                                      const RaySceneOptions& options,
+                                                      const Progress& progress);
+// The bodies of the scene's agents where they begin.
+std::unique_ptr<MeshInstances> AgentInstances(RTCDevice device, const Scene& scene);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_SENSING_SCENE_INSTANCES_H_
