@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "latticeworld/common/random.h"
@@ -38,20 +40,70 @@ geometry_msgs::Point Point(double x, double y, double z) {
   return point;
 }
 
-// The classes' colours at a cell, mixed by their weights.
-std_msgs::ColorRGBA GroundColor(const ClassWeights& weights, CellIndex cell) {
-  float r = 0.0f, g = 0.0f, b = 0.0f;
-  for (const ClassWeight& entry : weights.classes) {
-    const LayoutClass* layout_class = FindClass(weights.vocabulary, entry.letter);
-    const float share = entry.weight[cell] / 255.0f;
-    r += share * layout_class->color.r;
-    g += share * layout_class->color.g;
-    b += share * layout_class->color.b;
-  }
-  return Color(r, g, b);
+Rgb Mix(const Rgb& a, const Rgb& b, double share_of_b) {
+  const auto mix = [share_of_b](std::uint8_t from, std::uint8_t to) {
+    return static_cast<std::uint8_t>(std::lround(from + (to - from) * share_of_b));
+  };
+  return {mix(a.r, b.r), mix(a.g, b.g), mix(a.b, b.b)};
 }
 
-void AddGround(const Terrain& terrain, int cells, MarkerPieces* ground, MarkerPieces* water) {
+// Natural colours of the ground by SurfaceClass, under the world's season and snow.
+class GroundColors {
+ public:
+  explicit GroundColors(const Scene& scene) {
+    const std::string& variant = scene.environment.fine_of(AssetType::kGrass).season_variant;
+    Rgb grass = {124, 148, 84};
+    for (const SeasonVariant& known : scene.catalogue->season_variants(AssetType::kGrass)) {
+      const auto season = static_cast<std::size_t>(scene.environment.coarse.season);
+      if (known.name == variant) grass = Mix(known.color[season].from, known.color[season].to, 0.5);
+    }
+    constexpr double kCoveredFrom_m = 0.1;
+    const double snow = std::min(1.0, scene.atmosphere.snow_depth_m / kCoveredFrom_m);
+    for (const auto& entry : EnumNames(SurfaceClass{})) {
+      const bool covered = entry.value != SurfaceClass::kWaterBed;
+      const Rgb rgb = Mix(NaturalColor(entry.value, grass), kSnow, covered ? 0.85 * snow : 0.0);
+      colors_[static_cast<std::size_t>(entry.value)] =
+          Color(rgb.r / 255.0f, rgb.g / 255.0f, rgb.b / 255.0f);
+    }
+  }
+
+  const std_msgs::ColorRGBA& operator[](SurfaceClass surface) const {
+    return colors_[static_cast<std::size_t>(surface)];
+  }
+
+ private:
+  static constexpr Rgb kSnow = {240, 244, 248};
+
+  static Rgb NaturalColor(SurfaceClass surface, const Rgb& grass) {
+    switch (surface) {
+      case SurfaceClass::kGrass:
+        return grass;
+      case SurfaceClass::kForestFloor:
+        return {96, 88, 62};
+      case SurfaceClass::kFarmland:
+        return {162, 138, 88};
+      case SurfaceClass::kBarren:
+        return {178, 158, 122};
+      case SurfaceClass::kRoad:
+        return {118, 116, 114};
+      case SurfaceClass::kBuilding:
+        return Mix(grass, {150, 140, 120}, 0.4);
+      case SurfaceClass::kRock:
+        return {132, 128, 122};
+      case SurfaceClass::kSnow:
+        return kSnow;
+      case SurfaceClass::kWaterBed:
+        return {112, 102, 82};
+    }
+    return grass;
+  }
+
+  std::array<std_msgs::ColorRGBA, EnumNames(SurfaceClass{}).size()> colors_;
+};
+
+void AddGround(const Scene& scene, int cells, MarkerPieces* ground, MarkerPieces* water) {
+  const Terrain& terrain = *scene.terrain;
+  const GroundColors colors(scene);
   const GridGeometry& geometry = terrain.geometry();
   const double half_m = geometry.half_size_m(), edge_m = geometry.size_m() / cells;
   const auto corner = [&](int i, int j) {
@@ -64,7 +116,7 @@ void AddGround(const Terrain& terrain, int cells, MarkerPieces* ground, MarkerPi
                  ne = corner(i + 1, j + 1);
       const WorldPoint middle{-half_m + (i + 0.5) * edge_m, -half_m + (j + 0.5) * edge_m};
       const CellIndex cell = geometry.CellAt(middle);
-      const auto color = GroundColor(terrain.weights, cell);
+      const auto& color = colors[terrain.surface[cell]];
       ground->MoveTo(middle);
       ground->Add(sw, se, nw, color);
       ground->Add(se, ne, nw, color);
@@ -97,22 +149,19 @@ void AddSpindle(const Asset& asset, int corners, double ring_share,
   }
 }
 
-void AddBuilding(const Asset& asset, const std_msgs::ColorRGBA& wall,
-                 const std_msgs::ColorRGBA& roof, MarkerPieces* pieces) {
+// The coarsest mesh of its model.
+void AddMesh(const Asset& asset, const Mesh& mesh, const PartColors& colors, MarkerPieces* pieces) {
   const double c = std::cos(asset.yaw_rad), s = std::sin(asset.yaw_rad);
-  const auto corner = [&](int k, double z_m) {
-    const double u = (k == 1 || k == 2) ? asset.half_length_m : -asset.half_length_m;
-    const double v = k >= 2 ? asset.half_width_m : -asset.half_width_m;
-    return Point(asset.x_m + c * u - s * v, asset.y_m + s * u + c * v, z_m);
+  const auto place = [&](std::uint32_t vertex) {
+    const Eigen::Vector3f& unit = mesh.vertices[vertex];
+    const double u = asset.half_length_m * unit.x(), v = asset.half_width_m * unit.y();
+    return Point(asset.x_m + c * u - s * v, asset.y_m + s * u + c * v,
+                 asset.z_m + asset.height_m * unit.z());
   };
-  const double low_m = asset.z_m, high_m = asset.z_m + asset.height_m;
-  for (int k = 0; k < 4; ++k) {
-    const int next = (k + 1) % 4;
-    pieces->Add(corner(k, low_m), corner(next, low_m), corner(next, high_m), wall);
-    pieces->Add(corner(k, low_m), corner(next, high_m), corner(k, high_m), wall);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, d] = mesh.triangles[i];
+    pieces->Add(place(a), place(b), place(d), ColorOf(colors, mesh.parts[i]));
   }
-  pieces->Add(corner(0, high_m), corner(1, high_m), corner(2, high_m), roof);
-  pieces->Add(corner(0, high_m), corner(2, high_m), corner(3, high_m), roof);
 }
 
 bool IsDrawn(AssetKind kind) { return IsSolid(kind) || kind == AssetKind::kBush; }
@@ -120,6 +169,7 @@ bool IsDrawn(AssetKind kind) { return IsSolid(kind) || kind == AssetKind::kBush;
 // The pieces of every kind that is drawn.
 struct AssetPieces {
   MarkerPieces trees, bushes, stones, buildings;
+  std::map<std::uint8_t, Mesh> building_meshes;  // by model
 
   explicit AssetPieces(double size_m)
       : trees("trees", size_m),
@@ -128,22 +178,26 @@ struct AssetPieces {
         buildings("buildings", size_m) {}
 };
 
-void AddAsset(const Asset& asset, const PartColors& colors, AssetPieces* pieces) {
+void AddAsset(const Asset& asset, const AssetModel& model, const PartColors& colors,
+              AssetPieces* pieces) {
   const auto leaves = ColorOf(colors, MeshPart::kLeaves);
   switch (asset.kind) {
     case AssetKind::kTree:
       pieces->trees.MoveTo(asset.position());
-      AddSpindle(asset, 5, 0.3, leaves, ColorOf(colors, MeshPart::kBark), &pieces->trees);
+      AddSpindle(asset, 5, model.crown_base + (1.0 - model.crown_base) * model.crown_widest, leaves,
+                 ColorOf(colors, MeshPart::kBark), &pieces->trees);
       break;
     case AssetKind::kBush:
       pieces->bushes.MoveTo(asset.position());
       AddSpindle(asset, 4, 0.5, leaves, leaves, &pieces->bushes);
       break;
-    case AssetKind::kBuilding:
+    case AssetKind::kBuilding: {
+      Mesh& mesh = pieces->building_meshes[asset.model];
+      if (mesh.triangles.empty()) mesh = BuildMesh(model, 1.0, kMeshDetails - 1, 0);
       pieces->buildings.MoveTo(asset.position());
-      AddBuilding(asset, ColorOf(colors, MeshPart::kWall), ColorOf(colors, MeshPart::kRoof),
-                  &pieces->buildings);
+      AddMesh(asset, mesh, colors, &pieces->buildings);
       break;
+    }
     default: {
       const auto stone = ColorOf(colors, MeshPart::kStone);
       pieces->stones.MoveTo(asset.position());
@@ -165,7 +219,7 @@ void AddAssets(const Scene& scene, int max_assets, AssetPieces* pieces) {
     if (sum < drawn) continue;
     sum -= drawn;
     const double draw = HashToUnit(0, static_cast<std::int64_t>(i), 0);  // which individual
-    AddAsset(asset,
+    AddAsset(asset, scene.catalogue->models()[asset.model],
              ColorsOf(*scene.catalogue, TypeOf(asset.kind), asset.season_variant, asset.material,
                       scene.environment.coarse.season, draw),
              pieces);
@@ -184,8 +238,7 @@ visualization_msgs::MarkerArray ToMarkers(const Scene& scene, const WorldMarkerO
   const double size_m = scene.geometry().size_m();
   MarkerPieces ground("ground", size_m), water("water", size_m);
   AssetPieces assets(size_m);
-  AddGround(*scene.terrain, std::min(options.terrain_cells, scene.geometry().rows()), &ground,
-            &water);
+  AddGround(scene, std::min(options.terrain_cells, scene.geometry().rows()), &ground, &water);
   AddAssets(scene, options.max_assets, &assets);
   for (MarkerPieces* pieces :
        {&ground, &water, &assets.trees, &assets.bushes, &assets.stones, &assets.buildings}) {

@@ -13,9 +13,9 @@ struct WorldMarkerOptions {
 };
 
 // What stands still, for rviz, in pieces of bounded size that are drawn or left out one by one
-// (MarkerPieces): namespace ground in the layout's colours, water, trees and bushes as spindles,
-// stones as octahedra, buildings as boxes with roofs, all in the catalogue's colours of the season.
-// Frame map, stamps left at zero. The first marker deletes what was there before.
+// (MarkerPieces): namespaces ground, water, trees, bushes and stones (spindles), buildings (their
+// models' coarsest meshes), in natural colours of the season. Frame map, stamps left at zero. The
+// first marker deletes what was there before.
 visualization_msgs::MarkerArray ToMarkers(const Scene& scene, const WorldMarkerOptions& options);
 
 }  // namespace latticeworld

@@ -110,6 +110,33 @@ Names Replaced(const nlohmann::json& file, const char* list, const Names& base) 
   return names;
 }
 
+// "tree wild/F 3" for each density that a file gives.
+Names Densities(const nlohmann::json& file) {
+  Names densities;
+  if (!file.contains("density")) return densities;
+  for (const nlohmann::json& entry : file.at("density")) {
+    const std::string kind = entry.at("kind").get<std::string>();
+    for (const char* vocabulary : {"suburb", "wild"}) {
+      if (!entry.contains(vocabulary)) continue;
+      for (const auto& [letter, per_hectare] : entry.at(vocabulary).items()) {
+        densities.push_back(kind + " " + vocabulary + "/" + letter + " " +
+                            FormatDouble(per_hectare.get<double>()));
+      }
+    }
+  }
+  return densities;
+}
+
+void PrintDensities(const Catalogue& catalogue, std::ostream* out) {
+  for (const CatalogueFile& added : catalogue.added_files()) {
+    const auto file = nlohmann::json::parse(added.text);  // legal, or it would not be there
+    const Names densities = Densities(file);
+    if (densities.empty()) continue;
+    *out << "\ndensities in " << file.at("type").get<std::string>() << ": " << Join(densities, ", ")
+         << "\n";
+  }
+}
+
 void PrintReplaced(const Catalogue& catalogue, std::ostream* out) {
   const Catalogue& base = *Catalogue::BuiltIn();
   for (const CatalogueFile& added : catalogue.added_files()) {
@@ -140,6 +167,7 @@ Status PrintCatalogue(const std::vector<std::string>& files) {
   } else {
     PrintAdded(*catalogue, &std::cout);
     PrintReplaced(*catalogue, &std::cout);
+    PrintDensities(*catalogue, &std::cout);
   }
   return Status();
 }

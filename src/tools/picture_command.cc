@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "latticeworld/common/files.h"
+#include "latticeworld/common/range.h"
 #include "latticeworld/exporting/close_view.h"
 #include "latticeworld/exporting/contact_sheet.h"
 #include "latticeworld/exporting/octree_view.h"
@@ -25,6 +26,15 @@ constexpr int kMinWidth_px = 64;
 constexpr int kMaxWidth_px = 4096;
 
 constexpr double kDegree = M_PI / 180.0;
+constexpr Range kPitches_deg = {-80.0, 80.0};
+constexpr Range kHeadings_deg = {-3600.0, 3600.0};
+
+// The option that a value of a view came from.
+std::string OptionOf(const std::string& value) {
+  if (value == "eye_height") return "--eye";
+  if (value.rfind("position", 0) == 0) return "--at" + value.substr(8);
+  return value;
+}
 
 // The view that --at and what stands beside it ask for.
 Result<CloseView> ReadCloseView(const CLI::App& command, const Scene& scene) {
@@ -32,13 +42,18 @@ Result<CloseView> ReadCloseView(const CLI::App& command, const Scene& scene) {
   CloseView view;
   view.name = "close";
   const auto at = arguments.NumberPair("--at");
-  view.heading_rad = arguments.Number("--heading", 90.0) * kDegree;
-  view.pitch_rad = arguments.Number("--pitch", view.pitch_rad / kDegree) * kDegree;
+  const double heading_deg = arguments.Number("--heading", 90.0);
+  const double pitch_deg = arguments.Number("--pitch", view.pitch_rad / kDegree);
   view.eye_height_m = arguments.Number("--eye", view.eye_height_m);
   LW_RETURN_IF_ERROR(arguments.status());
   view.position = {at->first, at->second};
-  if (auto violations = Validate(scene, view); !violations.empty())
-    return Status::FromViolations("--view close", std::move(violations));
+  std::vector<Violation> violations = Validate(scene, view);
+  for (Violation& violation : violations) violation.pointer = OptionOf(violation.pointer);
+  CheckRange("--heading", heading_deg, kHeadings_deg, " deg", &violations);
+  CheckRange("--pitch", pitch_deg, kPitches_deg, " deg", &violations);
+  if (!violations.empty()) return Status::FromViolations("--view close", std::move(violations));
+  view.heading_rad = heading_deg * kDegree;
+  view.pitch_rad = pitch_deg * kDegree;
   return view;
 }
 
@@ -53,9 +68,10 @@ Result<std::string> DrawClose(const CLI::App& command, const Scene& scene, const
   std::string known;
   for (const CloseView& candidate : views) {
     if (candidate.name == view) return DrawCloseView(scene, candidate, options);
-    known += (known.empty() ? "" : ", ") + candidate.name;
+    if (candidate.name == "middle") continue;  // no view that can be asked for
+    known += (known.empty() ? "; it has some for: " : ", ") + candidate.name;
   }
-  return NotFound("this world has no place for --view " + view + "; it has some for: " + known);
+  return NotFound("this world has no place for --view " + view + known);
 }
 
 Result<std::string> Draw(const CLI::App& command, const World& world, const std::string& view,
@@ -90,6 +106,7 @@ Status Picture(const CLI::App& command) {
   PictureOptions options;
   options.width_px =
       static_cast<int>(arguments.Integer("--width", kMinWidth_px, kMaxWidth_px, options.width_px));
+  options.quick = command.count("--quick") > 0;
   const std::string view =
       arguments.Choice("--view",
                        {"world", "top", "oblique", "close", "street", "shore", "forest", "hill",
@@ -129,7 +146,7 @@ void AddPictureCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--at", "X,Y", "Where a close view is from [m], east and north.");
   AddValueOption(command, "--heading", "DEG",
                  "Where it looks: 0 east, counter-clockwise [90, north].");
-  AddValueOption(command, "--pitch", "DEG", "How far up from level it looks [-2.3].");
+  AddValueOption(command, "--pitch", "DEG", "How far up from level it looks, -80 to 80 [-2.3].");
   AddValueOption(command, "--eye", "M", "How high the eye is above ground or water [1.7].");
   command->callback([command, exit_status] {
     const Status status = Picture(*command);

@@ -127,6 +127,61 @@ TEST(ExtendedCatalogueTest, FilesMayReferToOneAnother) {
   EXPECT_EQ(FaultsOf({{"b.json", models.dump()}, {"a.json", values.dump()}}), Strings());
 }
 
+TEST(ExtendedCatalogueTest, AReferenceToAModelOfAnotherTypeIsRefused) {
+  Json models = Json::parse(LarchFile()), stone = {{"type", "stone"}};
+  models.erase("materials");
+  for (Json& value : models["season_variants"]) value.erase("models");
+  stone["materials"] = Json::parse(LarchFile())["materials"];
+  stone["materials"][0]["name"] = "larch stone";
+  EXPECT_EQ(FaultsOf({{"forest.json", models.dump()}, {"stone.json", stone.dump()}}),
+            Strings({"unknown_value stone.json#/materials/0/models/0"}));
+  // What keeps the model itself from being read is the only fault, but in its own type only.
+  models["models"][0].erase("share");
+  models["materials"] = Json::parse(LarchFile())["materials"];
+  EXPECT_EQ(FaultsOf(models.dump()), Strings({"missing_key user.json#/models/0/share"}));
+  EXPECT_EQ(FaultsOf({{"forest.json", models.dump()}, {"stone.json", stone.dump()}}),
+            Strings({"missing_key forest.json#/models/0/share",
+                     "unknown_value stone.json#/materials/0/models/0"}));
+}
+
+TEST(ExtendedCatalogueTest, RefusesWhatAListSaysTwice) {
+  Json larch = Json::parse(LarchFile());
+  larch["season_variants"][0]["seasons"] = {"spring", "summer", "spring"};
+  larch["season_variants"][1]["models"] = {"larch", "oak", "larch"};
+  larch["materials"][0]["models"] = {"larch", "larch", "larch"};
+  EXPECT_EQ(FaultsOf(larch.dump()), Strings({"duplicate_value user.json#/season_variants/0/seasons",
+                                             "duplicate_value user.json#/season_variants/1/models",
+                                             "duplicate_value user.json#/materials/0/models"}));
+}
+
+TEST(ExtendedCatalogueTest, ASpreadIsARatioAndGrowthIsSeen) {
+  Json larch = Json::parse(LarchFile());
+  larch["season_variants"][0]["growth"] = 0.001;
+  Json tuft = {{"type", "grass"}};
+  tuft["models"] = Json::parse(R"([{"name": "plate", "kind": "grass_tuft", "shape": "grass_tuft",
+      "collision": "none", "height_m": {"mean": 1, "deviation": 0, "low": 1, "high": 1},
+      "spread": {"mean": 1, "deviation": 0, "low": 1, "high": 11}, "share": 1}])");
+  EXPECT_EQ(FaultsOf({{"larch.json", larch.dump()}, {"tuft.json", tuft.dump()}}),
+            Strings({"out_of_range larch.json#/season_variants/0/growth",
+                     "out_of_range tuft.json#/models/0/spread/high"}));
+}
+
+TEST(ExtendedCatalogueTest, NamesHaveNoSpacesThatNobodySees) {
+  const auto faults = [](const std::string& name) {
+    Json larch = Json::parse(LarchFile());
+    larch["season_variants"][0]["name"] = name;
+    return FaultsOf(larch.dump());
+  };
+  for (const std::string& name : {std::string("green larch 2"), std::string(48, 'a')}) {
+    EXPECT_EQ(faults(name), Strings()) << name;
+  }
+  for (const std::string& name :
+       {std::string("green larch "), std::string("green  larch"), std::string(" green larch"),
+        std::string(49, 'a'), std::string("a b c d e f g h i j k l m n o p q r s t u v w x y")}) {
+    EXPECT_EQ(faults(name), Strings({"bad_format user.json#/season_variants/0/name"})) << name;
+  }
+}
+
 TEST(ExtendedCatalogueTest, KeepsTheTextsForBundles) {
   const auto catalogue =
       Catalogue::Extended({{"a.json", R"({"type": "road"})"}, {"larch.json", LarchFile()}});
@@ -281,6 +336,18 @@ TEST_F(LoadTest, SaysWhatIsNotThere) {
   const auto broken = Catalogue::Load({Write("broken.json", "{")});
   ASSERT_EQ(broken.status().violations().size(), 1u);
   EXPECT_EQ(broken.status().violations()[0].pointer, "broken.json#");
+}
+
+TEST_F(LoadTest, SaysEverythingThatIsNotThere) {
+  const Status status =
+      Catalogue::Load({directory_ / "a.json", Write("larch.json", LarchFile()),
+                       Write("long.json", std::string((4 << 20) + 1, ' ')), directory_ / "b.json"})
+          .status();
+  EXPECT_EQ(status.code(), StatusCode::kNotFound);  // as the first of them
+  ASSERT_EQ(status.violations().size(), 3u);
+  for (const char* name : {"a.json", "long.json", "b.json"}) {
+    EXPECT_NE(status.message().find(name), std::string::npos) << name << status.message();
+  }
 }
 
 TEST_F(LoadTest, NothingIsTheBuiltInCatalogue) {

@@ -79,8 +79,36 @@ TEST(HostileCatalogueTest, BreadthCostsLittle) {
   for (int i = 0; i < 100000; ++i) keys += ",\"k" + std::to_string(i) + "\":0";
   EXPECT_LE(FaultsOf(keys + "}").size(), 501u);
   const Strings twice = FaultsOf("{\"type\": \"road\"" + Repeat(",\"a\":0", 100000) + "}");
-  EXPECT_EQ(twice.size(), 501u);
-  EXPECT_EQ(twice.back(), "more_violations ");
+  EXPECT_EQ(twice, Strings({"duplicate_key user.json#/a", "unknown_key user.json#/a"}));
+}
+
+// All pairs of these names are equal: eight million in a file of a megabyte.
+TEST(HostileCatalogueTest, EqualNamesCostLittle) {
+  const std::string variant = "{\"models\": [" + Repeat("\"a\",", 255) + "\"a\"]}";
+  const Strings faults = FaultsOf("{\"type\": \"forest\", \"season_variants\": [" +
+                                  Repeat(variant + ",", 254) + variant + "]}");
+  EXPECT_EQ(faults.size(), 501u);
+  for (const std::string& fault : faults) EXPECT_EQ(fault.find("duplicate_value"), fault.npos);
+}
+
+TEST(HostileCatalogueTest, NoFurtherFileIsReadAfterEnoughFaults) {
+  std::string faulty = "{\"type\": \"road\", \"materials\": [";
+  for (int i = 0; i < 100; ++i) faulty += "{},";
+  faulty += "{}]}";
+  std::vector<CatalogueFile> files;
+  for (int i = 0; i < 9; ++i) files.push_back({std::to_string(i), faulty});
+  const auto catalogue = Catalogue::Extended(files);
+  const std::vector<Violation>& violations = catalogue.status().violations();
+  ASSERT_EQ(violations.size(), 502u);
+  EXPECT_EQ(violations[500].message, "and 207 further violations");  // of one file
+  EXPECT_EQ(violations[501].code, "unread_files");
+  EXPECT_EQ(violations[501].given, "8");
+}
+
+TEST(HostileCatalogueTest, RefusesTooMuchInAll) {
+  std::vector<CatalogueFile> files;
+  for (int i = 0; i < 9; ++i) files.push_back({std::to_string(i), std::string(4 << 20, ' ')});
+  EXPECT_EQ(FaultsOf(files), Strings({"too_long "}));
 }
 
 TEST(HostileCatalogueTest, LongNamesAreNotRepeatedInFull) {

@@ -42,6 +42,11 @@ TEST(StrictJsonTest, EveryKeyThatStandsTwiceIsPlaced) {
             Strings({"duplicate_key a#/b/1/c~1d", "duplicate_key a#/a"}));
 }
 
+TEST(StrictJsonTest, AKeyIsReportedOnceForEachObjectItRepeatsIn) {
+  EXPECT_EQ(Faults(R"({"a":1,"a":2,"a":3,"b":{"a":1,"a":2,"a":3},"a":4})"),
+            Strings({"duplicate_key a#/a", "duplicate_key a#/b/a"}));
+}
+
 TEST(StrictJsonTest, WhatIsNoDocumentIsNamed) {
   EXPECT_EQ(Faults(""), Strings({"parse_error a#"}));
   EXPECT_EQ(Faults("{\"a\": 1e400}"), Strings({"parse_error a#"}));

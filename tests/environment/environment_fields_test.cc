@@ -198,7 +198,8 @@ TEST(EnvironmentFieldsTest, TenThousandAgentsAreTooMany) {
   ASSERT_EQ(many.violations().size(), 1u);
   EXPECT_EQ(many.violations()[0].code, "out_of_range");
   EXPECT_EQ(many.violations()[0].pointer, "/agents");
-  EXPECT_EQ(many.violations()[0].message, "10000 groups; at most 1000 agents in all are legal");
+  EXPECT_EQ(many.violations()[0].message,
+            "more than 1000 groups; at most 1000 agents in all are legal");
 
   json["agents"] = Json::array();
   for (int i = 0; i < 1000; ++i) json["agents"].push_back(Sheep(1));

@@ -156,6 +156,37 @@ TEST(EnvironmentJsonTest, AgentsAreBoundedAndFitTheirState) {
             "out_of_range");
 }
 
+// Arrays are kept up to the first element too many, and so are the faults within them.
+TEST(EnvironmentJsonTest, GroupsBeyondTheLimitAreNotRead) {
+  const auto violations = ViolationsAfter(
+      [](Json& json) { json["agents"] = std::vector<Json>(300000, Json::object()); });
+  ASSERT_EQ(violations.size(), 1u);
+  EXPECT_EQ(violations[0].code, "out_of_range");
+  EXPECT_EQ(violations[0].pointer, "/agents");
+  EXPECT_EQ(violations[0].given, "more than 1000");
+}
+
+TEST(EnvironmentJsonTest, MessagesQuoteWhatWasGiven) {
+  const auto said = [](const char* path, const Json& value) {
+    const auto violations = ViolationsAfter([&](Json& json) {
+      json["agents"] = Json::parse(
+          R"([{"category": "sheep", "quantity": 1, "state": "idle", "position": "center"}])");
+      json[Json::json_pointer(path)] = value;
+    });
+    EXPECT_EQ(violations.size(), 1u);
+    return violations.empty() ? std::string() : violations[0].message + " | " + violations[0].given;
+  };
+  EXPECT_EQ(
+      said("/agents/0/quantity", 99999999999),
+      "must be from 1 to " + std::to_string(kMaxGroupQuantity) + ", not 99999999999 | 99999999999");
+  EXPECT_EQ(said("/agents/0/quantity", 1.0), "must be a whole number, not 1.0 (number) | 1.0");
+  EXPECT_EQ(said("/agents/0/quantity", "many"),
+            "must be a whole number, not \"many\" (string) | \"many\"");
+  EXPECT_EQ(said("/fine/stone/rotation", Json::array({0, "a"})),
+            "must be an array [roll, pitch, yaw] of three degrees, not [0,\"a\"] (array) | "
+            "[0,\"a\"]");
+}
+
 TEST(EnvironmentJsonTest, DuplicateKeysAreRefused) {
   std::string json = ToJson(RandomEnvironment(1));
   json.insert(json.find("\"season\""), "\"season\": \"winter\", ");

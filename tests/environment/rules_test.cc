@@ -17,12 +17,13 @@ bool IsAllowed(AssetType type, std::string_view variant, const CoarseAttributes&
   return BreachOf(BoundsOf(coarse, type).season_variants, variant).empty();
 }
 
-// The seasons, as initials, in which a variant is allowed while no snow falls.
+// The seasons, as initials, in which a variant is allowed in nights without snowfall.
 std::string SeasonsOf(AssetType type, std::string_view variant) {
   std::string seasons;
   for (const auto& season : EnumNames(Season{})) {
     CoarseAttributes coarse;
     coarse.season = season.value;
+    coarse.time_of_day = TimeOfDay::kNight;
     if (IsAllowed(type, variant, coarse)) {
       seasons += season.name[0] == 's' ? season.name[1] : season.name[0];
     }
@@ -131,6 +132,19 @@ TEST(RulesTest, SandFliesInStrongWindOverDryGround) {
             "dry storm");
   coarse.weather = Weather::kRain;
   EXPECT_FALSE(IsAllowed(AssetType::kDesert, "dry storm", coarse));
+  coarse.weather = Weather::kFog;
+  EXPECT_FALSE(IsAllowed(AssetType::kDesert, "dry storm", coarse));
+}
+
+TEST(RulesTest, SandIsColdAtNightOnly) {
+  for (const auto& time : EnumNames(TimeOfDay{})) {
+    CoarseAttributes coarse;
+    coarse.time_of_day = time.value;
+    EXPECT_EQ(IsAllowed(AssetType::kDesert, "cold night", coarse),
+              time.value == TimeOfDay::kDusk || time.value == TimeOfDay::kNight ||
+                  time.value == TimeOfDay::kDawn)
+        << time.name;
+  }
 }
 
 TEST(RulesTest, DesertsBearLess) {

@@ -8,6 +8,7 @@
 
 #include "../mapping/hand_made_scene.h"
 #include "decode_picture.h"
+#include "latticeworld/common/random.h"
 #include "latticeworld/exporting/contact_sheet.h"
 
 namespace latticeworld {
@@ -27,6 +28,8 @@ Scene Land() {
   auto terrain = std::make_shared<Terrain>(*scene.terrain);
   for (int row = 0; row < 128; ++row)
     for (int col = 93; col < 97; ++col) terrain->surface(row, col) = SurfaceClass::kRoad;
+  for (int row = 0; row < 20; ++row)  // from y = 88 m on
+    for (int col = 36; col < 88; ++col) terrain->surface(row, col) = SurfaceClass::kForestFloor;
   scene.terrain = terrain;
   std::vector<Asset> assets;
   for (int i = 0; i < 6; ++i)
@@ -38,6 +41,39 @@ Scene Land() {
       assets.push_back(MakeTree(-55.0f + 5.0f * static_cast<float>(i),
                                 90.0f + 5.0f * static_cast<float>(j), 9.0f, 2.5f, 0.2f));
   return WithAssets(scene, assets);
+}
+
+// 625 trees a hectare on level ground of that class.
+Scene Wood(SurfaceClass surface) {
+  Scene scene = MakeScene(128, 256.0, [](double, double) { return 2.0; });
+  auto terrain = std::make_shared<Terrain>(*scene.terrain);
+  for (int row = 0; row < 128; ++row)
+    for (int col = 0; col < 128; ++col) terrain->surface(row, col) = surface;
+  scene.terrain = terrain;
+  std::vector<Asset> trees;
+  for (int i = 0; i < 64; ++i) {
+    for (int j = 0; j < 64; ++j) {
+      const auto shift_m = [&](int stream) { return 3.8 * HashToUnit(stream, i, j) - 1.9; };
+      trees.push_back(MakeTree(static_cast<float>(-126.0 + 4.0 * i + shift_m(1)),
+                               static_cast<float>(-126.0 + 4.0 * j + shift_m(2)), 12.0f, 2.0f,
+                               0.2f));
+    }
+  }
+  return WithAssets(scene, trees);
+}
+
+std::set<std::string> NamesOf(const std::vector<CloseView>& views) {
+  std::set<std::string> names;
+  for (const CloseView& view : views) names.insert(view.name);
+  return names;
+}
+
+bool IsInCrown(const Scene& scene, const CloseView& view) {
+  for (const Asset& tree : scene.assets) {
+    if (std::hypot(tree.x_m - view.position.x_m, tree.y_m - view.position.y_m) < tree.half_length_m)
+      return true;
+  }
+  return false;
 }
 
 TEST(CloseViewTest, IsHalfAgainAsWideAsHighAndTheSameEveryTime) {
@@ -91,6 +127,43 @@ TEST(CloseViewTest, ChosenPlacesShowStreetShoreForestAndHill) {
   EXPECT_EQ(names, (std::set<std::string>{"street", "shore", "forest", "hill"}));
 }
 
+TEST(CloseViewTest, AForestEverywhereHasAViewOfItFromBetweenTheCrowns) {
+  const Scene scene = Wood(SurfaceClass::kForestFloor);
+  const std::vector<CloseView> views = ChooseViews(scene);
+  ASSERT_EQ(NamesOf(views), std::set<std::string>{"forest"});
+  EXPECT_FALSE(IsInCrown(scene, views.front()));
+}
+
+TEST(CloseViewTest, TreesOnOtherGroundAreNoForestAndLevelGroundIsNoHill) {
+  const Scene scene = Wood(SurfaceClass::kGrass);
+  const std::vector<CloseView> views = ChooseViews(scene);
+  ASSERT_EQ(NamesOf(views), std::set<std::string>{"middle"});
+  const CloseView& middle = views.front();
+  EXPECT_FALSE(IsInCrown(scene, middle));
+  EXPECT_LT(middle.eye_height_m, 2.0);
+  // Open ahead: no trunk within 8 m of the way that it looks.
+  for (double away_m = 0.0; away_m <= 8.0; away_m += 0.5) {
+    const WorldPoint at = {middle.position.x_m + away_m * std::cos(middle.heading_rad),
+                           middle.position.y_m + away_m * std::sin(middle.heading_rad)};
+    scene.index.ForEachNear(at, 0.5, [&](std::uint32_t) { ADD_FAILURE() << away_m; });
+  }
+}
+
+TEST(CloseViewTest, NobodyLooksOutOfAWall) {
+  const Scene scene = WithAssets(MakeScene(32, 64.0, [](double x_m, double) { return 0.1 * x_m; }),
+                                 {MakeBuilding(0.0f, 0.0f, 6.0f, 5.0f, 4.0f, 0.5f)});
+  CloseView view;
+  view.position = {1.0, 1.0};
+  const std::vector<Violation> violations = Validate(scene, view);
+  ASSERT_EQ(violations.size(), 1u);
+  EXPECT_EQ(violations.front().pointer, "position");
+  view.eye_height_m = 7.0;  // above the roof
+  EXPECT_TRUE(Validate(scene, view).empty());
+  view.eye_height_m = 1.7;
+  view.position = {0.0, 10.0};
+  EXPECT_TRUE(Validate(scene, view).empty());
+}
+
 TEST(CloseViewTest, AnEmptyPlainHasAViewToo) {
   const Scene plain = MakeScene(32, 32.0, [](double, double) { return 0.0; });
   EXPECT_FALSE(ChooseViews(plain).empty());
@@ -116,6 +189,29 @@ TEST(ContactSheetTest, ShowsEverySeasonStyleWeatherAndHour) {
   const auto refused = DrawContactSheet(scene, 5, options);
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.status().message().find("600"), std::string::npos);
+}
+
+TEST(ContactSheetTest, KeepsTheEnvironmentsOwnValuesWhereTheyStayLegal) {
+  const Catalogue& catalogue = *Catalogue::BuiltIn();
+  EnvironmentConfig environment;
+  environment.fine = DeriveFineAttributes(environment.coarse, catalogue);
+  environment.fine_of(AssetType::kGrass).density = 0.07;
+  environment.fine_of(AssetType::kForest).density = 0.91;
+  EXPECT_EQ(ToJson(ChangedEnvironment(environment, environment.coarse, catalogue)),
+            ToJson(environment));
+  for (const auto& season : EnumNames(Season{})) {
+    for (const auto& weather : EnumNames(Weather{})) {
+      CoarseAttributes coarse = environment.coarse;
+      coarse.season = season.value;
+      coarse.weather = weather.value;
+      const EnvironmentConfig changed = ChangedEnvironment(environment, coarse, catalogue);
+      const FineAttributes usual = DeriveFineAttributes(coarse, catalogue);
+      EXPECT_TRUE(Validate(changed, catalogue).empty()) << season.name << " " << weather.name;
+      EXPECT_LT(changed.fine_of(AssetType::kGrass).density, 0.2);
+      EXPECT_NE(changed.fine_of(AssetType::kGrass).density,
+                usual[static_cast<int>(AssetType::kGrass)].density);
+    }
+  }
 }
 
 }  // namespace

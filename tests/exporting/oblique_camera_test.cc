@@ -80,6 +80,11 @@ TEST(ObliqueCameraTest, TallTreesAndFlyersAtTheFarEdgeAreInThePicture) {
   EXPECT_GT(CameraOf(scene).Project({0.0f, 127.0f, 35.0f}).y(), 0.0f);
 }
 
+TEST(ObliqueCameraTest, TreesThatAreHighForASmallWorldAreNotCutOff) {
+  const Scene scene = WithAssets(Mountains(0.0, 0.0), {MakeTree(0.0f, 127.0f, 90.0f, 5.0f, 0.5f)});
+  EXPECT_GT(CameraOf(scene).Project({0.0f, 127.0f, 90.0f}).y(), 0.0f);
+}
+
 TEST(ObliqueCameraTest, UprightStaysUprightAndFartherIsHigherAndSmaller) {
   const Scene scene = Mountains(0.0, 0.0);
   const RayCamera camera = CameraOf(scene);

@@ -214,6 +214,17 @@ TEST(RaySkyTest, ClarityFollowsTheVisibility) {
   EXPECT_NEAR(sky.Clarity(150.0f), std::sqrt(0.05f), 1e-3f);
 }
 
+TEST(RaySkyTest, RainyNightsAreNotBlack) {
+  Scene scene = Plain();
+  scene.environment.coarse.time_of_day = TimeOfDay::kNight;
+  const auto skylight = [&](Weather weather) {
+    scene.environment.coarse.weather = weather;
+    scene.atmosphere = DeriveAtmosphere(scene.environment.coarse, 0.0, 0.0);
+    return Brightness(RaySky(scene).Ambient(Eigen::Vector3f::UnitZ()));
+  };
+  EXPECT_GT(skylight(Weather::kRain), 1.2f * skylight(Weather::kSunny));
+}
+
 TEST(RaySkyTest, LampsAreLitAtNightOnly) {
   Scene scene = Plain();
   const auto lit = [&](TimeOfDay time) {

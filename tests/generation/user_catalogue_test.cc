@@ -69,6 +69,13 @@ TEST(UserCatalogueTest, AWorldIsMadeAgainFromItsOwn) {
   EXPECT_EQ((*rebuilt)->id, world->id);
 }
 
+TEST(CatalogueJsonTest, RefusesWhatIsTooLongUnparsed) {
+  const auto catalogue = DecodeCatalogue(std::string((65 << 20) + 1, ' '));
+  ASSERT_FALSE(catalogue.ok());
+  EXPECT_EQ(catalogue.status().code(), StatusCode::kDataLoss);
+  EXPECT_EQ(catalogue.status().message(), "it has 68157441 bytes; legal are at most 68157440");
+}
+
 TEST(CatalogueJsonTest, RefusesWhatIsNoCatalogue) {
   for (const char* content : {"", "{}", "[{\"name\": \"x\"}]", "[{\"name\": 1, \"text\": \"{}\"}]",
                               "[{\"name\": \"x.json\", \"text\": \"no JSON\"}]"}) {

@@ -74,6 +74,20 @@ TEST(AgentPlacementTest, EveryGroupStandsLegallyInItsRegionWithLegalNames) {
   }
 }
 
+TEST(AgentPlacementTest, NobodyStandsInWatersThatTheWeatherHasRaised) {
+  // All of it can be forded at the mean level, and nothing of it in the rain.
+  TestGround ground;
+  ground.letter_at = [](WorldPoint) { return 'G'; };
+  ground.water_at_m = [](WorldPoint point) { return point.x_m > -100.0 ? 0.18 : NAN; };
+  EnvironmentConfig environment = MakeEnvironment(0.0);
+  environment.coarse.weather = Weather::kRain;
+  environment.agents = {{AgentCategory::kHorse, 20, AgentState::kIdle, Region::kAnywhere}};
+  const SceneAnswer answer = Build(MakeTerrain(ground), environment, 1);
+  ASSERT_GT(0.18 + answer.scene->atmosphere.water_rise_m, 0.2);
+  ASSERT_EQ(answer.scene->agents.size(), 21u);
+  for (const AgentStart& agent : answer.scene->agents) EXPECT_LT(agent.position.x_m, -99.0);
+}
+
 TEST(AgentPlacementTest, EveryWorldHasARobotNearItsCentre) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const SceneAnswer answer = BuildWith(Meadow(), {}, seed);

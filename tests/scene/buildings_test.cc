@@ -366,6 +366,79 @@ TEST(BuildingsByHandTest, WithoutRoadsTheyFollowTheirArea) {
   EXPECT_GT(yaws.size(), buildings.size() / 2) << "no two alike, but for barns and sheds";
 }
 
+TEST(BuildingsByHandTest, SpreadOverTheirWholeAreaWithoutRoads) {
+  TestGround ground;
+  ground.size_m = 1024.0;
+  ground.letter_at = [](WorldPoint point) {
+    return std::hypot(point.x_m, point.y_m) < 400.0 ? 'B' : 'G';
+  };
+  const auto terrain = MakeTerrain(ground);
+  for (int seed = 0; seed < 5; ++seed) {
+    const SceneAnswer answer = Build(terrain, MakeEnvironment(0.25), seed);
+    double sum_m = 0.0;
+    int count = 0;
+    for (const Asset& building : OfKind(*answer.scene, AssetKind::kBuilding)) {
+      sum_m += std::hypot(building.x_m, building.y_m);
+      ++count;
+    }
+    ASSERT_GT(count, 300);
+    // Of an even disc 2 / 3 of its radius; somewhat denser in the middle.
+    EXPECT_GT(sum_m / count, 0.5 * 400.0) << "seed " << seed;
+  }
+}
+
+TEST(BuildingsByHandTest, ASettlementThatRefusesAllIsGivenUp) {
+  TestGround ground;
+  ground.size_m = 512.0;
+  ground.letter_at = [](WorldPoint) { return 'B'; };
+  ground.height_at_m = [](WorldPoint point) { return point.x_m * std::tan(20.0 * kDegree); };
+  const auto terrain = MakeTerrain(ground);
+  const EnvironmentConfig environment = MakeEnvironment(1.0);
+  Placement placement(*terrain, *Catalogue::BuiltIn(), environment, 6, 1);
+  PlaceBuildings(&placement);
+  EXPECT_TRUE(placement.assets.empty());
+  const Tally::Kind& tally = placement.tally.Of(AssetKind::kBuilding);
+  long refused = 0;
+  for (const long count : tally.refused) refused += count;
+  EXPECT_GT(refused, 100);
+  EXPECT_LT(refused, 1.6 * tally.wanted) << "of five places for each that is wanted";
+}
+
+TEST(BuildingsByHandTest, ACancelledPlacementBuildsNothing) {
+  TestGround ground;
+  ground.letter_at = [](WorldPoint point) { return std::abs(point.y_m) < 4.0 ? 'R' : 'B'; };
+  const auto terrain = MakeTerrain(ground);
+  const EnvironmentConfig environment = MakeEnvironment(1.0);
+  Progress progress;
+  Placement placement(*terrain, *Catalogue::BuiltIn(), environment, 6, 1);
+  placement.progress = &progress;
+  progress.Cancel();
+  PlaceBuildings(&placement);
+  EXPECT_LE(placement.assets.size(), 1u) << "a church at most";
+}
+
+TEST(BuildingsByHandTest, EverySettlementHasOneAtLeast) {
+  TestGround ground;
+  ground.size_m = 512.0;
+  // Hamlets whose shares of the buildings are below a half.
+  ground.letter_at = [](WorldPoint point) {
+    const double x_m = std::remainder(point.x_m, 128.0), y_m = std::remainder(point.y_m, 128.0);
+    const bool inside = std::abs(point.x_m) < 192.0 && std::abs(point.y_m) < 192.0;
+    return inside && std::hypot(x_m, y_m) < 15.0 ? 'B' : 'G';
+  };
+  const auto terrain = MakeTerrain(ground);
+  const SettlementMap map(*terrain);
+  ASSERT_EQ(map.settlements().size(), 9u);
+  const SceneAnswer answer = Build(terrain, MakeEnvironment(0.05), 6);
+  std::set<int> with_buildings;
+  for (const Asset& building : OfKind(*answer.scene, AssetKind::kBuilding)) {
+    with_buildings.insert(map.At(building.position()));
+  }
+  EXPECT_EQ(with_buildings.size(), 9u);
+  EXPECT_LE(CountOf(*answer.scene, AssetKind::kBuilding),
+            answer.counts[static_cast<int>(AssetKind::kBuilding)].wanted);
+}
+
 TEST(BuildingsByHandTest, NoneStandsOnASteepSlope) {
   TestGround ground;
   ground.letter_at = [](WorldPoint) { return 'B'; };
@@ -376,7 +449,13 @@ TEST(BuildingsByHandTest, NoneStandsOnASteepSlope) {
   const SceneAnswer answer = Build(MakeTerrain(ground), MakeEnvironment(1.0), 6);
   const std::vector<Asset> buildings = OfKind(*answer.scene, AssetKind::kBuilding);
   ASSERT_GT(buildings.size(), 10u);
-  for (const Asset& building : buildings) EXPECT_LT(building.x_m + building.half_width_m, 5.0);
+  // As far up as the relief below a building allows, and a step of its samples.
+  const double limit_m = kMostReliefBelow_m / std::tan(20.0 * kDegree) + 1.0;
+  for (const Asset& building : buildings) {
+    for (const WorldPoint& corner : FootprintOf(building).Corners()) {
+      EXPECT_LT(corner.x_m, limit_m);
+    }
+  }
 }
 
 }  // namespace

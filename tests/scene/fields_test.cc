@@ -148,6 +148,12 @@ TEST(FieldsTest, OrchardsStandInRowsNearSettlementsOnly) {
   // Their trees stand, and no crop between them.
   const SceneAnswer answer = Build(terrain, MakeEnvironment(0.5), 1);
   EXPECT_GT(CountOf(*answer.scene, AssetKind::kTree), 50);
+  // A world without trees has no fruit trees: crops grow there.
+  EnvironmentConfig bare = MakeEnvironment(0.5);
+  bare.fine_of(AssetType::kForest).density = 0.0;
+  const SceneAnswer treeless = Build(terrain, bare, 1);
+  EXPECT_EQ(CountOf(*treeless.scene, AssetKind::kTree), 0);
+  EXPECT_GT(CountOf(*treeless.scene, AssetKind::kCrop), CountOf(*answer.scene, AssetKind::kCrop));
 }
 
 }  // namespace

@@ -110,6 +110,32 @@ TEST(SpawnRulesTest, WalkersAndWheelsFordAndWhalesSwim) {
   EXPECT_TRUE(Check(deep, AgentCategory::kAerialRobot, {0.0, 0.0}).ok());
 }
 
+TEST(SpawnRulesTest, TheWatersAreThoseOfTheMoment) {
+  Atmosphere flood, drought;
+  flood.water_rise_m = 0.5;
+  drought.water_rise_m = -1.5;
+  constexpr AgentCategory kSheep = AgentCategory::kSheep, kWhale = AgentCategory::kWhale;
+  Scene shallow = MakeScene(Flooded(0.15)), deep = MakeScene(Flooded(3.0));
+  RandomStream random(1, "spawn_rules_test/waters");
+  const auto find = [&random](const Scene& scene, const Atmosphere& atmosphere,
+                              AgentCategory category) {
+    return FindSpawn(scene, atmosphere, category, 0.5, Region::kCenter, {}, &random).status();
+  };
+  EXPECT_TRUE(find(shallow, {}, kSheep).ok());
+  ExpectRefused(find(shallow, flood, kSheep), StatusCode::kNotFound, "deeper than it can ford");
+  ExpectRefused(CheckSpawn(shallow, flood, kSheep, 0.5, {0.0, 0.0}),
+                StatusCode::kFailedPrecondition, "water is 0.65 m deep");
+  EXPECT_TRUE(find(deep, {}, kWhale).ok());
+  ExpectRefused(find(deep, drought, kWhale), StatusCode::kNotFound, "no water deep enough");
+  ExpectRefused(CheckSpawn(deep, drought, kWhale, 0.5, {0.0, 0.0}), StatusCode::kFailedPrecondition,
+                "water is 1.50 m deep");
+  // Without a word of the weather they are the scene's.
+  shallow.atmosphere = flood;
+  EXPECT_FALSE(Check(shallow, kSheep, {0.0, 0.0}).ok());
+  EXPECT_TRUE(CheckSpawn(MakeScene(Flat()), flood, kSheep, 0.5, {0.0, 0.0}).ok())
+      << "dry land stays dry";
+}
+
 TEST(SpawnRulesTest, TheWholeBodyIsLookedAtAndNotItsCentreAlone) {
   // Beyond 10 m from the middle to one side, the ground is another.
   for (const WorldPoint side : {WorldPoint{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {

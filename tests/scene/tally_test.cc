@@ -68,6 +68,16 @@ TEST(TallyTest, SteepGroundIsNamedAsTheReason) {
   EXPECT_TRUE(Warns(answer, "the ground is too steep"));
 }
 
+// Few trees have few dead branches below them: that is no shortfall.
+TEST(TallyTest, DeadBranchesAreWantedWhereTreesAre) {
+  EnvironmentConfig environment = MakeEnvironment(1.0);
+  environment.fine_of(AssetType::kForest).density = 0.02;
+  const SceneAnswer answer = Build(MakeUniform(Vocabulary::kSuburb, 'F', 512.0), environment, 4);
+  EXPECT_LE(CountFor(answer, AssetKind::kDeadBranch).wanted,
+            CountFor(answer, AssetKind::kTree).placed);
+  EXPECT_FALSE(Warns(answer, "dead_branch"));
+}
+
 // Thousands of houses on a plot between roads: as many as fit, and a warning with the numbers.
 TEST(TallyTest, MoreBuildingsThanThePlotHoldsAreReported) {
   TestGround ground;
@@ -85,7 +95,14 @@ TEST(TallyTest, ShortfallsNeedAClearDifference) {
   tally.Of(AssetKind::kStone).wanted = 100.0;
   EXPECT_TRUE(tally.Shortfalls({{AssetKind::kStone, 100, 81}}).empty());
   EXPECT_EQ(tally.Shortfalls({{AssetKind::kStone, 100, 79}}).size(), 1u);
-  EXPECT_TRUE(tally.Shortfalls({{AssetKind::kStone, 5, 0}}).empty());
+  EXPECT_TRUE(tally.Shortfalls({{AssetKind::kStone, 5, 1}}).empty());
+  // None at all, and houses that are missing, are told always.
+  EXPECT_EQ(tally.Shortfalls({{AssetKind::kStone, 5, 0}})[0],
+            "placed 0 of the 5 stone assets that the densities ask for: fewer places suit than the "
+            "densities ask for");
+  EXPECT_TRUE(tally.Shortfalls({{AssetKind::kStone, 0, 0}}).empty());
+  EXPECT_EQ(tally.Shortfalls({{AssetKind::kBuilding, 4, 3}}).size(), 1u);
+  EXPECT_TRUE(tally.Shortfalls({{AssetKind::kBuilding, 10, 9}}).empty());
   tally.Of(AssetKind::kStone).Refuse(Refusal::kOccupied);
   EXPECT_EQ(tally.Shortfalls({{AssetKind::kStone, 100, 3}})[0],
             "placed 3 of the 100 stone assets that the densities ask for: at 1 places something "

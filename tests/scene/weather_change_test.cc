@@ -77,6 +77,47 @@ TEST(WeatherChangeTest, WhatIsSaidIsKept) {
   EXPECT_EQ(TargetOf(Of(coarse), change, coarse, 0.0).gust_mps, 1.0);
 }
 
+TEST(WeatherChangeTest, ACalmHasTheHeadingThatItIsGiven) {
+  CoarseAttributes coarse;
+  WeatherChange change;
+  change.wind_speed_mps = 5.0;
+  Atmosphere calm = Of(coarse);
+  calm.wind_mps = {-0.0, -0.0, 0.0};
+  EXPECT_EQ(WindHeading(calm, 1.2), 1.2);
+  EXPECT_NEAR(WindHeading(TargetOf(calm, change, coarse, 0.0, 1.2), 0.0), 1.2, 1e-12);
+  // A wind that blows has its own, and what is said counts before both.
+  EXPECT_NEAR(WindHeading(TargetOf(Of(coarse), change, coarse, 0.0, 1.2), 0.0), 0.5, 1e-12);
+  change.wind_heading_rad = -2.0;
+  EXPECT_NEAR(WindHeading(TargetOf(calm, change, coarse, 0.0, 1.2), 0.0), -2.0, 1e-12);
+}
+
+TEST(WeatherChangeTest, AlikeIsWhatDiffersByRoundingAlone) {
+  CoarseAttributes coarse;
+  const Atmosphere one = Of(coarse);
+  Atmosphere other = one;
+  other.hour += 1e-12;
+  other.visibility_m *= 1.0 + 1e-12;
+  other.wind_mps.x() += 1e-12;
+  EXPECT_TRUE(AreAlike(one, other));
+  for (double Atmosphere::*const field :
+       {&Atmosphere::intensity, &Atmosphere::visibility_m, &Atmosphere::rain_mmph,
+        &Atmosphere::snowfall_mmph, &Atmosphere::cloud_cover, &Atmosphere::gust_mps,
+        &Atmosphere::hour, &Atmosphere::direct_light, &Atmosphere::diffuse_light,
+        &Atmosphere::ground_wetness, &Atmosphere::snow_depth_m, &Atmosphere::blown_sand,
+        &Atmosphere::water_rise_m}) {
+    Atmosphere changed = one;
+    changed.*field += 0.01;
+    EXPECT_FALSE(AreAlike(one, changed));
+    EXPECT_FALSE(AreAlike(changed, one));
+  }
+  other = one;
+  other.weather = Weather::kFog;
+  EXPECT_FALSE(AreAlike(one, other));
+  other = one;
+  other.wind_mps.y() += 0.01;
+  EXPECT_FALSE(AreAlike(one, other));
+}
+
 TEST(WeatherChangeTest, EveryWayBetweenTwoWeathersIsSmoothAndStaysBetween) {
   for (const auto& first : EnumNames(Weather{})) {
     for (const auto& second : EnumNames(Weather{})) {

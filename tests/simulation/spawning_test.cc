@@ -97,6 +97,29 @@ TEST(SpawningTest, FindsAPlaceInARegion) {
   }
 }
 
+TEST(SpawningTest, GoesByTheWatersOfTheMoment) {
+  TestScene scene = Place();
+  scene.water_depth_m = [](double x, double) { return x > 20.0 ? 3.0 : x < -20.0 ? 0.1 : 0.0; };
+  const auto simulator = MakeSimulator(scene);
+  const SpawnRequest sheep = At(AgentCategory::kSheep, -26.0, 0.0);
+  const SpawnRequest whale = At(AgentCategory::kWhale, 26.0, 0.0);
+  SpawnRequest any_whale;
+  any_whale.category = AgentCategory::kWhale;
+  const auto let_rise = [&simulator](double rise_m) {
+    WeatherChange change;
+    change.water_rise_m = rise_m;
+    ASSERT_TRUE(simulator->SetWeather(change).ok());
+  };
+  let_rise(1.0);
+  EXPECT_EQ(simulator->Spawn(sheep).status().code(), StatusCode::kFailedPrecondition);
+  let_rise(-1.5);
+  EXPECT_EQ(simulator->Spawn(whale).status().code(), StatusCode::kFailedPrecondition);
+  EXPECT_EQ(simulator->Spawn(any_whale).status().code(), StatusCode::kNotFound);
+  EXPECT_TRUE(simulator->Spawn(sheep).ok());
+  let_rise(0.0);
+  EXPECT_TRUE(simulator->Spawn(whale).ok());
+}
+
 TEST(SpawningTest, HoldsNoMoreThanTheLimit) {
   TestScene scene;
   scene.size_m = 256.0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -89,6 +90,66 @@ TEST(WeatherTest, AnotherChangeMidwayGoesOnFromThere) {
   EXPECT_NEAR(simulator->State()->atmosphere.hour, 20.0, 1e-9);
 }
 
+TEST(WeatherTest, AChangeAtOnceMidwayLeavesTheRestOnItsWay) {
+  const auto simulator = MakeSimulator(WithRobot());
+  ASSERT_TRUE(simulator->SetWeather(To(Weather::kSnow, 4.0)).ok());
+  RunFor(simulator.get(), 1.0);
+  const Atmosphere midway = simulator->State()->atmosphere;
+  WeatherChange hour;
+  hour.hour = 20.0;
+  ASSERT_TRUE(simulator->SetWeather(hour).ok());
+  Atmosphere now = simulator->State()->atmosphere;
+  EXPECT_EQ(now.hour, 20.0);
+  EXPECT_EQ(now.snow_depth_m, midway.snow_depth_m);
+  EXPECT_EQ(now.visibility_m, midway.visibility_m);
+  EXPECT_NEAR(simulator->State()->weather_change_s, 3.0, 1e-9);
+  RunFor(simulator.get(), 1.0);
+  now = simulator->State()->atmosphere;
+  EXPECT_EQ(now.hour, 20.0);
+  EXPECT_NEAR(now.snow_depth_m, 0.025, 1e-9);  // as if the hour had been left alone
+  RunFor(simulator.get(), 2.0);
+  EXPECT_EQ(simulator->State()->weather_change_s, 0.0);
+  EXPECT_NEAR(simulator->State()->atmosphere.snow_depth_m, 0.05, 1e-9);
+  const auto told = WeatherEvents(simulator.get());
+  EXPECT_EQ(told.back().other, "snow");
+  EXPECT_EQ(told.back().step, 400u);
+}
+
+TEST(WeatherTest, AnotherWeatherAtOnceMidwayIsThereWhole) {
+  const auto simulator = MakeSimulator(WithRobot());
+  ASSERT_TRUE(simulator->SetWeather(To(Weather::kSnow, 4.0)).ok());
+  RunFor(simulator.get(), 1.0);
+  ASSERT_TRUE(simulator->SetWeather(To(Weather::kRain)).ok());
+  EXPECT_EQ(simulator->State()->weather_change_s, 0.0);
+  EXPECT_EQ(simulator->State()->atmosphere.snow_depth_m, 0.0);
+  EXPECT_EQ(simulator->State()->atmosphere.ground_wetness,
+            simulator->WeatherTarget().ground_wetness);
+  EXPECT_EQ(WeatherEvents(simulator.get()).back().other, "rain");
+  RunFor(simulator.get(), 4.0);
+  EXPECT_TRUE(WeatherEvents(simulator.get()).empty());
+}
+
+TEST(WeatherTest, WindThatRisesFromACalmBlowsWhereItBlewBefore) {
+  TestScene scene = WithRobot();
+  scene.atmosphere.wind_mps = {0.0, 4.0, 0.0};
+  const auto simulator = MakeSimulator(scene);
+  const auto blow = [&simulator](double speed_mps, std::optional<double> heading_rad) {
+    WeatherChange change;
+    change.wind_speed_mps = speed_mps;
+    change.wind_heading_rad = heading_rad;
+    EXPECT_TRUE(simulator->SetWeather(change).ok());
+    return simulator->State()->atmosphere.wind_mps;
+  };
+  EXPECT_EQ(blow(0.0, std::nullopt).norm(), 0.0);
+  EXPECT_LT((blow(5.0, std::nullopt) - Eigen::Vector3d(0.0, 5.0, 0.0)).norm(), 1e-9);
+  // A heading that is said in a calm counts for the next wind, and is part of the state.
+  blow(0.0, std::nullopt);
+  const std::string hash = simulator->StateHash();
+  EXPECT_EQ(blow(0.0, M_PI).norm(), 0.0);
+  EXPECT_NE(simulator->StateHash(), hash);
+  EXPECT_LT((blow(5.0, std::nullopt) - Eigen::Vector3d(-5.0, 0.0, 0.0)).norm(), 1e-9);
+}
+
 TEST(WeatherTest, NothingAskedChangesNothing) {
   const auto simulator = MakeSimulator(WithRobot());
   ASSERT_TRUE(simulator->SetWeather(To(Weather::kRain, 2.0)).ok());
@@ -147,6 +208,29 @@ TEST(WeatherTest, ResetBringsTheScenesWeatherBack) {
   EXPECT_EQ(simulator->StateHash(), start);
   EXPECT_EQ(simulator->State()->atmosphere.weather, Weather::kSunny);
   EXPECT_EQ(simulator->State()->weather_change_s, 0.0);
+}
+
+TEST(WeatherTest, ResetTellsTheWeatherOnlyWhereItWasAnother) {
+  for (const double day_length_s : {0.0, 60.0}) {
+    SimulatorOptions options;
+    options.day_length_s = day_length_s;
+    const auto simulator = MakeSimulator(WithRobot(), 1, options);
+    EXPECT_TRUE(WeatherEvents(simulator.get()).empty());
+    RunFor(simulator.get(), 1.0);
+    simulator->Reset(2);
+    EXPECT_TRUE(WeatherEvents(simulator.get()).empty());
+    for (const double transition_s : {0.0, 5.0}) {
+      ASSERT_TRUE(simulator->SetWeather(To(Weather::kFog, transition_s)).ok());
+      RunFor(simulator.get(), 1.0);
+      simulator->TakeEvents();
+      const std::uint64_t step = simulator->State()->step;
+      simulator->Reset(2);
+      const auto told = WeatherEvents(simulator.get());
+      ASSERT_EQ(told.size(), 1u);
+      EXPECT_EQ(told[0].other, "sunny");
+      EXPECT_EQ(told[0].step, step);
+    }
+  }
 }
 
 TEST(WeatherTest, TheHourGoesRoundWithTheDay) {

@@ -57,6 +57,14 @@ TEST_F(CatalogueCommandTest, SaysWhatFilesReplace) {
                         "replaced in flower by poppy.json\n  material: poppy\n  models: poppy\n"});
 }
 
+TEST_F(CatalogueCommandTest, SaysWhichDensitiesFilesSet) {
+  Write("sparse.json", R"({"type": "forest", "density": [
+    {"kind": "tree", "suburb": {"G": 0.5}, "wild": {"F": 3}}]})");
+  const ProgramRun run = RunProgram({"catalogue", PathOf("sparse.json")});
+  EXPECT_EQ(run.exit_status, 0) << run.err;
+  ExpectWords(run.out, {"densities in forest: tree suburb/G 0.5, tree wild/F 3\n"});
+}
+
 TEST_F(CatalogueCommandTest, ReportsEveryFaultWithFileAndPointer) {
   Write("a.json", R"({"type": "road", "lanes": 2})");
   Write("b.json", R"({"type": "stone", "models": [7]})");

@@ -206,8 +206,8 @@ class Catalogue {
   // are added. Errors: INVALID_ARGUMENT with every violation of every file at once, `pointer` being
   // "<file name>#<JSON pointer>".
   static Result<std::shared_ptr<const Catalogue>> Extended(std::vector<CatalogueFile> files);
-  // The same with every *.json of the directories (sorted by name), or files themselves. Errors:
-  // also NOT_FOUND, and what reading says.
+  // The same with every *.json of the directories (sorted by name), or files. Errors: also, of all
+  // unreadable paths at once, NOT_FOUND, PERMISSION_DENIED or RESOURCE_EXHAUSTED (see limits.h).
   static Result<std::shared_ptr<const Catalogue>> Load(
       const std::vector<std::filesystem::path>& paths);
 

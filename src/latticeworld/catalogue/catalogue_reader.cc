@@ -55,6 +55,14 @@ void CheckFiles(const std::vector<CatalogueFile>& files, std::vector<Violation>*
                                std::to_string(kMaxCatalogueFiles),
                            std::to_string(files.size())});
   }
+  std::size_t bytes = 0;
+  for (const CatalogueFile& file : files) bytes += file.text.size();
+  if (bytes > kMaxCatalogueBytes) {
+    violations->push_back({"too_long", "",
+                           std::to_string(bytes) + " bytes in all; legal are at most " +
+                               std::to_string(kMaxCatalogueBytes),
+                           std::to_string(bytes)});
+  }
   std::set<std::string> names;
   for (const CatalogueFile& file : files) {
     if (!IsPlainName(file.name)) {
@@ -75,21 +83,29 @@ Result<std::shared_ptr<const Catalogue>> CatalogueReader::Read(
     const Catalogue* base, const std::vector<CatalogueFile>& files) {
   CatalogueReader reader(base);
   CheckFiles(files, &reader.violations_);
+  std::size_t unread = 0;
   if (reader.violations_.empty()) {
     const SchemaChecker checker(CatalogueSchema());
     std::vector<TypeFile> read;
     for (const CatalogueFile& file : files) {
-      if (auto type_file = ReadTypeFile(file, checker, &reader.violations_)) {
+      if (reader.violations_.size() > kMaxCatalogueViolations) {
+        ++unread;
+      } else if (auto type_file = ReadTypeFile(file, checker, &reader.violations_)) {
         read.push_back(*std::move(type_file));
       }
     }
-    reader.Merge(read);
+    if (unread == 0) reader.Merge(read);  // what they say may refer to what was not read
     reader.Finish(files);
     // What is missing from the whole is the files' fault only when all of them were read.
     if (reader.violations_.empty()) reader.CheckWhole();
   }
   std::vector<Violation>& violations = reader.violations_;
   LimitViolations(&violations);
+  if (unread > 0) {
+    violations.push_back({"unread_files", "",
+                          std::to_string(unread) + " further files were not read",
+                          std::to_string(unread)});
+  }
   if (!violations.empty()) {
     return Status::FromViolations("illegal catalogue", std::move(violations));
   }
@@ -107,7 +123,7 @@ CatalogueReader::CatalogueReader(const Catalogue* base)
 void CatalogueReader::Merge(const std::vector<TypeFile>& files) {
   // Models of all files first: values refer to them.
   for (const TypeFile& file : files) {
-    known_models_.insert(file.model_names.begin(), file.model_names.end());
+    for (const std::string& name : file.unread_models) unread_models_.emplace(file.type, name);
     for (const ModelEntry& entry : file.models) MergeModel(entry);
   }
   for (const TypeFile& file : files) {
@@ -123,16 +139,19 @@ void CatalogueReader::Merge(const std::vector<TypeFile>& files) {
 }
 
 void CatalogueReader::MergeModel(const ModelEntry& entry) {
-  if (!ClaimName("model", entry.model.name, entry.pointer)) return;
+  const auto leave_out = [&] { unread_models_.emplace(entry.model.type, entry.model.name); };
+  if (!ClaimName("model", entry.model.name, entry.pointer)) return leave_out();
   std::vector<AssetModel>& models = catalogue_->models_;
   const auto same = FindByName(&models, entry.model.name);
   if (same == models.end()) {
-    if (HasRoom(models.size(), "models", entry.pointer)) models.push_back(entry.model);
+    if (!HasRoom(models.size(), "models", entry.pointer)) return leave_out();
+    models.push_back(entry.model);
   } else if (same->kind != entry.model.kind) {
     violations_.push_back({"wrong_kind", entry.pointer + "/kind",
                            "takes the place of " + Quote(same->name) + ", which is a " +
                                std::string(NameOf(same->kind)) + ", and must be one",
                            Quote(NameOf(entry.model.kind))});
+    leave_out();
   } else {
     *same = entry.model;
   }
@@ -175,7 +194,7 @@ std::vector<std::uint8_t> CatalogueReader::ModelsNamed(AssetType type,
   std::vector<std::uint8_t> indices;
   for (std::size_t i = 0; i < names.size(); ++i) {
     std::vector<std::string> legal;
-    bool is_found = known_models_.count(names[i]) > 0;
+    bool is_found = unread_models_.count({type, names[i]}) > 0;
     for (std::size_t m = 0; m < models.size(); ++m) {
       if (models[m].type != type) continue;
       legal.push_back(models[m].name);

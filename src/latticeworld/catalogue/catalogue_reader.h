@@ -45,7 +45,8 @@ class CatalogueReader {
   bool has_base_;  // what its own files say is built in and not added
   std::vector<Violation> violations_;
   std::map<std::string, std::string> claimed_;  // scope and name to the pointer that claimed it
-  std::set<std::string> known_models_;          // readable or not
+  // Models that have a violation of their own and so are not there.
+  std::set<std::pair<AssetType, std::string>> unread_models_;
 };
 
 }  // namespace latticeworld

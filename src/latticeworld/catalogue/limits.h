@@ -7,8 +7,10 @@ namespace latticeworld {
 
 inline constexpr std::size_t kMaxCatalogueFileBytes = 4 << 20;
 inline constexpr std::size_t kMaxCatalogueFiles = 256;
-inline constexpr std::size_t kMaxCatalogueBytes = 32 << 20;  // of all files that are loaded
-inline constexpr std::size_t kMaxNameBytes = 255;            // of a file
+inline constexpr std::size_t kMaxCatalogueBytes = 32 << 20;  // of all files that are added
+// After more than these no further file is read.
+inline constexpr std::size_t kMaxCatalogueViolations = 500;
+inline constexpr std::size_t kMaxNameBytes = 255;  // of a file
 // Models and the values of one type are told apart by a byte; 255 is left for "none".
 inline constexpr std::size_t kMaxCatalogueEntries = 255;
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "latticeworld/catalogue/kind_rules.h"
@@ -34,11 +35,6 @@ GroundEffect ReadGround(const Json& json) {
   const Json& ground = json.at("ground");
   return {ground.at("friction").get<double>(), ground.at("rolling_resistance").get<double>(),
           ground.at("cone_index").get<double>()};
-}
-
-std::vector<std::string> ReadModelNames(const Json& json) {
-  if (!json.contains("models")) return {};
-  return json.at("models").get<std::vector<std::string>>();
 }
 
 Preference ReadPreference(const Json& json) {
@@ -94,7 +90,7 @@ class TypeFileReader {
     ReadEach("materials", &TypeFileReader::ReadMaterial);
     ReadEach("models", &TypeFileReader::ReadModel);
     ReadEach("density", &TypeFileReader::ReadDensity);
-    CollectModelNames();
+    CollectUnreadModels();
     return std::move(file_);
   }
 
@@ -123,6 +119,7 @@ class TypeFileReader {
     SeasonVariant& value = entry.value;
     value.name = json.at("name").get<std::string>();
     value.seasons.fill(false);
+    CheckEachOnce(json.at("seasons"), pointer + "/seasons");
     const Json& color = json.at("color");
     std::optional<ColorRange> any;
     for (const Json& name : json.at("seasons")) {
@@ -142,9 +139,26 @@ class TypeFileReader {
     value.snow = json.at("snow").get<double>();
     value.reflectivity = ReadReflectivity(json);
     value.ground = ReadGround(json);
-    entry.model_names = ReadModelNames(json);
+    entry.model_names = ReadModelNames(json, pointer);
     entry.pointer = std::move(pointer);
     file_.season_variants.push_back(std::move(entry));
+  }
+
+  std::vector<std::string> ReadModelNames(const Json& json, const std::string& pointer) {
+    if (!json.contains("models")) return {};
+    CheckEachOnce(json.at("models"), pointer + "/models");
+    return json.at("models").get<std::vector<std::string>>();
+  }
+
+  // Not left to the schema: its checker compares all pairs and reports each that is equal.
+  void CheckEachOnce(const Json& names, const std::string& pointer) {
+    std::set<std::string> known;
+    for (const Json& name : names) {
+      if (known.insert(name.get<std::string>()).second) continue;
+      const std::string given = Quote(name.get<std::string>());
+      violations_->push_back({"duplicate_value", pointer, "has " + given + " twice", given});
+      return;
+    }
   }
 
   void CheckColorSeasons(const SeasonVariant& value, const Json& color,
@@ -175,7 +189,7 @@ class TypeFileReader {
     value.bending_strength_pa = json.at("bending_strength_pa").get<double>();
     value.reflectivity = ReadReflectivity(json);
     value.ground = ReadGround(json);
-    entry.model_names = ReadModelNames(json);
+    entry.model_names = ReadModelNames(json, pointer);
     entry.pointer = std::move(pointer);
     file_.materials.push_back(std::move(entry));
   }
@@ -257,12 +271,14 @@ class TypeFileReader {
     }
   }
 
-  void CollectModelNames() {
+  void CollectUnreadModels() {
     if (!json_.contains("models") || !json_.at("models").is_array()) return;
-    for (const Json& model : json_.at("models")) {
-      if (model.is_object() && model.contains("name") && model.at("name").is_string()) {
-        file_.model_names.push_back(model.at("name").get<std::string>());
-      }
+    const Json& models = json_.at("models");
+    for (std::size_t i = 0; i < models.size(); ++i) {
+      const Json& model = models[i];
+      if (!model.is_object() || !model.contains("name") || !model.at("name").is_string()) continue;
+      if (IsSound(origin_ + "/models/" + std::to_string(i))) continue;
+      file_.unread_models.push_back(model.at("name").get<std::string>());
     }
   }
 

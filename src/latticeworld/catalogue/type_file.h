@@ -35,12 +35,13 @@ struct TypeFile {
   std::vector<ValueEntry<Material>> materials;
   std::vector<ModelEntry> models;
   std::vector<DensityEntry> densities;
-  // Of all models, readable or not: a reference to an unreadable one is no further error.
-  std::vector<std::string> model_names;
+  // Of the models that cannot be read: a reference to one is no further error.
+  std::vector<std::string> unread_models;
 };
 
 // Reads one file and adds all its violations: JSON, schema, and what a schema cannot say about one
-// value. What can be read is, even when other parts cannot. nullopt: nothing can.
+// entry, where that entry keeps to the schema. What can be read is, even when other parts cannot.
+// nullopt: nothing can.
 std::optional<TypeFile> ReadTypeFile(const CatalogueFile& file, const SchemaChecker& checker,
                                      std::vector<Violation>* violations);
 

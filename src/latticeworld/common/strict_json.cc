@@ -32,7 +32,7 @@ class ParseObserver {
         path_.resize(level);
         if (!IsElementKept()) return false;
         if (depth >= limits_.max_depth) return NoteTooDeep();
-        path_.push_back({event == Json::parse_event_t::array_start, 0, "", {}});
+        path_.push_back({event == Json::parse_event_t::array_start, 0, "", {}, {}});
         return true;
       case Json::parse_event_t::value:
         path_.resize(level);
@@ -48,9 +48,10 @@ class ParseObserver {
  private:
   struct Container {
     bool is_array;
-    std::size_t elements;        // of an array so far
-    std::string key;             // of an object's latest member
-    std::set<std::string> keys;  // of an object so far
+    std::size_t elements;            // of an array so far
+    std::string key;                 // of an object's latest member
+    std::set<std::string> keys;      // of an object so far
+    std::set<std::string> repeated;  // those that have been reported
   };
 
   bool IsElementKept() {
@@ -70,7 +71,7 @@ class ParseObserver {
   bool NoteKey(std::string key) {
     Container& object = path_.back();
     object.key = std::move(key);
-    if (!object.keys.insert(object.key).second) {
+    if (!object.keys.insert(object.key).second && object.repeated.insert(object.key).second) {
       violations_->push_back({"duplicate_key", Pointer(),
                               "the key " + Quote(object.key) + " stands twice in one object",
                               Quote(object.key)});

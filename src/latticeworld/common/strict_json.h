@@ -22,11 +22,12 @@ struct JsonLimits {
 // A key as a JSON pointer writes it (RFC 6901); what is too long for a message is cut.
 std::string PointerToken(std::string_view key);
 
-// Parses a text that may be hostile, in time and memory linear in its length. Adds a violation, its
-// pointer beginning with `origin`, for each key that stands twice in one object (duplicate_key),
-// for a text that is too long (too_long), no UTF-8 (bad_encoding), no JSON (parse_error), or nested
-// too deep (too_deep). Of what is too deep or too many only as much is kept as shows that. False:
-// there is no document.
+// Parses a text that may be hostile, in memory linear in its length and time linear in its length
+// times max_elements (the parser looks through an array after each container in it). Adds a
+// violation, its pointer beginning with `origin`, for each key of an object that stands there more
+// than once (duplicate_key), for a text that is too long (too_long), no UTF-8 (bad_encoding), no
+// JSON (parse_error), or nested too deep (too_deep). Of what is too deep or too many only as much
+// is kept as shows that. False: there is no document.
 bool ParseStrictly(std::string_view text, const std::string& origin, const JsonLimits& limits,
                    nlohmann::json* json, std::vector<Violation>* violations);
 

@@ -76,8 +76,8 @@ struct EnvironmentClaim {
   std::string words;               // of the instruction
 };
 
-// What is wrong with a claim itself: values outside the tables, ranges upside down, a parameter
-// that the asset type lacks, nothing asked. Pointers name the JSON keys.
+// What is wrong with a claim itself: values outside the tables (BuiltIn()'s only), ranges upside
+// down, a parameter that the asset type lacks, nothing asked. Pointers name the JSON keys.
 std::vector<Violation> Validate(const EnvironmentClaim& claim);
 
 struct EnvironmentClaimMeasure {

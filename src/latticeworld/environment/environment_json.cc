@@ -56,7 +56,7 @@ AgentGroup ReadAgentGroup(const Json& json, std::size_t index, std::vector<Viola
   AgentGroup group;
   ObjectReader reader(json, "/agents/" + std::to_string(index), violations);
   reader.ReadName("category", &group.category);
-  reader.Read("quantity", &group.quantity);
+  reader.Read("quantity", 1, kMaxGroupQuantity, &group.quantity);
   reader.ReadName("state", &group.state);
   reader.ReadName("position", &group.position);
   return group;
@@ -68,11 +68,11 @@ void ReadAgents(const Json& json, std::vector<AgentGroup>* groups,
     violations->push_back(WrongType("/agents", "an array", json));
   } else if (json.size() > kMaxAgents) {
     // A group is one agent at least: reading them would tell nothing new.
-    const std::string given = std::to_string(json.size());
+    const std::string most = std::to_string(kMaxAgents);
     violations->push_back(
         {"out_of_range", "/agents",
-         given + " groups; at most " + std::to_string(kMaxAgents) + " agents in all are legal",
-         given});
+         "more than " + most + " groups; at most " + most + " agents in all are legal",
+         "more than " + most});
   } else {
     for (std::size_t i = 0; i < json.size(); ++i) {
       groups->push_back(ReadAgentGroup(json[i], i, violations));
@@ -86,7 +86,9 @@ Result<EnvironmentConfig> ParseEnvironment(std::string_view text, const Catalogu
   std::vector<Violation> violations;
   Json json;
   EnvironmentConfig environment;
-  if (ParseStrictly(text, "", JsonLimits(), &json, &violations)) {
+  JsonLimits limits;
+  limits.max_elements = kMaxAgents + 1;  // one more than is legal shows the fault
+  if (ParseStrictly(text, "", limits, &json, &violations)) {
     ObjectReader reader(json, "", &violations);
     if (const Json* coarse = reader.Find("coarse")) {
       ReadCoarse(*coarse, &environment.coarse, &violations);

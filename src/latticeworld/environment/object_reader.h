@@ -3,7 +3,7 @@
 
 // For .cc files of this room only: a public header would make nlohmann's JSON everybody's.
 
-#include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -17,10 +17,18 @@
 
 namespace latticeworld {
 
+// The JSON as it was given, cut where it is too long for a message.
+inline std::string GivenJson(const nlohmann::json& json) {
+  if (json.is_string()) return Quote(json.get<std::string>());
+  const std::string quoted = Quote(json.dump());  // with quotation marks around it
+  return quoted.substr(1, quoted.size() - 2);
+}
+
 inline Violation WrongType(const std::string& pointer, const std::string& wanted,
                            const nlohmann::json& given) {
-  return {"wrong_type", pointer, "must be " + wanted + ", not " + given.type_name(),
-          Quote(given.dump())};
+  return {"wrong_type", pointer,
+          "must be " + wanted + ", not " + GivenJson(given) + " (" + given.type_name() + ")",
+          GivenJson(given)};
 }
 
 // Reads fields of one object, noting what is missing, unknown or of the wrong type.
@@ -64,12 +72,20 @@ class ObjectReader {
     if (!json->is_number()) return Wrong(At(key), "a number", *json);
     *value = json->get<double>();
   }
-  void Read(const std::string& key, int* value) {
+  // `least` and `most` are for the message about a number that no int holds.
+  void Read(const std::string& key, int least, int most, int* value) {
     const nlohmann::json* json = Find(key);
     if (json == nullptr) return;
     if (!json->is_number_integer()) return Wrong(At(key), "a whole number", *json);
     const double number = json->get<double>();  // any integer that JSON can hold
-    *value = static_cast<int>(std::max(-1e9, std::min(1e9, number)));
+    if (number < std::numeric_limits<int>::min() || number > std::numeric_limits<int>::max()) {
+      violations_->push_back({"out_of_range", At(key),
+                              "must be from " + std::to_string(least) + " to " +
+                                  std::to_string(most) + ", not " + GivenJson(*json),
+                              GivenJson(*json)});
+      return;
+    }
+    *value = json->get<int>();
   }
   template <typename Enum>
   void ReadName(const std::string& key, Enum* value) {

@@ -25,10 +25,14 @@ float SnowOn(const Scene& scene) {
 
 }  // namespace
 
+std::array<Rgb, kMeshPartCount> NaturalPartColors(const Scene& scene, const Asset& asset) {
+  return ColorsOf(*scene.catalogue, TypeOf(asset.kind), asset.season_variant, asset.material,
+                  scene.environment.coarse.season, DrawOf(asset));
+}
+
 std::array<Rgb, kMeshPartCount> PartColors(const Scene& scene, const Asset& asset) {
   const CoarseAttributes& coarse = scene.environment.coarse;
-  auto colors = ColorsOf(*scene.catalogue, TypeOf(asset.kind), asset.season_variant, asset.material,
-                         coarse.season, DrawOf(asset));
+  auto colors = NaturalPartColors(scene, asset);
   for (Rgb& color : colors) {
     const cv::Vec3b bytes =
         ToBytes(InStyle(coarse.artistic_style, FromRgb(color.r, color.g, color.b)));

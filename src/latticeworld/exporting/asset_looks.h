@@ -16,7 +16,8 @@ inline Color ColorOf(const Rgb& color) { return FromRgb(color.r, color.g, color.
 
 // How one asset looks, the same in every view: drawn from where it stands, so that views may draw
 // in any order.
-// Colours of its parts in the scene's season and style.
+// Colours of its parts in the scene's season, as nature has them and in the scene's style.
+std::array<Rgb, kMeshPartCount> NaturalPartColors(const Scene& scene, const Asset& asset);
 std::array<Rgb, kMeshPartCount> PartColors(const Scene& scene, const Asset& asset);
 
 struct PlantLook {

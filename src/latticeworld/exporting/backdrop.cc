@@ -4,19 +4,40 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "latticeworld/common/random.h"
 #include "latticeworld/exporting/ground_colors.h"
 #include "latticeworld/exporting/painting.h"
 #include "latticeworld/scene/scene.h"
 
 namespace latticeworld {
 
-void PaintBackdrop(const PictureLight& light, cv::Mat* bgr) {
+namespace {
+
+// Of a sky with single clouds before it.
+bool HasClouds(Weather weather) {
+  return weather == Weather::kSunny || weather == Weather::kCloudy;
+}
+
+// The same for one land, whatever the hour.
+std::uint64_t CloudSeed(const Scene& scene) {
+  const HeightField& ground = scene.terrain->ground;
+  return static_cast<std::uint64_t>(
+      1e6 * HashToUnit(110, std::lround(1000.0 * ground.HeightAt({0.0, 0.0})),
+                       std::lround(1000.0 * ground.min_m())));
+}
+
+}  // namespace
+
+void PaintBackdrop(const Scene& scene, const PictureLight& light, cv::Mat* bgr) {
   // Clouds: several octaves, stretched sideways, thinning out towards the horizon.
   const int rows = bgr->rows, cols = bgr->cols;
   cv::Mat clouds = cv::Mat::zeros(rows / 2, cols, CV_32FC1);
   double wavelength_px = cols / 5.0, strength = 1.0;
+  const std::uint64_t seed = CloudSeed(scene);
+  const float cover = HasClouds(scene.atmosphere.weather) ? 1.0f : 0.0f;
   for (std::uint64_t octave = 0; octave < 5; ++octave, wavelength_px /= 2.1, strength *= 0.55) {
-    cv::Mat noise = SmoothNoise(std::max(2, rows / 5), cols / 2, wavelength_px / 2.0, 110 + octave);
+    cv::Mat noise =
+        SmoothNoise(std::max(2, rows / 5), cols / 2, wavelength_px / 2.0, seed + octave);
     cv::resize(noise, noise, clouds.size(), 0, 0, cv::INTER_CUBIC);
     clouds += strength * noise;
   }
@@ -33,8 +54,9 @@ void PaintBackdrop(const PictureLight& light, cv::Mat* bgr) {
         continue;
       }
       const float density = clouds.at<float>(y, x) - 0.35f - 2.2f * down;
-      out[x] = ToBytes(
-          Mix(sky, cloud_color, std::clamp(0.55f * density, 0.0f, 0.75f) * (1.0f - 2.0f * down)));
+      out[x] =
+          ToBytes(Mix(sky, cloud_color,
+                      cover * std::clamp(0.55f * density, 0.0f, 0.75f) * (1.0f - 2.0f * down)));
     }
   }
   cv::RNG random(108);
@@ -74,7 +96,7 @@ void PaintPrecipitation(const Scene& scene, cv::Mat* bgr) {
   for (int i = 0; i < count; ++i) {
     const cv::Point at(random.uniform(0, bgr->cols), random.uniform(0, bgr->rows));
     if (weather == Weather::kRain) {
-      const int length = random.uniform(10, 26) * unit;
+      const int length = std::max(2, static_cast<int>(random.uniform(0.006, 0.016) * bgr->rows));
       cv::line(layer, at, {at.x + slant * length / 16, at.y + length}, cv::Scalar(236, 230, 224),
                unit, cv::LINE_AA);
     } else {

@@ -21,14 +21,24 @@ constexpr Range kEyeHeights_m = {0.1, 500.0};
 constexpr Range kPitches_rad = {-1.4, 1.4};
 constexpr Range kFields_rad = {0.2, 2.4};
 constexpr Range kHeadings_rad = {-1e3, 1e3};
-constexpr float kBank_m = 0.15f;  // that the eye keeps above the ground around it
 
 Eigen::Vector3f EyeOf(const Scene& scene, const CloseView& view) {
   const double ground_m =
       scene.terrain->ground.HeightAt(view.position) + scene.terrain->WaterDepthAt(view.position);
-  return Eigen::Vector3d(view.position.x_m, view.position.y_m,
-                         ground_m + std::max<double>(kBank_m, view.eye_height_m))
+  return Eigen::Vector3d(view.position.x_m, view.position.y_m, ground_m + view.eye_height_m)
       .cast<float>();
+}
+
+// Whether walls, wood or stone are around the eye.
+bool IsInside(const Scene& scene, const CloseView& view) {
+  const float eye_m = EyeOf(scene, view).z();
+  bool inside = false;
+  scene.index.ForEachNear(view.position, 0.0, [&](std::uint32_t solid) {
+    const Asset& asset = scene.assets[solid];
+    inside =
+        inside || (eye_m < asset.z_m + asset.height_m && SolidContains(asset, view.position, 0.0));
+  });
+  return inside;
 }
 
 }  // namespace
@@ -39,6 +49,11 @@ std::vector<Violation> Validate(const Scene& scene, const CloseView& view) {
   CheckRange("position x", view.position.x_m, {-half_m, half_m}, " m", &violations);
   CheckRange("position y", view.position.y_m, {-half_m, half_m}, " m", &violations);
   CheckRange("eye_height", view.eye_height_m, kEyeHeights_m, " m", &violations);
+  if (violations.empty() && IsInside(scene, view))
+    violations.push_back({"inside_asset", "position",
+                          "must not be inside a building, trunk or stone, unless above its top; "
+                          "another place or a larger eye height is legal",
+                          ""});
   CheckRange("heading", view.heading_rad, kHeadings_rad, " rad", &violations);
   CheckRange("pitch", view.pitch_rad, kPitches_rad, " rad", &violations);
   CheckRange("field_of_view", view.field_of_view_rad, kFields_rad, " rad", &violations);
@@ -116,7 +131,7 @@ std::vector<CloseView> ChooseViews(const Scene& scene) {
   if (const auto found = scout.Find(Motif::kShore)) add("shore", *found, 2.4, -0.06);
   if (const auto found = scout.Find(Motif::kForest)) add("forest", *found, 1.7, 0.05);
   if (const auto found = scout.Find(Motif::kHill)) add("hill", *found, 6.0, -0.10);
-  if (views.empty()) add("middle", scout.Anywhere(), 3.0, -0.04);
+  if (views.empty()) add("middle", scout.Anywhere(), 1.7, -0.04);
   return views;
 }
 

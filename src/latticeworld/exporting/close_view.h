@@ -12,7 +12,7 @@ namespace latticeworld {
 // What somebody in the world sees.
 struct CloseView {
   std::string name;                 // what it shows: "street", "shore", "forest", "hill"
-  WorldPoint position;              // inside the world
+  WorldPoint position;              // inside the world, not inside a solid asset
   double eye_height_m = 1.7;        // above the ground or the water, [0.1, 500]
   double heading_rad = 0.0;         // 0 east, counter-clockwise; finite
   double pitch_rad = -0.04;         // up from level, [-1.4, 1.4]
@@ -31,7 +31,8 @@ Result<std::string> DrawCloseViews(const Scene& scene, const std::vector<CloseVi
                                    const PictureOptions& options);
 
 // Places worth a picture: along a street of a settlement, over water from its shore, a forest's
-// edge, a far look from high ground; those of them that the world has, never none.
+// edge, a far look from high ground; those of them that the world has, else "middle", any free
+// place.
 std::vector<CloseView> ChooseViews(const Scene& scene);
 
 }  // namespace latticeworld

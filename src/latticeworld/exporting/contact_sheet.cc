@@ -1,8 +1,10 @@
 #include "latticeworld/exporting/contact_sheet.h"
 
+#include <algorithm>
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "latticeworld/environment/rules.h"
 #include "latticeworld/exporting/furniture.h"
 #include "latticeworld/exporting/ground_colors.h"
 #include "latticeworld/exporting/oblique_view.h"
@@ -61,15 +63,38 @@ Result<std::shared_ptr<const Scene>> Changed(const Scene& scene, const CoarseAtt
   SceneRequest request;
   request.terrain = scene.terrain;
   request.catalogue = scene.catalogue;
-  request.environment.coarse = coarse;
-  request.environment.fine = DeriveFineAttributes(coarse);
-  request.environment.agents = scene.environment.agents;
+  request.environment = ChangedEnvironment(scene.environment, coarse, *scene.catalogue);
   request.seed = seed;
   LW_ASSIGN_OR_RETURN(const SceneAnswer answer, BuildScene(request, progress));
   return answer.scene;
 }
 
 }  // namespace
+
+EnvironmentConfig ChangedEnvironment(const EnvironmentConfig& environment,
+                                     const CoarseAttributes& coarse, const Catalogue& catalogue) {
+  EnvironmentConfig changed = environment;
+  changed.coarse = coarse;
+  const FineAttributes usual_before = DeriveFineAttributes(environment.coarse, catalogue);
+  const FineAttributes usual = DeriveFineAttributes(coarse, catalogue);
+  for (const auto& type : EnumNames(AssetType{})) {
+    const auto i = static_cast<std::size_t>(type.value);
+    FineAttribute& fine = changed.fine[i];
+    const FineBounds bounds = BoundsOf(coarse, type.value, catalogue);
+    if (usual[i].season_variant != usual_before[i].season_variant ||
+        !BreachOf(bounds.season_variants, fine.season_variant).empty())
+      fine.season_variant = usual[i].season_variant;
+    if (!BreachOf(bounds.materials, fine.material).empty()) fine.material = usual[i].material;
+    for (const auto& parameter : EnumNames(FineParameter{})) {
+      if (const auto& bound = bounds.number(parameter.value)) {
+        const double value = ValueOf(fine, parameter.value);
+        if (!BreachOf(*bound, value).empty())
+          SetValue(parameter.value, std::clamp(value, bound->range.low, bound->range.high), &fine);
+      }
+    }
+  }
+  return changed;
+}
 
 Result<std::string> DrawContactSheet(const Scene& scene, std::uint64_t seed,
                                      const PictureOptions& options) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "latticeworld/common/random.h"
+#include "latticeworld/exporting/crop_ground.h"
 #include "latticeworld/exporting/picture_light.h"
 #include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/exporting/village_ground.h"
@@ -14,67 +14,26 @@ namespace latticeworld {
 namespace {
 
 struct SeasonColors {
-  Color grass, dry_grass, forest_floor;
-  std::array<Color, 4> fields;
+  Color grass, dry_grass, forest_floor, soil;  // soil: of fields, between their plants
 };
 
 SeasonColors ColorsOf(Season season) {
   switch (season) {
     case Season::kSpring:
-      return {FromRgb(126, 168, 78),
-              FromRgb(160, 182, 96),
-              FromRgb(92, 122, 62),
-              {FromRgb(150, 176, 84), FromRgb(132, 104, 74), FromRgb(176, 188, 96),
-               FromRgb(118, 156, 74)}};
+      return {FromRgb(126, 168, 78), FromRgb(160, 182, 96), FromRgb(92, 122, 62),
+              FromRgb(136, 112, 82)};
     case Season::kSummer:
-      return {FromRgb(118, 150, 74),
-              FromRgb(158, 164, 92),
-              FromRgb(78, 104, 54),
-              {FromRgb(214, 184, 98), FromRgb(138, 160, 76), FromRgb(190, 170, 96),
-               FromRgb(166, 136, 90)}};
+      return {FromRgb(118, 150, 74), FromRgb(158, 164, 92), FromRgb(78, 104, 54),
+              FromRgb(150, 126, 90)};
     case Season::kAutumn:
-      return {FromRgb(158, 148, 80),
-              FromRgb(184, 158, 92),
-              FromRgb(126, 104, 66),
-              {FromRgb(196, 156, 86), FromRgb(140, 108, 74), FromRgb(176, 150, 88),
-               FromRgb(118, 92, 66)}};
+      return {FromRgb(158, 148, 80), FromRgb(184, 158, 92), FromRgb(126, 104, 66),
+              FromRgb(134, 108, 78)};
     case Season::kWinter:
-      return {FromRgb(150, 148, 112),
-              FromRgb(166, 156, 122),
-              FromRgb(112, 100, 78),
-              {FromRgb(146, 126, 98), FromRgb(128, 108, 86), FromRgb(156, 140, 108),
-               FromRgb(118, 102, 84)}};
+      return {FromRgb(150, 148, 112), FromRgb(166, 156, 122), FromRgb(112, 100, 78),
+              FromRgb(126, 106, 84)};
   }
   return {};
 }
-
-// Fields: the plane in parcels, each with its crop and the direction of its rows.
-class Fields {
- public:
-  explicit Fields(const std::array<Color, 4>& crops) : crops_(crops) {}
-
-  Color At(double x_m, double y_m, float waviness) const {
-    // Parcels follow a skewed grid whose rows are shifted against each other.
-    const double v = (0.966 * y_m - 0.259 * x_m) / 46.0 + 0.05 * waviness;
-    const double row = std::floor(v);
-    const double u = (0.966 * x_m + 0.259 * y_m) / 64.0 + HashToUnit(11, static_cast<int>(row), 0) +
-                     0.04 * waviness;
-    const double col = std::floor(u);
-    const double kind = HashToUnit(12, static_cast<int>(row), static_cast<int>(col));
-    const Color crop = crops_[static_cast<std::size_t>(kind * 4.0)];
-    const bool along = HashToUnit(13, static_cast<int>(row), static_cast<int>(col)) < 0.5;
-    const double across_m = along ? 0.966 * y_m - 0.259 * x_m : 0.966 * x_m + 0.259 * y_m;
-    const float furrow = static_cast<float>(std::sin(across_m * (2.0 * M_PI / 3.0)));
-    const double edge_m =
-        std::min(std::min(u - col, col + 1.0 - u) * 64.0, std::min(v - row, row + 1.0 - v) * 46.0);
-    const Color field = crop * (1.0f + 0.09f * furrow);
-    const float balk = static_cast<float>(std::clamp(1.6 - edge_m, 0.0, 1.0));
-    return Mix(field, FromRgb(112, 126, 70), 0.6f * balk);
-  }
-
- private:
-  const std::array<Color, 4>& crops_;
-};
 
 float Smoothstep(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
@@ -102,10 +61,11 @@ cv::Mat GroundColors(const Scene& scene) {
   const GridGeometry& geometry = terrain.geometry();
   const CoarseAttributes& coarse = scene.environment.coarse;
   const SeasonColors season = ColorsOf(coarse.season);
-  const Fields fields(season.fields);
   const bool desert = coarse.terrain_type == TerrainType::kDesert;
+  const bool dry = IsDryLand(scene);
   const bool wild = terrain.weights.vocabulary == Vocabulary::kWild;
   const Color barren = desert ? FromRgb(222, 190, 138) : FromRgb(166, 144, 116);
+  const Color soil = desert ? Mix(season.soil, barren, 0.5f) : season.soil;
   const Color road = wild ? FromRgb(150, 132, 108) : FromRgb(112, 112, 118);
 
   const ArtisticStyle style = coarse.artistic_style;
@@ -135,7 +95,7 @@ cv::Mat GroundColors(const Scene& scene) {
           out[col] = season.forest_floor * (1.0f + 0.06f * patch + 0.05f * tuft);
           break;
         case SurfaceClass::kFarmland:
-          out[col] = fields.At(point.x_m, point.y_m, patch) * (1.0f + 0.02f * tuft);
+          out[col] = soil * (1.0f + 0.03f * patch + 0.02f * tuft);
           break;
         case SurfaceClass::kBarren:
           out[col] = barren * (1.0f + 0.05f * patch + 0.03f * tuft);
@@ -144,7 +104,8 @@ cv::Mat GroundColors(const Scene& scene) {
           out[col] = Mix(road * (1.0f + 0.02f * tuft), rim, rims.at<float>(row, col));
           break;
         case SurfaceClass::kBuilding:
-          out[col] = Mix(GardenColor(season.grass, point.x_m, point.y_m, patch),
+          out[col] = Mix(dry ? Mix(barren, season.grass, 0.25f)
+                             : GardenColor(season.grass, point.x_m, point.y_m, patch),
                          FromRgb(206, 192, 162), 0.9f * yards.at<float>(row, col)) *
                      (1.0f + 0.03f * tuft);
           break;
@@ -162,6 +123,7 @@ cv::Mat GroundColors(const Scene& scene) {
   }
   // Classes change from cell to cell; the land does not.
   cv::GaussianBlur(colors, colors, {}, std::max(0.4, 0.6 / cell_m));
+  PaintCrops(scene, season.grass, &colors);
 
   // Grain, wet ground in rain, and fallen snow where it is level enough to stay.
   const float snow = static_cast<float>(std::clamp(scene.atmosphere.snow_depth_m / 0.12, 0.0, 1.0));

@@ -38,10 +38,9 @@ Extent ExtentOf(const Scene& scene, const Eigen::Vector3f& eye_m, float block_m)
     const double y_m = geometry.CenterOf({row, 0}).y_m;
     extent.top = std::min(extent.top, line_of(y_m, *std::max_element(z_m, z_m + geometry.cols())));
   }
-  const float high_m = 2.0f * kHighestFlyer * half_m;
   for (const Asset& asset : scene.assets)
-    extent.top =
-        std::min(extent.top, line_of(asset.y_m, asset.z_m + std::min(asset.height_m, high_m)));
+    extent.top = std::min(extent.top, line_of(asset.y_m, asset.z_m + asset.height_m));
+  const float high_m = 2.0f * kHighestFlyer * half_m;
   for (const AgentStart& agent : scene.agents) {
     const float up_m = std::min(static_cast<float>(agent.height_above_ground_m), high_m);
     extent.top =

@@ -61,7 +61,7 @@ Status TraceBlock(const Scene& scene, const GroundMaterials& materials, const Ra
   const float block_m = BlockDepth(scene);
   const float half_m = static_cast<float>(scene.geometry().half_size_m());
   const float bottom_m = scene.terrain->ground.min_m() - block_m;
-  PaintBackdrop(SceneLight(scene), bgr);
+  PaintBackdrop(scene, SceneLight(scene), bgr);
   PaintBlockShade(camera.Project({-half_m, -half_m, bottom_m}),
                   camera.Project({half_m, -half_m, bottom_m}), bgr);
   RayPictureOptions ray_options;
@@ -72,8 +72,8 @@ Status TraceBlock(const Scene& scene, const GroundMaterials& materials, const Ra
   const float pixels_per_m = camera.PixelsPerMetre(camera.DepthOf({0.0f, -half_m, 0.0f}));
   ray_options.detail = options.quick ? kMeshDetails - 1 : DetailFor(pixels_per_m);
   ray_options.smallest_m = (options.quick ? 2.0f : 0.5f) / pixels_per_m;
-  // From afar gentle land would look flat.
-  ray_options.relief = std::min(2.0f, ReliefExaggeration(scene));
+  // From afar land looks flatter than it is, gentle land most of all.
+  ray_options.relief = std::clamp(1.8f * ReliefExaggeration(scene), 1.8f, 2.6f);
   const Progress nobody;
   LW_RETURN_IF_ERROR(TracePicture(scene, materials, camera, ray_options,
                                   options.progress != nullptr ? *options.progress : nobody, bgr));

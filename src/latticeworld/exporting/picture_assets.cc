@@ -5,6 +5,7 @@
 
 #include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/exporting/ray_noise.h"
+#include "latticeworld/exporting/village_ground.h"
 #include "latticeworld/scene/scene.h"
 
 namespace latticeworld {
@@ -46,10 +47,14 @@ std::vector<Asset> DrawnAssets(const Scene& scene, float smallest_m) {
 void AddLawn(const Scene& scene, const Eigen::Vector3f& eye_m, std::vector<Asset>* assets) {
   constexpr float kReach_m = 34.0f;
   constexpr float kStep_m = 0.26f;
+  constexpr float kDryShare = 0.2f;  // of the tufts that grow elsewhere
   const int model = LawnModel(*scene.catalogue);
   if (model < 0 || scene.atmosphere.snow_depth_m > 0.08) return;
   // As the scene's own tufts look.
   const FineAttribute& grass = scene.environment.fine_of(AssetType::kGrass);
+  if (grass.density <= 0.0) return;
+  const float lush = static_cast<float>(std::min(1.0, grass.density / 0.5)) *
+                     (IsDryLand(scene) ? kDryShare : 1.0f);
   const AssetTypeValues& values = scene.catalogue->ValuesOf(AssetType::kGrass);
   const std::size_t variant = IndexOf(values.season_variants, grass.season_variant);
   const std::size_t material = IndexOf(values.materials, grass.material);
@@ -74,7 +79,7 @@ void AddLawn(const Scene& scene, const Eigen::Vector3f& eye_m, std::vector<Asset
                           : surface == SurfaceClass::kBuilding    ? 0.5f
                           : surface == SurfaceClass::kForestFloor ? 0.12f
                                                                   : 0.0f;
-      if (UnitHash(a, b, 504) >= share) continue;
+      if (UnitHash(a, b, 504) >= lush * share) continue;
       bool inside = false;
       scene.index.ForEachNear(at, 0.2, [&](std::uint32_t solid) {
         inside = inside || SolidContains(scene.assets[solid], at, 0.1);

@@ -15,7 +15,8 @@ struct Scene;
 std::vector<Asset> DrawnAssets(const Scene& scene, float smallest_m);
 
 // Adds what the ground close to an eye is covered with, besides the scene's own tufts: grass on
-// meadows, thinning out with the distance.
+// meadows, thinning out with the distance, as dense as the environment has grass and sparse in
+// deserts.
 void AddLawn(const Scene& scene, const Eigen::Vector3f& eye_m, std::vector<Asset>* assets);
 
 }  // namespace latticeworld

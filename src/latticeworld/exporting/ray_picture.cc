@@ -38,8 +38,16 @@ class BlockAir {
   float size_m_, visibility_m_;
 };
 
-// Which thing an outline goes around.
-std::uint32_t ThingOf(const RayHit& hit) {
+bool IsGroundCover(AssetKind kind) {
+  return kind == AssetKind::kGrassTuft || kind == AssetKind::kFlower || kind == AssetKind::kCrop;
+}
+
+// Which thing an outline goes around. Small plants are the ground's: outlines of single ones would
+// blacken it.
+std::uint32_t ThingOf(const std::vector<Asset>& assets, RayHit hit) {
+  if (hit.target == RayTarget::kAsset && IsGroundCover(assets[hit.index].kind))
+    hit.target = RayTarget::kGround;
+  if (hit.target == RayTarget::kGround) hit.index = 0;
   return (1u + static_cast<std::uint32_t>(hit.target)) << 28 | (hit.index + 1u);
 }
 
@@ -108,7 +116,7 @@ Status TracePicture(const Scene& scene, const GroundMaterials& ground, const Ray
     }
     caught.is_clear = false;
     caught.distance_m = hit.hit.distance_m;
-    caught.thing = hit.on_cut ? 1u : ThingOf(hit.hit);
+    caught.thing = hit.on_cut ? 1u : ThingOf(assets, hit.hit);
     const float clarity =
         is_block ? block_air.ClarityAt(hit.point_m.y()) : sky.Clarity(hit.hit.distance_m);
     Light light = Light::Zero();

@@ -118,7 +118,8 @@ RaySky::RaySky(const Scene& scene) : style_(scene.environment.coarse.artistic_st
   overcast_ = look.overcast;
   cover_ = look.cover;
   const float sky = Brightness(0.5f * (key.zenith + key.horizon)) + 0.10f * Brightness(sunlight_);
-  const Light grey = look.tint * (sky * look.light);
+  // At night clouds throw back what light there is below them.
+  const Light grey = look.tint * (sky * (is_night_ ? std::max(1.6f, look.light) : look.light));
   zenith_ = Blend(key.zenith, grey * 0.9f, overcast_);
   horizon_ = Blend(key.horizon, grey * 1.08f, overcast_);
   glow_ = key.glow * (1.0f - overcast_);

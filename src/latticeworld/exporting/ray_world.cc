@@ -12,8 +12,8 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr int kMostMirrors = 24;  // that a ray goes through
-constexpr float kFarthest_m = 12000.0f;
+constexpr float kFarthest_m = 12000.0f;  // that a ray goes
+constexpr float kLawn_m = 1.0f;          // more than what pictures add to the assets is high
 
 // Where a ray comes into and leaves what lies between -half and +half on an axis.
 struct Span {
@@ -41,6 +41,7 @@ RayWorld::RayWorld(const Scene& scene, const RayScene& rays, Surroundings surrou
     if (level_m > highest_m_) highest_m_ = level_m;  // not where NaN
   for (const Asset& asset : scene.assets)
     highest_m_ = std::max(highest_m_, asset.z_m + 1.5f * asset.height_m);
+  highest_m_ += kLawn_m;
 }
 
 WorldHit RayWorld::Trace(const Ray& ray, RaySights sights) const {
@@ -90,7 +91,9 @@ WorldHit RayWorld::TraceMirrors(const Ray& ray, RaySights sights) const {
   WorldHit result;
   float from_m = ray.from_m;
   const float farthest_m = std::min(ray.to_m, kFarthest_m);
-  for (int passed = 0; passed < kMostMirrors && from_m < farthest_m; ++passed) {
+  // Two borders are crossed in each image at most, and now and then one twice by rounding.
+  const int most = 2 + 3 * static_cast<int>(std::ceil(kFarthest_m / size_m));
+  for (int passed = 0; passed < most && from_m < farthest_m; ++passed) {
     // Which image the ray is in, and itself in that image's frame.
     const Vector3f point = ray.origin_m + (from_m + 1e-3f) * ray.direction;
     Ray local = ray;
@@ -116,7 +119,9 @@ WorldHit RayWorld::TraceMirrors(const Ray& ray, RaySights sights) const {
     }
     const float z_m = ray.origin_m.z() + leaves_m * ray.direction.z();
     if ((ray.direction.z() >= 0.0f && z_m > highest_m_) || z_m < lowest_m_ - 50.0f) break;
-    from_m = leaves_m;
+    // Images that the ray goes over have nothing for it.
+    const float sinks_m = (highest_m_ - ray.origin_m.z()) / ray.direction.z();
+    from_m = ray.direction.z() < 0.0f ? std::max(leaves_m, sinks_m) : leaves_m;
   }
   result.direction = ray.direction;
   result.mirror = Vector3f::Ones();

@@ -14,6 +14,15 @@ constexpr int kPlacesASide = 48;
 constexpr int kHeadings = 16;
 constexpr double kFree_m = 1.2;  // around the eye
 constexpr double kEye_m = 1.7;
+constexpr double kNear_m = 35.0, kFar_m = 110.0;
+constexpr double kWidestCrown_m = 8.0;  // half of it
+// Where crowns leave no place, they may come closer to the eye.
+constexpr double kCrowns[] = {1.0, 0.6, 0.3};
+constexpr double kCrowded_ha = 400.0;   // trees that hide what is behind them
+constexpr double kSomeTrees_ha = 16.0;  // enough to frame a shore
+constexpr double kLeastForest = 0.2;    // of what is ahead
+// What a far look goes down: that share of the world's range, within bounds.
+constexpr double kDrop = 0.15, kLeastDrop_m = 3.0, kLargestDrop_m = 12.0;
 
 WorldPoint Ahead(WorldPoint from, double heading_rad, double distance_m) {
   return {from.x_m + distance_m * std::cos(heading_rad),
@@ -42,7 +51,7 @@ ViewScout::ViewScout(const Scene& scene)
 ViewScout::Outlook ViewScout::LookAhead(WorldPoint from, double heading_rad) const {
   Outlook outlook;
   const double here_m = scene_.terrain->ground.HeightAt(from);
-  int looks = 0, near_looks = 0, inside = 0;
+  int looks = 0, near_looks = 0, inside = 0, near_inside = 0, far_inside = 0;
   for (const double turn_rad : {-0.5, -0.3, -0.1, 0.1, 0.3, 0.5}) {
     for (double away_m = 9.0; away_m < 200.0; away_m *= 1.22) {
       ++looks;
@@ -52,27 +61,37 @@ ViewScout::Outlook ViewScout::LookAhead(WorldPoint from, double heading_rad) con
       ++inside;
       outlook.drop_m += here_m - scene_.terrain->ground.HeightAt(at);
       if (away_m < 60.0 && scene_.terrain->WaterDepthAt(at) > 0.0) outlook.water += 1.0;
-      if (away_m > 110.0) continue;
+      if (away_m > kFar_m) continue;
+      if (scene_.terrain->SurfaceAt(at) == SurfaceClass::kForestFloor) outlook.forest += 1.0;
       const CellIndex bucket = buckets_.CellAt(at);
-      (away_m < 35.0 ? outlook.houses_near : outlook.houses) += houses_[bucket];
-      (away_m < 35.0 ? outlook.trees_near : outlook.trees) += trees_[bucket];
+      const bool near = away_m < kNear_m;
+      ++(near ? near_inside : far_inside);
+      (near ? outlook.houses_near : outlook.houses) += houses_[bucket];
+      (near ? outlook.trees_near_ha : outlook.trees_ha) += trees_[bucket];
     }
   }
+  // Many looks fall into one bucket, so that only means tell how many trees there are.
+  const double bucket_ha = buckets_.resolution_m() * buckets_.resolution_m() * 1e-4;
+  outlook.trees_near_ha /= bucket_ha * std::max(1, near_inside);
+  outlook.trees_ha /= bucket_ha * std::max(1, far_inside);
+  outlook.forest /= std::max(1, near_inside + far_inside);
   outlook.drop_m /= std::max(1, inside);
   outlook.water /= std::max(1, near_looks);
   outlook.inside = static_cast<double>(inside) / looks;
   return outlook;
 }
 
-bool ViewScout::IsFree(WorldPoint from) const {
+bool ViewScout::IsFree(WorldPoint from, double crowns) const {
   bool free = true;
-  scene_.index.ForEachNear(from, kFree_m, [&](std::uint32_t solid) {
-    free = free && !SolidContains(scene_.assets[solid], from, kFree_m);
+  scene_.index.ForEachNear(from, kWidestCrown_m, [&](std::uint32_t solid) {
+    const Asset& asset = scene_.assets[solid];
+    const double crown_m = asset.kind == AssetKind::kTree ? crowns * asset.half_length_m : 0.0;
+    free = free && !SolidContains(asset, from, std::max(kFree_m, crown_m));
   });
   return free;
 }
 
-bool ViewScout::IsOpenAhead(WorldPoint from, double heading_rad) const {
+bool ViewScout::IsOpenAhead(WorldPoint from, double heading_rad, double crowns) const {
   const double eye_m = scene_.terrain->ground.HeightAt(from) + kEye_m;
   for (const double turn_rad : {-0.35, 0.0, 0.35}) {
     for (double away_m = 1.5; away_m < 10.0; away_m += 1.5) {
@@ -83,8 +102,9 @@ bool ViewScout::IsOpenAhead(WorldPoint from, double heading_rad) const {
       // Crowns stand around trunks.
       scene_.index.ForEachNear(at, 2.0, [&](std::uint32_t solid) {
         const Asset& asset = scene_.assets[solid];
-        const double margin_m =
-            asset.kind == AssetKind::kTree ? std::min(2.0, 0.6 * asset.half_length_m) : 0.4;
+        const double margin_m = asset.kind == AssetKind::kTree
+                                    ? crowns * std::min(2.0, 0.6 * asset.half_length_m)
+                                    : 0.4;
         open = open && !SolidContains(asset, at, margin_m);
       });
       if (!open) return false;
@@ -93,9 +113,9 @@ bool ViewScout::IsOpenAhead(WorldPoint from, double heading_rad) const {
   return true;
 }
 
-bool ViewScout::Suits(Motif motif, WorldPoint from) const {
+bool ViewScout::Suits(Motif motif, WorldPoint from, double crowns) const {
   const SurfaceClass surface = scene_.terrain->SurfaceAt(from);
-  if (scene_.terrain->WaterDepthAt(from) > 0.0 || !IsFree(from)) return false;
+  if (scene_.terrain->WaterDepthAt(from) > 0.0 || !IsFree(from, crowns)) return false;
   switch (motif) {
     case Motif::kStreet:
       return surface == SurfaceClass::kRoad || surface == SurfaceClass::kBuilding;
@@ -130,20 +150,31 @@ double ViewScout::Score(Motif motif, WorldPoint from, double heading_rad) const 
     case Motif::kShore:
       if (outlook.water < 0.15) return 0.0;
       return depth * (4.0 * std::min(0.65, outlook.water) +
-                      0.6 * std::min(1.0, (outlook.trees + outlook.trees_near) / 8.0) +
+                      0.6 * std::min(1.0, (outlook.trees_ha + outlook.trees_near_ha) /
+                                              (2.0 * kSomeTrees_ha)) +
                       0.6 * std::min(1.0, outlook.houses / 3.0));
     case Motif::kForest:
-      if (outlook.trees_near + outlook.trees < 4.0) return 0.0;
-      return depth * (std::min(1.0, outlook.trees / 40.0) - 0.02 * outlook.trees_near);
+      if (outlook.forest < kLeastForest || outlook.trees_near_ha + outlook.trees_ha <= 0.0)
+        return 0.0;
+      return depth * std::max(0.05, std::min(1.0, outlook.trees_ha / kCrowded_ha) -
+                                        0.3 * std::min(1.0, outlook.trees_near_ha / kCrowded_ha));
     case Motif::kHill: {
       const double range_m = std::max(1.0, highest_m_ - lowest_m_);
-      return depth * std::max(0.0, outlook.drop_m / range_m + 0.25 - 0.03 * outlook.trees_near);
+      if (outlook.drop_m < std::clamp(kDrop * range_m, kLeastDrop_m, kLargestDrop_m)) return 0.0;
+      return depth * outlook.drop_m / range_m *
+             (1.0 - 0.7 * std::min(1.0, outlook.trees_near_ha / kCrowded_ha));
     }
   }
   return 0.0;
 }
 
 std::optional<Viewpoint> ViewScout::Find(Motif motif) const {
+  for (const double crowns : kCrowns)
+    if (const auto view = Find(motif, crowns)) return view;
+  return std::nullopt;
+}
+
+std::optional<Viewpoint> ViewScout::Find(Motif motif, double crowns) const {
   std::optional<Viewpoint> best;
   const double step_m = scene_.geometry().size_m() / kPlacesASide;
   for (int j = 0; j < kPlacesASide; ++j) {
@@ -152,31 +183,38 @@ std::optional<Viewpoint> ViewScout::Find(Motif motif) const {
       const WorldPoint from = {
           -scene_.geometry().half_size_m() + (i + HashToUnit(511, i, j)) * step_m,
           -scene_.geometry().half_size_m() + (j + HashToUnit(512, i, j)) * step_m};
-      if (!Suits(motif, from)) continue;
+      if (!Suits(motif, from, crowns)) continue;
       for (int k = 0; k < kHeadings; ++k) {
         const double heading_rad = 2.0 * M_PI * k / kHeadings;
         const double score = Score(motif, from, heading_rad);
         if (score <= 0.0 || (best && score <= best->score)) continue;
-        if (IsOpenAhead(from, heading_rad)) best = Viewpoint{from, heading_rad, score};
+        if (IsOpenAhead(from, heading_rad, crowns)) best = Viewpoint{from, heading_rad, score};
       }
     }
   }
   return best;
 }
 
-Viewpoint ViewScout::Anywhere() const {
-  Viewpoint view;
-  view.heading_rad = M_PI / 2.0;
+std::optional<Viewpoint> ViewScout::Anywhere(double crowns) const {
   constexpr double kStep_m = 1.5;
   // Outward along a spiral.
   for (int i = 0; i < 4000; ++i) {
     const double away_m = kStep_m * std::sqrt(i);
     const WorldPoint at = Ahead({}, 2.4 * i, away_m);
-    if (!scene_.geometry().Contains(at) || !IsFree(at)) continue;
-    view.position = at;
-    break;
+    if (!scene_.geometry().Contains(at) || !IsFree(at, crowns)) continue;
+    for (int k = 0; k < kHeadings; ++k) {
+      const int steps = (k % 2 == 0 ? 1 : -1) * ((k + 1) / 2);  // to either side by turns
+      const double heading_rad = M_PI / 2.0 + 2.0 * M_PI * steps / kHeadings;
+      if (IsOpenAhead(at, heading_rad, crowns)) return Viewpoint{at, heading_rad, 0.0};
+    }
   }
-  return view;
+  return std::nullopt;
+}
+
+Viewpoint ViewScout::Anywhere() const {
+  for (const double crowns : kCrowns)
+    if (const auto view = Anywhere(crowns)) return *view;
+  return {{}, M_PI / 2.0, 0.0};
 }
 
 }  // namespace latticeworld

@@ -28,24 +28,29 @@ class ViewScout {
 
   // The best place for it; nullopt where the world has none.
   std::optional<Viewpoint> Find(Motif motif) const;
-  // The free place nearest to the middle of the world, looking north; the middle where none is
-  // free.
+  // The place nearest to the middle of the world that is free and open ahead, looking as near to
+  // north as it is; the middle where there is none.
   Viewpoint Anywhere() const;
 
  private:
   // What lies ahead, near (10 to 35 m) and farther (35 to 110 m), in a sector of 60 degrees.
   struct Outlook {
-    double houses_near = 0, houses = 0, trees_near = 0, trees = 0;  // weighted counts
-    double water = 0;   // share of the places that are wet, up to 60 m
+    double houses_near = 0, houses = 0;      // weighted counts
+    double trees_near_ha = 0, trees_ha = 0;  // how many stand on a hectare
+    double water = 0;                        // share of the places that are wet, up to 60 m
+    double forest = 0;                       // share that is forest floor, up to 110 m
     double drop_m = 0;  // of the ground below the eye's place, mean up to 200 m
     double inside = 0;  // share of the places that are inside the world
   };
   Outlook LookAhead(WorldPoint from, double heading_rad) const;
-  // Nothing solid at the place, and neither ground nor trunk or wall close before the eye.
-  bool IsFree(WorldPoint from) const;
-  bool IsOpenAhead(WorldPoint from, double heading_rad) const;
-  bool Suits(Motif motif, WorldPoint from) const;
+  // Nothing solid and no crown at the place, and neither ground nor trunk or wall close before the
+  // eye. crowns: how much of their width counts.
+  bool IsFree(WorldPoint from, double crowns) const;
+  bool IsOpenAhead(WorldPoint from, double heading_rad, double crowns) const;
+  bool Suits(Motif motif, WorldPoint from, double crowns) const;
   double Score(Motif motif, WorldPoint from, double heading_rad) const;
+  std::optional<Viewpoint> Find(Motif motif, double crowns) const;
+  std::optional<Viewpoint> Anywhere(double crowns) const;
 
   const Scene& scene_;
   GridGeometry buckets_;

@@ -75,6 +75,17 @@ double ToStreet_m(const Scene& scene, const Asset& building) {
 
 }  // namespace
 
+bool IsDryLand(const Scene& scene) {
+  if (scene.environment.coarse.terrain_type == TerrainType::kDesert) return true;
+  std::size_t barren = 0, green = 0;
+  for (const SurfaceClass surface : scene.terrain->surface) {
+    barren += surface == SurfaceClass::kBarren;
+    green += surface == SurfaceClass::kGrass || surface == SurfaceClass::kForestFloor ||
+             surface == SurfaceClass::kFarmland;
+  }
+  return barren > green;
+}
+
 Color GardenColor(const Color& grass, double x_m, double y_m, float waviness) {
   const Patch patch = PatchAt(x_m + 0.8 * waviness, y_m - 0.8 * waviness);
   const double kind = HashToUnit(63, patch.row, patch.col);

@@ -9,6 +9,9 @@ namespace latticeworld {
 
 struct Scene;
 
+// Deserts, and land that is mostly barren whatever its environment is called: no gardens grow.
+bool IsDryLand(const Scene& scene);
+
 // Village ground between houses: lawns and beds, patch by patch. Hedges are assets. waviness:
 // smooth noise that bends the patches' borders.
 Color GardenColor(const Color& grass, double x_m, double y_m, float waviness);

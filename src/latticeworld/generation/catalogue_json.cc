@@ -1,6 +1,8 @@
 #include "latticeworld/generation/catalogue_json.h"
 
+#include <cstddef>
 #include <exception>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,14 @@ namespace latticeworld {
 namespace jf = json_fields;
 using jf::Json;
 
+namespace {
+
+// A catalogue's 32 MiB of text, each byte of it escaped, and the names. Parsing takes memory of
+// several times the length.
+constexpr std::size_t kMaxBytes = 65 << 20;
+
+}  // namespace
+
 std::string EncodeCatalogue(const Catalogue& catalogue) {
   Json json = Json::array();
   for (const CatalogueFile& file : catalogue.added_files()) {
@@ -20,6 +30,10 @@ std::string EncodeCatalogue(const Catalogue& catalogue) {
 }
 
 Result<std::shared_ptr<const Catalogue>> DecodeCatalogue(std::string_view content) {
+  if (content.size() > kMaxBytes) {
+    return DataLoss("it has " + std::to_string(content.size()) + " bytes; legal are at most " +
+                    std::to_string(kMaxBytes));
+  }
   std::vector<CatalogueFile> files;
   try {
     const Json json = jf::Parse(content);

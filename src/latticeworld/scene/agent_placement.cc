@@ -7,6 +7,7 @@
 #include "latticeworld/common/random.h"
 #include "latticeworld/scene/spawn_rules.h"
 #include "latticeworld/scene/spawn_search.h"
+#include "latticeworld/scene/water_depth.h"
 
 namespace latticeworld {
 namespace {
@@ -43,7 +44,7 @@ AgentStart MakeStart(const Scene& scene, AgentCategory category, AgentState stat
   if (LocomotionOf(category) == Locomotion::kWings) {
     start.height_above_ground_m = flight_m;
   } else if (LocomotionOf(category) == Locomotion::kFins) {
-    start.height_above_ground_m = 0.25 * scene.terrain->WaterDepthAt(position);
+    start.height_above_ground_m = 0.25 * WaterDepthAt(*scene.terrain, scene.atmosphere, position);
   }
   start.heading_rad = random->Uniform(-M_PI, M_PI);
   return start;
@@ -91,7 +92,7 @@ std::vector<AgentStart> PlaceAgents(const Scene& scene, std::uint64_t seed,
     const AgentGroup& group = scene.environment.agents[i];
     RandomStream random(seed, "scene/agents/" + std::to_string(i));
     const double radius_m = BodyRadius(group.category);
-    SpawnSearch search(scene, group.category, radius_m, group.position);
+    SpawnSearch search(scene, scene.atmosphere, group.category, radius_m, group.position);
     const bool herd = group.state == AgentState::kGrazing;
     WorldPoint herd_centre;
     for (int placed = 0; placed < group.quantity; ++placed) {
@@ -114,10 +115,11 @@ std::vector<AgentStart> PlaceAgents(const Scene& scene, std::uint64_t seed,
     RandomStream random(seed, "scene/robot");
     constexpr AgentCategory kRobot = AgentCategory::kWheeledRobot;
     const double radius_m = BodyRadius(kRobot);
-    Result<WorldPoint> position = SpawnSearch(scene, kRobot, radius_m, Region::kCenter)
-                                      .FindNear({0.0, 0.0}, kCentreSpread_m, taken, &random);
+    Result<WorldPoint> position =
+        SpawnSearch(scene, scene.atmosphere, kRobot, radius_m, Region::kCenter)
+            .FindNear({0.0, 0.0}, kCentreSpread_m, taken, &random);
     if (!position.ok()) {
-      position = SpawnSearch(scene, kRobot, radius_m, Region::kAnywhere).Find(taken, &random);
+      position = FindSpawn(scene, kRobot, radius_m, Region::kAnywhere, taken, &random);
     }
     if (position.ok()) {
       add(kRobot, AgentState::kIdle, *position, &random);

@@ -34,7 +34,7 @@ void Rain(double intensity, Atmosphere* air) {
 }
 
 // Snowfall as water: slight below 1 mm/h, moderate to 5 (WMO-No. 8). Visibility by the attenuation
-// of light in dry snow, 5.50 S^1.38 dB/km (ITU-R P.1814, at 905 nm).
+// of light in dry snow, 5.55 S^1.38 dB/km (ITU-R P.1814, at 905 nm).
 void Snow(double intensity, Atmosphere* air) {
   constexpr double kDecibel = 4.342945;
   air->snowfall_mmph = Graded(0.4, 10.0, intensity);

@@ -41,38 +41,36 @@ int Builder::BucketOf(double coordinate_m) const {
 }
 
 template <typename Visit>
-void Builder::ForEachNear(const Footprint& footprint, double reach_m, Visit&& visit) const {
-  const double most_m = footprint.radius_m() + reach_m + largest_radius_m_;
+bool Builder::AnyNear(const Footprint& footprint, double reach_m, Visit&& visit) const {
+  const double near_m = footprint.radius_m() + reach_m, most_m = near_m + largest_radius_m_;
   const WorldPoint centre = footprint.centre;
   const int row_end = BucketOf(centre.y_m + most_m), col_end = BucketOf(centre.x_m + most_m);
   for (int row = BucketOf(centre.y_m - most_m); row <= row_end; ++row) {
     for (int col = BucketOf(centre.x_m - most_m); col <= col_end; ++col) {
       for (const int i : buckets_(row, col)) {
         const Footprint& other = built_[i].plan.footprint;
-        const double distance_m =
-            std::hypot(other.centre.x_m - centre.x_m, other.centre.y_m - centre.y_m);
-        if (distance_m <= footprint.radius_m() + other.radius_m() + reach_m) visit(built_[i]);
+        const double dx = other.centre.x_m - centre.x_m, dy = other.centre.y_m - centre.y_m;
+        const double within_m = near_m + other.radius_m();
+        if (dx * dx + dy * dy <= within_m * within_m && visit(built_[i])) return true;
       }
     }
   }
+  return false;
 }
 
 bool Builder::IsClear(const Footprint& footprint, double gap_m, int terrace) const {
-  bool clear = true;
-  ForEachNear(footprint, gap_m, [&](const Built& other) {
-    const bool same = terrace >= 0 && other.plan.terrace == terrace;
-    const double least_m = same ? -kTouching_m : gap_m;
-    clear = clear && GapBetween(footprint, other.plan.footprint) >= least_m;
+  const double radius_m = footprint.radius_m();
+  const double inscribed_m = std::min(footprint.half_length_m, footprint.half_width_m);
+  return !AnyNear(footprint, gap_m, [&](const Built& other) {
+    if (terrace >= 0 && other.plan.terrace == terrace) {
+      return GapBetween(footprint, other.plan.footprint) < -kTouching_m;
+    }
+    // The circles around and in the rectangle mostly tell.
+    const double to_centre_m = GapTo(other.plan.footprint, footprint.centre);
+    if (to_centre_m >= gap_m + radius_m) return false;
+    if (to_centre_m < gap_m + inscribed_m) return true;
+    return GapBetween(footprint, other.plan.footprint) < gap_m;
   });
-  return clear;
-}
-
-double Builder::ToNearest_m(const Footprint& footprint, double reach_m) const {
-  double nearest_m = reach_m;
-  ForEachNear(footprint, reach_m, [&](const Built& other) {
-    nearest_m = std::min(nearest_m, GapBetween(footprint, other.plan.footprint));
-  });
-  return nearest_m;
 }
 
 bool Builder::IsInside(const Footprint& footprint) const {
@@ -94,16 +92,21 @@ double Builder::BaseOf(const Footprint& footprint) const {
                                        std::min(footprint.half_length_m, footprint.half_width_m));
   Tally::Kind& tally = placement_->tally.Of(AssetKind::kBuilding);
   double lowest_m = INFINITY, highest_m = -INFINITY;
+  const double cosine = std::cos(footprint.yaw_rad), sine = std::sin(footprint.yaw_rad);
   for (int i = 0; i <= steps_x; ++i) {
     for (int j = 0; j <= steps_y; ++j) {
-      const WorldPoint point = footprint.At((2.0 * i / steps_x - 1.0) * reach_x_m,
-                                            (2.0 * j / steps_y - 1.0) * reach_y_m);
+      const double along_m = (2.0 * i / steps_x - 1.0) * reach_x_m;
+      const double left_m = (2.0 * j / steps_y - 1.0) * reach_y_m;
+      const WorldPoint point = {footprint.centre.x_m + cosine * along_m - sine * left_m,
+                                footprint.centre.y_m + sine * along_m + cosine * left_m};
       if (!IsBuildable(terrain, point, 0.0)) {
         tally.Refuse(Refusal::kWaterOrRoad);
         return kNowhere;
       }
       // Embankments and the steps between terraces may begin a little beside the walls.
-      if (GapTo(footprint, point) > kLevelBeside_m) continue;
+      const double off_x_m = std::max(0.0, std::abs(along_m) - footprint.half_length_m);
+      const double off_y_m = std::max(0.0, std::abs(left_m) - footprint.half_width_m);
+      if (off_x_m * off_x_m + off_y_m * off_y_m > kLevelBeside_m * kLevelBeside_m) continue;
       const double height_m = terrain.ground.HeightAt(point);
       lowest_m = std::min(lowest_m, height_m);
       highest_m = std::max(highest_m, height_m);

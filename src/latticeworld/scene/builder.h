@@ -42,13 +42,12 @@ class Builder {
   // Whether the walls of every building are at least that far from the rectangle; those of the
   // terrace may touch it.
   bool IsClear(const Footprint& footprint, double gap_m, int terrace) const;
-  // Distance from the rectangle to the nearest wall [m], at most reach_m.
-  double ToNearest_m(const Footprint& footprint, double reach_m) const;
 
  private:
-  // Calls visit(built) for each building whose circle comes within reach_m of the rectangle's.
+  // Calls visit(built) for the buildings whose circles come within reach_m of the rectangle's,
+  // until one returns true; whether one did.
   template <typename Visit>
-  void ForEachNear(const Footprint& footprint, double reach_m, Visit&& visit) const;
+  bool AnyNear(const Footprint& footprint, double reach_m, Visit&& visit) const;
   // The building as it would stand, nullopt: it may not.
   std::optional<Asset> AssetOf(const BuildingPlan& plan);
   bool IsInside(const Footprint& footprint) const;

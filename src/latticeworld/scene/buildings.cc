@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "latticeworld/common/progress.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/scene/blue_noise.h"
 #include "latticeworld/scene/builder.h"
@@ -23,10 +25,13 @@ constexpr double kDegree = M_PI / 180.0;
 constexpr double kMoveBack_m = 2.5;
 constexpr int kMostMovesBack = 2;            // within kMostSetback_m
 constexpr double kShedChance = 0.4;          // of a house
-constexpr double kInfillPerHectare = 200.0;  // places that are tried away from streets
-constexpr double kInfillReach_m = 45.0;      // from them to a street or another building
-constexpr double kInfillGap_m = 2.0;         // beyond kLeastWallGap_m
-constexpr double kYardWidth_m = 9.0;         // of a farm
+constexpr double kInfillPerHectare = 200.0;  // places that are tried away from streets, at most
+constexpr double kInfillPerBuilding = 8.0;   // places for each building that is missing
+constexpr int kLeastPatience = 200;
+constexpr double kPatience = 0.25;       // of the places of a settlement
+constexpr double kInfillReach_m = 45.0;  // from them to a street or another building
+constexpr double kInfillGap_m = 2.0;     // beyond kLeastWallGap_m
+constexpr double kYardWidth_m = 9.0;     // of a farm
 
 // The settlements of a world, built one after the other.
 class Settler {
@@ -39,12 +44,14 @@ class Settler {
         seed_(StreamSeed(placement->seed, "scene/buildings")) {
     const FineAttribute& fine = placement->environment.fine_of(AssetType::kArchitecture);
     rule_.rotation_rad = fine.rotation_deg[2] * kDegree;
-    rule_.sparseness = 1.0 + 1.2 * (1.0 - std::clamp(fine.density * placement->thinning, 0.0, 1.0));
+    rule_.sparseness = 1.0 + 1.2 * (1.0 - std::clamp(fine.density, 0.0, 1.0));
   }
 
   // wanted: in the whole world.
   void Build(int wanted) {
     ShareOut(wanted);
+    const int all = std::accumulate(quota_.begin(), quota_.end(), 0);
+    placement_->tally.Of(AssetKind::kBuilding).wanted = std::max(wanted, all);
     for (std::size_t i = 0; i < quota_.size(); ++i) BuildChurch(static_cast<int>(i));
     PointRandom random(seed_, 0);
     std::vector<Plot> plots =
@@ -52,6 +59,7 @@ class Settler {
     std::stable_sort(plots.begin(), plots.end(),
                      [](const Plot& a, const Plot& b) { return a.order < b.order; });
     for (const Plot& plot : plots) {
+      if (IsCancelled()) return;
       if (plot.buildings.size() > 1) {
         BuildTerrace(plot, &random);
         continue;
@@ -63,18 +71,25 @@ class Settler {
     }
     BuildSheds();
     Fill();
+    if (IsCancelled()) return;
     PlantGardens(builder_, placement_);
   }
 
  private:
-  // How many buildings each settlement gets, by its built-up land.
+  bool IsCancelled() const {
+    return placement_->progress != nullptr && placement_->progress->cancelled();
+  }
+
+  // How many buildings each settlement gets, by its built-up land: one at least, so that no village
+  // is lost for being small.
   void ShareOut(int wanted) {
     double land_m2 = 0.0;
     for (const Settlement& settlement : map_.settlements()) land_m2 += settlement.area_m2;
     double owed = 0.0;
     for (const Settlement& settlement : map_.settlements()) {
       owed += wanted * settlement.area_m2 / std::max(land_m2, 1.0);
-      const int whole = static_cast<int>(std::lround(owed));
+      const int least = settlement.area_m2 >= kLeastSettlement_m2 ? 1 : 0;
+      const int whole = std::max(least, static_cast<int>(std::lround(owed)));
       quota_.push_back(whole);
       owed -= whole;
     }
@@ -167,56 +182,105 @@ class Settler {
     Put(settlement, shed, random);
   }
 
-  // What no street has room for, over the rest of the land: facing a street within reach, else
-  // along its settlement, near what is built already, from the heart outwards.
-  void Fill() {
-    if (std::all_of(quota_.begin(), quota_.end(), [](int left) { return left <= 0; })) return;
-    RandomStream noise(placement_->seed, "scene/buildings/infill");
-    constexpr double kHectare_m2 = 10000.0;
-    const GridGeometry& geometry = placement_->terrain.geometry();
-    struct Spot {
-      double from_heart_m;
-      WorldPoint point;
-      int settlement;
-    };
-    std::vector<Spot> spots;
-    const WeightGrid& weight = *placement_->terrain.weights.Find('B');
-    for (const WorldPoint& point :
-         BlueNoise(geometry.size_m(), kInfillPerHectare / kHectare_m2, &noise)) {
-      if (weight[geometry.CellAt(point)] < kLeastBuiltUp) continue;
-      const int settlement = map_.At(point);
-      if (IsFull(settlement)) continue;
-      const WorldPoint heart = map_.settlements()[settlement].heart;
-      spots.push_back(
-          {std::hypot(point.x_m - heart.x_m, point.y_m - heart.y_m), point, settlement});
+  // A place away from streets where a building is tried.
+  struct OpenPlace {
+    double order;
+    WorldPoint point;
+    int settlement;
+  };
+
+  // Evenly spread over what is not full yet, more where more is missing; from the hearts outwards
+  // as the plots are.
+  std::vector<OpenPlace> OpenPlaces() const {
+    constexpr double kPerM2 = kInfillPerHectare / 10000.0;
+    std::vector<double> share(quota_.size(), 0.0);
+    for (std::size_t i = 0; i < quota_.size(); ++i) {
+      if (quota_[i] <= 0) continue;
+      const double per_m2 = quota_[i] / std::max(map_.settlements()[i].area_m2, 1.0);
+      share[i] = std::min(1.0, kInfillPerBuilding * per_m2 / kPerM2);
     }
-    std::stable_sort(spots.begin(), spots.end(),
-                     [](const Spot& a, const Spot& b) { return a.from_heart_m < b.from_heart_m; });
+    const double most = share.empty() ? 0.0 : *std::max_element(share.begin(), share.end());
+    std::vector<OpenPlace> places;
+    if (most <= 0.0) return places;
+    const GridGeometry& geometry = placement_->terrain.geometry();
+    const WeightGrid& weight = *placement_->terrain.weights.Find('B');
+    const std::uint64_t order_seed = StreamSeed(seed_, "infill/order");
+    const RankedBlueNoise noise(
+        geometry.size_m(), kPerM2, StreamSeed(seed_, "infill/noise"),
+        [most](WorldPoint, WorldPoint) { return most; }, placement_->threads);
+    for (int tile = 0; tile < noise.tiles(); ++tile) {
+      noise.ForEachIn(tile, [&](const RankedBlueNoise::Point& at) {
+        const WorldPoint point = {at.x_m, at.y_m};
+        if (at.rank >= most || weight[geometry.CellAt(point)] < kLeastBuiltUp) return;
+        const int settlement = map_.At(point);
+        if (IsFull(settlement) || at.rank >= share[settlement]) return;
+        const Settlement& of = map_.settlements()[settlement];
+        const double from_heart_m = std::hypot(point.x_m - of.heart.x_m, point.y_m - of.heart.y_m);
+        const double draw = PointRandom(order_seed, at.id).Uniform();
+        places.push_back(
+            {from_heart_m / std::max(of.reach_m, 1.0) + kPlotScatter * draw, point, settlement});
+      });
+    }
+    std::stable_sort(places.begin(), places.end(),
+                     [](const OpenPlace& a, const OpenPlace& b) { return a.order < b.order; });
+    return places;
+  }
+
+  // What no street has room for, over the rest of the land: facing a street within reach, else
+  // along its settlement, near what is built already.
+  void Fill() {
+    const std::vector<OpenPlace> places = OpenPlaces();
+    if (places.empty()) return;
+    // How often in a row a settlement may refuse before it counts as full.
+    std::vector<int> patience(quota_.size(), 0), refused(quota_.size(), 0);
+    for (const OpenPlace& place : places) ++patience[place.settlement];
+    for (int& most : patience) {
+      most = std::max(kLeastPatience, static_cast<int>(kPatience * most));
+    }
     const RoadFinder roads(placement_->terrain);
     PointRandom random(StreamSeed(seed_, "infill"), 0);
     std::vector<bool> begun(quota_.size(), false);
     for (const Built& built : builder_.built()) {
       if (built.settlement >= 0) begun[built.settlement] = true;
     }
-    for (const Spot& spot : spots) {
-      if (IsFull(spot.settlement)) continue;
-      const Settlement& settlement = map_.settlements()[spot.settlement];
-      const BuildingUse use = UseInside(settlement, spot.point, &random);
-      const std::optional<RoadFinder::Road> road = roads.Nearest(spot.point);
-      const double turn_rad = random.Uniform(-2.0, 2.0) * kMostTurn_deg * kDegree;
-      const int quarters = static_cast<int>(4.0 * random.Uniform());
-      const double yaw_rad = road ? road->heading_rad + 0.5 * turn_rad
-                                  : settlement.axis_rad + quarters * 0.5 * M_PI + turn_rad;
-      const BuildingPlan plan = PlanAt(use, spot.point, yaw_rad + rule_.rotation_rad, &random);
-      const double to_nearest_m = builder_.ToNearest_m(plan.footprint, kInfillReach_m);
-      if (to_nearest_m < kLeastWallGap_m + kInfillGap_m) continue;
-      const bool near =
-          to_nearest_m < kInfillReach_m || (road && road->distance_m < kInfillReach_m);
-      if (begun[spot.settlement] && !near) continue;
-      if (!Put(spot.settlement, plan, &random)) continue;
-      begun[spot.settlement] = true;
-      if (use == BuildingUse::kFarmhouse) BuildFarmyard(spot.settlement, plan.footprint, &random);
+    for (const OpenPlace& place : places) {
+      if (IsCancelled()) return;
+      if (IsFull(place.settlement) || refused[place.settlement] >= patience[place.settlement]) {
+        continue;
+      }
+      ++refused[place.settlement];
+      const std::optional<BuildingPlan> plan =
+          PlanInside(place, roads, begun[place.settlement], &random);
+      if (!plan || !Put(place.settlement, *plan, &random)) continue;
+      refused[place.settlement] = 0;
+      begun[place.settlement] = true;
+      if (plan->use == BuildingUse::kFarmhouse) {
+        BuildFarmyard(place.settlement, plan->footprint, &random);
+      }
     }
+  }
+
+  // The building of a place; nullopt: others are too near, or, where the settlement has begun, none
+  // is near and no street. What costs least is asked first.
+  std::optional<BuildingPlan> PlanInside(const OpenPlace& place, const RoadFinder& roads,
+                                         bool begun, PointRandom* random) const {
+    constexpr double kGap_m = kLeastWallGap_m + kInfillGap_m;
+    const Settlement& settlement = map_.settlements()[place.settlement];
+    const BuildingUse use = UseInside(settlement, place.point, random);
+    BuildingPlan plan = PlanAt(use, place.point, 0.0, random);
+    const double half_m = std::min(plan.footprint.half_length_m, plan.footprint.half_width_m);
+    if (!builder_.IsClear({place.point, 0.0, 0.0, 0.0}, kGap_m + half_m, -1)) return std::nullopt;
+    const std::optional<RoadFinder::Road> road = roads.Nearest(place.point);
+    const double turn_rad = random->Uniform(-2.0, 2.0) * kMostTurn_deg * kDegree;
+    const int quarters = static_cast<int>(4.0 * random->Uniform());
+    plan.footprint.yaw_rad =
+        rule_.rotation_rad + (road ? road->heading_rad + 0.5 * turn_rad
+                                   : settlement.axis_rad + quarters * 0.5 * M_PI + turn_rad);
+    if (!builder_.IsClear(plan.footprint, kGap_m, -1)) return std::nullopt;
+    const bool alone = !(road && road->distance_m < kInfillReach_m) &&
+                       builder_.IsClear(plan.footprint, kInfillReach_m, -1);
+    if (begun && alone) return std::nullopt;
+    return plan;
   }
 
   // Hamlets near fields are farms.
@@ -275,7 +339,6 @@ void PlaceBuildings(Placement* placement) {
   const double scale = placement->environment.fine_of(AssetType::kArchitecture).scale;
   const double crowding = std::max(1.0, scale * scale);
   const int wanted = static_cast<int>(std::lround(density.Expected(terrain.geometry()) / crowding));
-  placement->tally.Of(AssetKind::kBuilding).wanted = wanted;
   const std::vector<StreetFront> fronts = StreetFrontsOf(terrain);
   Settler(placement, fronts).Build(wanted);
 }

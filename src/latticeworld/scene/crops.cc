@@ -15,7 +15,7 @@ namespace latticeworld {
 namespace {
 
 constexpr double kRowSpacing_m = 2.5;
-constexpr double kOrchardRows_m = 7.0, kOrchardTrees_m = 5.0;
+constexpr double kOrchardRows_m = 7.0, kOrchardTrees_m = 5.0, kOrchardJitter = 0.05;
 
 float YawOf(const Field& field) {
   return static_cast<float>(std::remainder(field.row_rad, 2.0 * M_PI));
@@ -30,26 +30,49 @@ Asset MakeFrom(const Field& field) {
   return asset;
 }
 
+// Of the i-th field.
+PointRandom OrchardRandom(const Placement& placement, std::size_t i) {
+  return PointRandom(StreamSeed(placement.seed, "scene/orchards"), i);
+}
+
+std::vector<WorldPoint> OrchardRows(const Placement& placement, const Field& field,
+                                    PointRandom* random) {
+  return RowsOf(field, placement.terrain.geometry(), kOrchardRows_m, kOrchardTrees_m,
+                kOrchardJitter, random);
+}
+
 }  // namespace
+
+double OrchardPlaces(const Placement& placement) {
+  double places = 0.0;
+  const std::vector<Field>& fields = placement.fields->fields();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i].kind != AssetKind::kTree) continue;
+    PointRandom random = OrchardRandom(placement, i);
+    places += static_cast<double>(OrchardRows(placement, fields[i], &random).size());
+  }
+  return places;
+}
 
 void PlaceOrchards(Placement* placement) {
   const Terrain& terrain = placement->terrain;
-  const FieldPlan plan(*placement);
-  const std::uint64_t seed = StreamSeed(placement->seed, "scene/orchards");
+  const FieldPlan& plan = *placement->fields;
+  const double thinning = placement->thinning[AssetKind::kTree];
   Tally::Kind& trees = placement->tally.Of(AssetKind::kTree);
   Tally::Kind& crops = placement->tally.Of(AssetKind::kCrop);
   constexpr double kTreesPerM2 = 1.0 / (kOrchardRows_m * kOrchardTrees_m);
   for (std::size_t i = 0; i < plan.fields().size(); ++i) {
     const Field& field = plan.fields()[i];
     if (field.kind != AssetKind::kTree) continue;
-    PointRandom random(seed, i);
-    const std::vector<WorldPoint> places =
-        RowsOf(field, terrain.geometry(), kOrchardRows_m, kOrchardTrees_m, 0.05, &random);
+    PointRandom random = OrchardRandom(*placement, i);
+    const std::vector<WorldPoint> places = OrchardRows(*placement, field, &random);
     // They stand instead of crops.
-    trees.wanted += static_cast<double>(places.size());
-    crops.wanted = std::max(0.0, crops.wanted - static_cast<double>(places.size()) / kTreesPerM2 /
-                                                    InnerShareOf(field) * field.crop_per_m2);
+    const double area_m2 = static_cast<double>(places.size()) / kTreesPerM2 / InnerShareOf(field);
+    trees.wanted += thinning * static_cast<double>(places.size());
+    crops.wanted = std::max(
+        0.0, crops.wanted - area_m2 * field.crop_per_m2 * placement->thinning[AssetKind::kCrop]);
     for (const WorldPoint& point : places) {
+      if (thinning < 1.0 && !random.Chance(thinning)) continue;
       Asset tree = MakeFrom(field);
       StandAt(terrain, point, &tree);
       SizeTree(placement->catalogue.models()[tree.model], field.choice.vigour, kTreesPerM2, &random,
@@ -70,7 +93,9 @@ void PlaceOrchards(Placement* placement) {
 
 void PlaceCrops(Placement* placement, const AssetIndex& solids) {
   const Terrain& terrain = placement->terrain;
-  const FieldPlan plan(*placement);
+  const FieldPlan& plan = *placement->fields;
+  const double thinning = placement->thinning[AssetKind::kCrop];
+  if (thinning <= 0.0) return;
   const std::uint64_t seed = StreamSeed(placement->seed, "scene/crops");
   const auto count = static_cast<int>(plan.fields().size());
   std::vector<std::vector<Asset>> grown(count);
@@ -85,7 +110,7 @@ void PlaceCrops(Placement* placement, const AssetIndex& solids) {
               .growth;
       // Rows are spread out where thinning or a low density would leave less than a plant per row
       // spacing. What the margin takes stands closer inside.
-      const double per_m2 = field.crop_per_m2 / InnerShareOf(field);
+      const double per_m2 = thinning * field.crop_per_m2 / InnerShareOf(field);
       const double rows_m = std::max(kRowSpacing_m, 0.5 / std::sqrt(per_m2));
       PointRandom random(seed, static_cast<std::uint64_t>(i));
       for (const WorldPoint& point :

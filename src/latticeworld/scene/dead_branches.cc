@@ -31,7 +31,8 @@ void PlaceDeadBranches(Placement* placement, const AssetIndex& solids) {
       placement->environment.fine_of(AssetType::kDeadBranch).rotation_deg[2] * M_PI / 180.0;
   Tally::Kind& tally = placement->tally.Of(AssetKind::kDeadBranch);
 
-  // Below every so many trees lies one.
+  // Below every so many trees lies one, so that no more can lie than there are trees for.
+  tally.wanted = 0.0;
   const std::size_t standing = placement->assets.size();
   for (std::size_t i = 0; i < standing; ++i) {
     if (placement->assets[i].kind != AssetKind::kTree) continue;
@@ -41,6 +42,7 @@ void PlaceDeadBranches(Placement* placement, const AssetIndex& solids) {
     const double trees_per_m2 = trees.per_m2_At(cell);
     const double per_tree =
         trees_per_m2 > 0.0 ? std::min(1.0, branches.per_m2_At(cell) / trees_per_m2) : 0.0;
+    tally.wanted += per_tree;
     if (!random.Chance(per_tree)) continue;
     // Fallen between the trunk and the edge of the crown.
     const double distance_m = random.Uniform(tree.trunk_radius_m + 0.3, tree.half_length_m + 0.3);

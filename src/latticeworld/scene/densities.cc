@@ -15,20 +15,6 @@ double SumOf(const WeightGrid& weight) {
 
 }  // namespace
 
-double ExpectedAssets(const ClassWeights& weights, const EnvironmentConfig& environment,
-                      const Catalogue& catalogue, const GridGeometry& geometry) {
-  double expected = 0.0;
-  for (const ClassWeight& item : weights.classes) {
-    double per_hectare = 0.0;
-    for (const auto& kind : EnumNames(AssetKind{})) {
-      per_hectare += catalogue.PerHectare(kind.value, NameOf(weights.vocabulary), item.letter) *
-                     environment.fine_of(TypeOf(kind.value)).density;
-    }
-    if (per_hectare > 0.0) expected += per_hectare / kHectare_m2 * SumOf(item.weight);
-  }
-  return expected * geometry.resolution_m() * geometry.resolution_m();
-}
-
 DensityField::DensityField(const ClassWeights& weights, const EnvironmentConfig& environment,
                            const Catalogue& catalogue, AssetKind kind, double thinning) {
   const double density = environment.fine_of(TypeOf(kind)).density * thinning;

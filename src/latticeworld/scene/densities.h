@@ -12,10 +12,6 @@ namespace latticeworld {
 
 inline constexpr double kHectare_m2 = 10000.0;
 
-// How many assets of all kinds a world has at its densities if nothing stands in the way.
-double ExpectedAssets(const ClassWeights& weights, const EnvironmentConfig& environment,
-                      const Catalogue& catalogue, const GridGeometry& geometry);
-
 // The density of one kind over a world: class weights x Catalogue::PerHectare x fine density x
 // thinning.
 class DensityField {

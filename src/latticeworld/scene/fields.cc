@@ -14,6 +14,7 @@ constexpr double kMargin_m = 1.2;                    // free along a field's bor
 constexpr double kLeastFieldWeight = 0.5;  // rows end where the field does, not in its blended hem
 constexpr double kAcrossShare = 0.25;      // of the fields have their rows across
 constexpr double kOrchardShare = 0.4;      // of the fields near settlements
+constexpr double kUsualForest = 0.5;       // density from which orchards are not fewer
 constexpr double kNearSettlement_m = 90.0;
 constexpr double kUphillSlope_deg = 3.0;
 constexpr char kSettlement = 'B', kForest = 'F';
@@ -61,7 +62,8 @@ std::vector<std::uint8_t> OrchardModels(const Placement& placement, char letter)
 
 FieldPlan::FieldPlan(const Placement& placement) {
   const Terrain& terrain = placement.terrain;
-  const DensityField density = DensityFor(placement, AssetKind::kCrop);
+  const DensityField density(terrain.weights, placement.environment, placement.catalogue,
+                             AssetKind::kCrop, 1.0);
   const std::uint64_t seed = StreamSeed(placement.seed, "scene/fields");
   const Vocabulary vocabulary = terrain.weights.vocabulary;
   const ModelMixture crops(placement.catalogue, placement.environment, AssetKind::kCrop, vocabulary,
@@ -80,6 +82,9 @@ void FieldPlan::Divide(const Placement& placement, const DensityField::Term& ter
   const Terrain& terrain = placement.terrain;
   const double turn_rad =
       placement.environment.fine_of(AssetType::kCrops).rotation_deg[2] * M_PI / 180.0;
+  const double orchard_share =
+      kOrchardShare *
+      std::min(1.0, placement.environment.fine_of(AssetType::kForest).density / kUsualForest);
   for (std::size_t i = 0; i < areas.areas().size(); ++i) {
     const ClassAreas::Area& area = areas.areas()[i];
     const std::uint64_t seed =
@@ -115,7 +120,7 @@ void FieldPlan::Divide(const Placement& placement, const DensityField::Term& ter
         const Site site = placement.sites.At(middle);
         field.row_rad =
             area.direction_rad + turn_rad + (random.Chance(kAcrossShare) ? 0.5 * M_PI : 0.0);
-        const bool orchard = !orchard_models.empty() && random.Chance(kOrchardShare) &&
+        const bool orchard = !orchard_models.empty() && random.Chance(orchard_share) &&
                              IsNearSettlement(terrain, middle);
         if (orchard) {
           field.kind = AssetKind::kTree;

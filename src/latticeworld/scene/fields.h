@@ -19,7 +19,7 @@ struct Field {
   double half_long_m = 0.0;  // half the sides, what is left free between fields included
   double half_across_m = 0.0;
   double row_rad = 0.0;               // along its rows
-  double crop_per_m2 = 0.0;           // what the densities ask for on its land
+  double crop_per_m2 = 0.0;           // what the densities ask for on its land, before thinning
   const ClassAreas* areas = nullptr;  // its land is what is there
   int area = 0;                       //   of this area
   const WeightGrid* weight = nullptr;
@@ -28,8 +28,8 @@ struct Field {
 // The farmland of a world cut into fields: each connected area along its main direction into pieces
 // of about 110 by 65 metres, as far as it reaches. The environment's crop grows on most of them;
 // others that suit grow on the rest, and near settlements some are orchards where the catalogue has
-// a tree that stands on farmland and not in forests. Rows run along the field or across it; vines
-// run up the slope.
+// a tree that stands on farmland and not in forests, the fewer the thinner the forests are, and
+// none in a world without trees. Rows run along the field or across it; vines run up the slope.
 class FieldPlan {
  public:
   explicit FieldPlan(const Placement& placement);

@@ -33,10 +33,12 @@ class Planter {
         seed_(StreamSeed(placement->seed, stream)),
         mixture_(placement->catalogue, placement->environment, kind,
                  placement->terrain.weights.vocabulary, seed_),
-        density_(placement->environment.fine_of(TypeOf(kind)).density * placement->thinning) {}
+        thinning_(placement->thinning[kind]),
+        density_(placement->environment.fine_of(TypeOf(kind)).density * thinning_) {}
 
   PointRandom RandomOf(std::size_t garden) const { return PointRandom(seed_, garden); }
-  double density() const { return density_; }
+  double thinning() const { return thinning_; }
+  double density() const { return density_; }  // thinned
 
   // The model of that name, or else the one that the environment's values call for.
   std::uint8_t ModelNamed(std::string_view name) const {
@@ -77,6 +79,7 @@ class Planter {
   AssetKind kind_;
   std::uint64_t seed_;
   ModelMixture mixture_;
+  double thinning_;
   double density_;
 };
 
@@ -130,7 +133,7 @@ class Gardener {
     const double depth_m = random.Uniform(9.0, 15.0);
     const double side_m =
         plan.terrace >= 0 ? house.half_width_m : house.half_width_m + random.Uniform(2.2, 3.5);
-    const bool left = random.Chance(0.5), hedged = random.Chance(0.75);
+    const bool left = random.Chance(0.5), hedged = random.Chance(0.75 * hedges_.thinning());
     const std::uint8_t model =
         random.Chance(0.3) ? hedges_.UsualModel() : hedges_.ModelNamed("hazel");
     if (!hedged) return;

@@ -109,8 +109,8 @@ void PlaceShoreBelt(Placement* placement, const AssetIndex& solids, AssetKind ki
   const std::string stream = "scene/shore/" + std::string(NameOf(kind));
   const std::uint64_t seed = StreamSeed(placement->seed, stream + "/models");
   const PlantMaker maker(*placement, solids, kind, seed);
-  const double per_m2 =
-      ShorePerM2(kind) * placement->environment.fine_of(TypeOf(kind)).density * placement->thinning;
+  const double per_m2 = ShorePerM2(kind) * placement->environment.fine_of(TypeOf(kind)).density *
+                        placement->thinning[kind];
   if (!maker.mixture().has_shore_models() || per_m2 <= 0.0) return;
   const ShoreDensity density(*placement, per_m2, StreamSeed(seed, "gaps"));
   // What does not grow at one shore was not asked for there: it is no shortfall of the kind.

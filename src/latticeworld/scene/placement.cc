@@ -24,7 +24,7 @@ bool IsDryAndOffRoad(const Terrain& terrain, WorldPoint point) {
 
 DensityField DensityFor(const Placement& placement, AssetKind kind) {
   return DensityField(placement.terrain.weights, placement.environment, placement.catalogue, kind,
-                      placement.thinning);
+                      placement.thinning[kind]);
 }
 
 Asset MakeAsset(const Placement& placement, AssetKind kind) {
@@ -49,6 +49,10 @@ Asset MakeAsset(const Placement& placement, AssetKind kind) {
 }
 
 void AddAsset(Placement* placement, const Asset& asset) {
+  if (placement->assets.size() >= static_cast<std::size_t>(kMaxAssets)) {
+    ++placement->left_out;
+    return;
+  }
   if (IsSolid(asset.kind)) placement->solids.Add(asset.position(), SolidRadius(asset));
   placement->assets.push_back(asset);
 }

@@ -2,9 +2,11 @@
 #define LATTICEWORLD_SCENE_PLACEMENT_H_
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "latticeworld/catalogue/catalogue.h"
+#include "latticeworld/common/progress.h"
 #include "latticeworld/environment/environment_config.h"
 #include "latticeworld/scene/asset.h"
 #include "latticeworld/scene/asset_index.h"
@@ -14,6 +16,7 @@
 #include "latticeworld/scene/site.h"
 #include "latticeworld/scene/solid_set.h"
 #include "latticeworld/scene/tally.h"
+#include "latticeworld/scene/thinning.h"
 #include "latticeworld/terrain/terrain.h"
 
 namespace latticeworld {
@@ -27,6 +30,8 @@ inline constexpr double kSteepestForTrees_deg = 40.0;
 inline constexpr double kSteepestForStones_deg = 50.0;
 inline constexpr double kSteepestForGroundCover_deg = 45.0;
 inline constexpr double kSteepestForCrops_deg = 15.0;
+
+class FieldPlan;
 
 // What the placing stages share: what there is to place on, and what was placed so far.
 struct Placement {
@@ -45,13 +50,16 @@ struct Placement {
   const Catalogue& catalogue;
   const EnvironmentConfig& environment;
   std::uint64_t seed;
-  double thinning = 1.0;  // of every density, so that a large world stays within kMaxAssets
-  int threads;            // 0: as many as cores
+  Thinning thinning;                   // so that a large world stays within kMaxAssets
+  int threads;                         // 0: as many as cores
+  const Progress* progress = nullptr;  // asked by stages that take long; nullptr: none cancels
   SiteMap sites;
-  Canopy canopy;  // of the trees, once they stand
-  std::vector<Asset> assets;
-  SolidSet solids;  // those of the assets that are solid
-  Tally tally;      // wanted: what the densities ask for, unless a stage knows better
+  std::shared_ptr<const FieldPlan> fields;  // of the farmland; never null while stages run
+  Canopy canopy;                            // of the trees, once they stand
+  std::vector<Asset> assets;                // kMaxAssets at most
+  long left_out = 0;                        // assets that were added when there were that many
+  SolidSet solids;                          // those of the assets that are solid
+  Tally tally;  // wanted: what the densities ask for, unless a stage knows better
 };
 
 // The density of a kind over the world of a placement.
@@ -60,7 +68,7 @@ DensityField DensityFor(const Placement& placement, AssetKind kind);
 // An asset of the kind with the season variant and the material that the environment names and the
 // first model that can show both.
 Asset MakeAsset(const Placement& placement, AssetKind kind);
-// Adds it, and its circle where it is solid.
+// Adds it, and its circle where it is solid; leaves it out when there are kMaxAssets.
 void AddAsset(Placement* placement, const Asset& asset);
 // True when a circle at the point is inside the world, dry and off the road (centre and rim).
 bool IsBuildable(const Terrain& terrain, WorldPoint point, double radius_m);
@@ -75,6 +83,9 @@ double DrawSize(const SizeRange& range, PointRandom* random);
 // at density 1; 0: the kind has none.
 inline constexpr double kShoreBelt_m = 6.0;
 double ShorePerM2(AssetKind kind);
+
+// Trees that the orchards of placement.fields have room for.
+double OrchardPlaces(const Placement& placement);
 
 // The stages, each with random streams of its own. Solid things first, in this order.
 void PlaceBuildings(Placement* placement);

@@ -13,8 +13,7 @@ constexpr double kDegree = M_PI / 180.0;
 constexpr double kMostBend_rad = 35.0 * kDegree;  // of a front within a plot: no corners
 constexpr double kIntoLand_m = 10.0;              // where a plot's surroundings are looked at
 constexpr double kIntoRoad_m = 3.0;
-constexpr double kSkip_m = 3.0;   // past what no plot fits on
-constexpr double kScatter = 0.5;  // of the order of plots, in reaches of the settlement
+constexpr double kSkip_m = 3.0;  // past what no plot fits on
 constexpr int kFewestInTerrace = 3, kMostInTerrace = 7;
 constexpr double kChurchSpacing_m = 8.0;
 constexpr int kMostChurchPlaces = 40;
@@ -113,7 +112,7 @@ class PlotLayout {
       plot.settlement = settlement;
       const Settlement& of = map_.settlements()[settlement];
       plot.order = DistanceBetween(middle.at, of.heart) / std::max(of.reach_m, 1.0) +
-                   kScatter * random_->Uniform();
+                   kPlotScatter * random_->Uniform();
       plot.buildings = Plans(middle, use, size, houses);
       plots->push_back(std::move(plot));
       along_m += width_m;
@@ -215,8 +214,10 @@ std::vector<BuildingPlan> ChurchPlans(const std::vector<StreetFront>& fronts,
                                       int settlement, const BuildingModels& models,
                                       const PlotRule& rule, PointRandom* random) {
   const WorldPoint heart = map.settlements()[settlement].heart;
+  const double reach_m = map.settlements()[settlement].reach_m + 2.0 * kIntoLand_m + map.cell_m();
   std::vector<std::pair<double, StreetFront::Place>> places;
   for (const StreetFront& front : fronts) {
+    if (DistanceBetween(front.line.front(), heart) > reach_m + front.length_m) continue;
     for (double along_m = kChurchSpacing_m; along_m + kChurchSpacing_m < front.length_m;
          along_m += kChurchSpacing_m) {
       const StreetFront::Place place = front.At(along_m);

@@ -47,17 +47,20 @@ std::optional<RoadFinder::Road> RoadFinder::Nearest(WorldPoint point) const {
   double nearest_m = INFINITY;
   int rings = 1;
   for (;; rings = std::min(2 * rings, reach)) {
-    visit_rings(rings, [&nearest_m](double dx, double dy) {
-      nearest_m = std::min(nearest_m, std::hypot(dx, dy));
+    double nearest_m2 = INFINITY;
+    visit_rings(rings, [&nearest_m2](double dx, double dy) {
+      nearest_m2 = std::min(nearest_m2, dx * dx + dy * dy);
     });
+    nearest_m = std::sqrt(nearest_m2);
     if (rings == reach || nearest_m + kNearlyAsNear_m <= rings * buckets_.resolution_m()) break;
   }
   if (nearest_m > kReach_m || nearest_m < 0.5 * kNearlyAsNear_m) return std::nullopt;
 
+  const double nearly_m2 = (nearest_m + kNearlyAsNear_m) * (nearest_m + kNearlyAsNear_m);
   double x = 0.0, y = 0.0;
   visit_rings(rings, [&](double dx, double dy) {
-    const double distance_m = std::hypot(dx, dy);
-    if (distance_m > nearest_m + kNearlyAsNear_m) return;
+    if (dx * dx + dy * dy > nearly_m2) return;
+    const double distance_m = std::sqrt(dx * dx + dy * dy);
     x += dx / distance_m;
     y += dy / distance_m;
   });

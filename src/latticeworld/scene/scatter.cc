@@ -11,8 +11,9 @@
 namespace latticeworld {
 namespace {
 
-constexpr int kNeedSamples = 256;   // a side of the world: where densities are looked at
-constexpr int kTilesPerBlock = 16;  // worked on together
+constexpr int kNeedSamples = 256;    // a side of the world: where densities are looked at
+constexpr double kMostStep_m = 8.0;  // so that thin bands are seen
+constexpr int kTilesPerBlock = 16;   // worked on together
 
 // The largest MostAt in a box, by samples.
 double MostIn(const ScatterDensity& density, const GridGeometry& geometry, WorldPoint low,
@@ -20,7 +21,8 @@ double MostIn(const ScatterDensity& density, const GridGeometry& geometry, World
   const CellIndex north_west = geometry.CellAt({low.x_m, high.y_m});
   const CellIndex south_east = geometry.CellAt({high.x_m, low.y_m});
   const int width = south_east.col - north_west.col + 1;
-  const int step = std::max(1, std::min(width / 4, geometry.rows() / kNeedSamples));
+  const int step = std::max(1, std::min({width / 4, geometry.rows() / kNeedSamples,
+                                         static_cast<int>(kMostStep_m / geometry.resolution_m())}));
   const int last = geometry.rows() - 1;
   double most = 0.0;
   // A step further on every side: what begins between two samples is seen from the next.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,33 +11,30 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/scene/agent_placement.h"
-#include "latticeworld/scene/densities.h"
+#include "latticeworld/scene/fields.h"
 #include "latticeworld/scene/placement.h"
 
 namespace latticeworld {
 namespace {
 
-// Factor on all densities that keeps the expected number of assets below kMaxAssets. The number
-// that a world gets varies by its square root, far less than the margin.
-double ThinningFor(const Placement& placement, std::vector<std::string>* warnings) {
-  const Terrain& terrain = placement.terrain;
-  double expected = ExpectedAssets(terrain.weights, placement.environment, placement.catalogue,
-                                   terrain.geometry());
-  const double shore_m2 = placement.sites.ShoreArea_m2(kShoreBelt_m);
-  for (const auto& kind : EnumNames(AssetKind{})) {
-    expected += shore_m2 * ShorePerM2(kind.value) *
-                placement.environment.fine_of(TypeOf(kind.value)).density;
-  }
+// Keeps the expected number of assets below kMaxAssets. The number that a world gets varies by its
+// square root, far less than the margin.
+void ThinToLimit(Placement* placement, std::vector<std::string>* warnings) {
   constexpr double kMargin = 0.9;
-  const double most = kMargin * kMaxAssets;
-  if (expected <= most) return 1.0;
-  char text[200];
-  std::snprintf(text, sizeof(text),
-                "a world of %.0f m with these densities would hold about %.0f assets: thinned to "
-                "%.0f %% of every density, at most %d assets",
-                terrain.geometry().size_m(), expected, 100.0 * most / expected, kMaxAssets);
+  const OfKinds expected = ExpectedAssets(*placement);
+  const double sum = std::accumulate(expected.begin(), expected.end(), 0.0);
+  if (sum <= kMargin * kMaxAssets) return;
+  placement->thinning = Thinning(expected, kMargin * kMaxAssets);
+  char text[300];
+  std::snprintf(
+      text, sizeof(text),
+      "a world of %.0f m with these densities would hold about %.0f assets: bushes, grass "
+      "tufts, flowers and crops are thinned to %.3g %% of their densities, trees, stones "
+      "and dead branches to %.3g %%, at most %d assets",
+      placement->terrain.geometry().size_m(), sum,
+      100.0 * placement->thinning[AssetKind::kGrassTuft],
+      100.0 * placement->thinning[AssetKind::kTree], kMaxAssets);
   warnings->push_back(text);
-  return most / expected;
 }
 
 }  // namespace
@@ -58,7 +56,9 @@ Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& prog
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   Placement placement(terrain, *request.catalogue, request.environment, request.seed,
                       request.threads);
-  placement.thinning = ThinningFor(placement, &answer.warnings);
+  placement.progress = &progress;
+  placement.fields = std::make_shared<const FieldPlan>(placement);
+  ThinToLimit(&placement, &answer.warnings);
   for (const auto& kind : EnumNames(AssetKind{})) {
     placement.tally.Of(kind.value).wanted =
         DensityFor(placement, kind.value).Expected(terrain.geometry());
@@ -87,6 +87,10 @@ Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& prog
   answer.counts = placement.tally.Count(scene->assets);
   for (std::string& warning : placement.tally.Shortfalls(answer.counts)) {
     answer.warnings.push_back(std::move(warning));
+  }
+  if (placement.left_out > 0) {
+    answer.warnings.push_back("left out " + std::to_string(placement.left_out) +
+                              " assets: a world holds at most " + std::to_string(kMaxAssets));
   }
   scene->agents = PlaceAgents(*scene, request.seed, &answer.warnings);
   LW_RETURN_IF_ERROR(step());

@@ -22,6 +22,11 @@ inline constexpr double kMostReliefBelow_m = 2.0;
 inline constexpr double kLeastBuiltUp = 0.5;
 inline constexpr double kLeastBuiltUpOfBarns = 0.05;
 
+// Scatter of the order in which a settlement grows from its heart outwards, in reaches of it.
+inline constexpr double kPlotScatter = 0.5;
+// Pieces of built-up land from this size have a building at least.
+inline constexpr double kLeastSettlement_m2 = 60.0;
+
 // What is built where.
 inline constexpr double kFarmReach_m = 60.0;       // farms stand so near to fields
 inline constexpr double kHamletBelow_m2 = 4000.0;  // smaller areas without a street

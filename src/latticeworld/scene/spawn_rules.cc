@@ -26,9 +26,9 @@ double BodyRadius(AgentCategory category) {
   return 0.5;
 }
 
-Status CheckSpawn(const Scene& scene, AgentCategory category, double body_radius_m,
-                  WorldPoint position) {
-  const SpawnSite site = ExamineSpawn(scene, category, body_radius_m, position);
+Status CheckSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
+                  double body_radius_m, WorldPoint position) {
+  const SpawnSite site = ExamineSpawn(scene, atmosphere, category, body_radius_m, position);
   if (site.flaw == SpawnFlaw::kNone) return Status();
   const bool outside =
       site.flaw == SpawnFlaw::kIllegalRadius || site.flaw == SpawnFlaw::kOutsideWorld;
@@ -36,6 +36,11 @@ Status CheckSpawn(const Scene& scene, AgentCategory category, double body_radius
                 "no " + std::string(NameOf(category)) + " can be at (" +
                     FormatDouble(position.x_m) + ", " + FormatDouble(position.y_m) +
                     "): " + Describe(scene, category, body_radius_m, site));
+}
+
+Status CheckSpawn(const Scene& scene, AgentCategory category, double body_radius_m,
+                  WorldPoint position) {
+  return CheckSpawn(scene, scene.atmosphere, category, body_radius_m, position);
 }
 
 }  // namespace latticeworld

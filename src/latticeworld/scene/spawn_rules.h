@@ -12,7 +12,10 @@ namespace latticeworld {
 // wheels and of at least 2 m for fins, on slopes of at most 35 degrees for legs and 30 for wheels.
 // Depth and slope are those of the centre and the rim of the body. Else OUT_OF_RANGE (place
 // outside, or a radius that is not positive or larger than half the world) or FAILED_PRECONDITION
-// that says why, with the figures found and allowed.
+// that says why, with the figures found and allowed. atmosphere: of the moment, whose waters count;
+// none: the scene's own.
+Status CheckSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
+                  double body_radius_m, WorldPoint position);
 Status CheckSpawn(const Scene& scene, AgentCategory category, double body_radius_m,
                   WorldPoint position);
 
@@ -20,6 +23,9 @@ Status CheckSpawn(const Scene& scene, AgentCategory category, double body_radius
 // `taken` places; prefers ground that suits the category (sheep: grass). Random tries, then a scan
 // whose step is the radius, 0.5 m or 1/256 of the region, whichever is largest. NOT_FOUND that
 // counts why when neither finds one.
+Result<WorldPoint> FindSpawn(const Scene& scene, const Atmosphere& atmosphere,
+                             AgentCategory category, double body_radius_m, Region region,
+                             const std::vector<WorldPoint>& taken, RandomStream* random);
 Result<WorldPoint> FindSpawn(const Scene& scene, AgentCategory category, double body_radius_m,
                              Region region, const std::vector<WorldPoint>& taken,
                              RandomStream* random);

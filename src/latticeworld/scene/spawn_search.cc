@@ -55,9 +55,13 @@ std::string LimitFor(SpawnFlaw flaw, Locomotion locomotion) {
 
 double SpawnClearance(double body_radius_m) { return std::max(2.0, 2.0 * body_radius_m); }
 
-SpawnSearch::SpawnSearch(const Scene& scene, AgentCategory category, double body_radius_m,
-                         Region region)
-    : scene_(scene), category_(category), body_radius_m_(body_radius_m), region_(region) {
+SpawnSearch::SpawnSearch(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
+                         double body_radius_m, Region region)
+    : scene_(scene),
+      atmosphere_(atmosphere),
+      category_(category),
+      body_radius_m_(body_radius_m),
+      region_(region) {
   const GridGeometry& geometry = scene.geometry();
   const double size_m = geometry.size_m(), half_m = geometry.half_size_m();
   const UnitBox unit = BoxOf(region);
@@ -90,7 +94,8 @@ bool SpawnSearch::Suits(WorldPoint position) const {
 }
 
 bool SpawnSearch::Try(WorldPoint position, const std::vector<WorldPoint>& taken) {
-  const SpawnFlaw flaw = ExamineSpawn(scene_, category_, body_radius_m_, position).flaw;
+  const SpawnFlaw flaw =
+      ExamineSpawn(scene_, atmosphere_, category_, body_radius_m_, position).flaw;
   if (flaw != SpawnFlaw::kNone) {
     ++flaws_[static_cast<int>(flaw)];
     return false;
@@ -169,10 +174,16 @@ Status SpawnSearch::Failure() const {
   return NotFound(message);
 }
 
+Result<WorldPoint> FindSpawn(const Scene& scene, const Atmosphere& atmosphere,
+                             AgentCategory category, double body_radius_m, Region region,
+                             const std::vector<WorldPoint>& taken, RandomStream* random) {
+  return SpawnSearch(scene, atmosphere, category, body_radius_m, region).Find(taken, random);
+}
+
 Result<WorldPoint> FindSpawn(const Scene& scene, AgentCategory category, double body_radius_m,
                              Region region, const std::vector<WorldPoint>& taken,
                              RandomStream* random) {
-  return SpawnSearch(scene, category, body_radius_m, region).Find(taken, random);
+  return FindSpawn(scene, scene.atmosphere, category, body_radius_m, region, taken, random);
 }
 
 }  // namespace latticeworld

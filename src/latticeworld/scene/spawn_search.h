@@ -22,7 +22,9 @@ class SpawnSearch {
  public:
   static constexpr double kScanStep_m = 0.5;
 
-  SpawnSearch(const Scene& scene, AgentCategory category, double body_radius_m, Region region);
+  // scene, atmosphere: outlive this; the waters are those of that weather.
+  SpawnSearch(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
+              double body_radius_m, Region region);
 
   // A place anywhere in the region. NOT_FOUND says why the places that were tried are none.
   Result<WorldPoint> Find(const std::vector<WorldPoint>& taken, RandomStream* random);
@@ -42,6 +44,7 @@ class SpawnSearch {
   Status Failure() const;
 
   const Scene& scene_;
+  const Atmosphere& atmosphere_;
   AgentCategory category_;
   double body_radius_m_;
   Region region_;

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/scene/water_depth.h"
 
 namespace latticeworld {
 namespace {
@@ -36,8 +37,8 @@ std::string Figure(double value) {
 
 }  // namespace
 
-SpawnSite ExamineSpawn(const Scene& scene, AgentCategory category, double body_radius_m,
-                       WorldPoint position) {
+SpawnSite ExamineSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
+                       double body_radius_m, WorldPoint position) {
   const Terrain& terrain = *scene.terrain;
   const double half_m = terrain.geometry().half_size_m();
   if (!(body_radius_m > 0.0 && body_radius_m < half_m)) {
@@ -54,7 +55,7 @@ SpawnSite ExamineSpawn(const Scene& scene, AgentCategory category, double body_r
   if (locomotion != Locomotion::kWings) {
     double deepest_m = 0.0, shallowest_m = INFINITY;
     for (const WorldPoint& point : FootprintOf(position, body_radius_m)) {
-      const double depth_m = terrain.WaterDepthAt(point);
+      const double depth_m = WaterDepthAt(terrain, atmosphere, point);
       deepest_m = std::max(deepest_m, depth_m);
       shallowest_m = std::min(shallowest_m, depth_m);
     }

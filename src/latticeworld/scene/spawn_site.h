@@ -32,9 +32,10 @@ struct SpawnSite {
   std::uint32_t asset = 0;  // kSolid: which
 };
 
-// Depth and slope are taken at the centre and at eight points of the body's rim.
-SpawnSite ExamineSpawn(const Scene& scene, AgentCategory category, double body_radius_m,
-                       WorldPoint position);
+// Depth, under that weather, and slope are taken at the centre and at eight points of the body's
+// rim.
+SpawnSite ExamineSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
+                       double body_radius_m, WorldPoint position);
 
 // "the water is 1.2 m deep, and legs ford at most 0.2 m".
 std::string Describe(const Scene& scene, AgentCategory category, double body_radius_m,

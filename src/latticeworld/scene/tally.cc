@@ -7,7 +7,14 @@ namespace latticeworld {
 namespace {
 
 constexpr double kClearlyFewer = 0.8;  // of what was wanted
-constexpr double kFewestMissing = 10.0;
+constexpr int kFewestMissing = 10;
+
+// A house that was asked for is missed at once, a few tufts are not.
+bool IsClearlyFewer(const KindCount& count) {
+  if (count.placed >= kClearlyFewer * count.wanted) return false;
+  return count.placed == 0 || count.kind == AssetKind::kBuilding ||
+         count.wanted - count.placed >= kFewestMissing;
+}
 
 std::string_view WordsFor(Refusal refusal) {
   switch (refusal) {
@@ -40,10 +47,7 @@ std::vector<KindCount> Tally::Count(const std::vector<Asset>& assets) const {
 std::vector<std::string> Tally::Shortfalls(const std::vector<KindCount>& counts) const {
   std::vector<std::string> warnings;
   for (const KindCount& count : counts) {
-    if (count.placed >= kClearlyFewer * count.wanted ||
-        count.wanted - count.placed < kFewestMissing) {
-      continue;
-    }
+    if (!IsClearlyFewer(count)) continue;
     std::string text = "placed " + std::to_string(count.placed) + " of the " +
                        std::to_string(count.wanted) + " " + std::string(NameOf(count.kind)) +
                        " assets that the densities ask for";
@@ -55,7 +59,7 @@ std::vector<std::string> Tally::Shortfalls(const std::vector<KindCount>& counts)
               std::string(WordsFor(static_cast<Refusal>(i)));
       separator = ", ";
     }
-    if (separator == ": ") text += ": there is not enough free, dry and level ground for them";
+    if (separator == ": ") text += ": fewer places suit than the densities ask for";
     warnings.push_back(std::move(text));
   }
   return warnings;

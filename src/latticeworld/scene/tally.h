@@ -36,7 +36,8 @@ class Tally {
 
   // What was wanted and what is in `assets`, one a kind.
   std::vector<KindCount> Count(const std::vector<Asset>& assets) const;
-  // A warning for each kind of which clearly fewer were placed than wanted: how many, and why.
+  // A warning for each kind of which clearly fewer were placed than wanted, or none at all: how
+  // many, and why.
   std::vector<std::string> Shortfalls(const std::vector<KindCount>& counts) const;
 
  private:

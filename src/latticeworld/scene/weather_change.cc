@@ -1,5 +1,6 @@
 #include "latticeworld/scene/weather_change.h"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -9,6 +10,14 @@
 
 namespace latticeworld {
 namespace {
+
+// What moves evenly from one atmosphere to another, besides wind, air and hour.
+constexpr std::array<double Atmosphere::*, 10> kEven = {
+    &Atmosphere::rain_mmph,      &Atmosphere::snowfall_mmph, &Atmosphere::cloud_cover,
+    &Atmosphere::gust_mps,       &Atmosphere::direct_light,  &Atmosphere::diffuse_light,
+    &Atmosphere::ground_wetness, &Atmosphere::snow_depth_m,  &Atmosphere::blown_sand,
+    &Atmosphere::water_rise_m};
+constexpr double kAlike = 1e-9;
 
 double Moved(double from, double to, double share) { return from + share * (to - from); }
 
@@ -28,10 +37,6 @@ void TakeWeather(const Atmosphere& weather, Atmosphere* target) {
   target->snow_depth_m = weather.snow_depth_m;
   target->blown_sand = weather.blown_sand;
   target->water_rise_m = weather.water_rise_m;
-}
-
-double HeadingOf(const Eigen::Vector3d& wind_mps) {
-  return std::atan2(wind_mps.y(), wind_mps.x());  // 0 in a calm
 }
 
 void SetWind(double speed_mps, double heading_rad, Atmosphere* atmosphere) {
@@ -72,9 +77,10 @@ std::vector<Violation> Validate(const WeatherChange& change) {
 }
 
 Atmosphere TargetOf(const Atmosphere& now, const WeatherChange& change,
-                    const CoarseAttributes& coarse, double desert_wind_mps) {
+                    const CoarseAttributes& coarse, double desert_wind_mps,
+                    double calm_heading_rad) {
   Atmosphere target = now;
-  const double heading_rad = change.wind_heading_rad.value_or(HeadingOf(now.wind_mps));
+  const double heading_rad = change.wind_heading_rad.value_or(WindHeading(now, calm_heading_rad));
   if (change.weather.has_value() || change.intensity.has_value()) {
     CoarseAttributes wanted = coarse;
     wanted.weather = change.weather.value_or(now.weather);
@@ -102,16 +108,26 @@ Atmosphere TargetOf(const Atmosphere& now, const WeatherChange& change,
   return target;
 }
 
+double WindHeading(const Atmosphere& atmosphere, double calm_heading_rad) {
+  const Eigen::Vector3d& wind_mps = atmosphere.wind_mps;
+  return wind_mps.isZero(0.0) ? calm_heading_rad : std::atan2(wind_mps.y(), wind_mps.x());
+}
+
+bool AreAlike(const Atmosphere& a, const Atmosphere& b) {
+  for (double Atmosphere::*const field : kEven) {
+    if (std::abs(a.*field - b.*field) > kAlike) return false;
+  }
+  return a.weather == b.weather && std::abs(a.intensity - b.intensity) <= kAlike &&
+         std::abs(1.0 / a.visibility_m - 1.0 / b.visibility_m) <= kAlike / a.visibility_m &&
+         (a.wind_mps - b.wind_mps).norm() <= kAlike && std::abs(a.hour - b.hour) <= kAlike;
+}
+
 Atmosphere Between(const Atmosphere& from, const Atmosphere& to, double share) {
   if (share <= 0.0) return from;
   if (share >= 1.0) return to;
   Atmosphere now = to;
   now.visibility_m = 1.0 / Moved(1.0 / from.visibility_m, 1.0 / to.visibility_m, share);
-  for (double Atmosphere::*field :
-       {&Atmosphere::rain_mmph, &Atmosphere::snowfall_mmph, &Atmosphere::cloud_cover,
-        &Atmosphere::gust_mps, &Atmosphere::direct_light, &Atmosphere::diffuse_light,
-        &Atmosphere::ground_wetness, &Atmosphere::snow_depth_m, &Atmosphere::blown_sand,
-        &Atmosphere::water_rise_m}) {
+  for (double Atmosphere::*const field : kEven) {
     now.*field = Moved(from.*field, to.*field, share);
   }
   now.wind_mps = from.wind_mps + share * (to.wind_mps - from.wind_mps);

@@ -32,9 +32,17 @@ bool IsEmpty(const WeatherChange& change);
 std::vector<Violation> Validate(const WeatherChange& change);
 
 // The atmosphere that the change ends in. coarse: of the world's environment, for the season and
-// the land; its weather is not looked at. change: valid.
+// the land; its weather is not looked at. change: valid. calm_heading_rad: where the wind
+// blows to when it rises from a calm and the change does not say it.
 Atmosphere TargetOf(const Atmosphere& now, const WeatherChange& change,
-                    const CoarseAttributes& coarse, double desert_wind_mps);
+                    const CoarseAttributes& coarse, double desert_wind_mps,
+                    double calm_heading_rad = 0.0);
+
+// Where the mean wind blows to [rad], (-pi, pi]; in a calm calm_heading_rad.
+double WindHeading(const Atmosphere& atmosphere, double calm_heading_rad);
+
+// True when nothing moves on the way from one to the other but by rounding.
+bool AreAlike(const Atmosphere& a, const Atmosphere& b);
 
 // On the way from one atmosphere to another of the same place and day: share 0 .. 1. What is seen
 // through, the air's extinction, moves evenly, and so does everything else that is a number; the

@@ -37,7 +37,7 @@ GustField::GustField(std::uint64_t seed) {
   for (int i = 0; i < kWaves; ++i) {
     for (int axis = 0; axis < 3; ++axis) {
       const double phase_rad = random.Uniform(-M_PI, M_PI);
-      const double share = strength[i] / sum * (axis == 2 ? kVerticalShare : 1.0);
+      const double share = kBound * strength[i] / sum * (axis == 2 ? kVerticalShare : 1.0);
       waves_[i].a[axis] = {share * std::cos(phase_rad), share * std::sin(phase_rad)};
     }
   }

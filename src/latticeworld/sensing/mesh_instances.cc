@@ -24,9 +24,9 @@ RTCRay IntoFrameOf(const MeshInstance& instance, const RTCRay& ray) {
 
 }  // namespace
 
-MeshPrototype MakePrototype(RTCDevice device, const std::vector<Eigen::Vector3f>& vertices,
-                            const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                            std::vector<std::uint8_t> parts) {
+Result<MeshPrototype> MakePrototype(RTCDevice device, const std::vector<Eigen::Vector3f>& vertices,
+                                    const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                    std::vector<std::uint8_t> parts) {
   MeshPrototype prototype;
   prototype.parts = std::move(parts);
   prototype.scene.reset(rtcNewScene(device));
@@ -48,6 +48,7 @@ MeshPrototype MakePrototype(RTCDevice device, const std::vector<Eigen::Vector3f>
     }
   }
   rtcCommitScene(prototype.scene.get());
+  LW_RETURN_IF_ERROR(EmbreeStatus(device));
   return prototype;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "latticeworld/common/result.h"
 #include "latticeworld/sensing/embree_handles.h"
 
 namespace latticeworld {
@@ -16,10 +17,10 @@ struct MeshPrototype {
   std::vector<std::uint8_t> parts;  // one a triangle
 };
 
-// Errors are the device's.
-MeshPrototype MakePrototype(RTCDevice device, const std::vector<Eigen::Vector3f>& vertices,
-                            const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                            std::vector<std::uint8_t> parts);
+// Errors are the device's: Embree keeps them for each thread, so they are asked for here.
+Result<MeshPrototype> MakePrototype(RTCDevice device, const std::vector<Eigen::Vector3f>& vertices,
+                                    const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                    std::vector<std::uint8_t> parts);
 
 // Where one is met: the mesh times size_m, turned by a yaw about z, moved to position_m.
 struct MeshInstance {

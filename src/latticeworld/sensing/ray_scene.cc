@@ -111,7 +111,7 @@ Result<RayScene> RayScene::Create(const Scene& scene, const RaySceneOptions& opt
     rtcCommitScene(parts->water.get());
   }
   if (options.agents && !scene.agents.empty()) {
-    parts->agents = AgentInstances(device, scene);
+    LW_ASSIGN_OR_RETURN(parts->agents, AgentInstances(device, scene));
     parts->bodies = NewScene(device);
     rtcAttachGeometry(parts->bodies.get(), parts->agents->MakeGeometry(device).get());
     rtcCommitScene(parts->bodies.get());

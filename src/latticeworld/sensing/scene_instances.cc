@@ -50,7 +50,7 @@ MeshKey KeyOf(const Asset& asset, const Catalogue& catalogue, const RaySceneOpti
   return key;
 }
 
-MeshPrototype PrototypeOf(RTCDevice device, const Catalogue& catalogue, MeshKey key) {
+Result<MeshPrototype> PrototypeOf(RTCDevice device, const Catalogue& catalogue, MeshKey key) {
   const Mesh mesh =
       BuildMesh(catalogue.models()[key.model],
                 static_cast<double>(key.foliage_step) / kFoliageSteps, key.detail, key.variation);
@@ -95,10 +95,15 @@ Result<std::unique_ptr<MeshInstances>> AssetInstances(RTCDevice device, const Sc
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
     progress.Report("ray scene", 0.8 * static_cast<double>(first) / used.size());
     const std::size_t count = std::min(kBatch, used.size() - first);
+    std::vector<Status> statuses(count);
     ParallelFor(static_cast<int>(count), options.threads, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i)
-        prototypes[first + i] = PrototypeOf(device, catalogue, used[first + i]);
+      for (int i = begin; i < end; ++i) {
+        auto prototype = PrototypeOf(device, catalogue, used[first + i]);
+        statuses[i] = prototype.status();
+        if (prototype.ok()) prototypes[first + i] = *std::move(prototype);
+      }
     });
+    for (const Status& status : statuses) LW_RETURN_IF_ERROR(status);
   }
 
   std::vector<MeshInstance> instances(assets.size());
@@ -116,7 +121,7 @@ Result<std::unique_ptr<MeshInstances>> AssetInstances(RTCDevice device, const Sc
   return std::make_unique<MeshInstances>(std::move(prototypes), std::move(instances));
 }
 
-std::unique_ptr<MeshInstances> AgentInstances(RTCDevice device, const Scene& scene) {
+Result<std::unique_ptr<MeshInstances>> AgentInstances(RTCDevice device, const Scene& scene) {
   constexpr std::size_t kCategories = EnumNames(AgentCategory{}).size();
   std::array<int, kCategories> prototype_of;
   prototype_of.fill(-1);
@@ -129,7 +134,9 @@ std::unique_ptr<MeshInstances> AgentInstances(RTCDevice device, const Scene& sce
       const BodyMesh body = BuildBody(agent.category);
       std::vector<std::uint8_t> parts;
       for (const BodyPart part : body.parts) parts.push_back(static_cast<std::uint8_t>(part));
-      prototypes.push_back(MakePrototype(device, body.vertices, body.triangles, std::move(parts)));
+      LW_ASSIGN_OR_RETURN(MeshPrototype made,
+                          MakePrototype(device, body.vertices, body.triangles, std::move(parts)));
+      prototypes.push_back(std::move(made));
     }
     MeshInstance instance;
     const double z_m = scene.terrain->ground.HeightAt(agent.position) + agent.height_above_ground_m;

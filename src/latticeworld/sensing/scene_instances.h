@@ -11,12 +11,12 @@
 namespace latticeworld {
 
 // The assets' meshes: one prototype for each model, share of leaves, detail and individual that
-// occurs. Errors: CANCELLED; the device's are not looked at.
+// occurs. Errors: CANCELLED, the device's.
 Result<std::unique_ptr<MeshInstances>> AssetInstances(RTCDevice device, const Scene& scene,
                                                       const RaySceneOptions& options,
                                                       const Progress& progress);
-// The bodies of the scene's agents where they begin.
-std::unique_ptr<MeshInstances> AgentInstances(RTCDevice device, const Scene& scene);
+// The bodies of the scene's agents where they begin. Errors are the device's.
+Result<std::unique_ptr<MeshInstances>> AgentInstances(RTCDevice device, const Scene& scene);
 
 }  // namespace latticeworld
 

@@ -39,16 +39,26 @@ RunningWeather::RunningWeather(const Scene& scene, double day_length_s, std::uin
       gusts_(seed),
       now_(scene.atmosphere),
       from_(now_),
-      to_(now_) {}
+      to_(now_),
+      heading_rad_(WindHeading(now_, 0.0)) {}
 
 void RunningWeather::Change(const WeatherChange& change) {
-  from_ = now_;
+  const auto with_change = [this, &change](const Atmosphere& atmosphere) {
+    return TargetOf(atmosphere, change, scene_.environment.coarse,
+                    scene_.environment.fine_of(AssetType::kDesert).wind_mps, heading_rad_);
+  };
   // What moves already goes on to where it was going, as far as the change leaves it alone.
-  to_ = TargetOf(to_, change, scene_.environment.coarse,
-                 scene_.environment.fine_of(AssetType::kDesert).wind_mps);
+  const bool at_once = change.transition_s == 0.0;
+  transition_s_ = at_once ? remaining_s() : change.transition_s;
   elapsed_s_ = 0.0;
-  transition_s_ = change.transition_s;
-  if (!moving()) now_ = from_ = to_;
+  from_ = at_once ? with_change(now_) : now_;
+  to_ = with_change(to_);
+  heading_rad_ = change.wind_heading_rad.value_or(WindHeading(to_, heading_rad_));
+  if (at_once && AreAlike(from_, to_)) {
+    transition_s_ = 0.0;
+    from_ = to_;
+  }
+  now_ = from_;
 }
 
 bool RunningWeather::Step(double step_s) {
@@ -73,10 +83,17 @@ bool RunningWeather::Step(double step_s) {
   return complete;
 }
 
+bool RunningWeather::HasChanged() const {
+  Atmosphere own = scene_.atmosphere;
+  if (day_length_s_ > 0.0) own.hour = now_.hour;
+  return moving() || !AreAlike(now_, own);
+}
+
 void RunningWeather::AddTo(Digest* digest) const {
   AddAtmosphere(now_, digest);
   AddAtmosphere(from_, digest);
   AddAtmosphere(to_, digest);
+  digest->Add(heading_rad_);
   digest->Add(transition_s_);
   digest->Add(elapsed_s_);
   digest->Add(drift_m_.x());

@@ -19,8 +19,8 @@ class RunningWeather {
   // stands still.
   RunningWeather(const Scene& scene, double day_length_s, std::uint64_t seed);
 
-  // Moves from the weather of the moment to what the change ends in; without a transition it is
-  // there at once. change: valid.
+  // Moves from the weather of the moment to what the change ends in. Without a transition what it
+  // says is there at once, and what it leaves alone goes on to move as before. change: valid.
   void Change(const WeatherChange& change);
   // The answer is true when a change is complete with this step.
   bool Step(double step_s);
@@ -32,6 +32,8 @@ class RunningWeather {
   const GustField& gusts() const { return gusts_; }
   const Eigen::Vector2d& drift_m() const { return drift_m_; }
 
+  // True when it is no longer the scene's own, whatever the hour that goes round has come to.
+  bool HasChanged() const;
   // All that its future depends on.
   void AddTo(Digest* digest) const;
 
@@ -41,6 +43,7 @@ class RunningWeather {
   GustField gusts_;
   Eigen::Vector2d drift_m_ = Eigen::Vector2d::Zero();  // of the air with the mean wind
   Atmosphere now_, from_, to_;
+  double heading_rad_;         // where the wind of to_ blows to, or would if it is calm
   double transition_s_ = 0.0;  // 0: nothing moves
   double elapsed_s_ = 0.0;     // of it
 };

@@ -73,8 +73,9 @@ class Simulator {
   // What the weather is once it stops moving.
   virtual const Atmosphere& WeatherTarget() const = 0;
 
-  // Back to the scene's agents and weather at episode step 0; step and time go on. The state
-  // afterwards is the start state of that seed (only step and time_s differ).
+  // Back to the scene's agents and weather at episode step 0; step and time go on. An event tells
+  // of the weather where it was another. The state afterwards is the start state of that seed (only
+  // step and time_s differ).
   virtual void Reset(std::uint64_t seed) = 0;
 
   // SHA-256 of all that the future depends on, without `step` and `time_s`, so that it is the same

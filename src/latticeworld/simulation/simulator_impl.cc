@@ -70,7 +70,9 @@ void SimulatorImpl::Reset(std::uint64_t seed) {
   agent_of_body_.clear();
   last_agent_ = 0;
   physics_ = MakeOdeWorld(scene_);
+  const bool other_weather = weather_.has_value() && weather_->HasChanged();
   weather_.emplace(*scene_, options_.day_length_s, seed);
+  if (other_weather) TellWeather(std::string(NameOf(weather_->now().weather)));
   surfaces_.emplace(*scene_, weather_->now().ground());
   for (const AgentStart& start : scene_->agents) Begin(start);
   state_.reset();

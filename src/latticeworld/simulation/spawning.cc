@@ -43,9 +43,11 @@ Result<WorldPoint> SimulatorImpl::PlaceFor(const SpawnRequest& request) {
   if (!request.position.has_value()) {
     std::vector<WorldPoint> taken;
     for (const auto& [id, agent] : agents_) taken.push_back(agent.place());
-    return FindSpawn(*scene_, request.category, radius_m, request.region, taken, &spawn_random_);
+    return FindSpawn(*scene_, weather_->now(), request.category, radius_m, request.region, taken,
+                     &spawn_random_);
   }
-  LW_RETURN_IF_ERROR(CheckSpawn(*scene_, request.category, radius_m, *request.position));
+  LW_RETURN_IF_ERROR(
+      CheckSpawn(*scene_, weather_->now(), request.category, radius_m, *request.position));
   return *request.position;
 }
 

@@ -83,6 +83,23 @@ TEST(UserCatalogueTest, WithoutItALarchIsTheNearestThatThereIs) {
   EXPECT_FALSE(AddedValueWordsOf(*Catalogue::BuiltIn()).words.has_value());
 }
 
+TEST(UserCatalogueTest, NamesOfOneOrTwoLettersTakeNoTextOver) {
+  for (const std::string& name : {std::string("a"), std::string("in")}) {
+    const auto catalogue =
+        Catalogue::Extended({{"user.json", R"({"type": "forest", "materials": [{"name": ")" + name +
+                                               R"(", "color": ["#7d5a48", "#94705c"],
+         "density_kgpm3": 780, "elastic_modulus_pa": 1e10, "bending_strength_pa": 5e7,
+         "lidar_reflectance": 0.36, "radar_sigma0_db": -10}]})"}})
+            .value();
+    for (const char* text : {"A summer day in a forest.", "Sheep graze in a meadow."}) {
+      const EnvironmentReading built_in =
+          ReadEnvironmentInstruction(text, nullptr, *Catalogue::BuiltIn());
+      const EnvironmentReading added = ReadEnvironmentInstruction(text, nullptr, *catalogue);
+      EXPECT_EQ(added.claims.size(), built_in.claims.size()) << name << ": " << text;
+    }
+  }
+}
+
 TEST(UserCatalogueTest, OtherWordsMeanWhatTheyMeant) {
   EXPECT_EQ(ForestOf("A summer day. The forest is oak.").season_variant, "summer oak");
   EXPECT_EQ(ForestOf("A winter pine forest.").season_variant, "winter pine");

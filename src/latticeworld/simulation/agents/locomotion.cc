@@ -62,8 +62,9 @@ Eigen::Vector3d AirDrag(double drag_area_m2, const Eigen::Vector3d& wind_mps,
 void BlowOn(const Agent& agent, const Surroundings& world) {
   const Species& species = SpeciesOf(agent.category);
   const double weight_n = species.mass_kg * kGravity_mps2;
-  // Nobody looks for gusts where not even their peak is felt.
-  const double strongest_mps = world.atmosphere.wind_mps.norm() + 2.0 * world.atmosphere.gust_mps;
+  // Nobody looks for gusts where not even the strongest is felt.
+  const double strongest_mps =
+      world.atmosphere.wind_mps.norm() + GustField::kBoundOfLength * world.atmosphere.gust_mps;
   const double strongest_n =
       0.5 * kAirDensity_kgpm3 * species.drag_area_m2 * strongest_mps * strongest_mps;
   if (strongest_n < kFeltWind * weight_n) return;

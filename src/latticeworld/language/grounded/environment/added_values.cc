@@ -1,6 +1,7 @@
 #include "latticeworld/language/grounded/environment/added_values.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string_view>
@@ -13,6 +14,9 @@
 
 namespace latticeworld {
 namespace {
+
+// Shorter ones are function words ("a", "in"), with a noun beside them in any text.
+constexpr std::size_t kMinNameLength = 3;
 
 bool Has(const std::vector<std::string_view>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -128,6 +132,10 @@ class Collector {
   // Phrases with the name in them that stood for something like it ("larch forest" for pines) stand
   // for it from now on.
   void AddPhrases(std::string_view name, VariantWord word) {
+    if (name.size() < kMinNameLength) {
+      known_.emplace(name);
+      return;
+    }
     word.alone =
         name.find(' ') != name.npos || told_.count(std::string(name)) == 0 || IsAlone(name, word);
     const int row = static_cast<int>(words_.variants.rows.size());

@@ -20,7 +20,7 @@ struct AddedValueWords {
 // their names, and by the name of an added model that wears them: "larch" stands for "spring larch"
 // and "autumn larch", and for "golden larch" where that is worn by a model "larch". All of it in
 // singular and plural. A single word that the tables know already counts only together with a noun
-// of the asset type.
+// of the asset type. A name of one or two letters is not heard at all.
 AddedValueWords AddedValueWordsOf(const Catalogue& catalogue);
 
 }  // namespace latticeworld
