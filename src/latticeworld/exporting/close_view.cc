@@ -98,7 +98,8 @@ Result<std::string> DrawCloseViews(const Scene& scene, const std::vector<CloseVi
 
   const GroundMaterials materials = MaterialsOf(scene);
   const int count = static_cast<int>(views.size());
-  const int cols = count == 1 ? 1 : 2, rows = (count + cols - 1) / cols;
+  // Nowhere an empty place: one row of up to three, two rows of two.
+  const int cols = count <= 3 ? count : 2, rows = (count + cols - 1) / cols;
   const int width_px = options.width_px, height_px = (2 * width_px + 1) / 3;
   const int gap_px = width_px / 100;
   const cv::Vec3b paper = ToBytes(PaperColor());
