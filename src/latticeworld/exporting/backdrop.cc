@@ -28,7 +28,7 @@ std::uint64_t CloudSeed(const Scene& scene) {
 
 }  // namespace
 
-void PaintBackdrop(const Scene& scene, const PictureLight& light, cv::Mat* bgr) {
+void PaintBackdrop(const Scene& scene, const PictureSky& sky, cv::Mat* bgr) {
   // Clouds: several octaves, stretched sideways, thinning out towards the horizon.
   const int rows = bgr->rows, cols = bgr->cols;
   cv::Mat clouds = cv::Mat::zeros(rows / 2, cols, CV_32FC1);
@@ -41,26 +41,24 @@ void PaintBackdrop(const Scene& scene, const PictureLight& light, cv::Mat* bgr) 
     cv::resize(noise, noise, clouds.size(), 0, 0, cv::INTER_CUBIC);
     clouds += strength * noise;
   }
-  const Color cloud_color =
-      Mix(light.sky_low, FromRgb(255, 255, 255), light.is_night ? 0.05f : 0.7f);
+  const Color cloud_color = Mix(sky.low, FromRgb(255, 255, 255), sky.is_night ? 0.05f : 0.7f);
   for (int y = 0; y < rows; ++y) {
     const float down = static_cast<float>(y) / rows;
-    const Color sky =
-        Mix(light.sky_high, light.sky_low, std::min(1.0f, std::pow(2.6f * down, 0.8f)));
+    const Color clear = Mix(sky.high, sky.low, std::min(1.0f, std::pow(2.6f * down, 0.8f)));
     cv::Vec3b* out = bgr->ptr<cv::Vec3b>(y);
     for (int x = 0; x < cols; ++x) {
       if (y >= clouds.rows) {
-        out[x] = ToBytes(sky);
+        out[x] = ToBytes(clear);
         continue;
       }
       const float density = clouds.at<float>(y, x) - 0.35f - 2.2f * down;
       out[x] =
-          ToBytes(Mix(sky, cloud_color,
+          ToBytes(Mix(clear, cloud_color,
                       cover * std::clamp(0.55f * density, 0.0f, 0.75f) * (1.0f - 2.0f * down)));
     }
   }
   cv::RNG random(108);
-  const int stars = static_cast<int>(260.0f * light.stars);
+  const int stars = static_cast<int>(260.0f * sky.stars);
   for (int i = 0; i < stars; ++i) {
     const cv::Point at(random.uniform(0, cols), random.uniform(0, rows / 2));
     const double glow = random.uniform(110.0, 240.0);

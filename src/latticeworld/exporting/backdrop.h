@@ -12,7 +12,7 @@ struct Scene;
 
 // A painted sky, with clouds of the land's own and stars, behind a block of land (CV_8UC3). Where
 // clouds or what blows cover all of it, there is no single cloud.
-void PaintBackdrop(const Scene& scene, const PictureLight& light, cv::Mat* bgr);
+void PaintBackdrop(const Scene& scene, const PictureSky& sky, cv::Mat* bgr);
 // The shade below the block, whose lower edge runs between the two [px].
 void PaintBlockShade(const Eigen::Vector2f& left_px, const Eigen::Vector2f& right_px, cv::Mat* bgr);
 // Rain and snow in the air before everything.

@@ -61,7 +61,7 @@ Status TraceBlock(const Scene& scene, const GroundMaterials& materials, const Ra
   const float block_m = BlockDepth(scene);
   const float half_m = static_cast<float>(scene.geometry().half_size_m());
   const float bottom_m = scene.terrain->ground.min_m() - block_m;
-  PaintBackdrop(scene, SceneLight(scene), bgr);
+  PaintBackdrop(scene, SceneSky(scene), bgr);
   PaintBlockShade(camera.Project({-half_m, -half_m, bottom_m}),
                   camera.Project({half_m, -half_m, bottom_m}), bgr);
   RayPictureOptions ray_options;

@@ -27,17 +27,20 @@ struct PictureLight {
   Color sun;
   Color ambient;
   float shadow = 1.0f;  // darkness of cast shadows, [0, 1]
-  Color sky_high;
-  Color sky_low;
-  Color fog;
+};
+
+// The sky behind a block of land.
+struct PictureSky {
+  Color high;
+  Color low;
   bool is_night = false;
   float stars = 0.0f;  // how well they are seen, [0, 1]
 };
 
 // The light of maps: white, from the north-west.
 PictureLight MapLight();
-// The light of the scene's weather and hour.
-PictureLight SceneLight(const Scene& scene);
+// The sky of the scene's weather and hour, in its artistic style.
+PictureSky SceneSky(const Scene& scene);
 
 // Brightness and tint that a surface of this unit normal gets; sunlit: 0 in shadow .. 1.
 inline Color Shade(const PictureLight& light, const Eigen::Vector3f& normal, float sunlit) {

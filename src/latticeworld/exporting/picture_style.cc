@@ -38,21 +38,17 @@ Color InStyle(ArtisticStyle style, const Color& natural) {
   return natural;
 }
 
-void ApplyStyle(ArtisticStyle style, PictureLight* light) {
+void ApplyStyle(ArtisticStyle style, PictureSky* sky) {
   switch (style) {
     case ArtisticStyle::kRealistic:
       return;
     case ArtisticStyle::kCartoon:
-      light->sky_high = InStyle(style, light->sky_high);
-      light->sky_low = InStyle(style, light->sky_low);
-      light->ambient *= 1.08f;
+      sky->high = InStyle(style, sky->high);
+      sky->low = InStyle(style, sky->low);
       return;
     case ArtisticStyle::kCyberpunk:
-      light->sky_high = Mix(light->sky_high, FromRgb(22, 12, 58), 0.88f);
-      light->sky_low = Mix(light->sky_low, FromRgb(206, 54, 150), 0.72f);
-      light->fog = Mix(light->fog, FromRgb(120, 58, 150), 0.75f);
-      light->sun = Times(light->sun, FromRgb(255, 214, 244));
-      light->ambient = Times(light->ambient, FromRgb(214, 214, 255));
+      sky->high = Mix(sky->high, FromRgb(22, 12, 58), 0.88f);
+      sky->low = Mix(sky->low, FromRgb(206, 54, 150), 0.72f);
       return;
   }
 }

@@ -9,8 +9,8 @@ namespace latticeworld {
 
 // The palette of a style: what becomes of a natural colour.
 Color InStyle(ArtisticStyle style, const Color& natural);
-// The same for what shines.
-void ApplyStyle(ArtisticStyle style, PictureLight* light);
+// The same for the sky.
+void ApplyStyle(ArtisticStyle style, PictureSky* sky);
 
 // How much wider and higher than they are things are drawn in views from the side. Styles are of
 // pictures only: bodies, rays of sensors and maps meet things as they are.
