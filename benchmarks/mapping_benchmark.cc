@@ -181,7 +181,10 @@ void BM_OctomapAfterATreeFell(benchmark::State& state) {
   benchmark::DoNotOptimize(stream.Update({}, Progress()));
   SceneChanges changes;
   for (auto _ : state) {
-    changes.fallen.push_back({static_cast<std::uint32_t>(changes.fallen.size()), 1.0});
+    const std::uint32_t asset = static_cast<std::uint32_t>(changes.fallen.size());
+    const Asset& tree = scene->assets[asset];
+    const Eigen::Vector3d foot(tree.x_m, tree.y_m, tree.z_m + tree.trunk_radius_m);
+    changes.fallen.push_back({asset, foot, foot + Eigen::Vector3d(0.6, 0.8, 0.0) * tree.height_m});
     benchmark::DoNotOptimize(stream.Update(changes, Progress()));
   }
 }

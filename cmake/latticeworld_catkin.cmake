@@ -50,9 +50,13 @@ add_message_files(FILES
   AgentState.msg
   AgentStates.msg
   ClaimOutcome.msg
+  ElementState.msg
+  ElementStates.msg
   Environment.msg
+  FelledTree.msg
   GenerationProgress.msg
   Layout.msg
+  SceneChanges.msg
   StageTime.msg
   Status.msg
   TerrainSample.msg
@@ -65,12 +69,19 @@ add_service_files(FILES
   GetWorld.srv
   ListWorlds.srv
   LoadWorld.srv
+  OpenGate.srv
   QueryTerrain.srv
   RemoveAgent.srv
+  RemoveElement.srv
   ResetWorld.srv
+  RestoreSnapshot.srv
+  SaveSnapshot.srv
   SaveWorld.srv
+  SetPolicy.srv
+  SetRealTimeFactor.srv
   SetWeather.srv
   SpawnAgent.srv
+  SpawnElement.srv
   Step.srv
 )
 add_action_files(FILES GenerateWorldTask.action)

@@ -1,56 +1,30 @@
 #include "latticeworld_ros/agent_conversion.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld_ros/request_fields.h"
 
 namespace latticeworld {
 namespace {
 
-geometry_msgs::Point ToPoint(const Eigen::Vector3d& v) {
-  geometry_msgs::Point point;
-  point.x = v.x();
-  point.y = v.y();
-  point.z = v.z();
-  return point;
+constexpr int kMaxTeam = 15;
+
+void CheckPolicy(const std::string& policy, std::vector<Violation>* violations) {
+  if (policy.empty()) return;
+  const std::vector<std::string> names = PolicyNames();
+  if (std::find(names.begin(), names.end(), policy) != names.end()) return;
+  RefuseUnknown("policy", policy, Join(names, ", "), violations);
 }
 
-geometry_msgs::Vector3 ToVector(const Eigen::Vector3d& v) {
-  geometry_msgs::Vector3 vector;
-  vector.x = v.x();
-  vector.y = v.y();
-  vector.z = v.z();
-  return vector;
-}
-
-geometry_msgs::Quaternion ToQuaternion(const Eigen::Quaterniond& q) {
-  geometry_msgs::Quaternion quaternion;
-  quaternion.x = q.x();
-  quaternion.y = q.y();
-  quaternion.z = q.z();
-  quaternion.w = q.w();
-  return quaternion;
-}
-
-Eigen::Vector3d FromVector(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
-
-// The enum value that a field names, with '_' for ' ' as well; a violation when there is none.
-template <typename Enum>
-std::optional<Enum> ParseName(const std::string& field, const std::string& given,
-                              std::vector<Violation>* violations) {
-  std::string name = given;
-  std::replace(name.begin(), name.end(), '_', ' ');
-  const std::optional<Enum> value = FromName<Enum>(name);
-  if (!value) {
-    violations->push_back({"unknown_value", field,
-                           Quote(given) + " is unknown; legal are " + LegalNames<Enum>(),
-                           Quote(given)});
-  }
-  return value;
+void RefuseTeam(int given, const std::string& legal, std::vector<Violation>* violations) {
+  violations->push_back({"out_of_range", "team",
+                         std::to_string(given) + " is not legal; legal is " + legal,
+                         std::to_string(given)});
 }
 
 }  // namespace
@@ -59,17 +33,7 @@ std::string BaseFrame(const std::string& agent) { return agent + "/base_link"; }
 std::string OdomFrame(const std::string& agent) { return agent + "/odom"; }
 
 Eigen::Isometry3d PoseOf(const AgentSnapshot& agent) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = agent.orientation.toRotationMatrix();
-  pose.translation() = agent.position_m;
-  return pose;
-}
-
-geometry_msgs::Pose ToRos(const Eigen::Isometry3d& pose) {
-  geometry_msgs::Pose message;
-  message.position = ToPoint(pose.translation());
-  message.orientation = ToQuaternion(Eigen::Quaterniond(pose.linear()).normalized());
-  return message;
+  return ToIsometry(agent.position_m, agent.orientation);
 }
 
 geometry_msgs::Twist TwistOf(const AgentSnapshot& agent) {
@@ -79,24 +43,13 @@ geometry_msgs::Twist TwistOf(const AgentSnapshot& agent) {
   return twist;
 }
 
-geometry_msgs::TransformStamped ToRos(const Eigen::Isometry3d& parent_from_child, ros::Time stamp,
-                                      const std::string& parent, const std::string& child) {
-  geometry_msgs::TransformStamped message;
-  message.header.stamp = stamp;
-  message.header.frame_id = parent;
-  message.child_frame_id = child;
-  message.transform.translation = ToVector(parent_from_child.translation());
-  message.transform.rotation =
-      ToQuaternion(Eigen::Quaterniond(parent_from_child.linear()).normalized());
-  return message;
-}
-
 latticeworld_msgs::AgentState ToRos(const AgentSnapshot& agent) {
   latticeworld_msgs::AgentState message;
   message.name = agent.name;
-  message.species = std::string(NameOf(agent.category));
+  message.species = agent.species;
   message.team = agent.team;
   message.behaviour = std::string(NameOf(agent.behaviour));
+  message.policy = agent.policy;
   message.health = agent.health;
   message.controllable = agent.controllable;
   message.pose.position = ToPoint(agent.position_m);
@@ -151,40 +104,109 @@ VelocityCommand FromRos(const geometry_msgs::Twist& twist) {
   return command;
 }
 
-Result<SpawnRequest> FromRos(const latticeworld_msgs::SpawnAgent::Request& request) {
+sensor_msgs::JointState ToJointStates(const AgentSnapshot& agent, ros::Time stamp) {
+  sensor_msgs::JointState message;
+  message.header.stamp = stamp;
+  for (const JointSnapshot& joint : agent.joints) {
+    message.name.push_back(joint.name);
+    message.position.push_back(joint.angle_rad);
+    message.velocity.push_back(joint.rate_radps);
+    message.effort.push_back(joint.effort_nm);
+  }
+  return message;
+}
+
+Result<std::vector<JointCommand>> FromRos(const sensor_msgs::JointState& message) {
+  std::vector<Violation> violations;
+  const auto refuse = [&](const char* field, std::size_t given, const std::string& legal) {
+    violations.push_back({"wrong_size", field,
+                          "has " + std::to_string(given) + " entries; legal are " + legal,
+                          std::to_string(given)});
+  };
+  const std::size_t count = message.name.size();
+  if (count > kMaxCommandedJoints) {
+    refuse("name", count, "0 .. " + std::to_string(kMaxCommandedJoints));
+  }
+  for (const auto& [field, given] : {std::pair("position", message.position.size()),
+                                     std::pair("velocity", message.velocity.size()),
+                                     std::pair("effort", message.effort.size())}) {
+    if (given != 0 && given != count) refuse(field, given, "0 or as many as names");
+  }
+  if (!violations.empty()) return Status::FromViolations("joint_command", std::move(violations));
+
+  const auto at = [](const std::vector<double>& values, std::size_t i) {
+    return values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[i];
+  };
+  std::vector<JointCommand> commands;
+  for (std::size_t i = 0; i < count; ++i) {
+    commands.push_back(
+        {message.name[i], at(message.position, i), at(message.velocity, i), at(message.effort, i)});
+  }
+  return commands;
+}
+
+Result<SpawnRequest> FromRos(const latticeworld_msgs::SpawnAgent::Request& request,
+                             const SimulatorOptions& options) {
   std::vector<Violation> violations;
   SpawnRequest spawn;
   spawn.name = request.name;
-  if (!request.species.empty()) {
-    spawn.category = ParseName<AgentCategory>("species", request.species, &violations)
-                         .value_or(AgentCategory::kWheeledRobot);
+  const std::string& wanted = request.species.empty() ? options.robot_species : request.species;
+  if (const Species* species = options.species->Find(wanted)) {
+    spawn.species = species->name;
+    spawn.category = species->category;
+  } else {
+    RefuseUnknown("species", wanted, Join(SpeciesNames(*options.species), ", "), &violations);
   }
   if (!request.state.empty()) {
-    spawn.state = ParseName<AgentState>("state", request.state, &violations);
+    spawn.state = ReadName<AgentState>("state", request.state, &violations);
   }
   if (!request.place.empty()) {
     spawn.region =
-        ParseName<Region>("place", request.place, &violations).value_or(Region::kAnywhere);
+        ReadName<Region>("place", request.place, &violations).value_or(Region::kAnywhere);
   } else {
     spawn.position = WorldPoint{request.position.x, request.position.y};
-    for (const auto& [field, value] : {std::pair("position.x", request.position.x),
-                                       std::pair("position.y", request.position.y)}) {
-      if (std::isfinite(value)) continue;
-      violations.push_back(
-          {"out_of_range", field, FormatDouble(value) + " is not finite", FormatDouble(value)});
-    }
+    CheckFinite({{"position.x", request.position.x}, {"position.y", request.position.y}},
+                &violations);
   }
-  if (!std::isfinite(request.heading)) {
-    violations.push_back({"out_of_range", "heading",
-                          FormatDouble(request.heading) + " is not finite",
-                          FormatDouble(request.heading)});
-  }
+  CheckFinite({{"heading", request.heading}}, &violations);
   spawn.heading_rad = request.heading;
   spawn.controllable = request.controllable;
+  if (request.team < -1 || request.team > kMaxTeam) {
+    RefuseTeam(request.team, "-1 (neutral), 0 (what suits the species) or 1 .. 15", &violations);
+  } else if (request.team != 0) {
+    spawn.team = std::max(0, request.team);
+  }
+  CheckPolicy(request.policy, &violations);
+  spawn.policy = request.policy;
   if (!violations.empty()) {
     return Status::FromViolations("spawn_agent", std::move(violations));
   }
   return spawn;
+}
+
+Result<PolicyChange> FromRos(const latticeworld_msgs::SetPolicy::Request& request) {
+  std::vector<Violation> violations;
+  PolicyChange change;
+  change.agent = request.agent;
+  change.policy = request.policy;
+  if (request.team < 0 || request.team > kMaxTeam) {
+    RefuseTeam(request.team, "1 .. 15, or 0 with the name of an agent", &violations);
+  } else if (request.agent.empty() == (request.team == 0)) {
+    violations.push_back({"wrong_combination", "agent",
+                          request.agent.empty() ? "neither agent nor team is given; give one"
+                                                : "agent and team are given; give one",
+                          Quote(request.agent)});
+  }
+  if (request.team != 0) change.team = request.team;
+  CheckPolicy(request.policy, &violations);
+  if (!violations.empty()) return Status::FromViolations("set_policy", std::move(violations));
+  return change;
+}
+
+std::vector<std::string> SpeciesNames(const SpeciesCatalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const Species& species : catalogue.all()) names.push_back(species.name);
+  return names;
 }
 
 }  // namespace latticeworld

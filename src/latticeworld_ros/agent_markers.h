@@ -4,13 +4,17 @@
 #include <ros/time.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "latticeworld/scene/scene.h"
 #include "latticeworld/simulation/world_state.h"
+#include "latticeworld/species/species_catalogue.h"
 
 namespace latticeworld {
 
-// An arrow-headed body and a name a living agent, coloured by team, for rviz. The first marker
-// deletes those of agents that are gone.
-visualization_msgs::MarkerArray ToMarkers(const WorldState& state, ros::Time stamp);
+// What moves, for rviz, as it stands or lies: of every agent a body of its species' size, coloured
+// by team (the dead are faint), an arrow along its x and its name; elements; trees while they fall.
+// Namespaces bodies, headings, names, elements, trees. The first marker deletes what is gone.
+visualization_msgs::MarkerArray ToMarkers(const WorldState& state, const Scene& scene,
+                                          const SpeciesCatalogue& catalogue, ros::Time stamp);
 
 }  // namespace latticeworld
 

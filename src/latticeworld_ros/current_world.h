@@ -14,6 +14,7 @@ namespace latticeworld {
 struct PublishedWorld {
   std::shared_ptr<const World> world;
   WorldMessages messages;
+  SceneChanges changes;  // that the maps show
 };
 
 // The world that runs now, for services to read while another one is made.

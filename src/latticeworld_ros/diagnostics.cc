@@ -29,14 +29,21 @@ DiagnosticStatus OfSimulation(const LoopStatistics& statistics) {
     status.level = DiagnosticStatus::WARN;
     status.message = "no world is running";
   } else {
-    status.level = DiagnosticStatus::OK;
-    status.message = statistics.paused ? "paused" : "running";
+    const bool failed = !statistics.failure.empty();
+    status.level = failed ? DiagnosticStatus::ERROR : DiagnosticStatus::OK;
+    status.message = failed              ? "failed: " + statistics.failure
+                     : statistics.paused ? "paused"
+                                         : "running";
     const std::shared_ptr<const WorldState> state = statistics.simulator->State();
     Add("world", statistics.world_id, &status);
     Add("agents", std::to_string(state->agents.size()), &status);
     Add("contacts", std::to_string(state->contacts), &status);
+    Add("elements", std::to_string(state->elements.size()), &status);
+    Add("felled trees", std::to_string(state->felled.size()), &status);
     Add("step", std::to_string(state->step), &status);
   }
+  Add("wanted real-time factor (0: as fast as possible)", FormatDouble(statistics.wanted_factor),
+      &status);
   Add("real-time factor", FormatDouble(statistics.real_time_factor), &status);
   Add("mean step time [s]", FormatDouble(statistics.mean_step_s), &status);
   Add("longest step time [s]", FormatDouble(statistics.max_step_s), &status);

@@ -6,7 +6,7 @@
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/parallel.h"
-#include "latticeworld_ros/agent_conversion.h"
+#include "latticeworld_ros/geometry_conversion.h"
 
 namespace latticeworld {
 namespace {

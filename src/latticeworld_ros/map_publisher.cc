@@ -1,5 +1,7 @@
 #include "latticeworld_ros/map_publisher.h"
 
+#include <utility>
+
 namespace latticeworld {
 namespace {
 
@@ -19,8 +21,9 @@ void PublishNew(const ros::Publisher& topic, const boost::shared_ptr<Message>& m
 
 }  // namespace
 
-MapPublisher::MapPublisher(ros::NodeHandle node)
-    : info_(Latched<latticeworld_msgs::WorldInfo>(&node, "world/info")),
+MapPublisher::MapPublisher(ros::NodeHandle node, CurrentWorld* current)
+    : current_(current),
+      info_(Latched<latticeworld_msgs::WorldInfo>(&node, "world/info")),
       layout_(Latched<latticeworld_msgs::Layout>(&node, "world/layout")),
       environment_(Latched<latticeworld_msgs::Environment>(&node, "world/environment")),
       height_map_(Latched<grid_map_msgs::GridMap>(&node, "world/height_map")),
@@ -30,7 +33,22 @@ MapPublisher::MapPublisher(ros::NodeHandle node)
       octomap_binary_(Latched<octomap_msgs::Octomap>(&node, "octomap_binary")),
       map_(Latched<nav_msgs::OccupancyGrid>(&node, "map")) {}
 
-void MapPublisher::Publish(const WorldMessages& messages) {
+void MapPublisher::Publish(std::shared_ptr<const PublishedWorld> next) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  PublishLocked(std::move(next));
+}
+
+bool MapPublisher::PublishInPlaceOf(const PublishedWorld* expected,
+                                    std::shared_ptr<const PublishedWorld> next) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (current_->Get().get() != expected) return false;
+  PublishLocked(std::move(next));
+  return true;
+}
+
+void MapPublisher::PublishLocked(std::shared_ptr<const PublishedWorld> next) {
+  const WorldMessages& messages = next->messages;
+  current_->Set(next);
   PublishNew(info_, messages.info, &published_.info);
   PublishNew(layout_, messages.layout, &published_.layout);
   PublishNew(environment_, messages.environment, &published_.environment);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "latticeworld_ros/agent_conversion.h"
+#include "latticeworld_ros/geometry_conversion.h"
 
 namespace latticeworld {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "latticeworld_ros/agent_conversion.h"
+#include "latticeworld_ros/geometry_conversion.h"
 
 namespace latticeworld {
 

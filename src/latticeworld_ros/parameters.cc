@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "latticeworld/common/text.h"
@@ -82,6 +83,8 @@ std::map<std::string, Parameter> BindAll(WorldServerOptions* options) {
       {"command_timeout", Bind(&options->simulator.command_timeout_s)},
       {"pursuit_distance", Bind(&options->simulator.pursuit_distance_m)},
       {"day_length", Bind(&options->simulator.day_length_s)},
+      {"species", Bind(&options->species)},
+      {"robot_species", Bind(&options->simulator.robot_species)},
       {"clock_rate", Bind(&options->clock_rate_hz)},
       {"state_rate", Bind(&options->state_rate_hz)},
       {"marker_rate", Bind(&options->marker_rate_hz)},
@@ -144,6 +147,16 @@ Result<WorldServerOptions> OptionsFromParameters(const XmlRpcValue& parameters) 
     violations.push_back({"wrong_type", "", "the parameters are no dictionary", given.toXml()});
   }
 
+  if (!options.species.empty()) {
+    Result<std::shared_ptr<const SpeciesCatalogue>> species =
+        SpeciesCatalogue::Load(ExpandHome(options.species));
+    if (species.ok()) {
+      options.simulator.species = std::move(species).value();
+    } else {
+      violations.push_back(
+          {"unusable", "species", species.status().message(), Quote(options.species)});
+    }
+  }
   for (Violation& violation : Validate(options)) {
     violations.push_back(std::move(violation));
   }

@@ -13,8 +13,9 @@
 namespace latticeworld {
 
 // The options that a node's private parameters say: a struct of name to value, or an invalid value
-// for none at all. Absent ones keep their defaults. Errors: INVALID_ARGUMENT naming every unknown
-// name, every wrong type and every value out of range.
+// for none at all. Absent ones keep their defaults. Reads the files that `species` names. Errors:
+// INVALID_ARGUMENT naming every unknown name, every wrong type, every value out of range and what
+// is wrong with those files.
 Result<WorldServerOptions> OptionsFromParameters(const XmlRpc::XmlRpcValue& parameters);
 
 // "~" and "~/..." below the home directory, where there is one.

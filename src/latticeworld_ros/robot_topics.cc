@@ -2,8 +2,10 @@
 
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Odometry.h>
+#include <ros/console.h>
+#include <sensor_msgs/JointState.h>
+#include <std_msgs/Empty.h>
 
-#include <algorithm>
 #include <boost/function.hpp>
 #include <utility>
 
@@ -11,8 +13,8 @@
 
 namespace latticeworld {
 
-RobotTopics::RobotTopics(ros::NodeHandle node, CommandSink sink)
-    : node_(std::move(node)), sink_(std::move(sink)), thread_([this] { Run(); }) {}
+RobotTopics::RobotTopics(ros::NodeHandle node, CommandSinks sinks)
+    : node_(std::move(node)), sinks_(std::move(sinks)), thread_([this] { Run(); }) {}
 
 RobotTopics::~RobotTopics() {
   {
@@ -23,10 +25,10 @@ RobotTopics::~RobotTopics() {
   thread_.join();
 }
 
-void RobotTopics::Want(std::vector<std::string> names) {
+void RobotTopics::Want(std::vector<RobotWish> wishes) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    wanted_ = std::move(names);
+    wanted_ = std::move(wishes);
     ++wanted_version_;
   }
   changed_.notify_all();
@@ -47,36 +49,60 @@ void RobotTopics::Run() {
   for (;;) {
     changed_.wait(lock, [this] { return stopping_ || applied_version_ != wanted_version_; });
     if (stopping_) return;
-    const std::vector<std::string> names = wanted_;
+    const std::vector<RobotWish> wishes = wanted_;
     const std::uint64_t version = wanted_version_;
     lock.unlock();
-    Apply(names);
+    Apply(wishes);
     lock.lock();
     applied_version_ = version;
     changed_.notify_all();
   }
 }
 
-void RobotTopics::Apply(const std::vector<std::string>& names) {
+void RobotTopics::Apply(const std::vector<RobotWish>& wishes) {
   auto publishers = std::make_shared<RobotPublisherMap>();
   const std::shared_ptr<const RobotPublisherMap> before = this->publishers();
-  for (const std::string& name : names) {
+  std::map<std::string, std::vector<ros::Subscriber>> subscribers;
+  for (const RobotWish& wish : wishes) {
+    const std::string& name = wish.name;
+    const auto listening = subscribers_.find(name);
+    subscribers[name] =
+        listening != subscribers_.end() ? std::move(listening->second) : Subscribe(name);
+    if (!wish.controllable) continue;
     const auto kept = before->find(name);
     if (kept != before->end()) {
       publishers->insert(*kept);
       continue;
     }
     (*publishers)[name] = {node_.advertise<nav_msgs::Odometry>(name + "/odom", 10),
-                           node_.advertise<nav_msgs::Odometry>(name + "/ground_truth", 10)};
-    const boost::function<void(const geometry_msgs::Twist::ConstPtr&)> on_command =
-        [this, name](const geometry_msgs::Twist::ConstPtr& twist) { sink_(name, FromRos(*twist)); };
-    subscribers_[name] = node_.subscribe<geometry_msgs::Twist>(name + "/cmd_vel", 1, on_command);
+                           node_.advertise<nav_msgs::Odometry>(name + "/ground_truth", 10),
+                           node_.advertise<sensor_msgs::JointState>(name + "/joint_states", 10)};
   }
-  for (auto entry = subscribers_.begin(); entry != subscribers_.end();) {
-    entry = publishers->count(entry->first) != 0 ? std::next(entry) : subscribers_.erase(entry);
-  }
+  subscribers_ = std::move(subscribers);
   const std::lock_guard<std::mutex> lock(mutex_);
   publishers_ = std::move(publishers);
+}
+
+std::vector<ros::Subscriber> RobotTopics::Subscribe(const std::string& name) {
+  const boost::function<void(const geometry_msgs::Twist::ConstPtr&)> on_velocity =
+      [this, name](const geometry_msgs::Twist::ConstPtr& twist) {
+        sinks_.velocity(name, FromRos(*twist));
+      };
+  const boost::function<void(const sensor_msgs::JointState::ConstPtr&)> on_joints =
+      [this, name](const sensor_msgs::JointState::ConstPtr& message) {
+        Result<std::vector<JointCommand>> commands = FromRos(*message);
+        if (commands.ok()) {
+          sinks_.joints(name, std::move(commands).value());
+        } else {
+          ROS_WARN_STREAM_THROTTLE(
+              1.0, "joint_command of " << name << ": " << commands.status().ToString());
+        }
+      };
+  const boost::function<void(const std_msgs::Empty::ConstPtr&)> on_strike =
+      [this, name](const std_msgs::Empty::ConstPtr&) { sinks_.strike(name); };
+  return {node_.subscribe<geometry_msgs::Twist>(name + "/cmd_vel", 1, on_velocity),
+          node_.subscribe<sensor_msgs::JointState>(name + "/joint_command", 1, on_joints),
+          node_.subscribe<std_msgs::Empty>(name + "/strike", 1, on_strike)};
 }
 
 }  // namespace latticeworld

@@ -17,44 +17,63 @@
 
 namespace latticeworld {
 
+// An agent that has topics of its own.
+struct RobotWish {
+  std::string name;
+  bool controllable = false;  // false: decided for from outside (policy "external"), and told of in
+                              // `agents` alone
+
+  friend bool operator==(const RobotWish& a, const RobotWish& b) {
+    return a.name == b.name && a.controllable == b.controllable;
+  }
+  friend bool operator!=(const RobotWish& a, const RobotWish& b) { return !(a == b); }
+};
+
 // What one controllable robot publishes.
 struct RobotPublishers {
   ros::Publisher odom;
   ros::Publisher ground_truth;
+  ros::Publisher joint_states;
 };
 using RobotPublisherMap = std::map<std::string, RobotPublishers>;
 
-// <robot>/odom, <robot>/ground_truth and <robot>/cmd_vel of every controllable robot that there is.
-// Talking to the master takes milliseconds a topic, which the simulation must not wait for: a
-// thread of its own makes and ends them.
+// What commands are given to. Called from the callback queue's thread.
+struct CommandSinks {
+  std::function<void(const std::string& agent, const VelocityCommand&)> velocity;
+  std::function<void(const std::string& agent, std::vector<JointCommand>)> joints;
+  std::function<void(const std::string& agent)> strike;
+};
+
+// <agent>/cmd_vel, joint_command and strike of every agent that obeys commands, and odom,
+// ground_truth and joint_states of the controllable ones. Talking to the master takes milliseconds
+// a topic, which the simulation must not wait for: a thread of its own makes and ends them.
 class RobotTopics {
  public:
-  using CommandSink = std::function<void(const std::string& robot, const VelocityCommand&)>;
-
-  // node: its callback queue calls the sink.
-  RobotTopics(ros::NodeHandle node, CommandSink sink);
+  // node: its callback queue calls the sinks.
+  RobotTopics(ros::NodeHandle node, CommandSinks sinks);
   ~RobotTopics();
   RobotTopics(const RobotTopics&) = delete;
   RobotTopics& operator=(const RobotTopics&) = delete;
 
-  // The robots that there are now, sorted. Does not block.
-  void Want(std::vector<std::string> names);
+  // The agents that there are now, sorted by name. Does not block.
+  void Want(std::vector<RobotWish> wishes);
   // Blocks until the topics are those of the last Want.
   void WaitUntilReady();
   std::shared_ptr<const RobotPublisherMap> publishers() const;
 
  private:
   void Run();
-  // Makes and ends topics until they are those of `names`.
-  void Apply(const std::vector<std::string>& names);
+  // Makes and ends topics until they are those of `wishes`.
+  void Apply(const std::vector<RobotWish>& wishes);
+  std::vector<ros::Subscriber> Subscribe(const std::string& name);
 
   ros::NodeHandle node_;
-  const CommandSink sink_;
-  std::map<std::string, ros::Subscriber> subscribers_;  // of the thread alone
+  const CommandSinks sinks_;
+  std::map<std::string, std::vector<ros::Subscriber>> subscribers_;  // of the thread alone
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<std::string> wanted_;
+  std::vector<RobotWish> wanted_;
   std::uint64_t wanted_version_ = 0;
   std::uint64_t applied_version_ = 0;
   bool stopping_ = false;

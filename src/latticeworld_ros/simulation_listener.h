@@ -23,6 +23,8 @@ struct Tick {
 struct LoopStatistics {
   ros::Time now;
   bool paused = false;
+  std::string failure;            // why the simulation cannot go on; empty: it can
+  double wanted_factor = 1.0;     // real-time factor that is asked for; 0: as fast as possible
   double real_time_factor = 0.0;  // simulated over wall time
   double mean_step_s = 0.0;       // wall time of Simulator::Step
   double max_step_s = 0.0;
@@ -39,6 +41,8 @@ class SimulationListener {
   virtual void OnStandstill(ros::Time now) = 0;
   // A new world, or the start state of the old one: the next tick shows it.
   virtual void OnBegin() = 0;
+  // An earlier state of the same world: the next tick shows it.
+  virtual void OnRestore() = 0;
   virtual void OnStatistics(const LoopStatistics& statistics) = 0;
 };
 

@@ -23,27 +23,29 @@ constexpr std::chrono::milliseconds kMaxLag(100);
 Status NoWorld() {
   return FailedPrecondition("no world is running; call generate_world or load_world first");
 }
-// Not all of a thousand: nobody reads them.
-std::string NamesOf(const WorldState& state) {
-  constexpr std::size_t kMost = 50;
-  if (state.agents.empty()) return "there are no agents";
+
+std::vector<std::string> NamesOf(
+    const std::map<std::string, std::shared_ptr<const SimulatorSnapshot>>& snapshots) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < std::min(kMost, state.agents.size()); ++i) {
-    names.push_back(state.agents[i].name);
-  }
-  const std::size_t more = state.agents.size() - names.size();
-  return "there are " + Join(names, ", ") +
-         (more > 0 ? " and " + std::to_string(more) + " more" : "");
+  for (const auto& entry : snapshots) names.push_back(entry.first);
+  return names;
 }
-Status Stopped() { return Unavailable("world_server is shutting down"); }
 
 }  // namespace
+
+Status CheckRealTimeFactor(double factor) {
+  if (factor == 0.0 || (factor >= 0.01 && factor <= 1000.0)) return Status();
+  return Status(StatusCode::kOutOfRange, "factor is " + FormatDouble(factor) +
+                                             "; legal is 0 (as fast as possible) or 0.01 .. 1000");
+}
 
 SimulationLoop::SimulationLoop(const SimulationLoopOptions& options, SimulationListener* listener)
     : options_(options),
       listener_(listener),
       step_ns_(static_cast<std::uint64_t>(std::llround(options.step_s * 1e9))),
-      paused_(options.start_paused) {}
+      tasks_(Unavailable("world_server is shutting down")),
+      paused_(options.start_paused),
+      real_time_factor_(options.real_time_factor) {}
 
 SimulationLoop::~SimulationLoop() { Stop(); }
 
@@ -52,82 +54,34 @@ void SimulationLoop::Start() {
 }
 
 void SimulationLoop::Stop() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stopping_ = true;
-  }
-  wake_.notify_all();
+  tasks_.Stop();
   if (thread_.joinable()) thread_.join();
 }
 
-bool SimulationLoop::Post(std::function<void()> task) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (stopping_) return false;
-    tasks_.push_back(std::move(task));
-  }
-  wake_.notify_all();
-  return true;
-}
-
-template <typename T>
-Result<T> SimulationLoop::Call(std::function<Result<T>()> task) {
-  // The promise is shared, for the task may outlive this call's stack when the loop stops.
-  auto promise = std::make_shared<std::promise<Result<T>>>();
-  std::future<Result<T>> answer = promise->get_future();
-  // Nothing but the queue may keep the promise while this call waits, else Stop cannot break it.
-  const bool posted = Post([promise, task] {
-    try {
-      promise->set_value(task());
-    } catch (...) {  // the caller's, who asked for it; the loop goes on
-      promise->set_exception(std::current_exception());
-    }
-  });
-  promise.reset();
-  if (!posted) return Stopped();
-  try {
-    return answer.get();
-  } catch (const std::future_error&) {  // dropped by Stop
-    return Stopped();
-  } catch (const std::exception& error) {  // of the task: memory that ended
-    return Internal(error.what());
-  }
-}
-
 Result<ros::Time> SimulationLoop::Swap(RunningWorld* world) {
-  return Call<ros::Time>([this, world]() -> Result<ros::Time> {
+  return tasks_.Call<ros::Time>([this, world]() -> Result<ros::Time> {
     FinishJob(Status(StatusCode::kAborted, "another world has taken the place of this one"));
     std::swap(running_, *world);
+    snapshots_.clear();
+    failure_.clear();
     listener_->OnBegin();
     Settle();
     return Now();
   });
 }
 
-Result<SimulationLoop::Agent> SimulationLoop::Spawn(const SpawnRequest& request) {
-  return Call<Agent>([this, request]() -> Result<Agent> {
+Result<SimulationLoop::Change> SimulationLoop::Apply(
+    const std::function<Result<std::string>(Simulator*)>& change) {
+  return tasks_.Call<Change>([this, change]() -> Result<Change> {
     if (running_.simulator == nullptr) return NoWorld();
-    LW_ASSIGN_OR_RETURN(const std::string name, running_.simulator->Spawn(request));
+    LW_ASSIGN_OR_RETURN(const std::string name, change(running_.simulator.get()));
     Settle();
-    return Agent{name, running_.world->id};
-  });
-}
-
-Result<SimulationLoop::Agent> SimulationLoop::Remove(const std::string& name) {
-  return Call<Agent>([this, name]() -> Result<Agent> {
-    if (running_.simulator == nullptr) return NoWorld();
-    const Status removed = running_.simulator->Remove(name);
-    if (removed.code() == StatusCode::kNotFound) {
-      return NotFound(removed.message() + "; " + NamesOf(*running_.simulator->State()));
-    }
-    LW_RETURN_IF_ERROR(removed);
-    Settle();
-    return Agent{name, running_.world->id};
+    return Change{name, running_.world->id};
   });
 }
 
 Result<SimulationLoop::WeatherAnswer> SimulationLoop::SetWeather(const WeatherChange& change) {
-  return Call<WeatherAnswer>([this, change]() -> Result<WeatherAnswer> {
+  return tasks_.Call<WeatherAnswer>([this, change]() -> Result<WeatherAnswer> {
     if (running_.simulator == nullptr) return NoWorld();
     LW_RETURN_IF_ERROR(running_.simulator->SetWeather(change));
     Settle();
@@ -136,94 +90,121 @@ Result<SimulationLoop::WeatherAnswer> SimulationLoop::SetWeather(const WeatherCh
 }
 
 void SimulationLoop::Command(const std::string& agent, const VelocityCommand& command) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    // Nobody waits: once the loop has stopped there is no robot to drive.
-    if (stopping_) return;
-    const bool on_its_way = !commands_.empty();
-    commands_[agent] = command;
-    if (on_its_way) return;
-    tasks_.push_back([this] { RunCommands(); });
-  }
-  wake_.notify_all();
+  if (commands_.Velocity(agent, command)) PostCommands();
 }
 
-void SimulationLoop::RunCommands() {
-  std::map<std::string, VelocityCommand> commands;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    commands.swap(commands_);
-  }
-  if (running_.simulator == nullptr) return;
-  for (const auto& [agent, command] : commands) {
-    const Status status = running_.simulator->Command(agent, command);
-    if (!status.ok()) {
-      ROS_WARN_STREAM_THROTTLE(1.0, "cmd_vel of " << agent << ": " << status.ToString());
-    }
-  }
+void SimulationLoop::CommandJoints(const std::string& agent, std::vector<JointCommand> commands) {
+  if (commands_.Joints(agent, std::move(commands))) PostCommands();
 }
 
-Result<SimulationLoop::Snapshot> SimulationLoop::Inspect(bool hash) {
-  return Call<Snapshot>([this, hash]() -> Result<Snapshot> {
+void SimulationLoop::Strike(const std::string& agent) {
+  if (commands_.Strike(agent)) PostCommands();
+}
+
+void SimulationLoop::PostCommands() {
+  // Nobody waits: once the loop has stopped there is no robot to drive.
+  (void)tasks_.Post([this] { commands_.Apply(running_.simulator.get()); });
+}
+
+Result<SimulationLoop::Moment> SimulationLoop::Inspect(bool hash) {
+  return tasks_.Call<Moment>([this, hash]() -> Result<Moment> {
     if (running_.simulator == nullptr) return NoWorld();
     return Look(hash);
   });
 }
 
-Result<SimulationLoop::Snapshot> SimulationLoop::Reset(std::uint64_t seed) {
-  return Call<Snapshot>([this, seed]() -> Result<Snapshot> {
+Result<SimulationLoop::Moment> SimulationLoop::Reset(std::uint64_t seed) {
+  return tasks_.Call<Moment>([this, seed]() -> Result<Moment> {
     if (running_.simulator == nullptr) return NoWorld();
     FinishJob(Status(StatusCode::kAborted, "the world was reset"));
     running_.simulator->Reset(seed != 0 ? seed : running_.simulator->seed());
+    failure_.clear();
     listener_->OnBegin();
     Settle();
     return Look(true);
   });
 }
 
-Result<SimulationLoop::Snapshot> SimulationLoop::Step(std::uint32_t steps, bool hash) {
+Result<SimulationLoop::Moment> SimulationLoop::Step(std::uint32_t steps, bool hash) {
   if (steps < 1 || steps > kMaxStepsPerCall) {
     return Status(StatusCode::kOutOfRange, std::to_string(steps) +
                                                " steps are not legal; legal "
                                                "are 1 .. " +
                                                std::to_string(kMaxStepsPerCall));
   }
-  auto promise = std::make_shared<std::promise<Result<Snapshot>>>();
-  std::future<Result<Snapshot>> answer = promise->get_future();
-  const bool posted = Post([this, steps, hash, promise] {
+  using Promise = std::shared_ptr<std::promise<Result<Moment>>>;
+  return tasks_.CallLater<Moment>([this, steps, hash](Promise promise) {
     if (running_.simulator == nullptr) {
       promise->set_value(NoWorld());
     } else if (!paused_) {
       promise->set_value(FailedPrecondition("the simulation is running; call pause first"));
+    } else if (!failure_.empty()) {
+      promise->set_value(FailedPrecondition(failure_));
     } else if (job_) {
       promise->set_value(ResourceExhausted("another step call is not done yet"));
     } else {
-      job_ = StepJob{steps, hash, [promise](Result<Snapshot> snapshot) {
-                       promise->set_value(std::move(snapshot));
-                     }};
+      job_ = StepJob{steps, hash,
+                     [promise](Result<Moment> moment) { promise->set_value(std::move(moment)); }};
     }
   });
-  promise.reset();
-  if (!posted) return Stopped();
-  try {
-    return answer.get();
-  } catch (const std::future_error&) {  // dropped by Stop
-    return Stopped();
-  }
 }
 
 Status SimulationLoop::SetPaused(bool paused) {
-  return Call<bool>([this, paused]() -> Result<bool> {
-           const bool cut_short = job_.has_value();
-           FinishJob(
-               Status(StatusCode::kAborted, paused ? "paused meanwhile" : "unpaused meanwhile"));
-           const bool changed = paused != paused_;
-           paused_ = paused;
-           if (changed) next_due_ = Clock::now();
-           if (paused && (changed || cut_short)) Settle();
-           return true;
-         })
+  return tasks_
+      .Call<bool>([this, paused]() -> Result<bool> {
+        const bool cut_short = job_.has_value();
+        FinishJob(Status(StatusCode::kAborted, paused ? "paused meanwhile" : "unpaused meanwhile"));
+        const bool changed = paused != paused_;
+        paused_ = paused;
+        if (changed) next_due_ = Clock::now();
+        if (paused && (changed || cut_short)) Settle();
+        return true;
+      })
       .status();
+}
+
+Result<double> SimulationLoop::SetRealTimeFactor(double factor) {
+  LW_RETURN_IF_ERROR(CheckRealTimeFactor(factor));
+  return tasks_.Call<double>([this, factor]() -> Result<double> {
+    next_due_ = Clock::now();
+    return std::exchange(real_time_factor_, factor);
+  });
+}
+
+Result<SimulationLoop::Moment> SimulationLoop::SaveSnapshot(const std::string& name) {
+  if (name.empty() || name.size() > kMaxSnapshotName) {
+    return InvalidArgument("name has " + std::to_string(name.size()) +
+                           " characters; legal are 1 .. " + std::to_string(kMaxSnapshotName));
+  }
+  return tasks_.Call<Moment>([this, name]() -> Result<Moment> {
+    if (running_.simulator == nullptr) return NoWorld();
+    if (!failure_.empty()) return FailedPrecondition(failure_);
+    if (snapshots_.size() >= kMaxSnapshots && snapshots_.count(name) == 0) {
+      return ResourceExhausted(
+          "there are " + std::to_string(kMaxSnapshots) + " snapshots, as many as are kept: " +
+          Join(NamesOf(snapshots_), ", ") + "; one of their names replaces it");
+    }
+    snapshots_[name] = running_.simulator->Save();
+    return Look(true);
+  });
+}
+
+Result<SimulationLoop::Moment> SimulationLoop::RestoreSnapshot(const std::string& name) {
+  return tasks_.Call<Moment>([this, name]() -> Result<Moment> {
+    if (running_.simulator == nullptr) return NoWorld();
+    const auto snapshot = snapshots_.find(name);
+    if (snapshot == snapshots_.end()) {
+      return NotFound("there is no snapshot " + Quote(name) + "; " +
+                      (snapshots_.empty() ? "there are none: save_snapshot makes one"
+                                          : "there are " + Join(NamesOf(snapshots_), ", ")));
+    }
+    FinishJob(Status(StatusCode::kAborted, "a snapshot was restored"));
+    LW_RETURN_IF_ERROR(running_.simulator->Restore(*snapshot->second));
+    failure_.clear();
+    listener_->OnRestore();
+    Settle();
+    return Look(true);
+  });
 }
 
 void SimulationLoop::Run() {
@@ -235,8 +216,12 @@ void SimulationLoop::Run() {
     if (job_) {
       const bool last = --job_->left == 0;
       Advance(last);
-      if (last) FinishJob(Status());
-    } else if (paused_) {
+      if (!failure_.empty()) {
+        FinishJob(Internal(failure_));
+      } else if (last) {
+        FinishJob(Status());
+      }
+    } else if (paused_ || !failure_.empty()) {
       listener_->OnStandstill(Now());
       if (!WaitUntil(Clock::now() + kStandstillPeriod)) break;
       next_due_ = Clock::now();
@@ -245,41 +230,19 @@ void SimulationLoop::Run() {
       Pace();
     }
   }
-  // Whoever waits for a task or a job hears, by its broken promise, that none will come.
-  std::deque<std::function<void()>> dropped;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    dropped.swap(tasks_);
-  }
+  // Whoever waits hears that nothing will come.
+  tasks_.Drop();
   job_.reset();
 }
 
-void SimulationLoop::RunTasks() {
-  std::deque<std::function<void()>> tasks;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    tasks.swap(tasks_);
-  }
-  for (const std::function<void()>& task : tasks) task();
-}
-
-bool SimulationLoop::WaitUntil(Clock::time_point due) {
-  for (;;) {
-    {
-      std::unique_lock<std::mutex> lock(mutex_);
-      wake_.wait_until(lock, due, [this] { return stopping_ || !tasks_.empty(); });
-      if (stopping_) return false;
-      if (tasks_.empty()) return true;
-    }
-    RunTasks();
-    // Lockstep does not wait, and neither does time for those who ask without end.
-    if (job_ || Clock::now() >= due) return true;
-  }
+bool SimulationLoop::WaitUntil(const Clock::time_point& due) {
+  // Lockstep does not wait.
+  return tasks_.WaitUntil(due, [this] { return job_.has_value(); });
 }
 
 void SimulationLoop::Pace() {
   // Without a world there is nothing to hurry for.
-  const double factor = options_.real_time_factor > 0.0 ? options_.real_time_factor
+  const double factor = real_time_factor_ > 0.0         ? real_time_factor_
                         : running_.simulator == nullptr ? 1.0
                                                         : 0.0;
   const Clock::time_point now = Clock::now();
@@ -295,7 +258,16 @@ void SimulationLoop::Pace() {
 void SimulationLoop::Advance(bool settled) {
   if (running_.simulator != nullptr) {
     const Stopwatch watch;
-    running_.simulator->Step();
+    try {
+      running_.simulator->Step();
+    } catch (const std::exception& error) {
+      // Half a step is no state to go on from, but the node can.
+      failure_ = "the simulation failed in the step after " +
+                 std::to_string(running_.simulator->State()->step) + " (" + error.what() +
+                 "); reset_world, restore_snapshot or another world let it go on";
+      ROS_ERROR_STREAM(failure_);
+      return;
+    }
     const double seconds = watch.seconds();
     ++steps_timed_;
     steps_total_s_ += seconds;
@@ -324,18 +296,20 @@ void SimulationLoop::FinishJob(Status status) {
   }
 }
 
-SimulationLoop::Snapshot SimulationLoop::Look(bool hash) const {
+SimulationLoop::Moment SimulationLoop::Look(bool hash) const {
   const std::shared_ptr<const WorldState> state = running_.simulator->State();
-  Snapshot snapshot;
-  snapshot.world = running_.world;
-  snapshot.now = Now();
-  snapshot.seed = running_.simulator->seed();
-  snapshot.step = state->step;
-  snapshot.episode_step = state->episode_step;
-  snapshot.paused = paused_;
-  snapshot.atmosphere = state->atmosphere;
-  if (hash) snapshot.state_hash = running_.simulator->StateHash();
-  return snapshot;
+  Moment moment;
+  moment.world = running_.world;
+  moment.now = Now();
+  moment.seed = running_.simulator->seed();
+  moment.step = state->step;
+  moment.episode_step = state->episode_step;
+  moment.paused = paused_;
+  moment.atmosphere = state->atmosphere;
+  if (hash) moment.state_hash = running_.simulator->StateHash();
+  moment.snapshots = NamesOf(snapshots_);
+  moment.species = running_.simulator->options().species;
+  return moment;
 }
 
 void SimulationLoop::TellStatistics() {
@@ -345,6 +319,8 @@ void SimulationLoop::TellStatistics() {
   LoopStatistics statistics;
   statistics.now = Now();
   statistics.paused = paused_;
+  statistics.failure = failure_;
+  statistics.wanted_factor = real_time_factor_;
   statistics.real_time_factor =
       static_cast<double>(tick_ - statistics_tick_) * options_.step_s / wall_s;
   if (steps_timed_ > 0) {

@@ -3,28 +3,27 @@
 
 #include <ros/time.h>
 
-#include <chrono>
-#include <condition_variable>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "latticeworld/common/result.h"
 #include "latticeworld/generation/world.h"
 #include "latticeworld/simulation/simulator.h"
+#include "latticeworld_ros/agent_commands.h"
 #include "latticeworld_ros/simulation_listener.h"
+#include "latticeworld_ros/task_queue.h"
 
 namespace latticeworld {
 
 struct SimulationLoopOptions {
   double step_s = 0.01;           // of every simulator that is run
-  double real_time_factor = 1.0;  // 0: as fast as possible
+  double real_time_factor = 1.0;  // at the start; 0: as fast as possible
   bool start_paused = false;
 };
 
@@ -36,11 +35,17 @@ struct RunningWorld {
 
 // Most steps that one call of Step may ask for.
 inline constexpr std::uint32_t kMaxStepsPerCall = 100000;
+// Most snapshots that are kept, and characters of their names.
+inline constexpr std::size_t kMaxSnapshots = 8;
+inline constexpr std::size_t kMaxSnapshotName = 64;
+// OK for 0 (as fast as possible) and 0.01 .. 1000; else OUT_OF_RANGE.
+Status CheckRealTimeFactor(double factor);
 
 // The one thread that steps the simulator and owns time. ROS time is a count of fixed steps since
 // the node began; it runs without a world too, stands still while paused and never falls, whatever
 // worlds and resets come. All else is asked for by other threads and done between two steps; those
-// calls block until it is done, and are UNAVAILABLE once the loop has stopped.
+// calls block until it is done, and are UNAVAILABLE once the loop has stopped. A simulator that
+// throws in a step stands still from then on, until it is reset, restored or replaced.
 class SimulationLoop {
  public:
   // listener: outlives the loop.
@@ -56,8 +61,8 @@ class SimulationLoop {
   // destroy. The answer is the ROS time at which it began.
   Result<ros::Time> Swap(RunningWorld* world);
 
-  struct Agent {
-    std::string name;
+  struct Change {
+    std::string name;  // of what was changed
     std::string world_id;
   };
   struct WeatherAnswer {
@@ -65,15 +70,18 @@ class SimulationLoop {
     ros::Time now;
     Atmosphere target;  // once the change is complete
   };
-  Result<Agent> Spawn(const SpawnRequest& request);
-  Result<Agent> Remove(const std::string& name);
+  // Does something to the running simulator, which answers the name of what was changed, and shows
+  // it at once. Errors: FAILED_PRECONDITION (no world), those of the change.
+  Result<Change> Apply(const std::function<Result<std::string>(Simulator*)>& change);
   // Errors: FAILED_PRECONDITION (no world), INVALID_ARGUMENT with every violation.
   Result<WeatherAnswer> SetWeather(const WeatherChange& change);
-  // Does not block; what comes of it goes to the log. Of several commands to one agent between two
-  // steps only the last counts.
+  // These do not block; AgentCommands says what becomes of several between two steps.
   void Command(const std::string& agent, const VelocityCommand& command);
+  void CommandJoints(const std::string& agent, std::vector<JointCommand> commands);
+  void Strike(const std::string& agent);
 
-  struct Snapshot {
+  // The running world, between two steps.
+  struct Moment {
     std::shared_ptr<const World> world;
     ros::Time now;
     std::uint64_t seed = 0;  // of the simulation
@@ -81,45 +89,48 @@ class SimulationLoop {
     std::uint64_t episode_step = 0;
     bool paused = false;
     std::string state_hash;  // empty: not asked for
-    Atmosphere atmosphere;   // of the moment
+    Atmosphere atmosphere;
+    std::vector<std::string> snapshots;  // names, sorted
+    std::shared_ptr<const SpeciesCatalogue> species;
   };
   // FAILED_PRECONDITION while there is no world.
-  Result<Snapshot> Inspect(bool hash);
+  Result<Moment> Inspect(bool hash);
   // seed 0: the one that it runs with.
-  Result<Snapshot> Reset(std::uint64_t seed);
+  Result<Moment> Reset(std::uint64_t seed);
   // steps: 1 .. kMaxStepsPerCall. Errors: FAILED_PRECONDITION (running, no world), OUT_OF_RANGE,
   // RESOURCE_EXHAUSTED (another Step is not done), ABORTED (Swap, Reset or SetPaused came between).
-  Result<Snapshot> Step(std::uint32_t steps, bool hash);
+  Result<Moment> Step(std::uint32_t steps, bool hash);
   Status SetPaused(bool paused);
+  // Answers the factor before. Errors: OUT_OF_RANGE.
+  Result<double> SetRealTimeFactor(double factor);
+  // Keeps the state under a name, in the place of one that has it already; another world drops all.
+  // Errors: FAILED_PRECONDITION (no world), INVALID_ARGUMENT (name), RESOURCE_EXHAUSTED.
+  Result<Moment> SaveSnapshot(const std::string& name);
+  // Errors: FAILED_PRECONDITION (no world), NOT_FOUND naming those that there are.
+  Result<Moment> RestoreSnapshot(const std::string& name);
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using Clock = TaskQueue::Clock;
   // A call of Step that is not done yet.
   struct StepJob {
     std::uint32_t left = 0;
     bool hash = false;
-    std::function<void(Result<Snapshot>)> done;
+    std::function<void(Result<Moment>)> done;
   };
 
-  // Runs `task` on the loop's thread. False: the loop has stopped, the task will not run.
-  bool Post(std::function<void()> task);
-  // The same, and waits for its answer.
-  template <typename T>
-  Result<T> Call(std::function<Result<T>()> task);
-
   void Run();
-  void RunTasks();
-  void RunCommands();
-  // Waits until `due` and runs tasks meanwhile, but not for ever. False: the loop is to stop.
-  bool WaitUntil(Clock::time_point due);
+  // Lets the loop give the waiting commands to the simulator.
+  void PostCommands();
+  // Waits until `due` and runs tasks meanwhile. False: the loop is to stop.
+  bool WaitUntil(const Clock::time_point& due);
   void Pace();
   // One fixed step. settled: the last one for a while.
   void Advance(bool settled);
   // Shows a change that no step made.
   void Settle();
-  // Answers the call of Step that waits, if one does; OK: with a snapshot.
+  // Answers the call of Step that waits, if one does; OK: with the moment.
   void FinishJob(Status status);
-  Snapshot Look(bool hash) const;
+  Moment Look(bool hash) const;
   void TellStatistics();
   ros::Time Now() const;
 
@@ -127,17 +138,17 @@ class SimulationLoop {
   SimulationListener* const listener_;
   const std::uint64_t step_ns_;
 
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  std::deque<std::function<void()>> tasks_;          // guarded by mutex_
-  std::map<std::string, VelocityCommand> commands_;  // guarded by mutex_; newest of each agent
-  bool stopping_ = false;                            // guarded by mutex_
+  TaskQueue tasks_;
+  AgentCommands commands_;
   std::thread thread_;
 
   // Of the loop's thread alone.
   RunningWorld running_;
   std::uint64_t tick_ = 0;
   bool paused_;
+  double real_time_factor_;
+  std::string failure_;  // of the simulator's last step; empty: it went well
+  std::map<std::string, std::shared_ptr<const SimulatorSnapshot>> snapshots_;  // of running_
   std::optional<StepJob> job_;
   Clock::time_point next_due_;
   Clock::time_point statistics_begin_;

@@ -19,6 +19,9 @@
 namespace latticeworld {
 namespace {
 
+// Of agents that do what their command topics say.
+constexpr char kExternalPolicy[] = "external";
+
 std::uint64_t TicksPer(double rate_hz, double step_s) {
   return static_cast<std::uint64_t>(std::max(1L, std::lround(1.0 / (rate_hz * step_s))));
 }
@@ -26,7 +29,7 @@ std::uint64_t TicksPer(double rate_hz, double step_s) {
 }  // namespace
 
 StatePublisher::StatePublisher(ros::NodeHandle node, const WorldServerOptions& options,
-                               RobotTopics* robots,
+                               RobotTopics* robots, MapFollower* maps,
                                std::shared_ptr<const OpenAiClient> language_server)
     : robots_(robots),
       language_server_(std::move(language_server)),
@@ -40,7 +43,8 @@ StatePublisher::StatePublisher(ros::NodeHandle node, const WorldServerOptions& o
       events_(node.advertise<latticeworld_msgs::AgentEvent>("agent_events", 1000)),
       weather_(node.advertise<latticeworld_msgs::Weather>("world/weather", 1, /*latch=*/true)),
       markers_(node.advertise<visualization_msgs::MarkerArray>("agents/markers", 10)),
-      diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("diagnostics", 10)) {}
+      diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("diagnostics", 10)),
+      scene_(node, maps) {}
 
 void StatePublisher::OnTick(const Tick& tick) {
   const auto due = [&](std::uint64_t ticks) { return tick.settled || tick.number % ticks == 0; };
@@ -69,7 +73,13 @@ void StatePublisher::OnStandstill(ros::Time now) { PublishClock(now); }
 
 void StatePublisher::OnBegin() {
   map_from_odom_.clear();
-  weather_moves_ = true;  // the next tick shows it
+  OnRestore();
+}
+
+void StatePublisher::OnRestore() {
+  // Odometry frames stay where they are: the robots began there. The next tick shows all else.
+  weather_moves_ = true;
+  scene_.OnJump();
 }
 
 void StatePublisher::OnStatistics(const LoopStatistics& statistics) {
@@ -89,22 +99,10 @@ void StatePublisher::PublishEvents(const Tick& tick, const std::vector<Event>& e
 }
 
 void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
-  std::vector<std::string> robot_names;
-  for (const AgentSnapshot& agent : state.agents) {
-    if (agent.controllable) robot_names.push_back(agent.name);
-  }
-  if (robot_names != robot_names_) {
-    for (auto entry = map_from_odom_.begin(); entry != map_from_odom_.end();) {
-      const bool lives = std::binary_search(robot_names.begin(), robot_names.end(), entry->first);
-      entry = lives ? std::next(entry) : map_from_odom_.erase(entry);
-    }
-    robot_names_ = robot_names;
-    robots_->Want(std::move(robot_names));
-  }
-
+  WishForTopics(state);
   const std::shared_ptr<const RobotPublisherMap> robots = robots_->publishers();
   tf2_msgs::TFMessage transforms;
-  transforms.transforms.reserve(state.agents.size() + robot_names_.size());
+  transforms.transforms.reserve(state.agents.size() + wishes_.size() + state.elements.size());
   for (const AgentSnapshot& agent : state.agents) {
     const Eigen::Isometry3d map_from_base = PoseOf(agent);
     const std::string base = BaseFrame(agent.name);
@@ -120,13 +118,42 @@ void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
     transforms.transforms.push_back(ToRos(map_from_odom, tick.now, kMapFrame, odom));
     transforms.transforms.push_back(ToRos(odom_from_map * map_from_base, tick.now, odom, base));
     const auto robot = robots->find(agent.name);
-    if (robot == robots->end()) continue;  // not there yet
-    robot->second.odom.publish(ToOdometry(agent, tick.now, odom, odom_from_map));
-    robot->second.ground_truth.publish(
-        ToOdometry(agent, tick.now, kMapFrame, Eigen::Isometry3d::Identity()));
+    if (robot != robots->end()) PublishRobot(agent, tick, robot->second, odom_from_map);
+  }
+  for (const ElementSnapshot& element : state.elements) {
+    transforms.transforms.push_back(ToRos(ToIsometry(element.position_m, element.orientation),
+                                          tick.now, kMapFrame, element.name));
   }
   tf_.publish(transforms);
   agents_.publish(ToRos(state, tick.now, tick.world_id));
+  scene_.Publish(tick, state);
+}
+
+void StatePublisher::WishForTopics(const WorldState& state) {
+  std::vector<RobotWish> wishes;
+  for (const AgentSnapshot& agent : state.agents) {
+    if (agent.controllable || agent.policy == kExternalPolicy) {
+      wishes.push_back({agent.name, agent.controllable});
+    }
+  }
+  if (wishes == wishes_) return;
+  // A name that comes back later begins anew.
+  std::map<std::string, Eigen::Isometry3d> kept;
+  for (const RobotWish& wish : wishes) {
+    const auto known = map_from_odom_.find(wish.name);
+    if (wish.controllable && known != map_from_odom_.end()) kept.insert(*known);
+  }
+  map_from_odom_ = std::move(kept);
+  wishes_ = wishes;
+  robots_->Want(std::move(wishes));
+}
+
+void StatePublisher::PublishRobot(const AgentSnapshot& agent, const Tick& tick,
+                                  const RobotPublishers& robot,
+                                  const Eigen::Isometry3d& odom_from_map) {
+  robot.odom.publish(ToOdometry(agent, tick.now, OdomFrame(agent.name), odom_from_map));
+  robot.ground_truth.publish(ToOdometry(agent, tick.now, kMapFrame, Eigen::Isometry3d::Identity()));
+  robot.joint_states.publish(ToJointStates(agent, tick.now));
 }
 
 void StatePublisher::PublishWeather(const Tick& tick, const WorldState& state) {
@@ -136,7 +163,8 @@ void StatePublisher::PublishWeather(const Tick& tick, const WorldState& state) {
 
 void StatePublisher::PublishMarkers(const Tick& tick, const WorldState& state) {
   if (markers_.getNumSubscribers() == 0) return;
-  markers_.publish(ToMarkers(state, tick.now));
+  markers_.publish(
+      ToMarkers(state, tick.simulator->scene(), *tick.simulator->options().species, tick.now));
 }
 
 }  // namespace latticeworld

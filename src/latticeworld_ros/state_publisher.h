@@ -12,30 +12,37 @@
 
 #include "latticeworld/language/chat/openai_client.h"
 #include "latticeworld_ros/robot_topics.h"
+#include "latticeworld_ros/scene_publisher.h"
 #include "latticeworld_ros/simulation_listener.h"
 #include "latticeworld_ros/world_server_options.h"
 
 namespace latticeworld {
 
 // Publishes what changes while a world runs: /clock (before all that carries its stamp), /tf (one
-// message a tick, whatever the number of agents), agents, agent_events, world/weather (latched,
-// once a second while it moves), odometry, agents/markers and diagnostics. Everything but the
-// constructor runs on the simulation loop's thread.
+// message a tick, whatever the number of agents and elements), agents, agent_events, world/weather
+// (latched, once a second while it moves), odometry and joint states, agents/markers, diagnostics
+// and what the scene publisher does. Everything but the constructor runs on the simulation loop's
+// thread.
 class StatePublisher : public SimulationListener {
  public:
   // language_server: for diagnostics; nullptr: there is none.
   StatePublisher(ros::NodeHandle node, const WorldServerOptions& options, RobotTopics* robots,
-                 std::shared_ptr<const OpenAiClient> language_server);
+                 MapFollower* maps, std::shared_ptr<const OpenAiClient> language_server);
 
   void OnTick(const Tick& tick) override;
   void OnStandstill(ros::Time now) override;
   void OnBegin() override;
+  void OnRestore() override;
   void OnStatistics(const LoopStatistics& statistics) override;
 
  private:
   void PublishClock(ros::Time now);
   void PublishEvents(const Tick& tick, const std::vector<Event>& events);
   void PublishState(const Tick& tick, const WorldState& state);
+  // Lets agents have the topics that they should have.
+  void WishForTopics(const WorldState& state);
+  void PublishRobot(const AgentSnapshot& agent, const Tick& tick, const RobotPublishers& robot,
+                    const Eigen::Isometry3d& odom_from_map);
   void PublishWeather(const Tick& tick, const WorldState& state);
   void PublishMarkers(const Tick& tick, const WorldState& state);
 
@@ -46,9 +53,10 @@ class StatePublisher : public SimulationListener {
   const std::uint64_t ticks_per_markers_;
   const std::uint64_t ticks_per_weather_;
   ros::Publisher clock_, tf_, agents_, events_, weather_, markers_, diagnostics_;
+  ScenePublisher scene_;
   bool weather_moves_ = true;  // as published last; true: nothing was
 
-  std::vector<std::string> robot_names_;                    // as last told to robots_
+  std::vector<RobotWish> wishes_;                           // as last told to robots_
   std::map<std::string, Eigen::Isometry3d> map_from_odom_;  // where each robot began
 };
 

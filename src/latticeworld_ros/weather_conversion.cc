@@ -6,18 +6,10 @@
 #include <vector>
 
 #include "latticeworld/common/text.h"
-#include "latticeworld_ros/agent_conversion.h"
+#include "latticeworld_ros/geometry_conversion.h"
 
 namespace latticeworld {
 namespace {
-
-geometry_msgs::Vector3 ToVector(const Eigen::Vector3d& v) {
-  geometry_msgs::Vector3 vector;
-  vector.x = v.x();
-  vector.y = v.y();
-  vector.z = v.z();
-  return vector;
-}
 
 // None for an empty list or NaN; a violation for more than one number.
 std::optional<double> ReadOne(const char* field, const std::vector<double>& given,

@@ -6,7 +6,7 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/scene/surface_table.h"
 #include "latticeworld/scene/water_depth.h"
-#include "latticeworld_ros/agent_conversion.h"
+#include "latticeworld_ros/geometry_conversion.h"
 
 namespace latticeworld {
 

@@ -7,8 +7,8 @@
 namespace latticeworld {
 
 WorldLauncher::WorldLauncher(const WorldServerOptions& options, SimulationLoop* loop,
-                             RobotTopics* robots, MapPublisher* maps, CurrentWorld* current)
-    : options_(options), loop_(loop), robots_(robots), maps_(maps), current_(current) {}
+                             RobotTopics* robots, MapPublisher* maps)
+    : options_(options), loop_(loop), robots_(robots), maps_(maps) {}
 
 Status WorldLauncher::Launch(std::shared_ptr<const World> world, const Progress& progress,
                              std::vector<StageTime>* stages) {
@@ -29,8 +29,7 @@ Status WorldLauncher::Launch(std::shared_ptr<const World> world, const Progress&
   auto published = std::make_shared<PublishedWorld>();
   published->world = std::move(world);
   published->messages = std::move(messages);
-  current_->Set(published);
-  maps_->Publish(published->messages);
+  maps_->Publish(std::move(published));
   robots_->WaitUntilReady();
   stages->push_back({"swap", swap_watch.seconds()});
   return Status();

@@ -7,7 +7,6 @@
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/status.h"
 #include "latticeworld/generation/world.h"
-#include "latticeworld_ros/current_world.h"
 #include "latticeworld_ros/map_publisher.h"
 #include "latticeworld_ros/robot_topics.h"
 #include "latticeworld_ros/simulation_loop.h"
@@ -21,7 +20,7 @@ class WorldLauncher {
  public:
   // All of them outlive the launcher.
   WorldLauncher(const WorldServerOptions& options, SimulationLoop* loop, RobotTopics* robots,
-                MapPublisher* maps, CurrentWorld* current);
+                MapPublisher* maps);
 
   // One call at a time. stages: gets what was done and how long it took. When it fails, the old
   // world goes on as if nothing had been. Errors: CANCELLED, INVALID_ARGUMENT, UNAVAILABLE.
@@ -33,7 +32,6 @@ class WorldLauncher {
   SimulationLoop* const loop_;
   RobotTopics* const robots_;
   MapPublisher* const maps_;
-  CurrentWorld* const current_;
 };
 
 }  // namespace latticeworld

@@ -10,7 +10,7 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/meshes/mesh.h"
-#include "latticeworld_ros/agent_conversion.h"
+#include "latticeworld_ros/geometry_conversion.h"
 #include "latticeworld_ros/marker_pieces.h"
 
 namespace latticeworld {
@@ -131,18 +131,29 @@ void AddGround(const Scene& scene, int cells, MarkerPieces* ground, MarkerPieces
   }
 }
 
-// A body between a ring of corners around the middle and one point above and below it.
-void AddSpindle(const Asset& asset, int corners, double ring_share,
+// What a spindle stands or lies along, map frame [m].
+struct Axis {
+  Eigen::Vector3d foot_m, tip_m;
+};
+Axis AxisOf(const Asset& asset) {
+  return {{asset.x_m, asset.y_m, asset.z_m}, {asset.x_m, asset.y_m, asset.z_m + asset.height_m}};
+}
+
+// A body between a ring of corners around its axis and the axis' two ends.
+void AddSpindle(const Asset& asset, const Axis& axis, int corners, double ring_share,
                 const std_msgs::ColorRGBA& upper, const std_msgs::ColorRGBA& lower,
                 MarkerPieces* pieces) {
-  const double ring_z_m = asset.z_m + ring_share * asset.height_m;
+  const Eigen::Vector3d along_m = axis.tip_m - axis.foot_m;
+  const Eigen::Vector3d middle_m = axis.foot_m + ring_share * along_m;
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along_m).toRotationMatrix();
   const auto ring = [&](int k) {
     const double angle = asset.yaw_rad + 2.0 * M_PI * k / corners;
-    return Point(asset.x_m + asset.half_length_m * std::cos(angle),
-                 asset.y_m + asset.half_length_m * std::sin(angle), ring_z_m);
+    return ToPoint(middle_m + asset.half_length_m * turn *
+                                  Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0));
   };
-  const auto top = Point(asset.x_m, asset.y_m, asset.z_m + asset.height_m);
-  const auto low = Point(asset.x_m, asset.y_m, asset.z_m);
+  const auto top = ToPoint(axis.tip_m);
+  const auto low = ToPoint(axis.foot_m);
   for (int k = 0; k < corners; ++k) {
     pieces->Add(ring(k), ring(k + 1), top, upper);
     pieces->Add(ring(k + 1), ring(k), low, lower);
@@ -178,18 +189,18 @@ struct AssetPieces {
         buildings("buildings", size_m) {}
 };
 
-void AddAsset(const Asset& asset, const AssetModel& model, const PartColors& colors,
-              AssetPieces* pieces) {
+void AddAsset(const Asset& asset, const Axis& axis, const AssetModel& model,
+              const PartColors& colors, AssetPieces* pieces) {
   const auto leaves = ColorOf(colors, MeshPart::kLeaves);
   switch (asset.kind) {
     case AssetKind::kTree:
       pieces->trees.MoveTo(asset.position());
-      AddSpindle(asset, 5, model.crown_base + (1.0 - model.crown_base) * model.crown_widest, leaves,
-                 ColorOf(colors, MeshPart::kBark), &pieces->trees);
+      AddSpindle(asset, axis, 5, model.crown_base + (1.0 - model.crown_base) * model.crown_widest,
+                 leaves, ColorOf(colors, MeshPart::kBark), &pieces->trees);
       break;
     case AssetKind::kBush:
       pieces->bushes.MoveTo(asset.position());
-      AddSpindle(asset, 4, 0.5, leaves, leaves, &pieces->bushes);
+      AddSpindle(asset, axis, 4, 0.5, leaves, leaves, &pieces->bushes);
       break;
     case AssetKind::kBuilding: {
       Mesh& mesh = pieces->building_meshes[asset.model];
@@ -201,13 +212,14 @@ void AddAsset(const Asset& asset, const AssetModel& model, const PartColors& col
     default: {
       const auto stone = ColorOf(colors, MeshPart::kStone);
       pieces->stones.MoveTo(asset.position());
-      AddSpindle(asset, 4, 0.5, stone, stone, &pieces->stones);
+      AddSpindle(asset, axis, 4, 0.5, stone, stone, &pieces->stones);
       break;
     }
   }
 }
 
-void AddAssets(const Scene& scene, int max_assets, AssetPieces* pieces) {
+void AddAssets(const Scene& scene, int max_assets, const SceneChanges& changes,
+               AssetPieces* pieces) {
   const auto drawn = std::count_if(scene.assets.begin(), scene.assets.end(),
                                    [](const Asset& asset) { return IsDrawn(asset.kind); });
   // Bresenham's way to keep max_assets of them, evenly: an asset stays when the sum rolls over.
@@ -218,8 +230,14 @@ void AddAssets(const Scene& scene, int max_assets, AssetPieces* pieces) {
     sum += std::min<std::int64_t>(max_assets, drawn);
     if (sum < drawn) continue;
     sum -= drawn;
+    const auto number = static_cast<std::uint32_t>(i);
+    if (std::binary_search(changes.gone.begin(), changes.gone.end(), number)) continue;
+    const auto fallen = std::find_if(changes.fallen.begin(), changes.fallen.end(),
+                                     [&](const FallenTree& tree) { return tree.asset == number; });
+    const Axis axis =
+        fallen == changes.fallen.end() ? AxisOf(asset) : Axis{fallen->foot_m, fallen->tip_m};
     const double draw = HashToUnit(0, static_cast<std::int64_t>(i), 0);  // which individual
-    AddAsset(asset, scene.catalogue->models()[asset.model],
+    AddAsset(asset, axis, scene.catalogue->models()[asset.model],
              ColorsOf(*scene.catalogue, TypeOf(asset.kind), asset.season_variant, asset.material,
                       scene.environment.coarse.season, draw),
              pieces);
@@ -228,7 +246,8 @@ void AddAssets(const Scene& scene, int max_assets, AssetPieces* pieces) {
 
 }  // namespace
 
-visualization_msgs::MarkerArray ToMarkers(const Scene& scene, const WorldMarkerOptions& options) {
+visualization_msgs::MarkerArray ToMarkers(const Scene& scene, const WorldMarkerOptions& options,
+                                          const SceneChanges& changes) {
   visualization_msgs::MarkerArray array;
   visualization_msgs::Marker clear;
   clear.header.frame_id = kMapFrame;
@@ -239,7 +258,7 @@ visualization_msgs::MarkerArray ToMarkers(const Scene& scene, const WorldMarkerO
   MarkerPieces ground("ground", size_m), water("water", size_m);
   AssetPieces assets(size_m);
   AddGround(scene, std::min(options.terrain_cells, scene.geometry().rows()), &ground, &water);
-  AddAssets(scene, options.max_assets, &assets);
+  AddAssets(scene, options.max_assets, changes, &assets);
   for (MarkerPieces* pieces :
        {&ground, &water, &assets.trees, &assets.bushes, &assets.stones, &assets.buildings}) {
     for (visualization_msgs::Marker& marker : pieces->Take())

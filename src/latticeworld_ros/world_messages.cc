@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "latticeworld/mapping/octree.h"
-#include "latticeworld/mapping/scene_changes.h"
 #include "latticeworld/mapping/traversability.h"
+#include "latticeworld/scene/scene_changes.h"
 #include "latticeworld_ros/grid_conversion.h"
 #include "latticeworld_ros/octomap_conversion.h"
 #include "latticeworld_ros/stopwatch.h"
@@ -20,11 +20,13 @@ namespace latticeworld {
 namespace {
 
 constexpr char kStage[] = "maps";
+constexpr int kEveryCore = 0, kOneThread = 1;
 
 Status BuildOctomaps(const Scene& scene, const WorldServerOptions& options,
-                     const SceneChanges& changes, const Progress& progress,
+                     const SceneChanges& changes, int threads, const Progress& progress,
                      WorldMessages* messages) {
   OctreeOptions octree_options;
+  octree_options.threads = threads;
   octree_options.resolution_m = options.octomap_resolution_m > 0.0
                                     ? options.octomap_resolution_m
                                     : scene.geometry().resolution_m();
@@ -39,18 +41,26 @@ Status BuildOctomaps(const Scene& scene, const WorldServerOptions& options,
   return Status();
 }
 
+WorldMarkerOptions MarkerOptions(const WorldServerOptions& options) {
+  return {options.marker_terrain_cells, options.marker_max_assets};
+}
+
+void SetStamp(ros::Time stamp, visualization_msgs::MarkerArray* array) {
+  for (visualization_msgs::Marker& marker : array->markers) marker.header.stamp = stamp;
+}
+
 // map and world/height_map.
 Status BuildGridMaps(const Scene& scene, const WorldServerOptions& options,
-                     const SceneChanges& changes, const Progress& progress,
+                     const SceneChanges& changes, int threads, const Progress& progress,
                      WorldMessages* messages) {
   const Terrain& terrain = *scene.terrain;
   const GridGeometry& geometry = scene.geometry();
-  const Grid<std::int8_t> occupancy = BuildOccupancy(scene, options.robot, changes);
+  const Grid<std::int8_t> occupancy = BuildOccupancy(scene, options.robot, changes, threads);
   messages->map = boost::make_shared<nav_msgs::OccupancyGrid>(ToOccupancyGrid(geometry, occupancy));
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   const Grid<float> distance_m = BuildDistanceField(occupancy, geometry.resolution_m());
-  const Grid<float> traversability = BuildTraversability(scene, options.robot, changes);
-  const Grid<float> slope_rad = BuildSlope(scene);
+  const Grid<float> traversability = BuildTraversability(scene, options.robot, changes, threads);
+  const Grid<float> slope_rad = BuildSlope(scene, threads);
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   std::vector<GridLayer> layers = {{"elevation", &terrain.ground.height_m()},
                                    {"water", &terrain.water_level_m},
@@ -75,12 +85,12 @@ Status BuildOthers(const World& world, const WorldServerOptions& options, const 
   messages->info = boost::make_shared<latticeworld_msgs::WorldInfo>(ToInfo(world));
   messages->layout = boost::make_shared<latticeworld_msgs::Layout>(ToLayout(world));
   messages->environment = boost::make_shared<latticeworld_msgs::Environment>(ToEnvironment(world));
-  LW_RETURN_IF_ERROR(BuildGridMaps(scene, options, {}, progress, messages));
+  LW_RETURN_IF_ERROR(BuildGridMaps(scene, options, {}, kEveryCore, progress, messages));
   progress.Report(kStage, 0.7);
   messages->height_image =
       boost::make_shared<sensor_msgs::Image>(ToImage(scene.terrain->ground.height_m()));
-  messages->markers = boost::make_shared<visualization_msgs::MarkerArray>(
-      ToMarkers(scene, {options.marker_terrain_cells, options.marker_max_assets}));
+  messages->markers =
+      boost::make_shared<visualization_msgs::MarkerArray>(ToMarkers(scene, MarkerOptions(options)));
   progress.Report(kStage, 1.0);
   return Status();
 }
@@ -95,7 +105,7 @@ Result<WorldMessages> BuildWorldMessages(const World& world, const WorldServerOp
   // it is, for the other thread reports, but it hears a cancel.
   std::future<Status> octomaps = std::async(std::launch::async, [&] {
     const Stopwatch watch;
-    const Status status = BuildOctomaps(*world.scene, options, {}, progress, &messages);
+    const Status status = BuildOctomaps(*world.scene, options, {}, kEveryCore, progress, &messages);
     octomap_s = watch.seconds();
     return status;
   });
@@ -113,8 +123,13 @@ Result<WorldMessages> RebuildMaps(const World& world, const WorldServerOptions& 
                                   const SceneChanges& changes, ros::Time stamp,
                                   const Progress& progress, const WorldMessages& before) {
   WorldMessages messages = before;
-  LW_RETURN_IF_ERROR(BuildOctomaps(*world.scene, options, changes, progress, &messages));
-  LW_RETURN_IF_ERROR(BuildGridMaps(*world.scene, options, changes, progress, &messages));
+  LW_RETURN_IF_ERROR(
+      BuildOctomaps(*world.scene, options, changes, kOneThread, progress, &messages));
+  LW_RETURN_IF_ERROR(
+      BuildGridMaps(*world.scene, options, changes, kOneThread, progress, &messages));
+  messages.markers = boost::make_shared<visualization_msgs::MarkerArray>(
+      ToMarkers(*world.scene, MarkerOptions(options), changes));
+  SetStamp(stamp, messages.markers.get());
   messages.octomap_full->header.stamp = stamp;
   messages.octomap_binary->header.stamp = stamp;
   messages.map->header.stamp = stamp;
@@ -133,9 +148,7 @@ void SetStamp(ros::Time stamp, WorldMessages* messages) {
   messages->map->info.map_load_time = stamp;
   messages->height_map->info.header.stamp = stamp;
   messages->height_image->header.stamp = stamp;
-  for (visualization_msgs::Marker& marker : messages->markers->markers) {
-    marker.header.stamp = stamp;
-  }
+  SetStamp(stamp, messages->markers.get());
 }
 
 }  // namespace latticeworld

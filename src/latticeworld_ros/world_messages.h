@@ -15,7 +15,7 @@
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
 #include "latticeworld/generation/world.h"
-#include "latticeworld/mapping/scene_changes.h"
+#include "latticeworld/scene/scene_changes.h"
 #include "latticeworld_ros/messages.h"
 #include "latticeworld_ros/world_server_options.h"
 
@@ -40,8 +40,9 @@ struct WorldMessages {
 Result<WorldMessages> BuildWorldMessages(const World& world, const WorldServerOptions& options,
                                          const Progress& progress, std::vector<StageTime>* stages);
 
-// The messages of a world in which assets fell or went: octomaps, map and height map are made anew
-// with that stamp, all others are the ones of before. Errors: CANCELLED, INVALID_ARGUMENT.
+// The messages of a world in which assets fell or went: octomaps, map, height map and markers are
+// made anew with that stamp, all others are the ones of before. Works on one thread, for the world
+// runs meanwhile. Errors: CANCELLED, INVALID_ARGUMENT.
 Result<WorldMessages> RebuildMaps(const World& world, const WorldServerOptions& options,
                                   const SceneChanges& changes, ros::Time stamp,
                                   const Progress& progress, const WorldMessages& before);

@@ -4,8 +4,12 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
+#include "latticeworld_ros/agent_services.h"
 #include "latticeworld_ros/parameters.h"
+#include "latticeworld_ros/time_services.h"
+#include "latticeworld_ros/world_services.h"
 
 namespace latticeworld {
 namespace {
@@ -50,19 +54,27 @@ GenerationService::Options GenerationOptions(const WorldServerOptions& options) 
 WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options,
                          LanguageBackends backends, SketchTranslator sketches,
                          std::shared_ptr<const Catalogue> catalogue)
-    : maps_(node),
+    : maps_(node, &current_),
+      follower_(options, &current_, &maps_),
       robots_(WithQueue(node, &command_queue_),
-              [this](const std::string& robot, const VelocityCommand& command) {
-                loop_.Command(robot, command);
-              }),
-      states_(node, options, &robots_, backends.server),
+              {[this](const std::string& agent, const VelocityCommand& command) {
+                 loop_.Command(agent, command);
+               },
+               [this](const std::string& agent, std::vector<JointCommand> commands) {
+                 loop_.CommandJoints(agent, std::move(commands));
+               },
+               [this](const std::string& agent) { loop_.Strike(agent); }}),
+      states_(node, options, &robots_, &follower_, backends.server),
       loop_(LoopOptions(options), &states_),
-      launcher_(options, &loop_, &robots_, &maps_, &current_),
+      launcher_(options, &loop_, &robots_, &maps_),
       generation_(node, GenerationOptions(options),
                   WorldGenerator(std::move(backends.by_name), options.generator,
                                  std::move(sketches), std::move(catalogue)),
                   &launcher_),
-      services_(node, WorldsDirectory(options), &loop_, &robots_, &current_) {
+      services_(node) {
+  AdvertiseWorldServices(WorldsDirectory(options), &loop_, &current_, &services_);
+  AdvertiseAgentServices(options.simulator, &loop_, &robots_, &services_);
+  AdvertiseTimeServices(&loop_, &robots_, &services_);
   loop_.Start();
   command_spinner_.start();
   services_.Start();
@@ -74,6 +86,7 @@ WorldServer::~WorldServer() {
   // whoever waits for it is let go.
   command_spinner_.stop();
   loop_.Stop();
+  follower_.Stop();
   generation_.Stop();
   services_.Stop();
 }

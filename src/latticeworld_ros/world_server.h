@@ -11,13 +11,14 @@
 #include "latticeworld/generation/sketch_translator.h"
 #include "latticeworld_ros/current_world.h"
 #include "latticeworld_ros/generation_service.h"
+#include "latticeworld_ros/map_follower.h"
 #include "latticeworld_ros/map_publisher.h"
 #include "latticeworld_ros/robot_topics.h"
+#include "latticeworld_ros/service_queue.h"
 #include "latticeworld_ros/simulation_loop.h"
 #include "latticeworld_ros/state_publisher.h"
 #include "latticeworld_ros/world_launcher.h"
 #include "latticeworld_ros/world_server_options.h"
-#include "latticeworld_ros/world_services.h"
 
 namespace latticeworld {
 
@@ -26,8 +27,9 @@ namespace latticeworld {
 //   simulation loop (1 thread)   steps, owns time, tells the state publisher
 //   generation (2)               generate_world, generate_world_action, load_world
 //   services (4)                 everything else that is asked for
-//   commands (1)                 cmd_vel of every robot
+//   commands (1)                 what is commanded to every robot
 //   robot topics (1)             makes and ends the topics of robots
+//   map follower (1)             makes maps anew when trees have fallen
 class WorldServer {
  public:
   // options: valid. sketches: what options.sketch_model names. catalogue: what options.catalogue
@@ -40,12 +42,13 @@ class WorldServer {
   ros::CallbackQueue command_queue_;
   CurrentWorld current_;
   MapPublisher maps_;
+  MapFollower follower_;
   RobotTopics robots_;
   StatePublisher states_;
   SimulationLoop loop_;
   WorldLauncher launcher_;
   GenerationService generation_;
-  WorldServices services_;
+  ServiceQueue services_;
   ros::AsyncSpinner command_spinner_{1, &command_queue_};
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld_ros/simulation_loop.h"
 
 namespace latticeworld {
 
@@ -39,7 +40,9 @@ std::vector<Violation> Validate(const WorldServerOptions& options) {
     refuse(name, FormatDouble(value), "0 or " + FormatDouble(low) + " .. " + FormatDouble(high));
   };
 
-  check_zero_or_range("real_time_factor", options.real_time_factor, 0.01, 1000.0);
+  if (!CheckRealTimeFactor(options.real_time_factor).ok()) {
+    refuse("real_time_factor", FormatDouble(options.real_time_factor), "0 or 0.01 .. 1000");
+  }
   check_range("clock_rate", options.clock_rate_hz, 1.0, 1000.0);
   check_range("state_rate", options.state_rate_hz, 1.0, 1000.0);
   check_range("marker_rate", options.marker_rate_hz, 0.1, 1000.0);

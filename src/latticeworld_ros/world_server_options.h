@@ -17,7 +17,10 @@ struct WorldServerOptions {
   // Time.
   double real_time_factor = 1.0;  // 0: as fast as possible; else [0.01, 1000]
   bool start_paused = false;
-  SimulatorOptions simulator;  // step_s, command_timeout_s, pursuit_distance_m, day_length_s
+  // step_s, command_timeout_s, pursuit_distance_m, day_length_s, robot_species; its catalogue is
+  // made from `species`.
+  SimulatorOptions simulator;
+  std::string species;  // "": the built-in ones, else a file or directory that adds to them
 
   // Publishing, in Hz of simulated time.
   double clock_rate_hz = 100.0;    // [1, 1000]

@@ -15,6 +15,7 @@
 #include "tools/rebuild_command.h"
 #include "tools/score_command.h"
 #include "tools/show_command.h"
+#include "tools/species_command.h"
 
 namespace latticeworld::tools {
 namespace {
@@ -41,8 +42,8 @@ int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
   std::cerr << "latticeworld" << called << ": " << error.what() << "\n";
   if (commands.empty()) {
     std::cerr
-        << "legal are the commands generate, show, picture, measure, score, rebuild and catalogue, "
-           "--help and --version\n";
+        << "legal are the commands generate, show, picture, measure, score, rebuild, catalogue and "
+           "species, --help and --version\n";
   } else {
     std::cerr << "legal are " << LegalOptions(*commands.front()) << "; each at most once\n";
   }
@@ -61,6 +62,7 @@ int Run(int argc, const char* const* argv) {
   AddScoreCommand(&app, &exit_status);
   AddRebuildCommand(&app, &exit_status);
   AddCatalogueCommand(&app, &exit_status);
+  AddSpeciesCommand(&app, &exit_status);
   app.footer(kFooter);  // after the commands, which would inherit it
   try {
     app.parse(argc, argv);

@@ -14,7 +14,7 @@ FLOORS = [
     ["geometry"],
     ["geomorphology", "catalogue"],
     ["layout", "environment", "relief", "meshes"],
-    ["language", "terrain"],
+    ["language", "terrain", "species"],
     ["scene"],
     ["mapping", "sensing"],
     ["exporting"],

@@ -67,10 +67,10 @@ class BundleTest : public ::testing::Test {
 
 TEST_F(BundleTest, HasExactlyTheFilesOfTheFormat) {
   const std::vector<std::string> expected = {
-      "agents.json",   "assets.csv", "environment.json", "fidelity.json", "height.png",
-      "layout.txt",    "map.pgm",    "map.yaml",         "preview.png",   "replies.json",
-      "terrain.bin",   "visual",     "water.png",        "weights/F.png", "weights/G.png",
-      "weights/W.png", "world.bt",   "world.json"};
+      "agents.json",   "assets.csv",    "elements.json", "environment.json", "fidelity.json",
+      "height.png",    "layout.txt",    "map.pgm",       "map.yaml",         "preview.png",
+      "replies.json",  "terrain.bin",   "visual",        "water.png",        "weights/F.png",
+      "weights/G.png", "weights/W.png", "world.bt",      "world.json"};
   EXPECT_EQ(FilesBelow(bundle_), expected);
   EXPECT_EQ(directory_.Entries(), std::vector<std::string>{"lake"});
 }
@@ -134,7 +134,8 @@ TEST_F(BundleTest, TrustsNoContentBecauseItsDigestIsRight) {
   Forge(bundle_, "layout.txt", "A" + layout.substr(1));  // legal, but another world
   ExpectDamaged(bundle_, "world.json", "the files hold world-");
   Forge(bundle_, "layout.txt", layout);
-  for (const char* name : {"environment.json", "terrain.bin", "assets.csv", "agents.json"}) {
+  for (const char* name :
+       {"environment.json", "terrain.bin", "assets.csv", "agents.json", "elements.json"}) {
     const std::string content = *ReadFile(bundle_ / name, kMaxBytes);
     Forge(bundle_, name, "no such content");
     ExpectDamaged(bundle_, name, "");

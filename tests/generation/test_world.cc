@@ -8,7 +8,9 @@
 #include <cstring>
 #include <limits>
 
+#include "latticeworld/generation/elements_json.h"
 #include "latticeworld/generation/world_id.h"
+#include "latticeworld/scene/elements.h"
 
 namespace latticeworld {
 namespace {
@@ -113,6 +115,17 @@ std::vector<AgentStart> MakeAgents() {
   agents[2] = {"robot", AgentCategory::kWheeledRobot, AgentState::kIdle, 1, true, {-2, -3}, 0.05,
                1e-9};
   return agents;
+}
+
+std::vector<Element> MakeElements() {
+  Element crate = UsualElement(ElementKind::kCrate);
+  crate.name = "crate_1";
+  crate.position = {5.0 / 3.0, 9.1};
+  crate.yaw_rad = 1.0 / 7.0;
+  Element post = UsualElement(ElementKind::kPost);
+  post.name = "post_1";
+  post.position = {-7.25, 1.0 / 3.0};
+  return {crate, post};
 }
 
 void ExpectSameBits(const Grid<float>& a, const Grid<float>& b, const char* what) {
@@ -264,6 +277,7 @@ std::shared_ptr<World> MakeTestWorld() {
   scene->index = AssetIndex(geometry.size_m(), scene->assets);
   scene->atmosphere = MakeAtmosphere();
   scene->agents = MakeAgents();
+  scene->elements = MakeElements();
   world->scene = scene;
   world->fidelity.claims = {
       {InstructionPart::kLayout, "present", "A wood in the upper left", true, 0.0, "it is there"},
@@ -300,6 +314,7 @@ void ExpectSameWorld(const World& a, const World& b) {
   EXPECT_EQ(a.scene->index.largest_solid_radius_m(), b.scene->index.largest_solid_radius_m());
   ExpectSameAtmosphere(a.scene->atmosphere, b.scene->atmosphere);
   ExpectSameAgents(a.scene->agents, b.scene->agents);
+  EXPECT_EQ(EncodeElements(a.scene->elements), EncodeElements(b.scene->elements));
   ExpectSameFidelity(a.fidelity, b.fidelity);
   ExpectSameReplies(a.replies, b.replies);
   EXPECT_EQ(a.warnings, b.warnings);

@@ -45,6 +45,7 @@ TEST(WorldIdTest, ChangesWithEveryPartOfTheContent) {
       [](SymbolicLayout*, Terrain*, Scene* scene) { scene->atmosphere.hour += 0.1; },
       [](SymbolicLayout*, Terrain*, Scene* scene) { scene->atmosphere.water_rise_m += 0.1; },
       [](SymbolicLayout*, Terrain*, Scene* scene) { scene->agents[0].heading_rad += 0.1; },
+      [](SymbolicLayout*, Terrain*, Scene* scene) { scene->elements[1].strength *= 2.0; },
       [](SymbolicLayout*, Terrain*, Scene* scene) { scene->agents.pop_back(); },
   };
   const auto world = MakeTestWorld();

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace latticeworld {
 namespace {
@@ -12,6 +14,8 @@ AgentSnapshot Robot() {
   AgentSnapshot agent;
   agent.name = "scout";
   agent.category = AgentCategory::kWheeledRobot;
+  agent.species = "tractor";
+  agent.policy = "guard";
   agent.team = 1;
   agent.controllable = true;
   agent.behaviour = Behaviour::kControlled;
@@ -39,7 +43,8 @@ TEST(AgentConversionTest, StatesCarryTheStepAndEveryField) {
   ASSERT_EQ(message.agents.size(), 1u);
   const auto& agent = message.agents[0];
   EXPECT_EQ(agent.name, "scout");
-  EXPECT_EQ(agent.species, "wheeled robot");
+  EXPECT_EQ(agent.species, "tractor");
+  EXPECT_EQ(agent.policy, "guard");
   EXPECT_EQ(agent.behaviour, "controlled");
   EXPECT_EQ(agent.team, 1);
   EXPECT_TRUE(agent.controllable);
@@ -75,10 +80,12 @@ TEST(AgentConversionTest, TransformsHaveUnitQuaternionsAndNoLeadingSlash) {
 }
 
 TEST(AgentConversionTest, EmptySpawnRequestIsAWheeledRobotAtTheCentre) {
-  const auto request = FromRos(latticeworld_msgs::SpawnAgent::Request());
+  const auto request = FromRos(latticeworld_msgs::SpawnAgent::Request(), SimulatorOptions());
   ASSERT_TRUE(request.ok()) << request.status().ToString();
   EXPECT_EQ(request->category, AgentCategory::kWheeledRobot);
+  EXPECT_EQ(request->species, "wheeled robot");
   EXPECT_FALSE(request->state.has_value());
+  EXPECT_FALSE(request->team.has_value());
   ASSERT_TRUE(request->position.has_value());
   EXPECT_EQ(request->position->x_m, 0.0);
 }
@@ -89,9 +96,10 @@ TEST(AgentConversionTest, PlacesInWordsReplaceThePosition) {
   message.state = "patrolling";
   message.place = "upper left";
   message.position.x = std::numeric_limits<double>::quiet_NaN();  // not looked at
-  const auto request = FromRos(message);
+  const auto request = FromRos(message, SimulatorOptions());
   ASSERT_TRUE(request.ok()) << request.status().ToString();
   EXPECT_EQ(request->category, AgentCategory::kRoboticDog);
+  EXPECT_EQ(request->species, "robotic dog");
   EXPECT_EQ(request->state, AgentState::kPatrolling);
   EXPECT_EQ(request->region, Region::kUpperLeft);
   EXPECT_FALSE(request->position.has_value());
@@ -103,10 +111,96 @@ TEST(AgentConversionTest, EveryViolationOfASpawnRequestIsTold) {
   message.state = "asleep";
   message.position.y = std::numeric_limits<double>::infinity();
   message.heading = std::numeric_limits<double>::quiet_NaN();
-  const auto request = FromRos(message);
+  const auto request = FromRos(message, SimulatorOptions());
   ASSERT_FALSE(request.ok());
   EXPECT_EQ(request.status().code(), StatusCode::kInvalidArgument);
   EXPECT_EQ(request.status().violations().size(), 4u);
+  for (const char* word : {"dragon", "sheep", "asleep", "grazing"}) {
+    EXPECT_NE(request.status().message().find(word), std::string::npos) << word;
+  }
+}
+
+TEST(AgentConversionTest, TeamsOfASpawnRequest) {
+  latticeworld_msgs::SpawnAgent::Request message;
+  message.team = 3;
+  EXPECT_EQ(FromRos(message, SimulatorOptions())->team, 3);
+  message.team = -1;
+  EXPECT_EQ(FromRos(message, SimulatorOptions())->team, 0);
+  for (const int team : {-2, 16}) {
+    message.team = team;
+    const auto refused = FromRos(message, SimulatorOptions());
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(refused.status().message().find("1 .. 15"), std::string::npos);
+  }
+}
+
+TEST(AgentConversionTest, UnknownPoliciesAreRefusedNamingTheLegalOnes) {
+  latticeworld_msgs::SpawnAgent::Request spawn;
+  spawn.policy = "daydreamer";
+  latticeworld_msgs::SetPolicy::Request set;
+  set.team = 2;
+  set.policy = "daydreamer";
+  for (const Status& status :
+       {FromRos(spawn, SimulatorOptions()).status(), FromRos(set).status()}) {
+    EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+    EXPECT_NE(status.message().find("daydreamer"), std::string::npos);
+    EXPECT_NE(status.message().find("external"), std::string::npos);
+  }
+  set.policy = "external";
+  EXPECT_EQ(FromRos(set)->team, 2);
+}
+
+TEST(AgentConversionTest, APolicyChangeIsOfAnAgentOrATeam) {
+  latticeworld_msgs::SetPolicy::Request message;
+  EXPECT_FALSE(FromRos(message).ok());
+  message.agent = "goblin_1";
+  EXPECT_EQ(FromRos(message)->agent, "goblin_1");
+  EXPECT_FALSE(FromRos(message)->team.has_value());
+  message.team = 2;
+  EXPECT_FALSE(FromRos(message).ok());
+  message.agent.clear();
+  message.team = 16;
+  EXPECT_FALSE(FromRos(message).ok());
+}
+
+TEST(AgentConversionTest, JointStatesKeepTheJointsInOrder) {
+  AgentSnapshot robot = Robot();
+  robot.joints = {{"left_wheel", 0.1, 0.2, 0.3}, {"right_wheel", 1.1, 1.2, 1.3}};
+  const auto message = ToJointStates(robot, ros::Time(3, 0));
+  EXPECT_EQ(message.header.stamp, ros::Time(3, 0));
+  EXPECT_EQ(message.name, (std::vector<std::string>{"left_wheel", "right_wheel"}));
+  EXPECT_EQ(message.position, (std::vector<double>{0.1, 1.1}));
+  EXPECT_EQ(message.velocity, (std::vector<double>{0.2, 1.2}));
+  EXPECT_EQ(message.effort, (std::vector<double>{0.3, 1.3}));
+}
+
+TEST(AgentConversionTest, JointCommandsSayNothingWhereAnArrayIsEmpty) {
+  sensor_msgs::JointState message;
+  message.name = {"hip", "knee"};
+  message.position = {0.25, std::numeric_limits<double>::quiet_NaN()};
+  message.effort = {std::numeric_limits<double>::quiet_NaN(), 4.0};
+  const auto commands = FromRos(message);
+  ASSERT_TRUE(commands.ok()) << commands.status().ToString();
+  ASSERT_EQ(commands->size(), 2u);
+  EXPECT_EQ((*commands)[0].joint, "hip");
+  EXPECT_EQ((*commands)[0].position_rad, 0.25);
+  EXPECT_TRUE(std::isnan((*commands)[0].velocity_radps));
+  EXPECT_TRUE(std::isnan((*commands)[0].effort_nm));
+  EXPECT_TRUE(std::isnan((*commands)[1].position_rad));
+  EXPECT_EQ((*commands)[1].effort_nm, 4.0);
+}
+
+TEST(AgentConversionTest, JointCommandsWithArraysOfAnotherLengthAreRefused) {
+  sensor_msgs::JointState message;
+  message.name = {"hip", "knee"};
+  message.position = {0.25};
+  message.velocity = {0.0, 0.0, 0.0};
+  const auto commands = FromRos(message);
+  ASSERT_FALSE(commands.ok());
+  EXPECT_EQ(commands.status().violations().size(), 2u);
+  message = {};
+  message.name.assign(kMaxCommandedJoints + 1, "knee");
+  EXPECT_FALSE(FromRos(message).ok());
 }
 
 }  // namespace

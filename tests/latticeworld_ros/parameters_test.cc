@@ -63,6 +63,20 @@ TEST(ParametersTest, EveryNumberRefusesWhatIsNoNumber) {
   }
 }
 
+TEST(ParametersTest, SpeciesThatCannotBeReadAreNamed) {
+  XmlRpc::XmlRpcValue parameters;
+  parameters["species"] = std::string("/nowhere/species.json");
+  parameters["robot_species"] = std::string("dragon");
+  const auto options = OptionsFromParameters(parameters);
+  ASSERT_FALSE(options.ok());
+  ASSERT_EQ(options.status().violations().size(), 2u) << options.status().ToString();
+  EXPECT_EQ(options.status().violations()[0].pointer, "species");
+  EXPECT_EQ(options.status().violations()[1].pointer, "robot_species");
+  for (const char* word : {"/nowhere/species.json", "dragon"}) {
+    EXPECT_NE(options.status().message().find(word), std::string::npos) << word;
+  }
+}
+
 XmlRpc::XmlRpcValue WithServer() {
   XmlRpc::XmlRpcValue parameters;
   parameters["remote_url"] = std::string("http://127.0.0.1:8080/v1");

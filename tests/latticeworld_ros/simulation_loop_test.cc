@@ -4,11 +4,14 @@
 #include <ros/console.h>
 
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <new>
+#include <stdexcept>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -26,7 +29,18 @@ class FakeSimulator : public Simulator {
     if (on_command) on_command(command);
     return agent == "robot" ? Status() : NotFound(agent);
   }
+  latticeworld::Status CommandJoints(const std::string&,
+                                     const std::vector<JointCommand>& commands) override {
+    if (on_joints) on_joints(commands);
+    return latticeworld::Status();
+  }
+  latticeworld::Status Strike(const std::string&) override {
+    ++strikes;
+    return latticeworld::Status();
+  }
+  latticeworld::Status SetPolicy(const PolicyChange&) override { return NotFound("nobody"); }
   void Step() override {
+    if (episode_step_ == fails_at) throw std::runtime_error("numbers ran away");
     ++step_;
     ++episode_step_;
   }
@@ -44,6 +58,9 @@ class FakeSimulator : public Simulator {
     return request.name;
   }
   latticeworld::Status Remove(const std::string&) override { return NotFound("nobody"); }
+  Result<std::string> SpawnElement(const Element& element) override { return element.name; }
+  latticeworld::Status RemoveElement(const std::string&) override { return NotFound("nothing"); }
+  latticeworld::Status OpenGate(const std::string&, double) override { return NotFound("no gate"); }
   latticeworld::Status SetWeather(const WeatherChange& change) override {
     if (change.intensity.has_value()) return InvalidArgument("intensity");
     weather_.snow_depth_m = change.snow_depth_m.value_or(0.0);
@@ -54,14 +71,29 @@ class FakeSimulator : public Simulator {
     seed_ = seed;
     episode_step_ = 0;
   }
+  std::shared_ptr<const SimulatorSnapshot> Save() const override {
+    return std::make_shared<Saved>(episode_step_);
+  }
+  latticeworld::Status Restore(const SimulatorSnapshot& snapshot) override {
+    episode_step_ = dynamic_cast<const Saved&>(snapshot).episode_step;
+    return latticeworld::Status();
+  }
   std::string StateHash() const override { return std::to_string(episode_step_); }
   const Scene& scene() const override { return scene_; }
   const SimulatorOptions& options() const override { return options_; }
   std::uint64_t seed() const override { return seed_; }
 
   std::function<void(const VelocityCommand&)> on_command;
+  std::function<void(const std::vector<JointCommand>&)> on_joints;
+  std::atomic<int> strikes{0};
+  std::uint64_t fails_at = ~std::uint64_t{0};  // episode step
 
  private:
+  struct Saved : SimulatorSnapshot {
+    explicit Saved(std::uint64_t step) : episode_step(step) {}
+    std::uint64_t episode_step;
+  };
+
   Atmosphere weather_;
   Scene scene_;
   SimulatorOptions options_;
@@ -82,7 +114,18 @@ class Recorder : public SimulationListener {
     changed_.notify_all();
   }
   void OnBegin() override { ++begins; }
-  void OnStatistics(const LoopStatistics&) override {}
+  void OnRestore() override { ++restores; }
+  void OnStatistics(const LoopStatistics& statistics) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    failure_ = statistics.failure;
+    changed_.notify_all();
+  }
+
+  void WaitForFailure(const std::string& words) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    ASSERT_TRUE(changed_.wait_for(lock, std::chrono::seconds(60),
+                                  [&] { return failure_.find(words) != std::string::npos; }));
+  }
 
   void WaitFor(std::size_t count) {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -94,8 +137,10 @@ class Recorder : public SimulationListener {
     return times_;
   }
   std::atomic<int> begins{0};
+  std::atomic<int> restores{0};
 
  private:
+  std::string failure_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<ros::Time> times_;
@@ -122,7 +167,9 @@ class SimulationLoopTest : public testing::Test {
 TEST_F(SimulationLoopTest, WithoutAWorldEverythingSaysWhatToDo) {
   for (const Status& status :
        {loop_.Inspect(true).status(), loop_.Reset(1).status(), loop_.Step(1, false).status(),
-        loop_.Spawn({}).status(), loop_.Remove("a").status(), loop_.SetWeather({}).status()}) {
+        loop_.Apply([](Simulator*) { return std::string(); }).status(),
+        loop_.SaveSnapshot("a").status(), loop_.RestoreSnapshot("a").status(),
+        loop_.SetWeather({}).status()}) {
     EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition);
     EXPECT_NE(status.message().find("generate_world"), std::string::npos);
   }
@@ -193,6 +240,102 @@ TEST_F(SimulationLoopTest, WeatherChangesBetweenTwoStepsAndIsShownAtOnce) {
   WeatherChange refused;
   refused.intensity = 2.0;
   EXPECT_EQ(loop_.SetWeather(refused).status().code(), StatusCode::kInvalidArgument);
+}
+
+TEST_F(SimulationLoopTest, AChangeIsShownAtOnceAndItsErrorsAreTheCallers) {
+  Begin();
+  const std::size_t shown = recorder_.times().size();
+  SpawnRequest request;
+  request.name = "scout";
+  const auto spawned = loop_.Apply([&](Simulator* simulator) { return simulator->Spawn(request); });
+  ASSERT_TRUE(spawned.ok()) << spawned.status().ToString();
+  EXPECT_EQ(spawned->name, "scout");
+  EXPECT_EQ(spawned->world_id, "one");
+  EXPECT_GT(recorder_.times().size(), shown);
+  request.name.clear();
+  EXPECT_EQ(
+      loop_.Apply([&](Simulator* simulator) { return simulator->Spawn(request); }).status().code(),
+      StatusCode::kInvalidArgument);
+}
+
+TEST_F(SimulationLoopTest, SnapshotsBringBackAStateAsOftenAsWanted) {
+  Begin();
+  ASSERT_TRUE(loop_.Step(7, false).ok());
+  EXPECT_EQ(loop_.SaveSnapshot("seven")->snapshots, std::vector<std::string>{"seven"});
+  const ros::Time before = loop_.Step(5, false)->now;
+  for (int i = 0; i < 2; ++i) {
+    const auto moment = loop_.RestoreSnapshot("seven");
+    ASSERT_TRUE(moment.ok()) << moment.status().ToString();
+    EXPECT_EQ(moment->episode_step, 7u);
+    EXPECT_EQ(moment->state_hash, "7");
+    EXPECT_GT(moment->now, before);
+  }
+  EXPECT_EQ(recorder_.restores, 2);
+  const Status absent = loop_.RestoreSnapshot("eight").status();
+  EXPECT_EQ(absent.code(), StatusCode::kNotFound);
+  EXPECT_NE(absent.message().find("seven"), std::string::npos);
+  // Another world has none of them.
+  Begin("two");
+  EXPECT_EQ(loop_.RestoreSnapshot("seven").status().code(), StatusCode::kNotFound);
+}
+
+TEST_F(SimulationLoopTest, SnapshotsAreFewAndTheirNamesAreReplaced) {
+  Begin();
+  for (std::size_t i = 0; i < kMaxSnapshots; ++i) {
+    ASSERT_TRUE(loop_.SaveSnapshot("at_" + std::to_string(i)).ok());
+  }
+  const Status full = loop_.SaveSnapshot("one_more").status();
+  EXPECT_EQ(full.code(), StatusCode::kResourceExhausted);
+  EXPECT_NE(full.message().find("at_0"), std::string::npos);
+  EXPECT_TRUE(loop_.SaveSnapshot("at_0").ok());
+  for (const std::string& name : {std::string(), std::string(kMaxSnapshotName + 1, 'a')}) {
+    EXPECT_EQ(loop_.SaveSnapshot(name).status().code(), StatusCode::kInvalidArgument);
+  }
+}
+
+TEST_F(SimulationLoopTest, TheRealTimeFactorHasLimits) {
+  EXPECT_EQ(*loop_.SetRealTimeFactor(0.0), 1.0);
+  EXPECT_EQ(*loop_.SetRealTimeFactor(0.5), 0.0);
+  for (const double factor : {-1.0, 0.001, 1001.0, std::nan("")}) {
+    const Status refused = loop_.SetRealTimeFactor(factor).status();
+    EXPECT_EQ(refused.code(), StatusCode::kOutOfRange) << factor;
+    EXPECT_NE(refused.message().find("0.01 .. 1000"), std::string::npos);
+  }
+  EXPECT_EQ(*loop_.SetRealTimeFactor(2.0), 0.5);
+}
+
+TEST_F(SimulationLoopTest, JointsAndStrikesReachTheSimulator) {
+  auto simulator = std::make_unique<FakeSimulator>(3);
+  FakeSimulator* const fake = simulator.get();
+  std::vector<std::string> joints;
+  simulator->on_joints = [&](const std::vector<JointCommand>& commands) {
+    for (const JointCommand& command : commands) joints.push_back(command.joint);
+  };
+  RunningWorld world{std::make_shared<World>(), std::move(simulator)};
+  ASSERT_TRUE(loop_.Swap(&world).ok());
+  loop_.CommandJoints("dog", {{"knee", 0.5, NAN, NAN}});
+  loop_.Strike("dog");
+  ASSERT_TRUE(loop_.Inspect(false).ok());
+  EXPECT_EQ(joints, std::vector<std::string>{"knee"});
+  EXPECT_EQ(fake->strikes, 1);
+}
+
+TEST_F(SimulationLoopTest, ASimulatorThatFailsStandsStillUntilAReset) {
+  auto simulator = std::make_unique<FakeSimulator>(3);
+  simulator->fails_at = 4;
+  RunningWorld world{std::make_shared<World>(), std::move(simulator)};
+  ASSERT_TRUE(loop_.Swap(&world).ok());
+  const Status failed = loop_.Step(10, false).status();
+  EXPECT_EQ(failed.code(), StatusCode::kInternal);
+  EXPECT_NE(failed.message().find("numbers ran away"), std::string::npos);
+  EXPECT_EQ(loop_.Step(1, false).status().code(), StatusCode::kFailedPrecondition);
+  EXPECT_EQ(loop_.SaveSnapshot("a").status().code(), StatusCode::kFailedPrecondition);
+  ASSERT_TRUE(loop_.SetPaused(false).ok());
+  recorder_.WaitForFailure("numbers ran away");
+  EXPECT_EQ(loop_.Inspect(false)->episode_step, 4u);  // running, and standing still
+  ASSERT_TRUE(loop_.SetPaused(true).ok());
+  ASSERT_TRUE(loop_.Reset(0).ok());
+  EXPECT_TRUE(loop_.Step(3, false).ok());
 }
 
 TEST_F(SimulationLoopTest, SwapGivesBackTheWorldBefore) {
@@ -282,7 +425,8 @@ TEST_F(SimulationLoopTest, AnExceptionIsTheCallersAndTheLoopGoesOn) {
   Begin();
   SpawnRequest request;
   request.name = "too much";
-  EXPECT_EQ(loop_.Spawn(request).status().code(), StatusCode::kInternal);
+  const auto spawn = [&](Simulator* simulator) { return simulator->Spawn(request); };
+  EXPECT_EQ(loop_.Apply(spawn).status().code(), StatusCode::kInternal);
   EXPECT_TRUE(loop_.Step(2, false).ok());
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -26,6 +27,15 @@ std::uint32_t FirstTree(const Scene& scene) {
   return i;
 }
 
+// The heights of all corners of all triangles.
+std::vector<double> Corners(const visualization_msgs::MarkerArray& array) {
+  std::vector<double> heights_m;
+  for (const visualization_msgs::Marker& marker : array.markers) {
+    for (const geometry_msgs::Point& point : marker.points) heights_m.push_back(point.z);
+  }
+  return heights_m;
+}
+
 TEST(WorldMessagesTest, ATreeThatFallsMakesNewMapsAndLeavesTheRestAsItIs) {
   const auto world = SmallForest();
   const WorldServerOptions options;
@@ -34,7 +44,11 @@ TEST(WorldMessagesTest, ATreeThatFallsMakesNewMapsAndLeavesTheRestAsItIs) {
   SetStamp(ros::Time(1, 0), &before);
   const std::vector<std::int8_t> data_before = before.octomap_binary->data;
 
-  const SceneChanges changes = {{{FirstTree(*world->scene), 0.5}}, {}};
+  const std::uint32_t tree = FirstTree(*world->scene);
+  const Asset& asset = world->scene->assets[tree];
+  const Eigen::Vector3d foot_m(asset.x_m, asset.y_m, asset.z_m);
+  const Eigen::Vector3d along(std::cos(0.5), std::sin(0.5), 0.0);
+  const SceneChanges changes = {{{tree, foot_m, foot_m + asset.height_m * along}}, {}};
   const WorldMessages after =
       RebuildMaps(*world, options, changes, ros::Time(2, 0), Progress(), before).value();
   EXPECT_NE(after.octomap_binary->data, before.octomap_binary->data);
@@ -48,7 +62,7 @@ TEST(WorldMessagesTest, ATreeThatFallsMakesNewMapsAndLeavesTheRestAsItIs) {
   EXPECT_EQ(after.layout, before.layout);
   EXPECT_EQ(after.environment, before.environment);
   EXPECT_EQ(after.height_image, before.height_image);
-  EXPECT_EQ(after.markers, before.markers);
+  EXPECT_NE(Corners(*after.markers), Corners(*before.markers));
   // What was published stays as it was.
   EXPECT_EQ(before.octomap_binary->data, data_before);
   EXPECT_EQ(before.map->header.stamp, ros::Time(1, 0));
@@ -58,6 +72,7 @@ TEST(WorldMessagesTest, ATreeThatFallsMakesNewMapsAndLeavesTheRestAsItIs) {
       RebuildMaps(*world, options, {}, ros::Time(3, 0), Progress(), after).value();
   EXPECT_EQ(back.octomap_full->data, before.octomap_full->data);
   EXPECT_EQ(back.map->data, before.map->data);
+  EXPECT_EQ(Corners(*back.markers), Corners(*before.markers));
 }
 
 TEST(WorldMessagesTest, RefusesChangesOfAssetsThatAreNotThere) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "latticeworld/common/random.h"
@@ -19,6 +20,15 @@ std::shared_ptr<const Scene> Forest(std::uint64_t seed) {
                              static_cast<float>(random.Uniform(-50.0, 50.0)),
                              static_cast<float>(random.Uniform(2.0, 9.0)), 1.5f, 0.2f));
   return std::make_shared<const Scene>(WithAssets(MakeScene(100, 100.0, Hills), trees));
+}
+
+// The tree, lying with its foot where it stood or, like a stem that slid, some metres off.
+FallenTree Felled(const Scene& scene, std::uint32_t asset, double heading_rad,
+                  double slid_m = 0.0) {
+  const Asset& tree = scene.assets[asset];
+  const Eigen::Vector3d way(std::cos(heading_rad), std::sin(heading_rad), 0.0);
+  const Eigen::Vector3d foot = Eigen::Vector3d(tree.x_m, tree.y_m, tree.z_m) + slid_m * way;
+  return {asset, foot, foot + tree.height_m * way};
 }
 
 TEST(OctreeStreamTest, IsAfterEveryChangeTheStreamOfTheWholeMap) {
@@ -40,13 +50,15 @@ TEST(OctreeStreamTest, IsAfterEveryChangeTheStreamOfTheWholeMap) {
       EXPECT_EQ(full.Update(changes, progress).value().bytes,
                 BuildFullData(*scene, options, progress, changes).value().bytes);
       if (asset > 0) {
-        EXPECT_LE(binary.tiles_written(), 8);
+        EXPECT_LE(binary.tiles_written(), 12);
       }
       // One falls, one goes, and of what fell before one is taken away.
-      changes.fallen.push_back({asset, random.Uniform(0.0, 6.28)});
+      changes.fallen.push_back(
+          Felled(*scene, asset, random.Uniform(0.0, 6.28), random.Uniform(0.0, 9.0)));
       changes.gone.push_back(asset + 1);
       if (changes.fallen.size() == 4) {
         changes.gone.push_back(changes.fallen.front().asset);
+        std::sort(changes.gone.begin(), changes.gone.end());
         changes.fallen.erase(changes.fallen.begin());
       }
     }
@@ -73,11 +85,12 @@ TEST(OctreeStreamTest, ACancelledOrRefusedUpdateLeavesNoTraceInTheNext) {
       OctreeStream::Create(scene, OctreeStream::Format::kBinary, options, Progress()).value();
   Progress cancelled;
   cancelled.Cancel();
-  const SceneChanges changes = {{{5, 1.0}}, {}};
+  const SceneChanges changes = {{Felled(*scene, 5, 1.0)}, {}};
   EXPECT_EQ(stream.Update(changes, cancelled).status().code(), StatusCode::kCancelled);
   const OctreeData expected = BuildBinaryData(*scene, options, Progress(), changes).value();
   EXPECT_EQ(stream.Update(changes, Progress()).value().bytes, expected.bytes);
-  EXPECT_EQ(stream.Update({{{5, 2.0}}, {}}, cancelled).status().code(), StatusCode::kCancelled);
+  EXPECT_EQ(stream.Update({{Felled(*scene, 5, 2.0)}, {}}, cancelled).status().code(),
+            StatusCode::kCancelled);
   EXPECT_EQ(stream.Update({{}, {5, 5}}, Progress()).status().code(), StatusCode::kInvalidArgument);
   EXPECT_EQ(stream.Update(changes, Progress()).value().bytes, expected.bytes);
 }

@@ -1,4 +1,4 @@
-#include "latticeworld/mapping/scene_changes.h"
+#include "latticeworld/scene/scene_changes.h"
 
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
@@ -32,6 +32,16 @@ Scene OneTree() {
                     {MakeTree(0.25f, 0.25f, 8.0f, 2.0f, 0.3f)});
 }
 
+// The tree of that scene, lying on level ground with its foot where it stood.
+FallenTree Toward(const Scene& scene, double heading_rad, double lean_rad = 0.5 * kPi,
+                  std::uint32_t asset = 0) {
+  const Asset& tree = scene.assets[asset];
+  const Eigen::Vector3d foot(tree.x_m, tree.y_m, tree.z_m + tree.trunk_radius_m);
+  const Eigen::Vector3d way(std::sin(lean_rad) * std::cos(heading_rad),
+                            std::sin(lean_rad) * std::sin(heading_rad), std::cos(lean_rad));
+  return {asset, foot, foot + tree.height_m * way};
+}
+
 TEST(SceneChangesTest, WhatIsGoneLeavesNoTrace) {
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     const Scene scene = SceneOfEverything(seed);
@@ -48,7 +58,7 @@ TEST(SceneChangesTest, WhatIsGoneLeavesNoTrace) {
 TEST(SceneChangesTest, ATreeThatFallsIsNoLongerWhereItStoodAndLiesWhereItFell) {
   const Scene scene = OneTree();
   const auto standing = BuildOctree(scene, {0.5, 1.0}, Progress()).value();
-  const SceneChanges changes = {{{0, 0.0}}, {}};  // toward the east
+  const SceneChanges changes = {{Toward(scene, 0.0)}, {}};
   const auto fallen = BuildOctree(scene, {0.5, 1.0}, Progress(), changes).value();
   EXPECT_NE(standing->search(0.25, 0.25, 4.0), nullptr);
   EXPECT_EQ(fallen->search(0.25, 0.25, 4.0), nullptr);
@@ -68,8 +78,8 @@ TEST(SceneChangesTest, ATreeThatFallsIsNoLongerWhereItStoodAndLiesWhereItFell) {
 TEST(SceneChangesTest, AFallenTreeLooksTheSameWhateverItsHeading) {
   const Scene scene = OneTree();
   const auto count = [&](double heading_rad) {
-    return VoxelsOf(*BuildOctree(scene, {0.1, 0.0}, Progress(), {{{0, heading_rad}}, {}}).value())
-        .size();
+    const SceneChanges changes = {{Toward(scene, heading_rad)}, {}};
+    return VoxelsOf(*BuildOctree(scene, {0.1, 0.0}, Progress(), changes).value()).size();
   };
   const double east = static_cast<double>(count(0.0));
   for (double heading_rad = 0.4; heading_rad < 2.0 * kPi; heading_rad += 0.7)
@@ -81,7 +91,7 @@ TEST(SceneChangesTest, AFallenTrunkBlocksAsItLies) {
   RobotLimits limits;
   limits.radius_m = 0.0;
   limits.clearance_m = 0.0;
-  const SceneChanges changes = {{{0, kPi / 2.0}}, {}};  // toward the north
+  const SceneChanges changes = {{Toward(scene, kPi / 2.0)}, {}};
   const auto occupancy = BuildOccupancy(scene, limits, changes);
   const auto at = [&](double x_m, double y_m) {
     return occupancy[scene.geometry().CellAt({x_m, y_m})];
@@ -97,16 +107,76 @@ TEST(SceneChangesTest, AFallenTrunkBlocksAsItLies) {
   EXPECT_EQ(with_crown[scene.geometry().CellAt({3.25, 5.25})], 0);
 }
 
+TEST(SceneChangesTest, ATreeLiesWhereItSlidAndNotWhereItStood) {
+  const Scene scene = OneTree();
+  FallenTree tree = Toward(scene, 0.0);
+  tree.foot_m.y() += 4.0;
+  tree.tip_m.y() += 4.0;
+  const auto octree = BuildOctree(scene, {0.5, 1.0}, Progress(), {{tree}, {}}).value();
+  EXPECT_NE(octree->search(2.25, 4.25, 0.6), nullptr);
+  EXPECT_EQ(octree->search(2.25, 0.25, 0.6), nullptr);
+  EXPECT_EQ(octree->search(0.25, 0.25, 2.0), nullptr);
+}
+
+TEST(SceneChangesTest, ATreeThatLeansLetsThroughBelowItsStem) {
+  const Scene scene = OneTree();
+  const SceneChanges changes = {{Toward(scene, 0.0, kPi / 4.0)}, {}};  // at 45 degrees
+  const auto octree = BuildOctree(scene, {0.25, 1.0}, Progress(), changes).value();
+  for (double along_m = 0.4; along_m < 3.4; along_m += 0.5)
+    EXPECT_NE(octree->search(0.25 + along_m, 0.25, 0.4 + along_m), nullptr) << along_m;
+  EXPECT_EQ(octree->search(2.625, 0.375, 0.7), nullptr);
+  RobotLimits limits;
+  limits.radius_m = 0.0;
+  limits.clearance_m = 0.3;
+  const auto occupancy = BuildOccupancy(scene, limits, changes);
+  const auto at = [&](double x_m) { return occupancy[scene.geometry().CellAt({x_m, 0.25})]; };
+  EXPECT_EQ(at(0.25), 100);
+  EXPECT_EQ(at(2.75), 0);
+}
+
+TEST(SceneChangesTest, KnowsWhatStands) {
+  SceneChanges changes;
+  EXPECT_TRUE(changes.Stands(3));
+  changes.fallen.resize(3);
+  changes.fallen[0].asset = 1;
+  changes.fallen[1].asset = 4;
+  changes.fallen[2].asset = 9;
+  changes.gone = {0, 5, 6};
+  for (std::uint32_t asset = 0; asset < 12; ++asset) {
+    const bool changed =
+        asset == 0 || asset == 1 || asset == 4 || asset == 5 || asset == 6 || asset == 9;
+    EXPECT_EQ(changes.Stands(asset), !changed) << asset;
+  }
+}
+
 TEST(SceneChangesTest, NamesEverythingThatIsWrong) {
   const Scene scene = OneTree();
-  EXPECT_TRUE(Validate(SceneChanges{{{0, 1.0}}, {}}, scene).ok());
-  EXPECT_EQ(Validate(SceneChanges{{{1, 1.0}}, {7}}, scene).violations().size(), 2u);
-  EXPECT_EQ(Validate(SceneChanges{{{0, 1.0}}, {0}}, scene).violations().size(), 1u);
-  EXPECT_EQ(Validate(SceneChanges{{{0, std::nan("")}}, {}}, scene).violations().size(), 1u);
+  const FallenTree good = Toward(scene, 1.0);
+  const auto violations = [&](const SceneChanges& changes) {
+    return Validate(changes, scene).violations().size();
+  };
+  EXPECT_EQ(violations({{good}, {}}), 0u);
+  FallenTree elsewhere = good;
+  elsewhere.asset = 1;
+  EXPECT_EQ(violations({{elsewhere}, {7}}), 2u);
+  EXPECT_EQ(violations({{good}, {0}}), 1u);
+  EXPECT_EQ(violations({{}, {0, 0}}), 1u);
+  FallenTree broken = good;
+  broken.tip_m.x() = std::nan("");
+  EXPECT_EQ(violations({{broken}, {}}), 1u);
+  broken.tip_m = good.tip_m;
+  broken.foot_m.z() = 1e300;
+  EXPECT_EQ(violations({{broken}, {}}), 1u);
+  broken.foot_m = good.foot_m + 0.5 * (good.tip_m - good.foot_m);  // half as long as it was high
+  EXPECT_EQ(violations({{broken}, {}}), 1u);
+  Scene two = WithAssets(scene, {scene.assets[0], MakeTree(5.0f, 5.0f, 8.0f, 2.0f, 0.3f)});
+  EXPECT_FALSE(Validate(SceneChanges{{}, {1, 0}}, two).ok());
+  EXPECT_TRUE(Validate(SceneChanges{{}, {0, 1}}, two).ok());
+
   const Scene bushes = WithAssets(OneTree(), {MakeRound(AssetKind::kBush, 0, 0, 1.0f, 1.0f)});
-  const Status status = Validate(SceneChanges{{{0, 0.0}}, {}}, bushes);
+  const Status status = Validate(SceneChanges{{good}, {}}, bushes);
   EXPECT_NE(status.message().find("bush"), std::string::npos) << status.message();
-  EXPECT_EQ(BuildOctree(bushes, {}, Progress(), {{{0, 0.0}}, {}}).status().code(),
+  EXPECT_EQ(BuildOctree(bushes, {}, Progress(), {{good}, {}}).status().code(),
             StatusCode::kInvalidArgument);
 }
 

@@ -17,7 +17,9 @@ LATCHED = {"/world/info": "latticeworld/WorldInfo", "/world/layout": "latticewor
            "/world/environment": "latticeworld/Environment", "/map": "nav_msgs/OccupancyGrid",
            "/world/height_map": "grid_map_msgs/GridMap", "/world/height_image": "sensor_msgs/Image",
            "/octomap_full": "octomap_msgs/Octomap", "/octomap_binary": "octomap_msgs/Octomap",
-           "/world/markers": "visualization_msgs/MarkerArray"}
+           "/world/markers": "visualization_msgs/MarkerArray",
+           "/world/changes": "latticeworld/SceneChanges",
+           "/elements": "latticeworld/ElementStates"}
 FLOWING = {"/clock": "rosgraph_msgs/Clock", "/tf": "tf2_msgs/TFMessage",
            "/agents": "latticeworld/AgentStates",
            "/agents/markers": "visualization_msgs/MarkerArray",

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """How world_server starts, answers before there is a world, and ends."""
 
+import json
 import os
 import pathlib
 import signal
@@ -15,11 +16,13 @@ import yaml
 from nav_msgs.srv import GetMap
 from rosgraph_msgs.msg import Clock
 
-from latticeworld.msg import GenerationProgress, Status
+from latticeworld.msg import AgentStates, GenerationProgress, Status
 from server_process import Server
 from world_client import TIMEOUT_S, Collector, World, run, service, wait_until
 
-DEFAULTS = pathlib.Path(rospkg.RosPack().get_path("latticeworld"), "launch_cfg/world_server.yaml")
+PACKAGE = pathlib.Path(rospkg.RosPack().get_path("latticeworld"))
+DEFAULTS = PACKAGE / "launch_cfg/world_server.yaml"
+VEHICLES = PACKAGE / "src/latticeworld/species/data/vehicles.json"
 
 
 class StartTest(unittest.TestCase):
@@ -40,11 +43,38 @@ class StartTest(unittest.TestCase):
 
     def test_bad_parameters_are_all_named(self):
         with Server(stepp=0.01, step=-1.0, real_time_factor="fast", generator="oracle",
-                    clock_rate=0, visual_directories="one") as server:
+                    clock_rate=0, visual_directories="one", species="/nowhere",
+                    robot_species="dragon") as server:
             self.assertEqual(1, server.process.wait(TIMEOUT_S))
             for word in ("stepp", "step", "real_time_factor", "generator", "oracle", "grounded",
-                         "clock_rate", "visual_directories"):
+                         "clock_rate", "visual_directories", "/nowhere", "dragon", "tractor"):
                 self.assertIn(word, server.text())
+
+    def test_a_users_species_is_what_robots_are(self):
+        vehicles = json.loads(VEHICLES.read_text(encoding="utf-8"))["species"]
+        rover = {**vehicles[0], "name": "rover"}
+        with tempfile.NamedTemporaryFile(mode="w", suffix=".json") as file:
+            json.dump({"species": [{**rover, "mass_kg": -1}]}, file)
+            file.flush()
+            with Server(species=file.name) as server:
+                self.assertEqual(1, server.process.wait(TIMEOUT_S))
+                for word in ("species", os.path.basename(file.name), "mass_kg", "-1"):
+                    self.assertIn(word, server.text())
+            file.seek(0)
+            file.truncate()
+            json.dump({"species": [rover]}, file)
+            file.flush()
+            with Server(species=file.name, robot_species="rover"):
+                world = World()
+                states = Collector("agents", AgentStates)
+                world.generate(size=64.0)
+                self.assertIn("rover", world.get_world().species)
+                state = states.wait_for(lambda m: m.agents)
+                self.assertEqual({"rover"}, {agent.species for agent in state.agents
+                                             if agent.controllable})
+                self.assertEqual(Status.OK, world.spawn_agent(place="anywhere").status.code)
+                states.wait_for(lambda m: any(agent.name == "rover_1" for agent in m.agents))
+                states.close()
 
     def test_use_sim_time_is_set_only_where_it_is_unset(self):
         rospy.delete_param("/use_sim_time")
@@ -60,7 +90,9 @@ class StartTest(unittest.TestCase):
             world = World()
             for answer in (world.get_world(), world.save_world(), world.query_terrain(),
                            world.spawn_agent(), world.remove_agent(name="a"), world.reset_world(),
-                           world.step()):
+                           world.step(), world.set_policy(team=2), world.spawn_element(),
+                           world.remove_element(name="a"), world.open_gate(name="a"),
+                           world.save_snapshot(), world.restore_snapshot()):
                 self.assertEqual(Status.FAILED_PRECONDITION, answer.status.code)
                 self.assertIn("generate_world", answer.status.message)
             with self.assertRaisesRegex(rospy.ServiceException, "generate_world"):

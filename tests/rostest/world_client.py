@@ -19,7 +19,7 @@ TIMEOUT_S = 60.0  # for what must happen; far beyond what it takes
 
 
 class Collector:
-    """Every message of a topic, in order."""
+    """Every message of a topic, in order. A context: it ends with it."""
 
     def __init__(self, topic, message_type):
         self._changed = threading.Condition()
@@ -65,6 +65,12 @@ class Collector:
     def close(self):
         self._subscriber.unregister()
 
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
 
 def wait_until(condition, what, timeout_s=TIMEOUT_S):
     """For what only the master can tell: asks again and again."""
@@ -94,6 +100,13 @@ class World:
         self.remove_agent = service("remove_agent", srv.RemoveAgent)
         self.reset_world = service("reset_world", srv.ResetWorld)
         self.step = service("step", srv.Step)
+        self.set_policy = service("set_policy", srv.SetPolicy)
+        self.spawn_element = service("spawn_element", srv.SpawnElement)
+        self.remove_element = service("remove_element", srv.RemoveElement)
+        self.open_gate = service("open_gate", srv.OpenGate)
+        self.save_snapshot = service("save_snapshot", srv.SaveSnapshot)
+        self.restore_snapshot = service("restore_snapshot", srv.RestoreSnapshot)
+        self.set_real_time_factor = service("set_real_time_factor", srv.SetRealTimeFactor)
         self.pause = service("pause", Trigger)
         self.unpause = service("unpause", Trigger)
 
@@ -106,16 +119,12 @@ class World:
         return answer
 
 
-class WorldTest(unittest.TestCase):
-    """Each test begins with the world of the instructions above, not paused."""
+class ServerTest(unittest.TestCase):
+    """A test of a world_server that runs."""
 
     @classmethod
     def setUpClass(cls):
         cls.world = World()
-
-    def setUp(self):
-        self.world.generate()
-        self.assertTrue(self.world.unpause().success)
 
     def assert_ok(self, answer):
         self.assertEqual(Status.OK, answer.status.code, answer.status.message)
@@ -126,6 +135,14 @@ class WorldTest(unittest.TestCase):
         self.assertEqual(code, answer.status.code, answer.status.message)
         for word in words:
             self.assertIn(word, answer.status.message)
+
+
+class WorldTest(ServerTest):
+    """Each test begins with the world of the instructions above, not paused."""
+
+    def setUp(self):
+        self.world.generate()
+        self.assertTrue(self.world.unpause().success)
 
 
 def run(name, *tests):

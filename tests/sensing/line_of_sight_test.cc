@@ -6,6 +6,7 @@
 
 #include "../mapping/hand_made_scene.h"
 #include "latticeworld/common/random.h"
+#include "latticeworld/scene/scene_changes.h"
 
 namespace latticeworld {
 namespace {
@@ -53,6 +54,19 @@ TEST(LineOfSightTest, AnEdgeAcrossACellHides) {
   });
   EXPECT_FALSE(HasLineOfSight(scene, {20.25, 20.25, 3.9}, {-20.25, -20.25, 3.9}));
   EXPECT_TRUE(HasLineOfSight(scene, {20.25, 20.25, 4.1}, {-20.25, -20.25, 4.1}));
+}
+
+TEST(LineOfSightTest, ATreeThatFellOrWentHidesNothing) {
+  const Scene scene =
+      WithAssets(Flat(), {MakeTree(-5.0f, 0.0f, 8.0f, 2.0f, 0.3f), MakeTree(0, 0, 8.0f, 2.0f, 0.3f),
+                          MakeTree(5.0f, 0.0f, 8.0f, 2.0f, 0.3f)});
+  SceneChanges changes;
+  changes.fallen = {{0, {-5, 0, 0.3}, {-5, 8, 0.3}}};
+  changes.gone = {2};
+  for (const double x_m : {-5.0, 0.0, 5.0}) {
+    EXPECT_FALSE(HasLineOfSight(scene, {x_m, -10, 1}, {x_m, 10, 1})) << x_m;
+    EXPECT_EQ(HasLineOfSight(scene, changes, {x_m, -10, 1}, {x_m, 10, 1}), x_m != 0.0) << x_m;
+  }
 }
 
 TEST(LineOfSightTest, AWallHidesBelowItsTopAndBetweenItsEnds) {

@@ -8,6 +8,7 @@
 #include "../mapping/hand_made_scene.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/meshes/mesh.h"
+#include "latticeworld/scene/scene_changes.h"
 #include "latticeworld/sensing/agent_body.h"
 #include "latticeworld/sensing/ray_scene.h"
 
@@ -40,6 +41,44 @@ RayHit FirstOn(const RayScene& rays, Ray ray, MeshPart part) {
     ray.from_m = hit.distance_m + 1e-3f;
   }
   return {};
+}
+
+TEST(RayAssetsTest, RaysMeetAFallenTreeWhereItLiesAndNotWhereItStood) {
+  // As slender as the model's mesh, so that its trunk is as thick as the tree's.
+  const auto catalogue = Catalogue::BuiltIn();
+  const std::uint8_t model = catalogue->models_of(AssetKind::kTree).front();
+  const auto crown_m = static_cast<float>(0.3 * catalogue->models()[model].crown_per_trunk);
+  const Scene scene = WithAssets(Plain(), {MakeTree(-9.0f, 0.0f, 12.0f, crown_m, 0.3f),
+                                           MakeTree(0.0f, 0.0f, 12.0f, crown_m, 0.3f),
+                                           MakeTree(9.0f, 0.0f, 12.0f, crown_m, 0.3f)});
+  SceneChanges changes;
+  // To the north, its stem's axis 0.4 m above the ground and rising a little.
+  const Eigen::Vector3d foot(-9.0, 1.0, 1.4);
+  const Eigen::Vector3d way = Eigen::Vector3d(0.0, 1.0, 0.1).normalized();
+  changes.fallen = {{0, foot, foot + 12.0 * way}};
+  changes.gone = {2};
+  ASSERT_TRUE(Validate(changes, scene).ok());
+  RaySceneOptions options;
+  options.changes = &changes;
+  const RayScene rays = RaysOf(scene, options);
+  const auto across = [&](float x_m, float y_m, float z_m) {
+    return FirstOn(rays, MakeRay({x_m - 4.0f, y_m, z_m}, {1.0f, 0.0f, 0.0f}), MeshPart::kBark);
+  };
+  // Only the middle one stands.
+  EXPECT_EQ(across(-9.0f, 0.0f, 3.0f).index, 1u);
+  EXPECT_EQ(across(0.0f, 0.0f, 3.0f).index, 1u);
+  EXPECT_EQ(across(9.0f, 0.0f, 3.0f).target, RayTarget::kNothing);
+  // The stem lies: met from above, about its radius above its axis, with a normal that looks up.
+  for (const float along_m : {0.6f, 1.0f, 1.4f}) {
+    const Ray down = MakeRay({-9.0f, 1.0f + along_m, 20.0f}, {0.0f, 0.0f, -1.0f});
+    const RayHit hit = FirstOn(rays, down, MeshPart::kBark);
+    ASSERT_EQ(hit.target, RayTarget::kAsset) << along_m;
+    EXPECT_EQ(hit.index, 0u);
+    const float axis_m = 1.4f + 0.1f * along_m;
+    EXPECT_NEAR(20.0f - hit.distance_m, axis_m + 0.3f, 0.12f) << along_m;
+    EXPECT_GT(hit.normal.z(), 0.8f);
+    EXPECT_TRUE(rays.IsBlocked(down, kSeesSolid));
+  }
 }
 
 TEST(RayAssetsTest, RaysMeetTrunksWhereBodiesMeetTheirCollisionCylinders) {

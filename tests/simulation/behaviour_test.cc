@@ -191,7 +191,10 @@ TEST(BehaviourTest, NothingLeavesASmallSteepWorld) {
       for (const AgentSnapshot& agent : simulator->State()->agents) {
         const WorldPoint at = PlaceOf(agent);
         ASSERT_TRUE(simulator->scene().geometry().Contains(at)) << agent.name;
-        ASSERT_GT(agent.position_m.z(), simulator->scene().terrain->ground.HeightAt(at) - 0.1);
+        // The base of a quadruped is where its feet are when it stands: below one that lies.
+        const double below_m = agent.category == AgentCategory::kRoboticDog ? 0.5 : 0.1;
+        ASSERT_GT(agent.position_m.z(), simulator->scene().terrain->ground.HeightAt(at) - below_m)
+            << agent.name << ", " << agent.species;
       }
     }
     for (const Event& event : simulator->TakeEvents()) {

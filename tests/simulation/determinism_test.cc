@@ -28,7 +28,7 @@ TEST(DeterminismTest, TwoInOneProcessStayTheSameStepByStep) {
   const auto one = MakeSimulator(scene, 9), two = MakeSimulator(scene, 9);
   const auto other = MakeSimulator(scene, 10);
   ASSERT_EQ(one->StateHash(), two->StateHash());
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     const VelocityCommand command = Forward(1.0 + 0.5 * std::sin(0.01 * i), std::sin(0.02 * i));
     ASSERT_TRUE(one->Command("robot", command).ok());
     ASSERT_TRUE(two->Command("robot", command).ok());

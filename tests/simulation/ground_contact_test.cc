@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "latticeworld/common/random.h"
@@ -41,6 +42,31 @@ TEST(GroundContactTest, BallOverACrestTouchesTheCrestAlone) {
   ASSERT_EQ(touch.count, 1);
   EXPECT_NEAR(touch.contact[0].normal.z(), 1.0, 1e-9);
   EXPECT_NEAR(touch.contact[0].depth_m, 0.01, 1e-6);
+}
+
+// Small balls mostly stand over one triangle, which they touch at the distance to its plane.
+TEST(GroundContactTest, DepthIsThatBelowThePlaneOfTheTriangle) {
+  const HeightField ground = Ground(Hills(2.0, 12.0));
+  RandomStream random(4, "balls");
+  for (int i = 0; i < 2000; ++i) {
+    const WorldPoint at{random.Uniform(-31.0, 31.0), random.Uniform(-31.0, 31.0)};
+    const Eigen::Vector3d normal = ground.NormalAt(at);
+    const Eigen::Vector3d on_ground(at.x_m, at.y_m, ground.HeightAt(at));
+    const double radius_m = 0.02;
+    const GroundContacts ball = TouchGround(ground, on_ground + 0.015 * normal, radius_m);
+    ASSERT_GE(ball.count, 1);
+    double depth_m = 0.0;
+    for (int k = 0; k < ball.count; ++k) {
+      depth_m = std::max(depth_m, ball.contact[static_cast<std::size_t>(k)].depth_m);
+    }
+    EXPECT_GT(depth_m, 0.004);  // at a crease less than below the plane
+    EXPECT_EQ(TouchGround(ground, on_ground + 0.2 * normal, radius_m).count, 0);
+    const Eigen::Vector3d below = on_ground - Eigen::Vector3d(0.0, 0.0, 0.01);
+    const GroundContacts point = TouchGround(ground, below, 0.0);
+    ASSERT_EQ(point.count, 1);
+    EXPECT_NEAR(point.contact[0].depth_m, 0.01 * normal.z(), 1e-9);
+    EXPECT_EQ(point.contact[0].normal, normal);
+  }
 }
 
 TEST(GroundContactTest, NoBallBelowTheGroundIsOverlooked) {

@@ -2,53 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
-#include "latticeworld/common/digest.h"
-#include "latticeworld/simulation/ode/ode_world.h"
-#include "test_scene.h"
+#include "back_ends.h"
 
 namespace latticeworld {
 namespace {
 
-constexpr double kStep_s = 0.01;
-
-BodySpec Ball(double mass_kg, double radius_m) {
-  BodySpec ball;
-  ball.mass_kg = mass_kg;
-  ball.inertia_kgm2 = Eigen::Vector3d::Constant(0.4 * mass_kg * radius_m * radius_m);
-  ball.center_height_m = radius_m;
-  ball.height_m = 2.0 * radius_m;
-  ball.radius_m = radius_m;
-  ball.ground_samples = {{{0.0, 0.0, radius_m}, radius_m}};
-  return ball;
-}
-
-BodySpec Box(double mass_kg, double half_m, double height_m) {
-  BodySpec box;
-  box.mass_kg = mass_kg;
-  box.inertia_kgm2 =
-      Eigen::Vector3d(4 * half_m * half_m + height_m * height_m,
-                      4 * half_m * half_m + height_m * height_m, 8 * half_m * half_m) *
-      (mass_kg / 12.0);
-  box.center_height_m = 0.5 * height_m;
-  box.height_m = height_m;
-  box.half_length_m = box.half_width_m = half_m;
-  box.radius_m = std::sqrt(2.0) * half_m;
-  for (const double x : {-half_m, half_m}) {
-    for (const double y : {-half_m, half_m}) {
-      for (const double z : {0.0, height_m}) box.ground_samples.push_back({{x, y, z}, 0.0});
-    }
-  }
-  return box;
-}
-
-void StepFor(PhysicsWorld* physics, double seconds) {
-  for (int i = 0; i < static_cast<int>(std::lround(seconds / kStep_s)); ++i) {
-    physics->Step(kStep_s, static_cast<std::uint64_t>(i));
-  }
-}
+using PhysicsWorldTest = PhysicsContract;
 
 TestScene Ramp(double slope_rad) {
   TestScene scene;
@@ -56,10 +20,8 @@ TestScene Ramp(double slope_rad) {
   return scene;
 }
 
-double FrictionOfGrass() { return DryPropertiesOf(SurfaceClass::kGrass).friction; }
-
-TEST(PhysicsWorldTest, FreeFallFollowsGravity) {
-  const auto physics = MakeOdeWorld(TestScene().Build());
+TEST_P(PhysicsWorldTest, FreeFallFollowsGravity) {
+  const auto physics = Make();
   const BodyId ball = physics->Add(Ball(2.0, 0.2), {0.0, 0.0, 30.0}, 0.0);
   StepFor(physics.get(), 2.0);
   const BodyMotion motion = physics->MotionOf(ball);
@@ -68,8 +30,8 @@ TEST(PhysicsWorldTest, FreeFallFollowsGravity) {
   EXPECT_NEAR(motion.linear_velocity_mps.z(), -kGravity_mps2 * 2.0, 1e-9);
 }
 
-TEST(PhysicsWorldTest, FallenBallRestsOnTheGroundAndSleeps) {
-  const auto physics = MakeOdeWorld(TestScene().Build());
+TEST_P(PhysicsWorldTest, FallenBallRestsOnTheGroundAndSleeps) {
+  const auto physics = Make();
   const BodyId ball = physics->Add(Ball(2.0, 0.2), {0.0, 0.0, 3.0}, 0.0);
   StepFor(physics.get(), 4.0);
   EXPECT_NEAR(physics->MotionOf(ball).position_m.z(), 0.0, 0.003);
@@ -81,9 +43,9 @@ TEST(PhysicsWorldTest, FallenBallRestsOnTheGroundAndSleeps) {
   EXPECT_GT(physics->MotionOf(ball).linear_velocity_mps.z(), 0.1);
 }
 
-TEST(PhysicsWorldTest, BallRollsDownARampAtFiveSeventhsOfItsPull) {
+TEST_P(PhysicsWorldTest, BallRollsDownARampAtFiveSeventhsOfItsPull) {
   const double slope_rad = 0.2;
-  const auto physics = MakeOdeWorld(Ramp(slope_rad).Build());
+  const auto physics = Make(Ramp(slope_rad));
   const double radius_m = 0.25;
   const BodyId ball =
       physics->Add(Ball(3.0, radius_m), {10.0, 0.0, 10.0 * std::tan(slope_rad)}, 0.0);
@@ -100,17 +62,15 @@ TEST(PhysicsWorldTest, BallRollsDownARampAtFiveSeventhsOfItsPull) {
   EXPECT_NEAR(gained_mps, 5.0 / 7.0 * kGravity_mps2 * std::sin(slope_rad), 0.03);
 }
 
-TEST(PhysicsWorldTest, BoxSlidesOnlyBeyondTheAngleOfFriction) {
-  const double critical_rad = std::atan(FrictionOfGrass());
+TEST_P(PhysicsWorldTest, BoxSlidesOnlyBeyondTheAngleOfFriction) {
+  const double critical_rad = std::atan(Friction(SurfaceClass::kGrass));
   for (const double offset_rad : {-0.08, 0.08}) {
     const double slope_rad = critical_rad + offset_rad;
-    const auto physics = MakeOdeWorld(Ramp(slope_rad).Build());
-    BodySpec spec = Box(10.0, 0.4, 0.1);
+    const auto physics = Make(Ramp(slope_rad));
     BodyMotion motion;
     motion.position_m = {5.0, 0.0, 5.0 * std::tan(slope_rad) + 0.01};
     motion.orientation = Eigen::AngleAxisd(-slope_rad, Eigen::Vector3d::UnitY());
-    const BodyId box = physics->Add(spec, motion.position_m, 0.0);
-    physics->Place(box, motion);
+    const BodyId box = physics->Add(Box(10.0, {0.4, 0.4, 0.05}), motion);
     StepFor(physics.get(), 0.3);
     const double before_m = physics->MotionOf(box).position_m.x();
     StepFor(physics.get(), 1.0);
@@ -123,11 +83,9 @@ TEST(PhysicsWorldTest, BoxSlidesOnlyBeyondTheAngleOfFriction) {
   }
 }
 
-TEST(PhysicsWorldTest, BodiesDoNotPassThroughEachOther) {
-  const auto physics = MakeOdeWorld(TestScene().Build());
-  BodySpec walker = Ball(50.0, 0.4);
-  walker.upright = true;
-  walker.ground_samples = {{Eigen::Vector3d::Zero(), 0.0}};
+TEST_P(PhysicsWorldTest, BodiesDoNotPassThroughEachOther) {
+  const auto physics = Make();
+  BodySpec walker = Walker(50.0);
   const BodyId a = physics->Add(walker, {-2.0, 0.0, 0.0}, 0.0);
   const BodyId b = physics->Add(walker, {2.0, 0.05, 0.0}, 0.0);
   physics->SetWalkVelocity(a, {1.0, 0.0, 0.0});
@@ -139,11 +97,9 @@ TEST(PhysicsWorldTest, BodiesDoNotPassThroughEachOther) {
   }
 }
 
-TEST(PhysicsWorldTest, StandingNeighboursFallAsleepAndAMovingOneWakesThem) {
-  const auto physics = MakeOdeWorld(TestScene().Build());
-  BodySpec walker = Ball(50.0, 0.4);
-  walker.upright = true;
-  walker.ground_samples = {{Eigen::Vector3d::Zero(), 0.0}};
+TEST_P(PhysicsWorldTest, StandingNeighboursFallAsleepAndAMovingOneWakesThem) {
+  const auto physics = Make();
+  BodySpec walker = Walker(50.0);
   const BodyId a = physics->Add(walker, {0.0, 0.0, 0.0}, 0.0);
   const BodyId b = physics->Add(walker, {0.79, 0.0, 0.0}, 0.0);
   StepFor(physics.get(), 3.0);
@@ -157,8 +113,8 @@ TEST(PhysicsWorldTest, StandingNeighboursFallAsleepAndAMovingOneWakesThem) {
   EXPECT_GT(physics->MotionOf(a).position_m.x(), before_m + 0.05);
 }
 
-TEST(PhysicsWorldTest, RemovedBodiesAreGone) {
-  const auto physics = MakeOdeWorld(TestScene().Build());
+TEST_P(PhysicsWorldTest, RemovedBodiesAreGone) {
+  const auto physics = Make();
   const BodyId a = physics->Add(Ball(1.0, 0.3), {0.0, 0.0, 0.0}, 0.0);
   const BodyId b = physics->Add(Ball(1.0, 0.3), {0.0, 0.0, 0.6}, 0.0);
   physics->Remove(a);
@@ -167,11 +123,11 @@ TEST(PhysicsWorldTest, RemovedBodiesAreGone) {
   EXPECT_NE(physics->Add(Ball(1.0, 0.3), {5.0, 0.0, 0.0}, 0.0), a);
 }
 
-TEST(PhysicsWorldTest, WorldsInOneProcessDoNotSeeEachOther) {
+TEST_P(PhysicsWorldTest, WorldsInOneProcessDoNotSeeEachOther) {
   const auto build = [] {
-    auto physics = MakeOdeWorld(TestScene().Build());
+    auto physics = Make();
     for (int i = 0; i < 8; ++i) {
-      physics->Add(Box(5.0, 0.3, 0.4), {0.05 * i, 0.03 * i, 0.2 + 0.5 * i}, 0.2 * i);
+      physics->Add(Box(5.0, {0.3, 0.3, 0.2}), {0.05 * i, 0.03 * i, 0.2 + 0.5 * i}, 0.2 * i);
     }
     return physics;
   };
@@ -183,11 +139,10 @@ TEST(PhysicsWorldTest, WorldsInOneProcessDoNotSeeEachOther) {
     first->Step(kStep_s, static_cast<std::uint64_t>(i));
     second->Step(kStep_s, static_cast<std::uint64_t>(i) + 17);
   }
-  Digest of_alone, of_first;
-  alone->AddTo(&of_alone);
-  first->AddTo(&of_first);
-  EXPECT_EQ(of_alone.Hex(), of_first.Hex());
+  EXPECT_EQ(DigestOf(*alone), DigestOf(*first));
 }
+
+LATTICEWORLD_ON_EVERY_BACK_END(PhysicsWorldTest);
 
 }  // namespace
 }  // namespace latticeworld

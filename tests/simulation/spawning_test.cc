@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
 
+#include "latticeworld/scene/elements.h"
 #include "test_scene.h"
 
 namespace latticeworld {
@@ -12,6 +16,7 @@ TestScene Place() {
   scene.water_depth_m = [](double x, double) { return x > 20.0 ? 3.0 : 0.0; };
   scene.AddBuilding(0.0, 10.0, 4.0, 4.0);
   scene.AddAgent("robot", AgentCategory::kWheeledRobot, 0.0, 0.0);
+  scene.AddElement("crate", ElementKind::kCrate, -20.0, -20.0);
   return scene;
 }
 
@@ -54,6 +59,12 @@ TEST(SpawningTest, RefusesAndSaysWhyAndChangesNothing) {
   grazing_goblin.state = AgentState::kGrazing;
   SpawnRequest dizzy = At(AgentCategory::kGoblin, -5.0, 0.0);
   dizzy.heading_rad = kNan;
+  SpawnRequest dragon = At(AgentCategory::kGoblin, -5.0, 0.0);
+  dragon.species = "dragon";
+  SpawnRequest pacifist = At(AgentCategory::kGoblin, -5.0, 0.0);
+  pacifist.policy = "pacifist";
+  SpawnRequest outsider = At(AgentCategory::kGoblin, -5.0, 0.0);
+  outsider.team = 16;
   const struct {
     SpawnRequest request;
     StatusCode code;
@@ -71,6 +82,11 @@ TEST(SpawningTest, RefusesAndSaysWhyAndChangesNothing) {
       {At(AgentCategory::kSheep, -5.0, 0.0, std::string(65, 'a')), StatusCode::kInvalidArgument},
       {grazing_goblin, StatusCode::kInvalidArgument},
       {dizzy, StatusCode::kInvalidArgument},
+      {dragon, StatusCode::kInvalidArgument},
+      {pacifist, StatusCode::kInvalidArgument},
+      {outsider, StatusCode::kInvalidArgument},
+      {At(AgentCategory::kSheep, -5.0, 0.0, "crate"), StatusCode::kAlreadyExists},
+      {At(AgentCategory::kSheep, -20.0, -20.0), StatusCode::kFailedPrecondition},  // in the crate
   };
   const std::string before = simulator->StateHash();
   for (const auto& one : cases) {
@@ -133,7 +149,121 @@ TEST(SpawningTest, HoldsNoMoreThanTheLimit) {
   const auto refused = simulator->Spawn(At(AgentCategory::kRoboticDog, 120.0, 120.0));
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.status().code(), StatusCode::kResourceExhausted);
+  EXPECT_NE(refused.status().message().find(std::to_string(kMaxAgents)), std::string::npos);
   simulator->Step();
+}
+
+TEST(SpawningTest, AStormOfRequestsFillsTheWorldAndIsThenRefused) {
+  TestScene scene;
+  scene.size_m = 128.0;
+  const auto simulator = MakeSimulator(scene);
+  int held = 0, exhausted = 0;
+  for (int i = 0; i < 1200; ++i) {
+    SpawnRequest request;
+    request.category = AgentCategory::kGoblin;
+    const auto name = simulator->Spawn(request);
+    if (name.ok()) ++held;
+    exhausted += name.status().code() == StatusCode::kResourceExhausted;
+  }
+  EXPECT_EQ(held, kMaxAgents);
+  EXPECT_EQ(exhausted, 200);
+  EXPECT_EQ(simulator->State()->agents.size(), static_cast<std::size_t>(kMaxAgents));
+  // Nobody stands in another.
+  const auto state = simulator->State();
+  double nearest_m = 1e9;
+  for (std::size_t i = 0; i < state->agents.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      nearest_m = std::min(
+          nearest_m, (state->agents[i].position_m - state->agents[j].position_m).head<2>().norm());
+    }
+  }
+  EXPECT_GT(nearest_m, 0.8);
+}
+
+TEST(SpawningTest, SpeciesDecidesTheCategoryAndTheRestIsAsAsked) {
+  const auto simulator = MakeSimulator(Place());
+  SpawnRequest request = At(AgentCategory::kSheep, -10.0, -10.0);
+  request.species = "ackermann_car";
+  request.team = 7;
+  request.policy = "guard";
+  const auto name = simulator->Spawn(request);
+  ASSERT_TRUE(name.ok()) << name.status().ToString();
+  EXPECT_EQ(*name, "ackermann_car_1");
+  const AgentSnapshot car = Now(*simulator, *name);
+  EXPECT_EQ(car.category, AgentCategory::kWheeledRobot);
+  EXPECT_EQ(car.species, "ackermann car");
+  EXPECT_EQ(car.team, 7);
+  EXPECT_EQ(car.policy, "guard");
+  EXPECT_FALSE(car.controllable);
+}
+
+TEST(SpawningTest, TheScenesRobotsAreOfTheSpeciesOfTheOptions) {
+  SimulatorOptions options;
+  options.robot_species = "tractor";
+  const auto simulator = MakeSimulator(Place(), 1, options);
+  EXPECT_EQ(Now(*simulator, "robot").species, "tractor");
+  for (const char* const bad : {"", "sheep", "flying carpet"}) {
+    options.robot_species = bad;
+    const std::vector<Violation> violations = Validate(options);
+    ASSERT_EQ(violations.size(), 1u);
+    EXPECT_EQ(violations[0].pointer, "robot_species");
+    EXPECT_NE(violations[0].message.find("tractor"), std::string::npos);
+  }
+}
+
+TEST(SpawningTest, ElementsComeAndGo) {
+  const auto simulator = MakeSimulator(Place());
+  Element stone = UsualElement(ElementKind::kLooseStone);
+  stone.position = {-10.0, -10.0};
+  const auto name = simulator->SpawnElement(stone);
+  ASSERT_TRUE(name.ok()) << name.status().ToString();
+  EXPECT_EQ(*name, "loose_stone_1");
+  EXPECT_EQ(simulator->State()->elements.size(), 2u);
+  const std::string before = simulator->StateHash();
+  stone.name = "robot";
+  EXPECT_EQ(simulator->SpawnElement(stone).status().code(), StatusCode::kAlreadyExists);
+  stone.name = "a b";
+  EXPECT_EQ(simulator->SpawnElement(stone).status().code(), StatusCode::kInvalidArgument);
+  stone.name = "";
+  stone.position = {0.2, 0.0};  // on the robot
+  EXPECT_EQ(simulator->SpawnElement(stone).status().code(), StatusCode::kFailedPrecondition);
+  stone.position = {99.0, 0.0};
+  EXPECT_EQ(simulator->SpawnElement(stone).status().code(), StatusCode::kOutOfRange);
+  stone.position = {std::numeric_limits<double>::quiet_NaN(), 0.0};
+  EXPECT_FALSE(simulator->SpawnElement(stone).ok());
+  EXPECT_EQ(simulator->RemoveElement("boulder").code(), StatusCode::kNotFound);
+  EXPECT_EQ(simulator->StateHash(), before);
+  ASSERT_TRUE(simulator->RemoveElement(*name).ok());
+  EXPECT_EQ(simulator->RemoveElement(*name).code(), StatusCode::kNotFound);
+  const auto events = simulator->TakeEvents();
+  EXPECT_EQ(Count(events, EventKind::kSpawned, *name), 1);
+  EXPECT_EQ(Count(events, EventKind::kRemoved, *name), 1);
+  RunFor(simulator.get(), 0.5);
+}
+
+TEST(SpawningTest, WhoIsRemovedUnderAttackIsGoneForItsAttackers) {
+  TestScene scene;
+  AgentStart& prey = scene.AddAgent("prey", AgentCategory::kHumanoidRobot, 0.0, 0.0);
+  prey.controllable = true;
+  prey.team = 1;
+  for (int i = 0; i < 6; ++i) {
+    scene
+        .AddAgent("goblin_" + std::to_string(i), AgentCategory::kGoblin, 2.5 * std::cos(i),
+                  2.5 * std::sin(i))
+        .state = AgentState::kAttacking;
+  }
+  const auto simulator = MakeSimulator(scene);
+  for (int i = 0; i < 500 && Now(*simulator, "prey").health == 1.0; ++i) simulator->Step();
+  ASSERT_LT(Now(*simulator, "prey").health, 1.0);
+  ASSERT_TRUE(simulator->Remove("prey").ok());
+  ASSERT_TRUE(simulator->Remove("goblin_2").ok());
+  simulator->TakeEvents();
+  RunFor(simulator.get(), 6.0);
+  for (const Event& event : simulator->TakeEvents()) EXPECT_NE(event.other, "prey");
+  for (const AgentSnapshot& agent : simulator->State()->agents) {
+    EXPECT_NE(agent.behaviour, Behaviour::kAttack);
+    EXPECT_EQ(agent.health, 1.0);
+  }
 }
 
 TEST(SpawningTest, RemovesOnceAndOnlyWhatIsThere) {

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "latticeworld/common/check.h"
-#include "latticeworld/simulation/agents/species.h"
+#include "latticeworld/scene/agent_placement.h"
+#include "latticeworld/scene/elements.h"
+#include "latticeworld/species/species_catalogue.h"
 
 namespace latticeworld {
 
@@ -43,11 +45,21 @@ AgentStart& TestScene::AddAgent(const std::string& name, AgentCategory category,
   start.category = category;
   start.state = UsualState(category);
   start.controllable = category == AgentCategory::kWheeledRobot;
-  start.team = TeamOf(category, start.controllable);
+  start.team = TeamOf(category);
   start.position = {x_m, y_m};
-  if (LocomotionOf(category) == Locomotion::kWings) start.height_above_ground_m = 10.0;
+  const bool flies = SpeciesCatalogue::BuiltIn()->Of(category).plan == BodyPlan::kFlyer;
+  if (flies) start.height_above_ground_m = 10.0;
   agents.push_back(start);
   return agents.back();
+}
+
+Element& TestScene::AddElement(const std::string& name, ElementKind kind, double x_m, double y_m) {
+  Element element = UsualElement(kind);
+  element.name = name;
+  element.position = {x_m, y_m};
+  element.z_m = height_m(x_m, y_m);
+  elements.push_back(element);
+  return elements.back();
 }
 
 std::shared_ptr<const Scene> TestScene::Build() const {
@@ -72,6 +84,9 @@ std::shared_ptr<const Scene> TestScene::Build() const {
   scene->assets = assets;
   scene->index = AssetIndex(geometry.size_m(), assets);
   scene->agents = agents;
+  scene->elements = elements;
+  std::sort(scene->elements.begin(), scene->elements.end(),
+            [](const Element& a, const Element& b) { return a.name < b.name; });
   scene->atmosphere = atmosphere;
   scene->environment = environment;
   return scene;
@@ -92,6 +107,20 @@ std::unique_ptr<Simulator> MakeSimulator(const TestScene& scene, std::uint64_t s
   return std::move(simulator).value();
 }
 
+SpawnRequest RequestFor(const std::string& species, const std::string& name, double x_m,
+                        double y_m) {
+  SpawnRequest request;
+  request.species = species;
+  request.name = name;
+  request.position = WorldPoint{x_m, y_m};
+  return request;
+}
+
+void MustSpawn(Simulator* simulator, const SpawnRequest& request) {
+  const auto name = simulator->Spawn(request);
+  LW_CHECK(name.ok(), name.status().ToString());
+}
+
 const AgentSnapshot& Find(const WorldState& state, const std::string& name) {
   const auto found = std::find_if(state.agents.begin(), state.agents.end(),
                                   [&](const AgentSnapshot& agent) { return agent.name == name; });
@@ -101,6 +130,14 @@ const AgentSnapshot& Find(const WorldState& state, const std::string& name) {
 
 AgentSnapshot Now(const Simulator& simulator, const std::string& name) {
   return Find(*simulator.State(), name);
+}
+
+ElementSnapshot ElementNow(const Simulator& simulator, const std::string& name) {
+  for (const ElementSnapshot& element : simulator.State()->elements) {
+    if (element.name == name) return element;
+  }
+  LW_CHECK(false, "no element " + name);
+  return {};
 }
 
 VelocityCommand Forward(double speed_mps, double yaw_rate_radps) {

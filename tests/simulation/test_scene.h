@@ -22,6 +22,7 @@ struct TestScene {
   };
   std::vector<Asset> assets;
   std::vector<AgentStart> agents;
+  std::vector<Element> elements;
   Atmosphere atmosphere;
   EnvironmentConfig environment;  // without values: every surface is as it is by itself
 
@@ -29,6 +30,8 @@ struct TestScene {
   void AddBuilding(double x_m, double y_m, double half_length_m, double half_width_m,
                    double yaw_rad = 0.0);
   AgentStart& AddAgent(const std::string& name, AgentCategory category, double x_m, double y_m);
+  // Of the usual size, mass and strength, on the ground.
+  Element& AddElement(const std::string& name, ElementKind kind, double x_m, double y_m);
   std::shared_ptr<const Scene> Build() const;
 };
 
@@ -37,8 +40,14 @@ std::function<double(double, double)> Hills(double amplitude_m, double wavelengt
 
 std::unique_ptr<Simulator> MakeSimulator(const TestScene& scene, std::uint64_t seed = 1,
                                          const SimulatorOptions& options = {});
+// At a place, named, of a species of the catalogue; the rest is what suits it.
+SpawnRequest RequestFor(const std::string& species, const std::string& name, double x_m,
+                        double y_m);
+// Spawns it; the request must be a legal one.
+void MustSpawn(Simulator* simulator, const SpawnRequest& request);
 const AgentSnapshot& Find(const WorldState& state, const std::string& name);
 AgentSnapshot Now(const Simulator& simulator, const std::string& name);
+ElementSnapshot ElementNow(const Simulator& simulator, const std::string& name);
 VelocityCommand Forward(double speed_mps, double yaw_rate_radps = 0.0);
 // Steps for that long; a command is given anew before every step when there is one.
 void RunFor(Simulator* simulator, double seconds);

@@ -73,12 +73,13 @@ TEST_F(CommandLineTest, TellsItsVersion) {
 }
 
 TEST_F(CommandLineTest, RefusesWhatIsNoCommand) {
-  ExpectUsageError({}, {"generate, show, picture, measure, score, rebuild and catalogue"});
-  ExpectUsageError({"grow"},
-                   {"grow", "generate, show, picture, measure, score, rebuild and catalogue"});
+  ExpectUsageError({}, {"generate, show, picture, measure, score, rebuild, catalogue and species"});
+  ExpectUsageError(
+      {"grow"},
+      {"grow", "generate, show, picture, measure, score, rebuild, catalogue and species"});
   ExpectUsageError(
       {"--frobnicate"},
-      {"--frobnicate", "generate, show, picture, measure, score, rebuild and catalogue"});
+      {"--frobnicate", "generate, show, picture, measure, score, rebuild, catalogue and species"});
 }
 
 TEST_F(CommandLineTest, RefusesUnusableOptions) {

@@ -103,8 +103,8 @@ TEST_F(GenerateCommandTest, MakesABundleAndSaysWhatIsInIt) {
       Generate({"--layout", "A lake in the center and a forest in the upper left.", "--environment",
                 "Five sheep graze on a rainy autumn morning.", "--seed", "42"});
   ASSERT_EQ(run.exit_status, 0) << run.err;
-  for (const char* word :
-       {"world-", "seed         42", "5 sheep", "autumn", "rain", "assets", "stages", "scene"}) {
+  for (const char* word : {"world-", "seed         42", "5 sheep", "autumn", "rain", "assets",
+                           "elements", "stages", "scene"}) {
     EXPECT_NE(run.out.find(word), std::string::npos) << word << " | " << run.out;
   }
   EXPECT_NE(run.out.find(PathOf("world")), std::string::npos);
@@ -128,8 +128,8 @@ TEST_F(GenerateCommandTest, MakesTheSameWorldFromTheSameSeed) {
     ids.insert(run.out.substr(run.out.find("world-"), 18));
   }
   EXPECT_EQ(ids.size(), 1u);
-  for (const char* file : {"terrain.bin", "assets.csv", "agents.json", "environment.json",
-                           "height.png", "world.bt", "preview.png"}) {
+  for (const char* file : {"terrain.bin", "assets.csv", "agents.json", "elements.json",
+                           "environment.json", "height.png", "world.bt", "preview.png"}) {
     EXPECT_EQ(Read(std::string("a/") + file), Read(std::string("b/") + file)) << file;
   }
 }

@@ -70,7 +70,7 @@ TEST_F(ScoreCommandTest, RebuildMakesTheSameWorldAgain) {
   EXPECT_EQ(run.exit_status, 0) << run.err;
   EXPECT_NE(run.out.find("the same"), std::string::npos) << run.out;
   for (const char* file : {"layout.txt", "environment.json", "terrain.bin", "assets.csv",
-                           "agents.json", "fidelity.json", "replies.json"}) {
+                           "agents.json", "elements.json", "fidelity.json", "replies.json"}) {
     EXPECT_EQ(Read(std::string("lake/") + file), Read(std::string("again/") + file)) << file;
   }
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "latticeworld/generation/json_fields.h"
+#include "latticeworld/generation/ros_name.h"
 
 namespace latticeworld {
 namespace {
@@ -13,13 +14,6 @@ namespace jf = json_fields;
 
 constexpr double kMaxHeightAboveGround_m = 10000.0;
 constexpr std::size_t kMaxBytes = 1 << 20;  // kMaxAgentStarts agents take a third of it
-
-// A graph resource name without slashes: a letter, then letters, digits and underscores.
-bool IsRosName(const std::string& name) {
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto is_legal = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-  return !name.empty() && is_letter(name[0]) && std::all_of(name.begin(), name.end(), is_legal);
-}
 
 jf::Json Encode(const AgentStart& agent) {
   return {{"name", agent.name},

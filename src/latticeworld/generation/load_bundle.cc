@@ -12,6 +12,7 @@
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/bundle_files.h"
 #include "latticeworld/generation/catalogue_json.h"
+#include "latticeworld/generation/elements_json.h"
 #include "latticeworld/generation/fidelity_json.h"
 #include "latticeworld/generation/replies_json.h"
 #include "latticeworld/generation/terrain_file.h"
@@ -36,10 +37,10 @@ Status CheckRequest(const GenerationRequest& request) {
 // Every file that the world needs is listed, once, and nothing else is: names never come from the
 // manifest unchecked, so that none can point outside the bundle.
 Status CheckFileList(const Manifest& manifest) {
-  std::set<std::string> legal = {kLayoutFile,  kEnvironmentFile, kFidelityFile, kRepliesFile,
-                                 kTerrainFile, kAssetsFile,      kAgentsFile,   kHeightFile,
-                                 kWaterFile,   kMapPictureFile,  kMapFile,      kOctreeFile,
-                                 kPreviewFile};
+  std::set<std::string> legal = {kLayoutFile,  kEnvironmentFile, kFidelityFile,   kRepliesFile,
+                                 kTerrainFile, kAssetsFile,      kAgentsFile,     kElementsFile,
+                                 kHeightFile,  kWaterFile,       kMapPictureFile, kMapFile,
+                                 kOctreeFile,  kPreviewFile};
   if (manifest.request.visual_kind != VisualKind::kNone) legal.insert(kVisualFile);
   std::set<std::string> missing = legal;
   for (const LayoutClass& entry : ClassesOf(*FromName<Vocabulary>(manifest.request.vocabulary))) {
@@ -76,7 +77,8 @@ Result<std::string> ReadVerified(const fs::path& directory, const BundleFile& fi
 
 // The files that a world is read back from. The others are checked and forgotten.
 struct Contents {
-  std::string layout, environment, fidelity, replies, catalogue, terrain, assets, agents, visual;
+  std::string layout, environment, fidelity, replies, catalogue, terrain, assets, agents, elements,
+      visual;
 
   std::string* Find(std::string_view name) {
     if (name == kLayoutFile) return &layout;
@@ -87,6 +89,7 @@ struct Contents {
     if (name == kTerrainFile) return &terrain;
     if (name == kAssetsFile) return &assets;
     if (name == kAgentsFile) return &agents;
+    if (name == kElementsFile) return &elements;
     if (name == kVisualFile) return &visual;
     return nullptr;
   }
@@ -120,6 +123,8 @@ Result<std::shared_ptr<const Scene>> ParseScene(const Contents& contents, const 
   if (!assets.ok()) return Damaged(kAssetsFile, assets.status());
   auto agents = DecodeAgents(contents.agents, geometry);
   if (!agents.ok()) return Damaged(kAgentsFile, agents.status());
+  auto elements = DecodeElements(contents.elements, geometry, *agents);
+  if (!elements.ok()) return Damaged(kElementsFile, elements.status());
 
   auto scene = std::make_shared<Scene>();
   scene->terrain = std::make_shared<const Terrain>(*std::move(terrain));
@@ -129,6 +134,7 @@ Result<std::shared_ptr<const Scene>> ParseScene(const Contents& contents, const 
   scene->index = AssetIndex(geometry.size_m(), scene->assets);
   scene->atmosphere = manifest.atmosphere;
   scene->agents = *std::move(agents);
+  scene->elements = *std::move(elements);
   return std::shared_ptr<const Scene>(std::move(scene));
 }
 

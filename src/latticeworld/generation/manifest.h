@@ -13,7 +13,7 @@
 
 namespace latticeworld {
 
-inline constexpr int kBundleFormatVersion = 4;
+inline constexpr int kBundleFormatVersion = 5;
 
 // One file of a bundle besides the manifest itself.
 struct BundleFile {

@@ -13,6 +13,7 @@
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/bundle_files.h"
 #include "latticeworld/generation/catalogue_json.h"
+#include "latticeworld/generation/elements_json.h"
 #include "latticeworld/generation/fidelity_json.h"
 #include "latticeworld/generation/raster_files.h"
 #include "latticeworld/generation/replies_json.h"
@@ -59,6 +60,7 @@ Status AddSources(const World& world, BundleWriter* writer) {
   LW_RETURN_IF_ERROR(writer->Add(kTerrainFile, EncodeTerrain(*world.scene->terrain)));
   LW_RETURN_IF_ERROR(writer->Add(kAssetsFile, EncodeAssets(world.scene->assets, catalogue)));
   LW_RETURN_IF_ERROR(writer->Add(kAgentsFile, EncodeAgents(world.scene->agents)));
+  LW_RETURN_IF_ERROR(writer->Add(kElementsFile, EncodeElements(world.scene->elements)));
   if (!catalogue.added_files().empty()) {
     LW_RETURN_IF_ERROR(writer->Add(kCatalogueFile, EncodeCatalogue(catalogue)));
   }

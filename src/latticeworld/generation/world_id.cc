@@ -104,6 +104,18 @@ void AddAgent(const AgentStart& agent, Digest* digest) {
   digest->Add(agent.heading_rad);
 }
 
+void AddElement(const Element& element, Digest* digest) {
+  digest->AddText(element.name);
+  digest->Add(element.kind);
+  digest->Add(element.position.x_m);
+  digest->Add(element.position.y_m);
+  digest->Add(element.z_m);
+  digest->Add(element.yaw_rad);
+  for (int i = 0; i < 3; ++i) digest->Add(element.size_m[i]);
+  digest->Add(element.mass_kg);
+  digest->Add(element.strength);
+}
+
 }  // namespace
 
 std::string ContentId(const SymbolicLayout& layout, const Scene& scene,
@@ -117,6 +129,7 @@ std::string ContentId(const SymbolicLayout& layout, const Scene& scene,
   digest.AddText(FieldsOf(scene.assets));
   digest.AddText(FieldsOf(scene.atmosphere));
   for (const AgentStart& agent : scene.agents) AddAgent(agent, &digest);
+  for (const Element& element : scene.elements) AddElement(element, &digest);
   if (geo) {
     digest.Add(geo->latitude_deg);
     digest.Add(geo->longitude_deg);

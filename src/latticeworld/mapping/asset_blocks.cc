@@ -1,5 +1,6 @@
 #include "latticeworld/mapping/asset_blocks.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace latticeworld {
@@ -21,21 +22,32 @@ bool AssetBlocks::CrownBlocks(const Asset& tree, CellIndex cell) const {
 }
 
 bool AssetBlocks::FallenTreeBlocks(const MappedAsset& tree, CellIndex cell) const {
+  // What hangs this much higher than the robot is tall, or than the ground, lets it through below.
+  constexpr double kLeastGap_m = 0.1;
   const Asset& asset = tree.asset;
   const WorldPoint point = ground_.geometry().CenterOf(cell);
   const double dx = point.x_m - asset.x_m, dy = point.y_m - asset.y_m;
   const double c = std::cos(tree.heading_rad), s = std::sin(tree.heading_rad);
   const double along_m = c * dx + s * dy, across_m = std::abs(-s * dx + c * dy);
-  const double trunk_m = kTrunkTop * asset.height_m;
+  const double trunk_m = tree.Level_m(kTrunkTop * asset.height_m);
   const double beyond_m = std::max({-along_m, along_m - trunk_m, 0.0});
-  if (std::hypot(beyond_m, across_m) < asset.trunk_radius_m + limits_.radius_m) return true;
+  if (std::hypot(beyond_m, across_m) < asset.trunk_radius_m + limits_.radius_m) {
+    const double axis_m = tree.AxisHeight_m(std::clamp(along_m, 0.0, trunk_m));
+    const double gap_m = axis_m - asset.trunk_radius_m - ground_.height_m()[cell];
+    if (gap_m <= limits_.clearance_m + kLeastGap_m) return true;
+  }
   if (limits_.clearance_m <= 0.0) return false;
   // An ellipse with both half axes grown holds every point that is closer than that to it.
-  const double crown_along_m = 0.5 * (1.0 - kCrownBase) * asset.height_m + limits_.radius_m;
-  const double crown_across_m = asset.half_length_m + limits_.radius_m;
+  const double half_m = 0.5 * (1.0 - kCrownBase) * asset.height_m, radius_m = asset.half_length_m;
+  const double crown_along_m =
+      std::hypot(tree.Level_m(half_m), tree.rise_share * radius_m) + limits_.radius_m;
+  const double crown_across_m = radius_m + limits_.radius_m;
   if (crown_along_m <= 0.0 || crown_across_m <= 0.0) return false;
   const double u = (along_m - trunk_m) / crown_along_m, v = across_m / crown_across_m;
-  return u * u + v * v < 1.0;
+  if (u * u + v * v >= 1.0) return false;
+  const double lowest_m =
+      tree.AxisHeight_m(trunk_m) - std::hypot(tree.rise_share * half_m, tree.Level_m(radius_m));
+  return lowest_m < ground_.height_m()[cell] + limits_.clearance_m;
 }
 
 }  // namespace latticeworld

@@ -116,43 +116,58 @@ void AssetCutter::CutEllipsoid(const Job& job, double bottom_m) const {
   });
 }
 
-// The trunk lies on the ground from the foot to below the tip, and the crown around its axis; what
-// of them would be in the ground is the ground's.
+// The stem lies as its axis says, and the crown around its upper part; what of them would be in the
+// ground is the ground's.
 void AssetCutter::CutFallenTree(const MappedAsset& tree, const Job& job) const {
   const Asset& asset = tree.asset;
   const double c = std::cos(tree.heading_rad), s = std::sin(tree.heading_rad);
   const double radius_m = asset.trunk_radius_m;
-  const double rise = asset.height_m > 0.0 ? (tree.tip_z_m - asset.z_m) / asset.height_m : 0.0;
-  const auto axis_z_m = [&](double along_m) { return asset.z_m + radius_m + rise * along_m; };
-  const double trunk_m = kTrunkTop * asset.height_m;
-  ForEachColumn(
-      job, asset.x_m, asset.y_m, trunk_m + radius_m, [&](int x, int y, double dx, double dy) {
-        const double along_m = c * dx + s * dy, across_m = -s * dx + c * dy;
-        // Thin trunks show on coarse voxels too.
-        const double half_width_m = std::max(radius_m, 0.5 * voxel_m_);
-        if (along_m < 0.0 || along_m > trunk_m || std::abs(across_m) > half_width_m) return;
-        const double height_m = std::sqrt(std::max(radius_m * radius_m - across_m * across_m, 0.0));
-        PlaceStanding(job, x, y, asset.z_m, axis_z_m(along_m) + height_m);
-      });
+  const double trunk_m = tree.Level_m(kTrunkTop * asset.height_m);
+  // A column sees so much of a steep stem below and above its axis.
+  const double steep_m = 0.5 * std::abs(tree.AxisHeight_m(voxel_m_) - tree.AxisHeight_m(0.0));
+  // Calls visit(x, y, along, across) for the columns near a place on the stem, whose own column may
+  // lie outside the world.
+  const auto for_each_column = [&](double from_foot_m, double reach_m, const auto& visit) {
+    const double x_m = asset.x_m + c * from_foot_m, y_m = asset.y_m + s * from_foot_m;
+    ForEachColumn(job, x_m, y_m, reach_m, [&](int x, int y, double, double) {
+      const double dx = VoxelCenter_m(x, voxel_m_) - asset.x_m;
+      const double dy = VoxelCenter_m(y, voxel_m_) - asset.y_m;
+      visit(x, y, c * dx + s * dy, -s * dx + c * dy);
+    });
+  };
+  const auto place = [&](int x, int y, double low_m, double high_m) {
+    const double ground_m = VoxelCenter_m(job.window.at(x, y), voxel_m_);
+    if (high_m >= ground_m) Place(job, x, y, std::max(low_m, ground_m), high_m);
+  };
+  // Thin trunks show on coarse voxels too.
+  const double half_width_m = std::max(radius_m, 0.5 * voxel_m_);
+  for_each_column(0.0, trunk_m + half_width_m, [&](int x, int y, double along, double across) {
+    if (along < -0.5 * voxel_m_ || along > std::max(trunk_m, 0.5 * voxel_m_)) return;
+    if (std::abs(across) > half_width_m) return;
+    const double half_m = std::sqrt(std::max(radius_m * radius_m - across * across, 0.0)) + steep_m;
+    const double z_m = tree.AxisHeight_m(std::clamp(along, 0.0, trunk_m));
+    place(x, y, z_m - half_m, z_m + half_m);
+  });
 
-  const double crown_m = 0.5 * (1.0 - kCrownBase) * asset.height_m;  // half its length
+  const double half_length_m = 0.5 * (1.0 - kCrownBase) * asset.height_m;
   const double crown_radius_m = asset.half_length_m;
-  const double x_m = asset.x_m + c * trunk_m, y_m = asset.y_m + s * trunk_m;
-  ForEachColumn(
-      job, x_m, y_m, std::max(crown_m, crown_radius_m), [&](int x, int y, double, double) {
-        // Its middle may lie outside the world: no column holds it then.
-        const double dx = VoxelCenter_m(x, voxel_m_) - x_m;
-        const double dy = VoxelCenter_m(y, voxel_m_) - y_m;
-        const double along = crown_m > 0.0 ? (c * dx + s * dy) / crown_m : 0.0;
-        const double across = crown_radius_m > 0.0 ? (-s * dx + c * dy) / crown_radius_m : 0.0;
-        const double share = along * along + across * across;
-        if (share > 1.0) return;
-        const double half_chord_m = crown_radius_m * std::sqrt(1.0 - share);
-        const double z_m = axis_z_m(trunk_m + along * crown_m);
-        const double ground_m = VoxelCenter_m(job.window.at(x, y), voxel_m_);
-        if (z_m + half_chord_m >= ground_m)
-          Place(job, x, y, std::max(z_m - half_chord_m, ground_m), z_m + half_chord_m);
-      });
+  const double crown_m = std::hypot(tree.Level_m(half_length_m), tree.rise_share * crown_radius_m);
+  if (crown_m <= 0.0 || crown_radius_m <= 0.0) return;
+  const double middle_z_m = tree.AxisHeight_m(trunk_m);
+  // Height over way of the middle of the ellipse's upright chords.
+  const double tilt = tree.rise_share * tree.level_share *
+                      (half_length_m * half_length_m - crown_radius_m * crown_radius_m) /
+                      (crown_m * crown_m);
+  const double chord_m = half_length_m * crown_radius_m / crown_m;
+  for_each_column(trunk_m, std::max(crown_m, crown_radius_m),
+                  [&](int x, int y, double along, double across) {
+                    const double u = (along - trunk_m) / crown_m, v = across / crown_radius_m;
+                    const double share = u * u + v * v;
+                    if (share > 1.0) return;
+                    const double half_m = chord_m * std::sqrt(1.0 - share);
+                    const double z_m = middle_z_m + tilt * (along - trunk_m);
+                    place(x, y, z_m - half_m, z_m + half_m);
+                  });
 }
 
 }  // namespace latticeworld

@@ -44,14 +44,15 @@ inline float GradientAt(const Rows& rows, int col, int west, int east, float per
   return std::sqrt(dz_dx * dz_dx + dz_dy * dz_dy);
 }
 
-// Calls cell(col, west, east, 1 / distance from west to east [m]) for every column; the inner ones
-// in a loop that compilers vectorise.
+// Calls cell(col, west, east, 1 / distance from west to east [m]) for the columns [begin, end) of
+// `cols`; the inner ones in a loop that compilers vectorise.
 template <typename Cell>
-inline void ForEachColumn(int cols, float resolution_m, const Cell& cell) {
+inline void ForEachColumn(int begin, int end, int cols, float resolution_m, const Cell& cell) {
   const float per_one = 1.0f / resolution_m, per_two = 0.5f / resolution_m;
-  cell(0, 0, 1, per_one);
-  for (int col = 1; col < cols - 1; ++col) cell(col, col - 1, col + 1, per_two);
-  cell(cols - 1, cols - 2, cols - 1, per_one);
+  if (begin == 0) cell(0, 0, 1, per_one);
+  const int inner_end = std::min(end, cols - 1);
+  for (int col = std::max(begin, 1); col < inner_end; ++col) cell(col, col - 1, col + 1, per_two);
+  if (end == cols) cell(cols - 1, cols - 2, cols - 1, per_one);
 }
 
 }  // namespace
@@ -66,6 +67,10 @@ GroundEffort::GroundEffort(const Terrain& terrain, const RobotLimits& limits)
       max_depth_m_(static_cast<float>(limits.max_fording_depth_m)) {}
 
 void GroundEffort::Row(int row, float* effort) const {
+  Row(row, 0, terrain_.geometry().cols(), effort);
+}
+
+void GroundEffort::Row(int row, int col_begin, int col_end, float* effort) const {
   const Grid<float>& height_m = terrain_.ground.height_m();
   const float* level_m = terrain_.water_level_m.row(row);
   const float resolution_m = static_cast<float>(terrain_.geometry().resolution_m());
@@ -75,7 +80,8 @@ void GroundEffort::Row(int row, float* effort) const {
   const float depth_shares = max_depth_m_ > 0.0f ? 1.0f / max_depth_m_ : 0.0f;
   const float max_gradient = max_gradient_, max_difference_m = max_difference_m_,
               max_depth_m = max_depth_m_;
-  ForEachColumn(height_m.cols(), resolution_m, [&](int col, int west, int east, float per_x) {
+  const int cols = height_m.cols();
+  const auto measure = [&](int col, int west, int east, float per_x) {
     const float here = rows.here[col];
     const float gradient = GradientAt(rows, col, west, east, per_x, per_y);
     const float depth_m = level_m[col] > here ? level_m[col] - here : 0.0f;  // NaN: dry
@@ -85,8 +91,9 @@ void GroundEffort::Row(int row, float* effort) const {
     const float share = std::max(ArcTangent(gradient) * slope_shares, depth_m * depth_shares);
     const bool impassable =
         (gradient > max_gradient) | (depth_m > max_depth_m) | (difference_m > max_difference_m);
-    effort[col] = impassable ? kImpassable : std::min(share, 1.0f);
-  });
+    effort[col - col_begin] = impassable ? kImpassable : std::min(share, 1.0f);
+  };
+  ForEachColumn(col_begin, col_end, cols, resolution_m, measure);
 }
 
 void SlopeOfRow(const Terrain& terrain, int row, float* slope_rad) {
@@ -94,7 +101,8 @@ void SlopeOfRow(const Terrain& terrain, int row, float* slope_rad) {
   const float resolution_m = static_cast<float>(terrain.geometry().resolution_m());
   const Rows rows(height_m, row);
   const float per_y = 1.0f / (rows.distance * resolution_m);
-  ForEachColumn(height_m.cols(), resolution_m, [&](int col, int west, int east, float per_x) {
+  const int cols = height_m.cols();
+  ForEachColumn(0, cols, cols, resolution_m, [&](int col, int west, int east, float per_x) {
     slope_rad[col] = ArcTangent(GradientAt(rows, col, west, east, per_x, per_y));
   });
 }

@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <string>
-#include <utility>
 
-#include "latticeworld/common/text.h"
 #include "latticeworld/scene/scene.h"
 
 namespace latticeworld {
@@ -23,34 +20,24 @@ double MappedAsset::reach_m() const {
   return lies ? asset.height_m + radius_m : radius_m;
 }
 
-Status Validate(const SceneChanges& changes, const Scene& scene) {
-  std::vector<Violation> violations;
-  std::vector<bool> named(scene.assets.size(), false);
-  const auto check = [&](const std::string& field, std::uint32_t asset, bool must_be_tree) {
-    const auto add = [&](const char* code, std::string message) {
-      violations.push_back({code, field, std::move(message), std::to_string(asset)});
-    };
-    if (asset >= scene.assets.size()) {
-      add("out_of_range",
-          "must be below the scene's " + std::to_string(scene.assets.size()) + " assets");
-      return;
-    }
-    if (named[asset]) add("duplicate", "asset " + std::to_string(asset) + " is named twice");
-    named[asset] = true;
-    if (must_be_tree && scene.assets[asset].kind != AssetKind::kTree)
-      add("wrong_kind", "only trees fall, and asset " + std::to_string(asset) + " is a " +
-                            std::string(NameOf(scene.assets[asset].kind)));
-  };
-  for (std::size_t i = 0; i < changes.fallen.size(); ++i) {
-    const std::string field = "fallen/" + std::to_string(i);
-    check(field + "/asset", changes.fallen[i].asset, true);
-    if (!std::isfinite(changes.fallen[i].heading_rad))
-      violations.push_back({"not_finite", field + "/heading_rad", "must be a finite angle",
-                            FormatDouble(changes.fallen[i].heading_rad)});
-  }
-  for (std::size_t i = 0; i < changes.gone.size(); ++i)
-    check("gone/" + std::to_string(i), changes.gone[i], false);
-  return Status::FromViolations("illegal scene changes", std::move(violations));
+double MappedAsset::AxisHeight_m(double level_m) const {
+  // An upright stem is its foot's column.
+  constexpr double kSteepest = 0.01;
+  return asset.z_m + rise_share / std::max(level_share, kSteepest) * level_m;
+}
+
+MappedAsset Lying(const Scene& scene, const FallenTree& tree) {
+  const Eigen::Vector3d stem_m = tree.tip_m - tree.foot_m;
+  MappedAsset mapped;
+  mapped.asset = scene.assets[tree.asset];
+  mapped.asset.x_m = static_cast<float>(tree.foot_m.x());
+  mapped.asset.y_m = static_cast<float>(tree.foot_m.y());
+  mapped.asset.z_m = static_cast<float>(tree.foot_m.z());
+  mapped.lies = true;
+  mapped.heading_rad = std::atan2(stem_m.y(), stem_m.x());
+  mapped.level_share = stem_m.head<2>().norm() / stem_m.norm();
+  mapped.rise_share = stem_m.z() / stem_m.norm();
+  return mapped;
 }
 
 std::vector<MappedAsset> AssetsToMap(const Scene& scene, const SceneChanges& changes) {
@@ -70,11 +57,7 @@ std::vector<MappedAsset> AssetsToMap(const Scene& scene, const SceneChanges& cha
     entry.asset = asset;
     if (!fate.empty() && fate[i] != kStands) {
       if (fate[i] == kGone) continue;
-      entry.lies = true;
-      entry.heading_rad = changes.fallen[fate[i]].heading_rad;
-      entry.tip_z_m = scene.terrain->ground.HeightAt(
-          {asset.x_m + asset.height_m * std::cos(entry.heading_rad),
-           asset.y_m + asset.height_m * std::sin(entry.heading_rad)});
+      entry = Lying(scene, changes.fallen[fate[i]]);
     }
     mapped.push_back(entry);
   }

@@ -10,7 +10,7 @@
 
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
-#include "latticeworld/mapping/scene_changes.h"
+#include "latticeworld/scene/scene_changes.h"
 
 namespace octomap {
 class OcTree;

@@ -3,9 +3,12 @@
 #include <octomap/OcTree.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,12 +20,29 @@
 namespace latticeworld {
 namespace {
 
-// Asset and heading, in order; infinity: gone.
-std::vector<std::pair<std::uint32_t, double>> FatesOf(const SceneChanges& changes) {
-  std::vector<std::pair<std::uint32_t, double>> fates;
-  for (const FallenTree& tree : changes.fallen) fates.emplace_back(tree.asset, tree.heading_rad);
-  for (const std::uint32_t asset : changes.gone)
-    fates.emplace_back(asset, std::numeric_limits<double>::infinity());
+// Asset, and foot and tip of its stem [m]; of what is gone they are infinite.
+struct Fate {
+  std::uint32_t asset;
+  std::array<double, 6> stem;
+
+  bool gone() const { return std::isinf(stem[0]); }
+  bool operator<(const Fate& other) const {
+    return std::tie(asset, stem) < std::tie(other.asset, other.stem);
+  }
+};
+
+// In order.
+std::vector<Fate> FatesOf(const SceneChanges& changes) {
+  std::vector<Fate> fates;
+  for (const FallenTree& tree : changes.fallen) {
+    const Eigen::Vector3d &foot = tree.foot_m, &tip = tree.tip_m;
+    fates.push_back({tree.asset, {foot.x(), foot.y(), foot.z(), tip.x(), tip.y(), tip.z()}});
+  }
+  for (const std::uint32_t asset : changes.gone) {
+    Fate fate = {asset, {}};
+    fate.stem.fill(std::numeric_limits<double>::infinity());
+    fates.push_back(fate);
+  }
   std::sort(fates.begin(), fates.end());
   return fates;
 }
@@ -31,15 +51,22 @@ std::vector<std::pair<std::uint32_t, double>> FatesOf(const SceneChanges& change
 std::vector<int> TilesBetween(const SceneChanges& before, const SceneChanges& after,
                               const Scene& scene, const VoxelPlan& plan) {
   const auto old_fates = FatesOf(before), new_fates = FatesOf(after);
-  std::vector<std::pair<std::uint32_t, double>> changed;
+  std::vector<Fate> changed;
   std::set_symmetric_difference(old_fates.begin(), old_fates.end(), new_fates.begin(),
                                 new_fates.end(), std::back_inserter(changed));
   std::vector<int> tiles;
-  for (const auto& fate : changed) {
-    MappedAsset widest;  // lying it reaches farther than standing
-    widest.asset = scene.assets[fate.first];
-    widest.lies = true;
-    plan.ForEachTileOf(widest, [&](int tile) { tiles.push_back(tile); });
+  const auto add = [&](const MappedAsset& asset) {
+    plan.ForEachTileOf(asset, [&](int tile) { tiles.push_back(tile); });
+  };
+  for (const Fate& fate : changed) {
+    MappedAsset mapped;
+    mapped.asset = scene.assets[fate.asset];
+    add(mapped);  // where it stood, or stands again
+    if (fate.gone()) continue;
+    mapped.asset.x_m = static_cast<float>(fate.stem[0]);
+    mapped.asset.y_m = static_cast<float>(fate.stem[1]);
+    mapped.lies = true;
+    add(mapped);
   }
   std::sort(tiles.begin(), tiles.end());
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());

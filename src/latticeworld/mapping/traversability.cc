@@ -17,8 +17,6 @@ namespace {
 // Costs of ground that the robot can cross stay below 50, what costmaps take for free.
 constexpr float kMaxPassableCost = 49.0f;
 constexpr std::int8_t kOccupied = 100;
-// A slope at the robot's limit is still passable, and so not quite 0.
-constexpr float kMinPassable = 0.02f;
 
 // value_of(effort) where nothing stands, and `blocked` where an asset stops the robot.
 template <typename T, typename ValueOf>
@@ -51,9 +49,8 @@ Grid<T> BuildMap(const Scene& scene, const RobotLimits& limits, const SceneChang
 
 Grid<float> BuildTraversability(const Scene& scene, const RobotLimits& limits,
                                 const SceneChanges& changes, int threads) {
-  return BuildMap<float>(scene, limits, changes, threads, 0.0f, [](float effort) {
-    return effort > 1.0f ? 0.0f : std::max(1.0f - effort, kMinPassable);
-  });
+  return BuildMap<float>(scene, limits, changes, threads, 0.0f,
+                         [](float effort) { return TraversabilityOf(effort); });
 }
 
 Grid<std::int8_t> BuildOccupancy(const Scene& scene, const RobotLimits& limits,

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "latticeworld/geometry/grid.h"
-#include "latticeworld/mapping/scene_changes.h"
+#include "latticeworld/scene/scene_changes.h"
 
 namespace latticeworld {
 

@@ -76,6 +76,27 @@ int TeamOf(AgentCategory category) {
   return 0;
 }
 
+AgentState UsualState(AgentCategory category) {
+  switch (category) {
+    case AgentCategory::kSheep:
+    case AgentCategory::kHorse:
+      return AgentState::kGrazing;
+    case AgentCategory::kEagle:
+      return AgentState::kFlying;
+    case AgentCategory::kWhale:
+      return AgentState::kSwimming;
+    case AgentCategory::kGoblin:
+    case AgentCategory::kAncientWarrior:
+      return AgentState::kPatrolling;
+    case AgentCategory::kHumanoidRobot:
+    case AgentCategory::kRoboticDog:
+    case AgentCategory::kAerialRobot:
+    case AgentCategory::kWheeledRobot:
+      return AgentState::kIdle;
+  }
+  return AgentState::kIdle;
+}
+
 std::vector<AgentStart> PlaceAgents(const Scene& scene, std::uint64_t seed,
                                     std::vector<std::string>* warnings) {
   std::vector<AgentStart> agents;

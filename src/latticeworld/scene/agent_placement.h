@@ -20,6 +20,8 @@ std::vector<AgentStart> PlaceAgents(const Scene& scene, std::uint64_t seed,
 
 // 0: animals, 1: robots, 2: goblins and ancient warriors.
 int TeamOf(AgentCategory category);
+// What a category does when nobody says.
+AgentState UsualState(AgentCategory category);
 
 }  // namespace latticeworld
 

@@ -11,6 +11,7 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/scene/agent_placement.h"
+#include "latticeworld/scene/elements.h"
 #include "latticeworld/scene/fields.h"
 #include "latticeworld/scene/placement.h"
 
@@ -93,6 +94,7 @@ Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& prog
                               " assets: a world holds at most " + std::to_string(kMaxAssets));
   }
   scene->agents = PlaceAgents(*scene, request.seed, &answer.warnings);
+  scene->elements = PlaceElements(*scene, request.seed);
   LW_RETURN_IF_ERROR(step());
   answer.scene = std::move(scene);
   return answer;

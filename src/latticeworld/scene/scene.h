@@ -13,6 +13,7 @@
 #include "latticeworld/scene/asset.h"
 #include "latticeworld/scene/asset_index.h"
 #include "latticeworld/scene/atmosphere.h"
+#include "latticeworld/scene/element.h"
 #include "latticeworld/terrain/terrain.h"
 
 namespace latticeworld {
@@ -44,6 +45,7 @@ struct Scene {
   AssetIndex index;  // over assets
   Atmosphere atmosphere;
   std::vector<AgentStart> agents;
+  std::vector<Element> elements;  // crates, gates, bridges ...; sorted by name
 
   const GridGeometry& geometry() const { return terrain->geometry(); }
 };
@@ -70,10 +72,10 @@ struct SceneAnswer {
   std::vector<std::string> warnings;  // what could not be placed and why
 };
 
-// Psi_C: places assets and agents by class weights, density and rules (densities.h has the numbers
-// a hectare, placement.h the rules). Nothing solid overlaps, and nothing stands in water, on a road
-// or outside. Every stage draws from its own stream of the seed: the same request gives the same
-// bytes. Reports the stage "scene". Errors: CANCELLED.
+// Psi_C: places assets, agents and elements by class weights, density and rules (densities.h has
+// the numbers a hectare, placement.h and elements.h the rules). Nothing solid overlaps, and nothing
+// stands in water, on a road or outside. Every stage draws from its own stream of the seed: the
+// same request gives the same bytes. Reports the stage "scene". Errors: CANCELLED.
 Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& progress);
 
 }  // namespace latticeworld

@@ -2,28 +2,12 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/scene/spawn_site.h"
+#include "latticeworld/species/species_catalogue.h"
 
 namespace latticeworld {
 
 double BodyRadius(AgentCategory category) {
-  switch (category) {
-    case AgentCategory::kGoblin:
-    case AgentCategory::kAncientWarrior:
-    case AgentCategory::kRoboticDog:
-    case AgentCategory::kAerialRobot:
-      return 0.4;
-    case AgentCategory::kHumanoidRobot:
-      return 0.35;
-    case AgentCategory::kSheep:
-    case AgentCategory::kEagle:
-    case AgentCategory::kWheeledRobot:
-      return 0.6;
-    case AgentCategory::kHorse:
-      return 1.2;
-    case AgentCategory::kWhale:
-      return 3.0;
-  }
-  return 0.5;
+  return SpeciesCatalogue::BuiltIn()->Of(category).radius_m;
 }
 
 Status CheckSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,

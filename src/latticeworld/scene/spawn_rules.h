@@ -30,7 +30,7 @@ Result<WorldPoint> FindSpawn(const Scene& scene, AgentCategory category, double 
                              Region region, const std::vector<WorldPoint>& taken,
                              RandomStream* random);
 
-// Radius of the vertical cylinder around a body of the category [m].
+// Radius of the vertical cylinder around a body of the category's built-in species [m].
 double BodyRadius(AgentCategory category);
 
 }  // namespace latticeworld

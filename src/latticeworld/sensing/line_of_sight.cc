@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/scene/scene_changes.h"
 
 namespace latticeworld {
 namespace {
@@ -108,7 +109,7 @@ bool AssetHides(const Asset& asset, const Segment& segment) {
   return lowest_z_m < static_cast<double>(asset.z_m) + asset.height_m;
 }
 
-bool AnyAssetHides(const Scene& scene, const Segment& segment) {
+bool AnyAssetHides(const Scene& scene, const SceneChanges& changes, const Segment& segment) {
   // The index answers discs: cover the segment with them.
   constexpr double kPiece_m = 8.0;
   Interval near;  // the part that passes over the world: no asset lies beyond
@@ -123,8 +124,9 @@ bool AnyAssetHides(const Scene& scene, const Segment& segment) {
     const Eigen::Vector3d middle = segment.At(near.low + share * (i + 0.5) / pieces);
     bool hidden = false;
     scene.index.ForEachNear(
-        {middle.x(), middle.y()}, 0.5 * length_m / pieces,
-        [&](std::uint32_t asset) { hidden = hidden || AssetHides(scene.assets[asset], segment); });
+        {middle.x(), middle.y()}, 0.5 * length_m / pieces, [&](std::uint32_t asset) {
+          hidden = hidden || (AssetHides(scene.assets[asset], segment) && changes.Stands(asset));
+        });
     if (hidden) return true;
   }
   return false;
@@ -132,12 +134,17 @@ bool AnyAssetHides(const Scene& scene, const Segment& segment) {
 
 }  // namespace
 
-bool HasLineOfSight(const Scene& scene, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+bool HasLineOfSight(const Scene& scene, const SceneChanges& changes, const Eigen::Vector3d& from,
+                    const Eigen::Vector3d& to) {
   // One order of the ends, so that rounding cannot make the answer depend on the direction.
   const auto key = [](const Eigen::Vector3d& p) { return std::make_tuple(p.x(), p.y(), p.z()); };
   const bool swap = key(to) < key(from);
   const Segment segment = {swap ? to : from, swap ? from - to : to - from};
-  return !AnyAssetHides(scene, segment) && !GroundHides(scene.terrain->ground, segment);
+  return !AnyAssetHides(scene, changes, segment) && !GroundHides(scene.terrain->ground, segment);
+}
+
+bool HasLineOfSight(const Scene& scene, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return HasLineOfSight(scene, SceneChanges(), from, to);
 }
 
 }  // namespace latticeworld

@@ -6,6 +6,7 @@
 namespace latticeworld {
 
 struct Scene;
+struct SceneChanges;
 
 // True when neither ground nor a solid asset lies on the segment between two points (map frame
 // [m]); the same in both directions. The ground is tested exactly, at every edge of the
@@ -13,6 +14,9 @@ struct Scene;
 // vertical cylinders of their trunk's radius, stones of their own, buildings oriented boxes; all
 // reach down into the ground. Crowns, bushes and what is not solid hide nothing.
 bool HasLineOfSight(const Scene& scene, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+// After the (legal) changes: trees that fell or went hide nothing.
+bool HasLineOfSight(const Scene& scene, const SceneChanges& changes, const Eigen::Vector3d& from,
+                    const Eigen::Vector3d& to);
 
 }  // namespace latticeworld
 

@@ -7,18 +7,44 @@
 namespace latticeworld {
 namespace {
 
-RTCRay IntoFrameOf(const MeshInstance& instance, const RTCRay& ray) {
+// Hardly anything leans.
+bool Leans(const MeshInstance& instance) { return instance.sin_lean != 0.0f; }
+
+Eigen::Vector3f Turned(const MeshInstance& instance, float x, float y, float z) {
+  if (Leans(instance)) {
+    const float upright_x = x;
+    x = instance.cos_lean * upright_x + instance.sin_lean * z;
+    z = instance.cos_lean * z - instance.sin_lean * upright_x;
+  }
+  return {instance.cos_yaw * x - instance.sin_yaw * y, instance.sin_yaw * x + instance.cos_yaw * y,
+          z};
+}
+
+Eigen::Vector3f TurnedBack(const MeshInstance& instance, float x, float y, float z) {
   const float c = instance.cos_yaw, s = instance.sin_yaw;
+  Eigen::Vector3f back(c * x + s * y, c * y - s * x, z);
+  if (Leans(instance)) {
+    const float leaning_x = back.x();
+    back.x() = instance.cos_lean * leaning_x - instance.sin_lean * z;
+    back.z() = instance.cos_lean * z + instance.sin_lean * leaning_x;
+  }
+  return back;
+}
+
+RTCRay IntoFrameOf(const MeshInstance& instance, const RTCRay& ray) {
   const Eigen::Vector3f inverse = instance.size_m.cwiseInverse();
-  const float x = ray.org_x - instance.position_m.x(), y = ray.org_y - instance.position_m.y();
-  RTCRay local = ray;
-  local.org_x = (c * x + s * y) * inverse.x();
-  local.org_y = (c * y - s * x) * inverse.y();
-  local.org_z = (ray.org_z - instance.position_m.z()) * inverse.z();
+  const Eigen::Vector3f origin =
+      TurnedBack(instance, ray.org_x - instance.position_m.x(), ray.org_y - instance.position_m.y(),
+                 ray.org_z - instance.position_m.z());
   // Not a unit vector, so that distances stay those of the world.
-  local.dir_x = (c * ray.dir_x + s * ray.dir_y) * inverse.x();
-  local.dir_y = (c * ray.dir_y - s * ray.dir_x) * inverse.y();
-  local.dir_z = ray.dir_z * inverse.z();
+  const Eigen::Vector3f direction = TurnedBack(instance, ray.dir_x, ray.dir_y, ray.dir_z);
+  RTCRay local = ray;
+  local.org_x = origin.x() * inverse.x();
+  local.org_y = origin.y() * inverse.y();
+  local.org_z = origin.z() * inverse.z();
+  local.dir_x = direction.x() * inverse.x();
+  local.dir_y = direction.y() * inverse.y();
+  local.dir_z = direction.z() * inverse.z();
   return local;
 }
 
@@ -72,14 +98,15 @@ void MeshInstances::Bound(const RTCBoundsFunctionArguments* arguments) {
   const Eigen::Array3f low = Eigen::Array3f(mesh.lower_x, mesh.lower_y, mesh.lower_z) * size;
   const Eigen::Array3f high = Eigen::Array3f(mesh.upper_x, mesh.upper_y, mesh.upper_z) * size;
   const Eigen::Array3f middle = 0.5f * (low + high), reach = 0.5f * (high - low);
-  const float c = instance.cos_yaw, s = instance.sin_yaw;
-  const float x_m = instance.position_m.x() + c * middle.x() - s * middle.y();
-  const float y_m = instance.position_m.y() + s * middle.x() + c * middle.y();
-  const float z_m = instance.position_m.z() + middle.z();
-  const float dx_m = std::abs(c) * reach.x() + std::abs(s) * reach.y();
-  const float dy_m = std::abs(s) * reach.x() + std::abs(c) * reach.y();
-  *arguments->bounds_o = {x_m - dx_m, y_m - dy_m, z_m - reach.z(), 0.0f,
-                          x_m + dx_m, y_m + dy_m, z_m + reach.z(), 0.0f};
+  const Eigen::Vector3f center =
+      instance.position_m + Turned(instance, middle.x(), middle.y(), middle.z());
+  const float c = std::abs(instance.cos_yaw), s = std::abs(instance.sin_yaw);
+  const float cl = std::abs(instance.cos_lean), sl = std::abs(instance.sin_lean);
+  const float along_m = Leans(instance) ? cl * reach.x() + sl * reach.z() : reach.x();
+  const float dz_m = Leans(instance) ? sl * reach.x() + cl * reach.z() : reach.z();
+  const float dx_m = c * along_m + s * reach.y(), dy_m = s * along_m + c * reach.y();
+  *arguments->bounds_o = {center.x() - dx_m, center.y() - dy_m, center.z() - dz_m, 0.0f,
+                          center.x() + dx_m, center.y() + dy_m, center.z() + dz_m, 0.0f};
 }
 
 void MeshInstances::Intersect(const RTCIntersectFunctionNArguments* arguments) {
@@ -94,10 +121,12 @@ void MeshInstances::Intersect(const RTCIntersectFunctionNArguments* arguments) {
   if (local.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
   world.ray.tfar = local.ray.tfar;
   // Normals go by the inverse transposed.
-  const float x = local.hit.Ng_x / instance.size_m.x(), y = local.hit.Ng_y / instance.size_m.y();
-  world.hit.Ng_x = instance.cos_yaw * x - instance.sin_yaw * y;
-  world.hit.Ng_y = instance.sin_yaw * x + instance.cos_yaw * y;
-  world.hit.Ng_z = local.hit.Ng_z / instance.size_m.z();
+  const Eigen::Vector3f normal =
+      Turned(instance, local.hit.Ng_x / instance.size_m.x(), local.hit.Ng_y / instance.size_m.y(),
+             local.hit.Ng_z / instance.size_m.z());
+  world.hit.Ng_x = normal.x();
+  world.hit.Ng_y = normal.y();
+  world.hit.Ng_z = normal.z();
   world.hit.u = local.hit.u;
   world.hit.v = local.hit.v;
   world.hit.geomID = arguments->geomID;

@@ -22,12 +22,15 @@ Result<MeshPrototype> MakePrototype(RTCDevice device, const std::vector<Eigen::V
                                     const std::vector<std::array<std::uint32_t, 3>>& triangles,
                                     std::vector<std::uint8_t> parts);
 
-// Where one is met: the mesh times size_m, turned by a yaw about z, moved to position_m.
+// Where one is met: the mesh times size_m, leaned from z towards x, turned by a yaw about z, moved
+// to position_m.
 struct MeshInstance {
   Eigen::Vector3f position_m;
   Eigen::Vector3f size_m;  // > 0
   float cos_yaw = 1.0f;
   float sin_yaw = 0.0f;
+  float cos_lean = 1.0f;
+  float sin_lean = 0.0f;
   std::uint32_t index = 0;  // in its owner's list
   std::uint16_t prototype = 0;
 };

@@ -16,6 +16,7 @@ namespace latticeworld {
 class HeightField;
 struct Asset;
 struct Scene;
+struct SceneChanges;
 
 // What a ray met.
 enum class RayTarget : std::uint8_t { kNothing, kGround, kWater, kAsset, kAgent };
@@ -47,6 +48,9 @@ struct RayHit {
 struct RaySceneOptions {
   // Instead of the scene's assets, or null; read only while the rays' scene is made.
   const std::vector<Asset>* assets = nullptr;
+  // What has become of the scene's assets, or null; legal, and read only while the rays' scene is
+  // made. Trees that fell lie, what is gone is not met. Not together with `assets`.
+  const SceneChanges* changes = nullptr;
   bool agents = false;  // the scene's, as simple bodies where they begin
   // Assets nearer to this place have meshes of detail 0 up to finest_within_m, 1 up to
   // medium_within_m, and 2 beyond; without a place all have the detail `detail`.

@@ -11,6 +11,7 @@
 #include "latticeworld/common/random.h"
 #include "latticeworld/meshes/mesh.h"
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/scene/scene_changes.h"
 #include "latticeworld/sensing/agent_body.h"
 
 namespace latticeworld {
@@ -60,6 +61,24 @@ Result<MeshPrototype> PrototypeOf(RTCDevice device, const Catalogue& catalogue, 
   return MakePrototype(device, mesh.vertices, mesh.triangles, std::move(parts));
 }
 
+// A tree that lies, leaned along its stem from where its foot is.
+MeshInstance LyingInstance(const Asset& asset, const FallenTree& tree) {
+  const Eigen::Vector3d stem = (tree.tip_m - tree.foot_m).normalized();
+  const double level = stem.head<2>().norm();
+  MeshInstance instance;
+  instance.position_m = tree.foot_m.cast<float>();
+  instance.size_m = Eigen::Vector3f(asset.half_length_m, asset.half_width_m, asset.height_m)
+                        .cwiseMax(kThinnest_m);
+  if (level > 1e-6) {
+    instance.cos_yaw = static_cast<float>(stem.x() / level);
+    instance.sin_yaw = static_cast<float>(stem.y() / level);
+  }
+  instance.cos_lean = static_cast<float>(stem.z());
+  instance.sin_lean = static_cast<float>(level);
+  instance.index = tree.asset;
+  return instance;
+}
+
 }  // namespace
 
 int MeshVariationOf(const Asset& asset) {
@@ -106,10 +125,13 @@ Result<std::unique_ptr<MeshInstances>> AssetInstances(RTCDevice device, const Sc
     for (const Status& status : statuses) LW_RETURN_IF_ERROR(status);
   }
 
-  std::vector<MeshInstance> instances(assets.size());
+  std::vector<MeshInstance> instances;
+  instances.reserve(assets.size());
   for (std::size_t i = 0; i < assets.size(); ++i) {
     const Asset& asset = assets[i];
-    MeshInstance& instance = instances[i];
+    if (options.changes != nullptr && !options.changes->Stands(static_cast<std::uint32_t>(i)))
+      continue;
+    MeshInstance instance;
     instance.position_m = {asset.x_m, asset.y_m, asset.z_m};
     instance.size_m = Eigen::Vector3f(asset.half_length_m, asset.half_width_m, asset.height_m)
                           .cwiseMax(kThinnest_m);
@@ -117,6 +139,14 @@ Result<std::unique_ptr<MeshInstances>> AssetInstances(RTCDevice device, const Sc
     instance.sin_yaw = std::sin(asset.yaw_rad);
     instance.index = static_cast<std::uint32_t>(i);
     instance.prototype = static_cast<std::uint16_t>(prototype_of[keys[i].number()]);
+    instances.push_back(instance);
+  }
+  if (options.changes != nullptr) {
+    for (const FallenTree& tree : options.changes->fallen) {
+      MeshInstance instance = LyingInstance(assets[tree.asset], tree);
+      instance.prototype = static_cast<std::uint16_t>(prototype_of[keys[tree.asset].number()]);
+      instances.push_back(instance);
+    }
   }
   return std::make_unique<MeshInstances>(std::move(prototypes), std::move(instances));
 }

@@ -19,16 +19,29 @@ Status CheckAgentName(std::string_view name) {
       std::all_of(name.begin(), name.end(), IsNameCharacter)) {
     return Status();
   }
-  return InvalidArgument("agent name " + Quote(name) +
+  return InvalidArgument("the name " + Quote(name) +
                          " is not legal: it must begin with a letter and hold only letters, "
                          "digits and underscores, at most " +
                          std::to_string(kMaxNameLength) + " characters");
 }
 
-std::string NumberedName(AgentCategory category, int number) {
-  std::string name(NameOf(category));
+std::string NumberedName(std::string_view kind, int number) {
+  std::string name(kind);
   std::replace(name.begin(), name.end(), ' ', '_');
   return name + "_" + std::to_string(number);
+}
+
+Status NoneNamed(std::string_view kind, std::string_view name,
+                 const std::vector<std::string>& names) {
+  constexpr std::size_t kNamed = 12;
+  std::string message = "there is no " + std::string(kind) + " named " + Quote(name);
+  if (names.empty()) return NotFound(message + ": there are none");
+  const std::size_t named = std::min(kNamed, names.size());
+  message += ": there are " + Join({names.begin(), names.begin() + named}, ", ");
+  if (named < names.size()) {
+    message += " and " + std::to_string(names.size() - named) + " more";
+  }
+  return NotFound(message);
 }
 
 }  // namespace latticeworld

@@ -1,12 +1,13 @@
 #ifndef LATTICEWORLD_SIMULATION_PHYSICS_WORLD_H_
 #define LATTICEWORLD_SIMULATION_PHYSICS_WORLD_H_
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "latticeworld/simulation/body_spec.h"
 #include "latticeworld/terrain/surface.h"
 
 namespace latticeworld {
@@ -14,41 +15,6 @@ namespace latticeworld {
 class Digest;
 
 using BodyId = std::uint32_t;  // never used twice by one world; 0 is no body
-
-inline constexpr double kGravity_mps2 = 9.81;
-
-// A point (radius 0) or a ball of a body that the ground holds up, in base_link.
-struct GroundSample {
-  Eigen::Vector3d offset_m = Eigen::Vector3d::Zero();
-  double radius_m = 0.0;
-};
-
-// A driven wheel on an axle along y of base_link; the ground sees it as a ball.
-struct WheelSpec {
-  Eigen::Vector3d center_m = Eigen::Vector3d::Zero();  // in base_link; y > 0: left
-  double radius_m = 0.1;
-  double mass_kg = 1.0;
-  double max_torque_nm = 10.0;
-  double width_m = 0.06;
-};
-
-// A body. Towards solid things and other bodies it is an upright prism over its footprint; towards
-// the ground it is its samples and wheels.
-struct BodySpec {
-  double mass_kg = 1.0;                                    // without wheels
-  Eigen::Vector3d inertia_kgm2 = Eigen::Vector3d::Ones();  // principal, axes of base_link
-  double center_height_m = 0.0;                            // centre of mass above base_link
-  double height_m = 1.0;
-  double radius_m = 0.5;       // of a round footprint
-  double half_length_m = 0.0;  // both > 0: a rectangular footprint along x and y instead
-  double half_width_m = 0.0;
-  std::vector<GroundSample> ground_samples;
-  std::vector<WheelSpec> wheels;
-  bool upright = false;           // never pitches or rolls
-  bool may_rest = true;           // sleeps when nothing moves it
-  double grip = 1.0;              // times the friction of the surface
-  double wheel_side_grip = 0.55;  // sideways friction of wheels, share of that along the wheel
-};
 
 // map_from_base and its velocities, all in the map frame.
 struct BodyMotion {
@@ -73,43 +39,114 @@ struct Contact {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // unit, into `body`
   double depth_m = 0.0;
   double approach_mps = 0.0;  // speed at which the two come together, >= 0
+  // What the contact exerted on `body` in the step, map frame [N]. Zero before the solver ran; not
+  // measured for kGround and kBoundary, where it stays zero.
+  Eigen::Vector3d force_n = Eigen::Vector3d::Zero();
+};
+
+enum class JointMode : std::uint8_t { kFree, kPosition, kVelocity, kEffort };
+struct JointTarget {
+  JointMode mode = JointMode::kFree;
+  double value = 0.0;  // [rad], [rad/s] or [N m], by mode; beyond the joint's limits it is clamped
+};
+struct JointReading {
+  double angle_rad = 0.0;
+  double rate_radps = 0.0;
+  double effort_nm = 0.0;  // of its motor in the last step
+};
+
+// Decides about what a body hits while a step looks for contacts.
+class ContactJudge {
+ public:
+  virtual ~ContactJudge() = default;
+  // True: what was hit (an asset, or an anchored body) gives way and holds nothing up in this step.
+  // Called in the order in which contacts are found, for those that approach faster than
+  // 0.05 m/s; force_n is zero.
+  virtual bool GivesWay(const Contact& contact) = 0;
+};
+
+// A world's whole state, to go back to. Opaque: of the back end that made it.
+class PhysicsSnapshot {
+ public:
+  virtual ~PhysicsSnapshot() = default;
 };
 
 // Rigid bodies over the ground and among the solid assets of one scene. Same calls, same motions,
-// bit for bit, on the same build, whatever other worlds do in the process.
+// bit for bit, on the same build, whatever other worlds do in the process; also after Restore.
 class PhysicsWorld {
  public:
   virtual ~PhysicsWorld() = default;
 
-  // Puts base_link at that place and heading: wheeled bodies lean with the ground, and no sample or
-  // wheel begins below it.
+  // Puts base_link at that place and heading: wheeled bodies lean with the ground, and no sample,
+  // wheel or foot begins below it.
   virtual BodyId Add(const BodySpec& spec, const Eigen::Vector3d& position_m, double yaw_rad) = 0;
+  // Exactly there, moving so.
+  virtual BodyId Add(const BodySpec& spec, const BodyMotion& motion) = 0;
   virtual void Remove(BodyId body) = 0;
+  virtual const BodySpec& SpecOf(BodyId body) const = 0;
 
   // What the feet of a body (its ground samples) push towards until told otherwise, map frame.
   // Traction is limited by friction. Zero: it stands and holds.
   virtual void SetWalkVelocity(BodyId body, const Eigen::Vector3d& velocity_mps) = 0;
-  // Rates that the wheels of a side are driven towards, within their torque [rad/s].
-  virtual void SetWheelRates(BodyId body, double left_radps, double right_radps) = 0;
-  // Act at the centre of mass during the next step, map frame [N], [N m].
+  // Rate that the motor of a driven wheel drives it towards [rad/s] within its torque, and the
+  // angle to which a steered one turns (left positive) [rad], until told otherwise.
+  virtual void SetWheel(BodyId body, std::size_t wheel, double rate_radps, double steer_rad) = 0;
+  virtual JointReading WheelOf(BodyId body, std::size_t wheel) const = 0;
+  // Of the steering of a wheel (left positive); all zero where it is not steered.
+  virtual JointReading SteeringOf(BodyId body, std::size_t wheel) const = 0;
+  // Until told otherwise.
+  virtual void SetJoint(BodyId body, std::size_t link, const JointTarget& target) = 0;
+  virtual JointReading JointOf(BodyId body, std::size_t link) const = 0;
+  // Pose of a link's frame (BodySpec) in the map.
+  virtual BodyMotion LinkMotionOf(BodyId body, std::size_t link) const = 0;
+  // Act during the next step, map frame [N], [N m]: at the centre of mass of the trunk, or at a
+  // point of it.
   virtual void AddForce(BodyId body, const Eigen::Vector3d& force_n) = 0;
+  virtual void AddForceAt(BodyId body, const Eigen::Vector3d& force_n,
+                          const Eigen::Vector3d& point_m) = 0;
   virtual void AddTorque(BodyId body, const Eigen::Vector3d& torque_nm) = 0;
+  // At once, at a point of the trunk [N s].
+  virtual void AddImpulse(BodyId body, const Eigen::Vector3d& impulse_ns,
+                          const Eigen::Vector3d& point_m) = 0;
 
+  // upright: it never pitches or rolls, as BodySpec::upright says at first. Made upright, it stands
+  // straight where its base is, heading as it did.
+  virtual void SetUpright(BodyId body, bool upright) = 0;
+  virtual bool IsUpright(BodyId body) const = 0;
+  // An anchored body comes loose, or is held again where it is.
+  virtual void SetAnchored(BodyId body, bool anchored) = 0;
+  virtual bool IsAnchored(BodyId body) const = 0;
+  // kHinge anchors: torque about the hinge towards opening, and the angle that it has [rad].
+  virtual double AnchorAngleOf(BodyId body) const = 0;
+
+  // Whether an asset is there at all: one that fell or went has no collider. At first all are.
+  virtual void SetAssetPresent(std::uint32_t asset, bool present) = 0;
   // What weather has made of the ground from the next step on; at first it is the scene's. Bodies
   // that rest wake up when their hold on the ground changes.
   virtual void SetGround(const GroundState& ground) = 0;
+  // judge: outlives the world or is taken away; nullptr: nothing gives way.
+  virtual void SetJudge(ContactJudge* judge) = 0;
 
-  // Moves a body as a whole; wheels keep their places on it.
+  // Moves a body as a whole; wheels and links keep their places on it.
   virtual void Place(BodyId body, const BodyMotion& motion) = 0;
   virtual BodyMotion MotionOf(BodyId body) const = 0;
-  // Deepest that any wheel or sample of the body is below the ground [m], 0 where none is.
+  // Deepest that any wheel, foot or sample of the body is below the ground [m], 0 where none is.
   virtual double SinkageOf(BodyId body) const = 0;
   virtual bool IsResting(BodyId body) const = 0;
+  // Kinetic and potential energy of the body, wheels and links included, above z = 0 [J].
+  virtual double EnergyOf(BodyId body) const = 0;
 
   // solver_seed: of the solver's order of constraints.
   virtual void Step(double step_s, std::uint64_t solver_seed) = 0;
   // Of the last step, in the order in which they were found.
   virtual const std::vector<Contact>& contacts() const = 0;
+  // Bodies that met numbers not finite in the last step, or a part of which became 30 m/s faster
+  // than forces explain; each is back where it was before it, at rest. In increasing order.
+  virtual const std::vector<BodyId>& strayed() const = 0;
+
+  virtual std::shared_ptr<const PhysicsSnapshot> Save() const = 0;
+  // snapshot: of a world of the same back end over the same scene.
+  virtual void Restore(const PhysicsSnapshot& snapshot) = 0;
   // All that the future of the bodies depends on.
   virtual void AddTo(Digest* digest) const = 0;
 };

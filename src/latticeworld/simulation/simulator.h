@@ -2,7 +2,6 @@
 #define LATTICEWORLD_SIMULATION_SIMULATOR_H_
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,47 +11,87 @@
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/scene/weather_change.h"
 #include "latticeworld/simulation/world_state.h"
+#include "latticeworld/species/species_catalogue.h"
 
 namespace latticeworld {
 
 struct SimulatorOptions {
   double step_s = 0.01;              // fixed step, [0.001, 0.05]
   double command_timeout_s = 0.5;    // a robot without a newer command stops; [0.05, 60]
-  double pursuit_distance_m = 25.0;  // adversaries pursue main agents nearer than this; (0, 1000]
+  double pursuit_distance_m = 25.0;  // adversaries pursue enemies nearer than this; (0, 1000]
   double day_length_s = 0.0;         // from noon to noon; 0: the hour stands still; else [60, 1e6]
+  std::shared_ptr<const SpeciesCatalogue> species = SpeciesCatalogue::BuiltIn();  // never null
+  std::string robot_species = "wheeled robot";  // of the scene's wheeled robots; of their category
 };
 std::vector<Violation> Validate(const SimulatorOptions& options);
 
-// Wanted velocity in base_link (flyers use all, wheels and legs x and yaw). Finite values only.
+// Wanted velocity in base_link (flyers and swimmers use all, wheels and legs x and yaw, quadrupeds
+// y too). Finite values only.
 struct VelocityCommand {
   Eigen::Vector3d linear_mps = Eigen::Vector3d::Zero();
   double yaw_rate_radps = 0.0;
 };
 
+// For one joint of a robot; exactly one of the three is finite, the others NaN.
+struct JointCommand {
+  std::string joint;  // as JointSnapshot names it
+  double position_rad;
+  double velocity_radps;
+  double effort_nm;
+};
+
 struct SpawnRequest {
-  std::string name;  // "": "<category>_<n>"; else a legal ROS base name not in use
+  std::string name;  // "": "<species>_<n>"; else a legal ROS base name not in use
   AgentCategory category = AgentCategory::kWheeledRobot;
+  std::string species;                 // "": the category's own; else it decides the category
   std::optional<AgentState> state;     // none: what suits the category
   std::optional<WorldPoint> position;  // none: somewhere legal in `region`
   Region region = Region::kAnywhere;
   double heading_rad = 0.0;
   bool controllable = false;
+  std::optional<int> team;  // none: what suits the category; [0, 15]
+  std::string policy;       // "": the team's, else the category's usual one
 };
 
-// Steps a scene. Not thread safe: one thread owns it. Same scene, seed, step count, commands,
-// weather changes and spawns: the same states, bit for bit, on the same build.
+// Which policy an agent, or every agent of a team now and later, follows. Exactly one of the two.
+struct PolicyChange {
+  std::string agent;
+  std::optional<int> team;
+  std::string policy;  // of PolicyNames(); "": back to the usual one
+};
+// Adversarial and other policies that agents can follow, sorted: "pursuer", "ambusher" ...
+// "external" does what Simulator::Command says.
+std::vector<std::string> PolicyNames();
+
+// Opaque, immutable; of the simulator that made it and of others over the same scene and options.
+class SimulatorSnapshot {
+ public:
+  virtual ~SimulatorSnapshot() = default;
+};
+
+// Steps a scene. Not thread safe: one thread owns it. Same scene, options, seed, step count and
+// calls: the same states, bit for bit, on the same build.
 class Simulator {
  public:
-  // Begins with the scene's agents. Errors: INVALID_ARGUMENT (options).
+  // Begins with the scene's agents and elements. Errors: INVALID_ARGUMENT (options).
   static Result<std::unique_ptr<Simulator>> Create(std::shared_ptr<const Scene> scene,
                                                    const SimulatorOptions& options,
                                                    std::uint64_t seed);
   virtual ~Simulator() = default;
 
   // The command that the agent follows from the next step on, until command_timeout_s of simulated
-  // time passes. Errors: NOT_FOUND, FAILED_PRECONDITION (not controllable), INVALID_ARGUMENT (not
-  // finite). Speeds beyond the species' limits are clamped to them.
+  // time passes. Errors: NOT_FOUND, FAILED_PRECONDITION (neither controllable nor of the policy
+  // "external"), INVALID_ARGUMENT (not finite). Speeds beyond the species' limits are clamped.
   virtual Status Command(const std::string& agent, const VelocityCommand& command) = 0;
+  // The same for joints; while they hold, the agent's own gait or drive leaves those joints alone.
+  // Errors: as above, and NOT_FOUND for a joint (naming those that there are).
+  virtual Status CommandJoints(const std::string& agent,
+                               const std::vector<JointCommand>& commands) = 0;
+  // Strikes the nearest enemy before it and within its reach, if any, once its last blow is long
+  // enough ago. Errors: NOT_FOUND, FAILED_PRECONDITION (cannot strike, dead, not commandable).
+  virtual Status Strike(const std::string& agent) = 0;
+  // Errors: INVALID_ARGUMENT (no such policy, neither or both of agent and team), NOT_FOUND.
+  virtual Status SetPolicy(const PolicyChange& change) = 0;
 
   virtual void Step() = 0;
 
@@ -65,6 +104,13 @@ class Simulator {
   // INVALID_ARGUMENT) with the reason; nothing changes then. The answer is the agent's name.
   virtual Result<std::string> Spawn(const SpawnRequest& request) = 0;
   virtual Status Remove(const std::string& agent) = 0;
+  // element.name "": "<kind>_<n>"; z_m is looked up: elements stand on the ground. Errors: as
+  // Spawn.
+  virtual Result<std::string> SpawnElement(const Element& element) = 0;
+  virtual Status RemoveElement(const std::string& element) = 0;
+  // Turns a gate to that opening (0: closed). Errors: NOT_FOUND, FAILED_PRECONDITION (no gate),
+  // OUT_OF_RANGE.
+  virtual Status OpenGate(const std::string& element, double opening_rad) = 0;
 
   // From the next step on the weather moves to what the change says; an event tells when it begins
   // to and when it is there. Maps keep the waters' mean level. Errors: INVALID_ARGUMENT with every
@@ -73,10 +119,16 @@ class Simulator {
   // What the weather is once it stops moving.
   virtual const Atmosphere& WeatherTarget() const = 0;
 
-  // Back to the scene's agents and weather at episode step 0; step and time go on. An event tells
-  // of the weather where it was another. The state afterwards is the start state of that seed (only
-  // step and time_s differ).
+  // Back to the scene's agents, elements, trees and weather at episode step 0; step and time go on.
+  // An event tells of the weather where it was another. The state afterwards is the start state of
+  // that seed (only step and time_s differ).
   virtual void Reset(std::uint64_t seed) = 0;
+
+  // The whole state, to go back to as often as wanted; taking one changes nothing. Restored, step
+  // and time go on, all else (episode step, agents, elements, trees, weather, seed, hash, future)
+  // is what it was. Errors of Restore: INVALID_ARGUMENT (of another scene or other options).
+  virtual std::shared_ptr<const SimulatorSnapshot> Save() const = 0;
+  virtual Status Restore(const SimulatorSnapshot& snapshot) = 0;
 
   // SHA-256 of all that the future depends on, without `step` and `time_s`, so that it is the same
   // after a reset as at the start.

@@ -4,50 +4,15 @@
 #include <cmath>
 #include <utility>
 
-#include "latticeworld/common/digest.h"
-#include "latticeworld/common/text.h"
-#include "latticeworld/mapping/traversability.h"
-#include "latticeworld/scene/water_depth.h"
-#include "latticeworld/simulation/agent_names.h"
-#include "latticeworld/simulation/agents/bodies.h"
 #include "latticeworld/simulation/agents/locomotion.h"
-#include "latticeworld/simulation/agents/mind.h"
-#include "latticeworld/simulation/agents/species.h"
+#include "latticeworld/simulation/agents/thinking.h"
 #include "latticeworld/simulation/ode/ode_world.h"
 
 namespace latticeworld {
 namespace {
 
-constexpr double kThoughtsPeriod_s = 0.1;
-constexpr double kCollisionSpeed_mps = 0.5;  // slower touches are no collisions
-constexpr double kCollisionPause_s = 1.0;
-constexpr double kDeepest_m = 5.0;         // below the ground: lost
-constexpr double kHighest_m = 1000.0;      // above the highest ground: lost
+constexpr double kTurns_s = 0.1;
 constexpr std::size_t kMaxEvents = 65536;  // kept for a caller who does not take them
-
-Grid<float> TraversabilityFor(const Scene& scene) {
-  RobotLimits limits;
-  limits.radius_m = 0.5;
-  return BuildTraversability(scene, limits);
-}
-
-bool IsFinite(const BodyMotion& motion) {
-  return motion.position_m.allFinite() && motion.orientation.coeffs().allFinite() &&
-         motion.linear_velocity_mps.allFinite() && motion.angular_velocity_radps.allFinite();
-}
-
-bool IsInWorld(const Scene& scene, const BodyMotion& motion) {
-  const WorldPoint place{motion.position_m.x(), motion.position_m.y()};
-  if (!scene.geometry().Contains(place)) return false;
-  const HeightField& ground = scene.terrain->ground;
-  return motion.position_m.z() > ground.HeightAt(place) - kDeepest_m &&
-         motion.position_m.z() < ground.max_m() + kHighest_m;
-}
-
-std::string OtherName(const Scene& scene, const Contact& contact) {
-  if (contact.kind == ContactKind::kBoundary) return "boundary";
-  return std::string(NameOf(scene.assets[contact.other].kind));
-}
 
 }  // namespace
 
@@ -55,7 +20,8 @@ SimulatorImpl::SimulatorImpl(std::shared_ptr<const Scene> scene, const Simulator
                              std::uint64_t seed)
     : scene_(std::move(scene)),
       options_(options),
-      traversability_(TraversabilityFor(*scene_)),
+      turns_(static_cast<std::uint64_t>(std::max(1.0, std::round(kTurns_s / options.step_s)))),
+      paths_(*scene_),
       seed_(seed),
       spawn_random_(seed, "spawn") {
   Reset(seed);
@@ -66,67 +32,44 @@ void SimulatorImpl::Reset(std::uint64_t seed) {
   episode_step_ = 0;
   spawn_random_ = RandomStream(seed, "spawn");
   agents_.clear();
+  in_order_.clear();
   ids_.clear();
   agent_of_body_.clear();
+  frozen_until_.clear();
+  team_policies_.clear();
   last_agent_ = 0;
+  map_version_ = 0;
+  // Both hold the physics: they go before it goes.
+  elements_.reset();
+  felling_.reset();
   physics_ = MakeOdeWorld(scene_);
+  physics_->SetJudge(this);
+  felling_.emplace(*scene_, physics_.get());
+  elements_.emplace(*scene_, physics_.get());
+  paths_.Update(felling_->changes());
   const bool other_weather = weather_.has_value() && weather_->HasChanged();
   weather_.emplace(*scene_, options_.day_length_s, seed);
   if (other_weather) TellWeather(std::string(NameOf(weather_->now().weather)));
   surfaces_.emplace(*scene_, weather_->now().ground());
-  for (const AgentStart& start : scene_->agents) Begin(start);
+  const Species& robot = *options_.species->Find(options_.robot_species);
+  for (const AgentStart& start : scene_->agents) {
+    const bool is_robot = start.category == AgentCategory::kWheeledRobot;
+    Begin(start, is_robot ? robot : options_.species->Of(start.category), "");
+  }
+  near_.Rebuild(scene_->geometry().size_m(), agents_);
   state_.reset();
-}
-
-double SimulatorImpl::StartHeight(const AgentStart& start) const {
-  const double ground_m = scene_->terrain->ground.HeightAt(start.position);
-  const double depth_m = WaterDepthAt(*scene_->terrain, weather_->now(), start.position);
-  const Locomotion locomotion = LocomotionOf(start.category);
-  if (locomotion == Locomotion::kWings) {
-    return ground_m + depth_m + std::max(0.0, start.height_above_ground_m);
-  }
-  if (locomotion == Locomotion::kFins) {
-    const double spare_m = depth_m - SpeciesOf(start.category).height_m;
-    return ground_m + std::max(0.1, 0.5 * spare_m);
-  }
-  return ground_m;
-}
-
-Agent& SimulatorImpl::Begin(const AgentStart& start) {
-  const AgentId id = ++last_agent_;
-  const BodySpec spec = BodyOf(start.category);
-  Agent& agent = agents_.emplace(id, Agent(id, RandomStream(seed_, "agent " + std::to_string(id))))
-                     .first->second;
-  agent.name = start.name;
-  agent.category = start.category;
-  agent.state = start.state;
-  agent.team = start.team;
-  agent.controllable = start.controllable;
-  agent.radius_m = spec.radius_m;
-  agent.hit_points = SpeciesOf(start.category).hit_points;
-  agent.behaviour = start.controllable ? Behaviour::kControlled : BehaviourIn(start.state);
-  agent.body = physics_->Add(spec, {start.position.x_m, start.position.y_m, StartHeight(start)},
-                             start.heading_rad);
-  agent.motion = physics_->MotionOf(agent.body);
-  agent.mind.home = start.position;
-  agent.mind.home_z_m = agent.motion.position_m.z();
-  agent.mind.turn_side = agent.mind.random.Chance(0.5) ? 1 : -1;
-  agent.mind.steering.heading_rad = start.heading_rad;
-  if (LocomotionOf(start.category) == Locomotion::kWings) {
-    agent.mind.steering.base_z_m = agent.mind.home_z_m;
-  }
-  ids_[agent.name] = id;
-  agent_of_body_[agent.body] = id;
-  return agent;
 }
 
 Surroundings SimulatorImpl::World() {
   return {*scene_,
+          felling_->changes(),
+          map_version_,
           weather_->now(),
           *surfaces_,
           weather_->gusts(),
           weather_->drift_m(),
-          traversability_,
+          paths_,
+          near_,
           agents_,
           *physics_,
           events_,
@@ -136,14 +79,30 @@ Surroundings SimulatorImpl::World() {
           episode_step_};
 }
 
+void SimulatorImpl::TellOf(EventKind kind, const std::string& who, const std::string& other,
+                           const Eigen::Vector3d& position_m) {
+  events_.push_back({step_, kind, who, other, position_m});
+}
+
 void SimulatorImpl::Step() {
   ++step_;
   ++episode_step_;
   StepWeather();
+  paths_.Update(felling_->changes());
+  near_.Rebuild(scene_->geometry().size_m(), agents_);
+  if (in_order_.size() != agents_.size()) {
+    in_order_.clear();
+    for (auto& [id, agent] : agents_) in_order_.push_back(&agent);
+  }
+  HoldFrozen();
   ThinkAndDrive();
+  ActOnThings();
   physics_->Step(options_.step_s, StreamSeed(seed_ ^ episode_step_, "solver"));
+  FreezeStrayed();
   ReadMotions();
-  TellCollisions();
+  Collide();
+  StepThings();
+  Respawn();
   BoundEvents();
   state_.reset();
 }
@@ -161,139 +120,54 @@ void SimulatorImpl::WeatherGround() {
 }
 
 void SimulatorImpl::TellWeather(const std::string& what) {
-  events_.push_back({step_, EventKind::kWeatherChanged, "", what, Eigen::Vector3d::Zero()});
-}
-
-Status SimulatorImpl::SetWeather(const WeatherChange& change) {
-  LW_RETURN_IF_ERROR(Status::FromViolations("weather", Validate(change)));
-  if (IsEmpty(change)) return Status();
-  weather_->Change(change);
-  const std::string name(NameOf(weather_->target().weather));
-  TellWeather(weather_->moving() ? name + " begins" : name);
-  WeatherGround();
-  state_.reset();
-  return Status();
+  TellOf(EventKind::kWeatherChanged, "", what, Eigen::Vector3d::Zero());
 }
 
 void SimulatorImpl::ThinkAndDrive() {
   Surroundings world = World();
-  const std::uint64_t period = std::max<std::uint64_t>(1, world.StepsIn(kThoughtsPeriod_s));
-  for (auto& [id, agent] : agents_) {
-    if ((episode_step_ + id) % period == 0) Think(&agent, &world);
+  for (Agent* agent : in_order_) {
+    if (HasTurn(agent->id) && !IsFrozen(agent->id)) Think(agent, PolicyOf(*agent), &world);
   }
-  for (auto& [id, agent] : agents_) {
-    if (!agent.alive()) agent.behaviour = Behaviour::kDead;
-    Drive(&agent, WantedVelocity(agent, episode_step_), &world);
+  for (Agent* agent : in_order_) {
+    if (!IsFrozen(agent->id)) Fight(agent, &world);
+  }
+  for (Agent* agent : in_order_) {
+    // The watchdog: joints whose commands are old go back to the agent's own drive or gait.
+    if (!agent->joint_targets.empty() && episode_step_ >= agent->joints_until) {
+      agent->joint_targets.clear();
+    }
+    if (IsFrozen(agent->id)) continue;
+    Drive(agent, WantedVelocity(*agent, IsExternal(*agent), episode_step_), &world);
   }
 }
 
-void SimulatorImpl::ReadMotions() {
-  Surroundings world = World();
-  for (auto& [id, agent] : agents_) {
-    const BodyMotion motion = physics_->MotionOf(agent.body);
-    if (IsFinite(motion) && IsInWorld(*scene_, motion)) {
-      agent.motion = motion;
-      continue;
-    }
-    agent.motion.linear_velocity_mps.setZero();
-    agent.motion.angular_velocity_radps.setZero();
-    physics_->Place(agent.body, agent.motion);
-    world.Tell(EventKind::kLeftWorld, agent, "");
+void SimulatorImpl::ActOnThings() {
+  felling_->Act(weather_->now());
+  elements_->Act(weather_->now(), options_.step_s);
+}
+
+bool SimulatorImpl::GivesWay(const Contact& contact) {
+  switch (contact.kind) {
+    case ContactKind::kAsset:
+      return felling_->GivesWay(contact);
+    case ContactKind::kBody:
+      return elements_->GivesWay(contact);
+    default:
+      return false;
   }
 }
 
-void SimulatorImpl::TellCollisions() {
-  Surroundings world = World();
-  const auto tell = [&](AgentId id, const std::string& other) {
-    Agent& agent = agents_.at(id);
-    if (episode_step_ < agent.next_collision) return;
-    agent.next_collision = world.In(kCollisionPause_s);
-    world.Tell(EventKind::kCollided, agent, other);
-  };
-  for (const Contact& contact : physics_->contacts()) {
-    if (contact.kind == ContactKind::kGround || contact.approach_mps < kCollisionSpeed_mps)
-      continue;
-    const AgentId id = agent_of_body_.at(contact.body);
-    if (contact.kind == ContactKind::kBody) {
-      const AgentId other = agent_of_body_.at(contact.other);
-      tell(id, agents_.at(other).name);
-      tell(other, agents_.at(id).name);
-    } else {
-      tell(id, OtherName(*scene_, contact));
-    }
-  }
+void SimulatorImpl::StepThings() {
+  const auto name_of = [this](BodyId body) { return NameOfBody(body); };
+  // Elements first: trees that leave the world take the bodies of their contacts with them.
+  elements_->Step(options_.step_s, step_, &events_);
+  if (felling_->Step(options_.step_s, step_, name_of, &events_)) ++map_version_;
+  RemoveLostElements();
 }
 
 void SimulatorImpl::BoundEvents() {
   if (events_.size() <= kMaxEvents) return;
   events_.erase(events_.begin(), events_.end() - static_cast<std::ptrdiff_t>(kMaxEvents / 2));
-}
-
-Status SimulatorImpl::Command(const std::string& name, const VelocityCommand& command) {
-  const auto found = ids_.find(name);
-  if (found == ids_.end()) return NotFound("there is no agent named " + Quote(name));
-  Agent& agent = agents_.at(found->second);
-  if (!agent.controllable) {
-    return FailedPrecondition(Quote(name) + " is not controllable: it acts by itself");
-  }
-  if (!command.linear_mps.allFinite() || !std::isfinite(command.yaw_rate_radps)) {
-    return InvalidArgument(
-        "a velocity command must be finite, not (" + FormatDouble(command.linear_mps.x()) + ", " +
-        FormatDouble(command.linear_mps.y()) + ", " + FormatDouble(command.linear_mps.z()) +
-        ") m/s and " + FormatDouble(command.yaw_rate_radps) + " rad/s");
-  }
-  agent.command = ClampToLimits(agent.category, command);
-  agent.command_until = World().In(options_.command_timeout_s) + 1;
-  return Status();
-}
-
-AgentSnapshot SimulatorImpl::SnapshotOf(const Agent& agent) const {
-  AgentSnapshot snapshot;
-  snapshot.name = agent.name;
-  snapshot.category = agent.category;
-  snapshot.team = agent.team;
-  snapshot.controllable = agent.controllable;
-  snapshot.behaviour = agent.behaviour;
-  snapshot.health = agent.hit_points / SpeciesOf(agent.category).hit_points;
-  snapshot.position_m = agent.motion.position_m;
-  snapshot.orientation = agent.motion.orientation;
-  const Eigen::Quaterniond base_from_map = agent.motion.orientation.conjugate();
-  snapshot.linear_velocity_mps = base_from_map * agent.motion.linear_velocity_mps;
-  snapshot.angular_velocity_radps = base_from_map * agent.motion.angular_velocity_radps;
-  return snapshot;
-}
-
-std::shared_ptr<const WorldState> SimulatorImpl::State() const {
-  if (state_ != nullptr) return state_;
-  auto state = std::make_shared<WorldState>();
-  state->step = step_;
-  state->time_s = static_cast<double>(step_) * options_.step_s;
-  state->episode_step = episode_step_;
-  state->episode_time_s = static_cast<double>(episode_step_) * options_.step_s;
-  state->contacts = static_cast<int>(physics_->contacts().size());
-  state->atmosphere = weather_->now();
-  state->weather_change_s = weather_->remaining_s();
-  state->agents.reserve(agents_.size());
-  for (const auto& [name, id] : ids_) state->agents.push_back(SnapshotOf(agents_.at(id)));
-  state_ = std::move(state);
-  return state_;
-}
-
-std::vector<Event> SimulatorImpl::TakeEvents() { return std::exchange(events_, {}); }
-
-std::string SimulatorImpl::StateHash() const {
-  Digest digest;
-  digest.Add(seed_);
-  digest.Add(episode_step_);
-  digest.Add(options_.step_s);
-  digest.Add(options_.command_timeout_s);
-  digest.Add(options_.pursuit_distance_m);
-  weather_->AddTo(&digest);
-  digest.Add(last_agent_);
-  for (const std::uint64_t word : spawn_random_.state()) digest.Add(word);
-  for (const auto& [id, agent] : agents_) AddTo(&digest, agent);
-  physics_->AddTo(&digest);
-  return digest.Hex();
 }
 
 Result<std::unique_ptr<Simulator>> Simulator::Create(std::shared_ptr<const Scene> scene,

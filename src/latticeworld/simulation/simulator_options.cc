@@ -1,7 +1,24 @@
 #include "latticeworld/common/range.h"
+#include "latticeworld/common/text.h"
 #include "latticeworld/simulation/simulator.h"
 
 namespace latticeworld {
+namespace {
+
+void CheckRobotSpecies(const SimulatorOptions& options, std::vector<Violation>* violations) {
+  const Species* species = options.species->Find(options.robot_species);
+  if (species != nullptr && species->category == AgentCategory::kWheeledRobot) return;
+  std::vector<std::string> legal;
+  for (const Species& one : options.species->all()) {
+    if (one.category == AgentCategory::kWheeledRobot) legal.push_back(one.name);
+  }
+  violations->push_back({"unknown_species", "robot_species",
+                         "robot_species must be one of " + Join(legal, ", ") + ", not " +
+                             Quote(options.robot_species),
+                         options.robot_species});
+}
+
+}  // namespace
 
 std::vector<Violation> Validate(const SimulatorOptions& options) {
   std::vector<Violation> violations;
@@ -11,6 +28,11 @@ std::vector<Violation> Validate(const SimulatorOptions& options) {
              &violations);
   if (options.day_length_s != 0.0) {
     CheckRange("day_length_s", options.day_length_s, {60.0, 1e6}, " s, or 0", &violations);
+  }
+  if (options.species == nullptr) {
+    violations.push_back({"missing_species", "species", "species must be given", ""});
+  } else {
+    CheckRobotSpecies(options, &violations);
   }
   return violations;
 }

@@ -1,30 +1,65 @@
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/scene/agent_placement.h"
 #include "latticeworld/scene/spawn_rules.h"
 #include "latticeworld/simulation/agent_names.h"
-#include "latticeworld/simulation/agents/bodies.h"
-#include "latticeworld/simulation/agents/species.h"
+#include "latticeworld/simulation/agents/policy.h"
 #include "latticeworld/simulation/agents/steering.h"
+#include "latticeworld/simulation/element_body.h"
+#include "latticeworld/simulation/footprint.h"
 #include "latticeworld/simulation/simulator_impl.h"
 
 namespace latticeworld {
+namespace {
 
-Status SimulatorImpl::CheckRequest(const SpawnRequest& request) const {
+constexpr int kMostTeam = 15;
+constexpr int kRobotTeam = 1;
+constexpr int kTries = 8;  // places that the rules allow and something that moved is in the way of
+constexpr double kStemSpacing_m = 3.0;  // between the places that a fallen stem takes
+
+std::string At(WorldPoint place) {
+  return "(" + FormatDouble(place.x_m) + ", " + FormatDouble(place.y_m) + ")";
+}
+
+}  // namespace
+
+Status SimulatorImpl::CheckName(const std::string& name) const {
+  LW_RETURN_IF_ERROR(CheckAgentName(name));
+  if (!IsNameTaken(name)) return Status();
+  return Status(StatusCode::kAlreadyExists,
+                "there is an agent or element named " + Quote(name) + " already");
+}
+
+bool SimulatorImpl::IsNameTaken(const std::string& name) const {
+  return ids_.count(name) != 0 || elements_->Has(name);
+}
+
+std::string SimulatorImpl::NumberedNameFor(const std::string& kind) const {
+  int number = 1;
+  while (IsNameTaken(NumberedName(kind, number))) ++number;
+  return NumberedName(kind, number);
+}
+
+Result<const Species*> SimulatorImpl::SpeciesFor(const SpawnRequest& request) const {
+  if (request.species.empty()) return &options_.species->Of(request.category);
+  if (const Species* species = options_.species->Find(request.species)) return species;
+  std::vector<std::string> names;
+  for (const Species& one : options_.species->all()) names.push_back(one.name);
+  return InvalidArgument("there is no species " + Quote(request.species) + ": there are " +
+                         Join(names, ", "));
+}
+
+Status SimulatorImpl::CheckRequest(const SpawnRequest& request, const Species& species) const {
   if (agents_.size() >= static_cast<std::size_t>(kMaxAgents)) {
     return ResourceExhausted("the world holds " + std::to_string(agents_.size()) +
-                             " agents, the most that it can");
+                             " agents; it can hold no more than " + std::to_string(kMaxAgents));
   }
-  if (!request.name.empty()) {
-    LW_RETURN_IF_ERROR(CheckAgentName(request.name));
-    if (ids_.count(request.name) != 0) {
-      return Status(StatusCode::kAlreadyExists,
-                    "there is an agent named " + Quote(request.name) + " already");
-    }
-  }
-  if (request.state.has_value() && !CanBe(request.category, *request.state)) {
-    return InvalidArgument("a " + std::string(NameOf(request.category)) + " cannot be " +
+  if (!request.name.empty()) LW_RETURN_IF_ERROR(CheckName(request.name));
+  if (request.state.has_value() && !CanBe(species.category, *request.state)) {
+    return InvalidArgument("a " + species.name + " cannot be " +
                            std::string(NameOf(*request.state)));
   }
   if (!std::isfinite(request.heading_rad)) {
@@ -32,74 +67,120 @@ Status SimulatorImpl::CheckRequest(const SpawnRequest& request) const {
   }
   if (request.position.has_value() &&
       (!std::isfinite(request.position->x_m) || !std::isfinite(request.position->y_m))) {
-    return InvalidArgument("position must be finite, not (" + FormatDouble(request.position->x_m) +
-                           ", " + FormatDouble(request.position->y_m) + ")");
+    return InvalidArgument("position must be finite, not " + At(*request.position));
+  }
+  if (request.team.has_value() && (*request.team < 0 || *request.team > kMostTeam)) {
+    return InvalidArgument("team must be in [0, " + std::to_string(kMostTeam) + "], not " +
+                           std::to_string(*request.team));
+  }
+  if (!request.policy.empty() && FindPolicy(request.policy) == nullptr) {
+    return InvalidArgument("there is no policy " + Quote(request.policy) + ": it must be one of " +
+                           Join(PolicyNames(), ", ") + ", or empty");
   }
   return Status();
 }
 
-Result<WorldPoint> SimulatorImpl::PlaceFor(const SpawnRequest& request) {
-  const double radius_m = BodyRadius(request.category);
-  if (!request.position.has_value()) {
-    std::vector<WorldPoint> taken;
-    for (const auto& [id, agent] : agents_) taken.push_back(agent.place());
-    return FindSpawn(*scene_, weather_->now(), request.category, radius_m, request.region, taken,
-                     &spawn_random_);
+Status SimulatorImpl::CheckFree(const Species& species, WorldPoint place, AgentId except) const {
+  const auto taken_by = [&](const std::string& what) {
+    return FailedPrecondition(At(place) + " is taken by " + what);
+  };
+  for (const auto& [id, agent] : agents_) {
+    if (id == except) continue;
+    const double gap_m =
+        DistanceBetween(agent.place(), place) - agent.species->radius_m - species.radius_m;
+    if (gap_m <= 0.0) return taken_by(agent.name);
   }
-  LW_RETURN_IF_ERROR(
-      CheckSpawn(*scene_, weather_->now(), request.category, radius_m, *request.position));
-  return *request.position;
+  if (species.plan == BodyPlan::kFlyer) return Status();
+  for (const auto& [name, running] : elements_->state()) {
+    const BodyMotion motion = ElementPoseOf(running.element, physics_->MotionOf(running.body));
+    const WorldPoint at{motion.position_m.x(), motion.position_m.y()};
+    if (DistanceToElement(running.element, at, motion.yaw_rad(), place) <= species.radius_m) {
+      return taken_by(name);
+    }
+  }
+  for (const FallenTree& tree : felling_->changes().fallen) {
+    const double stem_m = scene_->assets[tree.asset].trunk_radius_m;
+    if (DistanceToStem(tree, place) <= species.radius_m + stem_m) {
+      return taken_by("a fallen tree");
+    }
+  }
+  return Status();
 }
 
-std::string SimulatorImpl::NameFor(const SpawnRequest& request) const {
-  if (!request.name.empty()) return request.name;
-  int number = 1;
-  while (ids_.count(NumberedName(request.category, number)) != 0) ++number;
-  return NumberedName(request.category, number);
+Result<WorldPoint> SimulatorImpl::PlaceFor(const SpawnRequest& request, const Species& species) {
+  if (request.position.has_value()) {
+    LW_RETURN_IF_ERROR(CheckSpawn(*scene_, weather_->now(), species.category, species.radius_m,
+                                  *request.position));
+    LW_RETURN_IF_ERROR(CheckFree(species, *request.position, 0));
+    return *request.position;
+  }
+  std::vector<WorldPoint> taken;
+  for (const auto& [id, agent] : agents_) taken.push_back(agent.place());
+  for (const auto& [name, running] : elements_->state()) {
+    const Eigen::Vector3d at = physics_->MotionOf(running.body).position_m;
+    taken.push_back({at.x(), at.y()});
+  }
+  for (const FallenTree& tree : felling_->changes().fallen) {
+    const double length_m = (tree.tip_m - tree.foot_m).head<2>().norm();
+    const int places = 1 + static_cast<int>(length_m / kStemSpacing_m);
+    for (int i = 0; i <= places; ++i) {
+      const Eigen::Vector3d at = tree.foot_m + (tree.tip_m - tree.foot_m) * i / places;
+      taken.push_back({at.x(), at.y()});
+    }
+  }
+  Status in_the_way;
+  for (int i = 0; i < kTries; ++i) {
+    const Result<WorldPoint> place =
+        FindSpawn(*scene_, weather_->now(), species.category, species.radius_m, request.region,
+                  taken, &spawn_random_);
+    if (!place.ok()) return place;
+    in_the_way = CheckFree(species, *place, 0);
+    if (in_the_way.ok()) return place;
+  }
+  return in_the_way;
 }
 
 Result<std::string> SimulatorImpl::Spawn(const SpawnRequest& request) {
-  LW_RETURN_IF_ERROR(CheckRequest(request));
+  const Result<const Species*> found = SpeciesFor(request);
+  if (!found.ok()) return found.status();
+  const Species& species = **found;
+  LW_RETURN_IF_ERROR(CheckRequest(request, species));
   // A refused request leaves everything as it was, the random stream too.
   const RandomStream random_before = spawn_random_;
-  const Result<WorldPoint> place = PlaceFor(request);
-  const auto refuse = [&](Status status) {
+  const Result<WorldPoint> place = PlaceFor(request, species);
+  if (!place.ok()) {
     spawn_random_ = random_before;
-    return status;
-  };
-  if (!place.ok()) return refuse(place.status());
-  const double radius_m = BodyRadius(request.category);
-  for (const auto& [id, agent] : agents_) {
-    const double gap_m = DistanceBetween(agent.place(), *place) - agent.radius_m - radius_m;
-    if (gap_m > 0.0) continue;
-    return refuse(FailedPrecondition("(" + FormatDouble(place->x_m) + ", " +
-                                     FormatDouble(place->y_m) + ") is taken by " + agent.name));
+    return place.status();
   }
 
   AgentStart start;
-  start.name = NameFor(request);
-  start.category = request.category;
-  start.state = request.state.value_or(UsualState(request.category));
-  start.team = TeamOf(request.category, request.controllable);
+  start.name = request.name.empty() ? NumberedNameFor(species.name) : request.name;
+  start.category = species.category;
+  start.state = request.state.value_or(UsualState(species.category));
+  start.team = request.team.value_or(request.controllable ? kRobotTeam : TeamOf(species.category));
   start.controllable = request.controllable;
   start.position = *place;
-  start.height_above_ground_m = SpeciesOf(request.category).altitude_m;
+  start.height_above_ground_m = species.altitude_m;
   start.heading_rad = request.heading_rad;
-  const Agent& agent = Begin(start);
+  const Agent& agent = Begin(start, species, request.policy);
   World().Tell(EventKind::kSpawned, agent, "");
   state_.reset();
   return agent.name;
 }
 
 Status SimulatorImpl::Remove(const std::string& name) {
-  const auto found = ids_.find(name);
-  if (found == ids_.end()) return NotFound("there is no agent named " + Quote(name));
-  const Agent& agent = agents_.at(found->second);
+  const Result<Agent*> found = FindAgent(name);
+  if (!found.ok()) return found.status();
+  const Agent& agent = **found;
   World().Tell(EventKind::kRemoved, agent, "");
   physics_->Remove(agent.body);
   agent_of_body_.erase(agent.body);
-  agents_.erase(found->second);
-  ids_.erase(found);
+  frozen_until_.erase(agent.id);
+  ids_.erase(name);
+  agents_.erase(agent.id);
+  in_order_.clear();
+  // Who was near whom is found anew by each step; until then nobody is.
+  near_ = AgentGrid();
   state_.reset();
   return Status();
 }

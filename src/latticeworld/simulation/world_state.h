@@ -11,35 +11,63 @@
 #include "latticeworld/common/enum_names.h"
 #include "latticeworld/environment/agent_group.h"
 #include "latticeworld/scene/atmosphere.h"
+#include "latticeworld/scene/element.h"
+#include "latticeworld/scene/scene_changes.h"
 
 namespace latticeworld {
 
+// What an agent is doing.
 enum class Behaviour : std::uint8_t {
   kIdle,
+  kWander,
   kPatrol,
   kGraze,
   kSwim,
   kSoar,
+  kFlee,
+  kGuard,
   kPursue,
+  kSearch,
+  kAmbush,
+  kEncircle,
   kAttack,
+  kRetreat,
   kControlled,
+  kFallen,
   kDead
 };
-constexpr std::array<EnumName<Behaviour>, 9> EnumNames(Behaviour) {
+constexpr std::array<EnumName<Behaviour>, 17> EnumNames(Behaviour) {
   return {{{Behaviour::kIdle, "idle"},
+           {Behaviour::kWander, "wander"},
            {Behaviour::kPatrol, "patrol"},
            {Behaviour::kGraze, "graze"},
            {Behaviour::kSwim, "swim"},
            {Behaviour::kSoar, "soar"},
+           {Behaviour::kFlee, "flee"},
+           {Behaviour::kGuard, "guard"},
            {Behaviour::kPursue, "pursue"},
+           {Behaviour::kSearch, "search"},
+           {Behaviour::kAmbush, "ambush"},
+           {Behaviour::kEncircle, "encircle"},
            {Behaviour::kAttack, "attack"},
+           {Behaviour::kRetreat, "retreat"},
            {Behaviour::kControlled, "controlled"},
+           {Behaviour::kFallen, "fallen"},
            {Behaviour::kDead, "dead"}}};
 }
+
+struct JointSnapshot {
+  std::string name;  // "front_left_wheel", "rear_right_knee"
+  double angle_rad = 0.0;
+  double rate_radps = 0.0;
+  double effort_nm = 0.0;
+};
 
 struct AgentSnapshot {
   std::string name;
   AgentCategory category = AgentCategory::kSheep;
+  std::string species;
+  std::string policy;  // empty: it has none
   int team = 0;
   bool controllable = false;
   Behaviour behaviour = Behaviour::kIdle;
@@ -49,27 +77,62 @@ struct AgentSnapshot {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d linear_velocity_mps = Eigen::Vector3d::Zero();     // in base_link
   Eigen::Vector3d angular_velocity_radps = Eigen::Vector3d::Zero();  // in base_link
+  std::vector<JointSnapshot> joints;  // wheels and steering, or legs; of controllable agents alone
+};
+
+struct ElementSnapshot {
+  std::string name;
+  ElementKind kind = ElementKind::kCrate;
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  // map_from_element
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d size_m = Eigen::Vector3d::Ones();
+  double opening_rad = 0.0;  // gates: 0 is closed
+  bool broken = false;       // bridges, posts: it gave way
+};
+
+// A tree that fell or is falling.
+struct FelledTree {
+  FallenTree tree;  // as it is now
+  bool at_rest = false;
 };
 
 enum class EventKind : std::uint8_t {
   kSpawned,
   kRemoved,
+  kRespawned,
   kPursued,
   kAttacked,
   kHit,
+  kKnockedOver,
   kDied,
+  kDrowned,
   kCollided,
+  kFelledTree,
+  kTreeCameToRest,
+  kBroke,
+  kOpened,
+  kClosed,
+  kFrozen,
   kLeftWorld,
   kWeatherChanged
 };
-constexpr std::array<EnumName<EventKind>, 9> EnumNames(EventKind) {
+constexpr std::array<EnumName<EventKind>, 18> EnumNames(EventKind) {
   return {{{EventKind::kSpawned, "spawned"},
            {EventKind::kRemoved, "removed"},
+           {EventKind::kRespawned, "respawned"},
            {EventKind::kPursued, "pursued"},
            {EventKind::kAttacked, "attacked"},
            {EventKind::kHit, "hit"},
+           {EventKind::kKnockedOver, "knocked_over"},
            {EventKind::kDied, "died"},
+           {EventKind::kDrowned, "drowned"},
            {EventKind::kCollided, "collided"},
+           {EventKind::kFelledTree, "felled_tree"},
+           {EventKind::kTreeCameToRest, "tree_came_to_rest"},
+           {EventKind::kBroke, "broke"},
+           {EventKind::kOpened, "opened"},
+           {EventKind::kClosed, "closed"},
+           {EventKind::kFrozen, "frozen"},
            {EventKind::kLeftWorld, "left_world"},
            {EventKind::kWeatherChanged, "weather_changed"}}};
 }
@@ -77,9 +140,9 @@ constexpr std::array<EnumName<EventKind>, 9> EnumNames(EventKind) {
 struct Event {
   std::uint64_t step = 0;
   EventKind kind = EventKind::kSpawned;
-  std::string agent;  // who; empty: the world
+  std::string agent;  // who: an agent or an element; empty: the world
   // With or against whom or what; may be empty. kWeatherChanged: "rain begins" when the weather
-  // begins to move there, "rain" once it is there.
+  // begins to move there, "rain" once it is there. kFelledTree, kTreeCameToRest: "tree_<asset>".
   std::string other;
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
 };
@@ -92,9 +155,17 @@ struct WorldState {
   double episode_time_s = 0.0;
   int contacts = 0;  // of the last step
   Atmosphere atmosphere;
-  double weather_change_s = 0.0;      // until the weather stops moving; 0: it does not move
-  std::vector<AgentSnapshot> agents;  // sorted by name
+  double weather_change_s = 0.0;          // until the weather stops moving; 0: it does not move
+  std::vector<AgentSnapshot> agents;      // sorted by name
+  std::vector<ElementSnapshot> elements;  // sorted by name
+  std::vector<FelledTree> felled;         // by asset
+  // Grows whenever what maps show has changed: a tree has come to rest, or one that
+  // lies has moved or left the world.
+  std::uint64_t map_version = 0;
 };
+// What maps and ray scenes made now should show: trees at rest where they lie, and none of those
+// that still fall.
+SceneChanges ChangesOf(const WorldState& state);
 
 }  // namespace latticeworld
 

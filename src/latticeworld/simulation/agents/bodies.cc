@@ -1,81 +1,81 @@
 #include "latticeworld/simulation/agents/bodies.h"
 
-#include <cmath>
-
-#include "latticeworld/scene/spawn_rules.h"
-#include "latticeworld/simulation/agents/species.h"
+#include "latticeworld/simulation/agents/body_plans.h"
 
 namespace latticeworld {
 namespace {
 
-Eigen::Vector3d CylinderInertia(double mass_kg, double radius_m, double height_m) {
-  const double across = mass_kg * (3.0 * radius_m * radius_m + height_m * height_m) / 12.0;
-  return {across, across, 0.5 * mass_kg * radius_m * radius_m};
+// No blow or collision makes a body faster than this and twice its top speed; what falls from a
+// tall tree or out of the air stays below it.
+constexpr double kMostFall_mps = 40.0;
+
+BodySpec PlanOf(const Species& species) {
+  switch (species.plan) {
+    case BodyPlan::kVehicle:
+      return VehicleBody(species);
+    case BodyPlan::kQuadruped:
+      return QuadrupedBody(species);
+    case BodyPlan::kBiped:
+      return BipedBody(species);
+    case BodyPlan::kGrazer:
+      return GrazerBody(species);
+    case BodyPlan::kFlyer:
+      return FlyerBody(species);
+    case BodyPlan::kSwimmer:
+      return SwimmerBody(species);
+  }
+  return {};
 }
 
-// Four driven wheels below a flat chassis; the battery keeps its weight low.
-BodySpec WheeledBody(const Species& species) {
-  constexpr double kWheelMass_kg = 1.5;
-  constexpr double kAxleOffset_m = 0.18;  // front and rear axles before and behind the centre
-  constexpr double kChassisLength_m = 0.56, kChassisWidth_m = 0.36, kChassisLow_m = 0.1;
-  BodySpec body;
-  body.mass_kg = species.mass_kg - 4.0 * kWheelMass_kg;
-  const double height_m = species.height_m - kChassisLow_m;
-  body.inertia_kgm2 =
-      body.mass_kg / 12.0 *
-      Eigen::Vector3d(kChassisWidth_m * kChassisWidth_m + height_m * height_m,
-                      kChassisLength_m * kChassisLength_m + height_m * height_m,
-                      kChassisLength_m * kChassisLength_m + kChassisWidth_m * kChassisWidth_m);
-  body.center_height_m = 0.16;
-  body.half_length_m = kAxleOffset_m + kWheelRadius_m;
-  body.half_width_m = 0.5 * kWheelTrack_m + 0.04;
-  body.radius_m = std::hypot(body.half_length_m, body.half_width_m);
-  for (const double x : {kAxleOffset_m, -kAxleOffset_m}) {
-    for (const double y : {0.5 * kWheelTrack_m, -0.5 * kWheelTrack_m}) {
-      body.wheels.push_back({{x, y, kWheelRadius_m}, kWheelRadius_m, kWheelMass_kg, 14.0});
-    }
-  }
-  for (const double x : {0.5 * kChassisLength_m, -0.5 * kChassisLength_m}) {
-    for (const double y : {0.5 * kChassisWidth_m, -0.5 * kChassisWidth_m}) {
-      for (const double z : {kChassisLow_m, species.height_m}) {
-        body.ground_samples.push_back({{x, y, z}, 0.0});
-      }
-    }
-  }
-  return body;
+std::vector<std::string> WheelNames(DriveKind drive) {
+  if (drive == DriveKind::kDifferential) return {"left", "right", "castor"};
+  return {"front_left", "front_right", "rear_left", "rear_right"};
 }
 
 }  // namespace
 
-BodySpec BodyOf(AgentCategory category) {
-  const Species& species = SpeciesOf(category);
-  const Locomotion locomotion = LocomotionOf(category);
-  BodySpec body;
-  if (locomotion == Locomotion::kWheels) {
-    body = WheeledBody(species);
-  } else {
-    body.radius_m = BodyRadius(category);
-    body.mass_kg = species.mass_kg;
-    body.inertia_kgm2 = CylinderInertia(species.mass_kg, body.radius_m, species.height_m);
-    body.center_height_m = 0.5 * species.height_m;
-    body.upright = true;
-    if (locomotion == Locomotion::kLegs) {
-      body.ground_samples = {{Eigen::Vector3d::Zero(), 0.0}};
-    } else {
-      const double half_m = 0.5 * species.height_m;
-      body.ground_samples = {{{0.0, 0.0, half_m}, half_m}};
-      body.may_rest = false;
+Eigen::Vector3d BoxInertia(double mass_kg, const Eigen::Vector3d& size_m) {
+  const Eigen::Vector3d squares = size_m.cwiseAbs2();
+  return mass_kg / 12.0 *
+         Eigen::Vector3d(squares.y() + squares.z(), squares.x() + squares.z(),
+                         squares.x() + squares.y());
+}
+
+BodyShape BoxShape(const Eigen::Vector3d& center_m, const Eigen::Vector3d& half_extents_m) {
+  BodyShape shape;
+  shape.form = ShapeForm::kBox;
+  shape.center_m = center_m;
+  shape.half_extents_m = half_extents_m;
+  return shape;
+}
+
+BodySpec BodyOf(const Species& species) {
+  BodySpec body = PlanOf(species);
+  body.grip = species.grip;
+  body.max_speed_mps = kMostFall_mps + 2.0 * species.top_speed_mps;
+  return body;
+}
+
+std::vector<JointName> JointsOf(const Species& species) {
+  std::vector<JointName> joints;
+  if (species.vehicle) {
+    const std::vector<std::string> wheels = WheelNames(species.vehicle->drive);
+    for (std::size_t i = 0; i < wheels.size(); ++i) {
+      joints.push_back({wheels[i] + "_wheel", JointName::Kind::kWheel, i});
     }
-    if (locomotion == Locomotion::kFins) {
-      const double reach_m = 0.7 * body.radius_m;
-      const double half_m = 0.5 * species.height_m;
-      body.ground_samples.push_back({{reach_m, 0.0, half_m}, 0.5 * half_m});
-      body.ground_samples.push_back({{-reach_m, 0.0, half_m}, 0.5 * half_m});
+    for (std::size_t i = 0; species.vehicle->drive == DriveKind::kAckermann && i < 2; ++i) {
+      joints.push_back({wheels[i] + "_steering", JointName::Kind::kSteering, i});
     }
   }
-  body.height_m = species.height_m;
-  body.grip = species.grip;
-  return body;
+  if (species.quadruped) {
+    std::size_t link = 0;
+    for (const char* leg : {"front_left", "front_right", "rear_left", "rear_right"}) {
+      for (const char* joint : {"_hip_roll", "_hip_pitch", "_knee"}) {
+        joints.push_back({std::string(leg) + joint, JointName::Kind::kLink, link++});
+      }
+    }
+  }
+  return joints;
 }
 
 }  // namespace latticeworld

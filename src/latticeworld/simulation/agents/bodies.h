@@ -1,18 +1,25 @@
 #ifndef LATTICEWORLD_SIMULATION_AGENTS_BODIES_H_
 #define LATTICEWORLD_SIMULATION_AGENTS_BODIES_H_
 
-#include "latticeworld/environment/agent_group.h"
+#include <string>
+#include <vector>
+
 #include "latticeworld/simulation/physics_world.h"
+#include "latticeworld/species/species.h"
 
 namespace latticeworld {
 
-// Distance between the contact points of the left and right wheels, and their radius, of the
-// wheeled robot [m].
-inline constexpr double kWheelTrack_m = 0.46;
-inline constexpr double kWheelRadius_m = 0.12;
+// The body of a species.
+BodySpec BodyOf(const Species& species);
 
-// The body of a category, as wide as the scene's spawn rules take it to be.
-BodySpec BodyOf(AgentCategory category);
+// What users call its joints, in the order of JointId: wheels first (one joint a driven or free
+// wheel, and one a steered wheel's steering), then links.
+struct JointName {
+  std::string name;  // "front_left_wheel", "front_left_steering", "rear_right_knee"
+  enum class Kind { kWheel, kSteering, kLink } kind = Kind::kWheel;
+  std::size_t index = 0;  // of the wheel or link in the BodySpec
+};
+std::vector<JointName> JointsOf(const Species& species);
 
 }  // namespace latticeworld
 

@@ -3,10 +3,11 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 #include <vector>
 
-#include "latticeworld/geometry/grid.h"
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/scene/scene_changes.h"
 #include "latticeworld/scene/surface_table.h"
 #include "latticeworld/scene/water_depth.h"
 #include "latticeworld/scene/wind.h"
@@ -14,14 +15,20 @@
 
 namespace latticeworld {
 
+class AgentGrid;
+class PathFinder;
+
 // What agents think with: the world around them, and how they tell what they did.
 struct Surroundings {
   const Scene& scene;
+  const SceneChanges& changes;   // trees that lie or fall
+  std::uint64_t map_version;     // of WorldState
   const Atmosphere& atmosphere;  // of the moment
   const SurfaceTable& surfaces;
   const GustField& gusts;
-  Eigen::Vector2d drift_m;            // of the air since the episode began
-  const Grid<float>& traversability;  // of mapping, [0, 1]
+  Eigen::Vector2d drift_m;  // of the air since the episode began
+  PathFinder& paths;
+  const AgentGrid& near;  // who is where, at the begin of the step
   std::map<AgentId, Agent>& agents;
   PhysicsWorld& physics;
   std::vector<Event>& events;

@@ -3,64 +3,186 @@
 
 #include <ode/ode.h>
 
+#include <array>
+#include <memory>
+#include <optional>
 #include <vector>
 
-#include "latticeworld/geometry/height_field.h"
-#include "latticeworld/simulation/ode/prism.h"
+#include "latticeworld/common/check.h"
+#include "latticeworld/simulation/ode/link_joint.h"
+#include "latticeworld/simulation/ode/solid.h"
+#include "latticeworld/simulation/ode/wheel_joint.h"
 #include "latticeworld/simulation/physics_world.h"
 
 namespace latticeworld {
 
-// One body of a PhysicsWorld: a rigid trunk and, on hinges, its wheels.
+// The bits of a rigid body of ODE that move.
+struct PartState {
+  std::array<dReal, 3> position_m;
+  std::array<dReal, 4> quaternion;
+  std::array<dReal, 12> rotation;
+  std::array<dReal, 3> linear_mps, angular_radps;
+  std::array<dReal, 3> force_n, torque_nm;  // gathered for the next step
+};
+
+inline constexpr double kTrunkSpin_radps = 50.0;  // fastest
+
+struct WheelCommand {
+  double rate_radps = 0.0;
+  double steer_rad = 0.0;
+};
+
+// What a body was told and what else of it changes.
+struct BodyControl {
+  Eigen::Vector3d walk_velocity_mps = Eigen::Vector3d::Zero();
+  std::vector<WheelCommand> wheels;
+  std::vector<JointTarget> joints;
+  double still_s = 0.0;
+  bool resting = false;
+  bool upright = false;
+  bool anchored = false;
+  bool spoiled = false;        // was given numbers that are not finite, or too large to add up
+  PartState anchor_pose = {};  // of the trunk when it was anchored; pose alone
+};
+
+// Everything of a body that changes, to go back to.
+struct BodyState {
+  BodyControl control;
+  std::vector<PartState> parts;
+  std::vector<dJointFeedback> feedback;
+};
+
+// One body of a PhysicsWorld: a rigid trunk and, on joints, its wheels and links. Its parts are the
+// trunk, then wheels, then links.
 class OdeBody {
  public:
-  OdeBody(dWorldID world, const BodySpec& spec);
+  OdeBody(dWorldID world, BodyId id, std::shared_ptr<const BodySpec> spec);
   ~OdeBody();
   OdeBody(const OdeBody&) = delete;
   OdeBody& operator=(const OdeBody&) = delete;
 
-  const BodySpec& spec() const { return spec_; }
-  dBodyID trunk() const { return trunk_; }
+  BodyId id() const { return id_; }
+  const BodySpec& spec() const { return *spec_; }
+  const std::shared_ptr<const BodySpec>& shared_spec() const { return spec_; }
+  std::size_t part_count() const { return parts_.size(); }
+  dBodyID part(std::size_t i) const { return parts_[i]; }
+  dBodyID trunk() const { return parts_[0]; }
+  // Indices are checked: callers of PhysicsWorld give them.
+  dBodyID wheel(std::size_t i) const { return parts_[1 + WheelIndex(i)]; }
+  dBodyID link(std::size_t i) const { return parts_[1 + wheels_.size() + LinkIndex(i)]; }
   std::size_t wheel_count() const { return wheels_.size(); }
-  dBodyID wheel(std::size_t i) const { return wheels_[i]; }
-  Eigen::Vector3d WheelCenter(std::size_t i) const;
-  Eigen::Vector3d WheelAxis(std::size_t i) const;  // unit, map frame, along y of base_link
-  double WheelRate(std::size_t i) const;           // about that axis, map frame [rad/s]
-  double mass_kg() const { return mass_kg_; }      // with wheels
+  std::size_t link_count() const { return links_.size(); }
+  double mass_kg() const { return mass_kg_; }  // with wheels and links
 
   BodyMotion Motion() const;
+  // Moves it as a whole.
   void SetMotion(const BodyMotion& motion);
-  // The prism at the present pose.
-  Prism Outline() const;
-  // Velocity of the point of the trunk, map frame.
-  Eigen::Vector3d VelocityAt(const Eigen::Vector3d& point_m) const;
+  BodyMotion LinkMotion(std::size_t i) const;
+  // A point of base_link, or of a link given where it is with all joints at 0, in the map.
+  Eigen::Vector3d TrunkPoint(const Eigen::Vector3d& in_base_m) const;
+  Eigen::Vector3d LinkPoint(std::size_t i, const Eigen::Vector3d& in_base_m) const;
+  Eigen::Vector3d WheelAxis(std::size_t i) const { return wheels_[WheelIndex(i)]->Axis(); }
+  JointReading WheelReading(std::size_t i) const { return wheels_[WheelIndex(i)]->Reading(); }
+  JointReading SteeringReading(std::size_t i) const { return wheels_[WheelIndex(i)]->Steering(); }
+  JointReading LinkReading(std::size_t i) const { return links_[LinkIndex(i)]->Reading(); }
+  double AnchorAngle() const;
 
-  void SetWheelRates(double left_radps, double right_radps);
+  const BodyControl& control() const { return control_; }
   void SetWalkVelocity(const Eigen::Vector3d& velocity_mps);
-  const Eigen::Vector3d& walk_velocity_mps() const { return walk_velocity_mps_; }
+  void SetWheel(std::size_t i, const WheelCommand& command);
+  void SetJoint(std::size_t i, const JointTarget& target);
+  void SetUpright(bool upright);
+  void SetAnchored(bool anchored);
+  void AddImpulse(const Eigen::Vector3d& impulse_ns, const Eigen::Vector3d& point_m);
+  // Whether a force at a point may be added: it is finite, not zero, and the body is not held fast.
+  // Wakes the body.
+  bool TakesForce(const Eigen::Vector3d& force_n, const Eigen::Vector3d& point_m);
+  double Energy() const;  // as PhysicsWorld::EnergyOf
+  void Spoil() { control_.spoiled = true; }
+  // Forgets that it was spoiled; true where it was.
+  bool Mend() {
+    const bool spoiled = control_.spoiled;
+    control_.spoiled = false;
+    return spoiled;
+  }
 
-  // Removes what an upright body gathered in pitch and roll.
-  void KeepUpright();
+  // Neither moves nor is moved in this step: rests, or is held fast.
+  bool stands() const { return control_.resting || fixed(); }
+  bool resting() const { return control_.resting; }
+  bool fixed() const {
+    return control_.anchored && (!spec_->anchor || spec_->anchor->kind == AnchorKind::kFixed);
+  }
+  // It has wheels and none of them is to turn.
+  bool Brakes() const;
   // Nothing is wanted of it and it hardly moves.
   bool still() const;
-  // Lets the body sleep once it has been still for long enough.
-  void UpdateRest(double step_s);
   void Wake();
-  bool resting() const { return resting_; }
 
+  // Solids in the order of shapes, then wheels; part of each. Posed where the body is.
+  struct BodySolid {
+    Solid solid;
+    std::size_t part;
+  };
+  std::vector<BodySolid>& PosedSolids();
+  // Ball around all solids and ground samples; radius < 0: there are no solids.
+  Eigen::Vector3d BallCenter() const { return TrunkPoint(ball_center_m_); }
+  double ball_radius_m() const { return ball_radius_m_; }
+
+  // Around a step: motors, springs and what to go back to before it; then, after it, speed limits
+  // and rest. FinishStep: false when the body strayed (and was put back).
+  void BeginStep(double step_s);
+  bool FinishStep(double step_s);
+
+  BodyState Save() const;
+  void Restore(const BodyState& state);
   void AddTo(Digest* digest) const;
 
  private:
-  BodySpec spec_;
-  dBodyID trunk_ = nullptr;
-  std::vector<dBodyID> wheels_;
-  std::vector<dJointID> hinges_;
-  Eigen::Vector3d walk_velocity_mps_ = Eigen::Vector3d::Zero();
+  void MakeSolids();
+  void MakeBall();
+  void SetInertia();
+  void SetEnabled(bool enabled);
+  void Anchor();
+  void KeepUpright();
+  std::size_t WheelIndex(std::size_t i) const {
+    LW_CHECK(i < wheels_.size(), "no such wheel");
+    return i;
+  }
+  std::size_t LinkIndex(std::size_t i) const {
+    LW_CHECK(i < links_.size(), "no such link");
+    return i;
+  }
+  // About the trunk's axes, as SetInertia has it.
+  Eigen::Vector3d TrunkInertia() const;
+  bool IsArriving(std::size_t link) const;
+  // Keeps forces within what may come of them; stops a body whose forces or speeds are not finite.
+  void LimitForces(double step_s);
+  void LimitSpeed();
+  double FastestPart() const;
+  void PutBack();
+  void UpdateRest(double step_s);
+  void Moved() { posed_ = false; }
+
+  const BodyId id_;
+  std::shared_ptr<const BodySpec> spec_;
   double mass_kg_ = 0.0;
-  double left_radps_ = 0.0;
-  double right_radps_ = 0.0;
-  double still_s_ = 0.0;
-  bool resting_ = false;
+  std::vector<dBodyID> parts_;
+  std::vector<std::unique_ptr<WheelJoint>> wheels_;
+  std::vector<std::unique_ptr<LinkJoint>> links_;
+  dJointID anchor_ = nullptr;  // kHinge
+  BodyControl control_;
+
+  std::vector<BodySolid> solids_;
+  bool posed_ = false;
+  Eigen::Vector3d ball_center_m_ = Eigen::Vector3d::Zero();  // in base_link
+  double ball_radius_m_ = -1.0;
+
+  struct Pose {
+    std::array<dReal, 3> position_m;
+    std::array<dReal, 4> quaternion;
+  };
+  std::vector<Pose> before_;         // of the parts, before the step
+  double fastest_before_mps_ = 0.0;  // may grow by what forces give
 };
 
 }  // namespace latticeworld

@@ -11,7 +11,8 @@ namespace latticeworld {
 void ReadyOde();
 
 // One step of the world. ODE's random state, which orders the constraints, belongs to the process:
-// it is seeded here and held until the step ends, so that worlds do not see each other.
+// it is seeded here and held until the step ends, so that worlds do not see each other. Worlds of
+// one process thus solve one after the other, also on several threads.
 void StepOde(dWorldID world, double step_s, std::uint64_t solver_seed);
 
 }  // namespace latticeworld

@@ -1,399 +1,369 @@
 #include "latticeworld/simulation/ode/ode_world.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/digest.h"
 #include "latticeworld/common/enum_names.h"
-#include "latticeworld/scene/surface_table.h"
-#include "latticeworld/simulation/ode/asset_prism.h"
-#include "latticeworld/simulation/ode/ground_contact.h"
-#include "latticeworld/simulation/ode/ode_body.h"
 #include "latticeworld/simulation/ode/ode_library.h"
-#include "latticeworld/simulation/ode/wheel_ground.h"
+#include "latticeworld/simulation/ode/ode_math.h"
+#include "latticeworld/simulation/ode/ode_world_impl.h"
 
 namespace latticeworld {
 namespace {
 
-constexpr int kSolverIterations = 20;
-constexpr double kErrorReduction = 0.3;          // share of a contact's depth undone in a step
-constexpr double kContactSoftness = 1e-6;        // CFM
-constexpr double kSurfaceLayer_m = 0.001;        // depth at which contacts rest
-constexpr double kMaxCorrectingSpeed_mps = 2.0;  // so that a deep contact does not shoot bodies off
-constexpr double kObstacleFriction = 0.3;        // bodies against trunks, walls and each other
+constexpr double kErrorReduction = 0.3;    // of joints
+constexpr double kSurfaceLayer_m = 0.001;  // depth at which contacts rest
 constexpr double kPlacingClearance_m = 0.002;
 constexpr double kWakingFriction = 0.02;  // a change of friction that what rests may feel
+constexpr double kWakingReach_m = 0.05;
 
-// How a contact pushes along the surface.
-struct Traction {
-  Eigen::Vector3d along = Eigen::Vector3d::Zero();  // first friction direction; zero: any
-  double friction_along = 0.0;
-  double friction_across = 0.0;
-  double speed_mps = 0.0;       // of the body along `along` that friction pushes towards
-  double slip_mps_per_n = 0.0;  // speed that the contact gives way along `along` under a force
-};
+constexpr double kFarthest_m = 1e7;  // from the middle of the world
 
-Eigen::Vector3d AnyTangent(const Eigen::Vector3d& normal) {
-  const Eigen::Vector3d other =
-      std::abs(normal.x()) < 0.7 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
-  return other.cross(normal).normalized();
+// Of finite numbers, near enough to be reckoned with.
+bool IsSomewhere(const BodyMotion& motion) {
+  const double norm = motion.orientation.coeffs().stableNorm();
+  return motion.position_m.allFinite() && motion.position_m.cwiseAbs().maxCoeff() < kFarthest_m &&
+         std::isfinite(norm) && norm > 1e-6 && norm < 1e6 &&
+         motion.linear_velocity_mps.allFinite() && motion.angular_velocity_radps.allFinite();
 }
 
-class OdeWorld : public PhysicsWorld {
- public:
-  explicit OdeWorld(std::shared_ptr<const Scene> scene)
-      : scene_(std::move(scene)),
-        ground_(scene_->atmosphere.ground()),
-        surfaces_(*scene_, ground_) {
-    ReadyOde();
-    world_ = dWorldCreate();
-    contact_group_ = dJointGroupCreate(0);
-    dWorldSetGravity(world_, 0.0, 0.0, -kGravity_mps2);
-    dWorldSetQuickStepNumIterations(world_, kSolverIterations);
-    dWorldSetERP(world_, kErrorReduction);
-    dWorldSetCFM(world_, 1e-9);
-    dWorldSetContactMaxCorrectingVel(world_, kMaxCorrectingSpeed_mps);
-    dWorldSetContactSurfaceLayer(world_, kSurfaceLayer_m);
-    dWorldSetAutoDisableFlag(world_, 0);
-    for (const auto& entry : EnumNames(SurfaceClass{})) {
-      woken_friction_[static_cast<std::size_t>(entry.value)] = surfaces_.Of(entry.value).friction;
-    }
-  }
-  ~OdeWorld() override {
-    dJointGroupDestroy(contact_group_);
-    bodies_.clear();
-    dWorldDestroy(world_);
-  }
-
-  BodyId Add(const BodySpec& spec, const Eigen::Vector3d& position_m, double yaw_rad) override {
-    ReadyOde();
-    const BodyId id = ++last_id_;
-    OdeBody& body = *bodies_.emplace(id, std::make_unique<OdeBody>(world_, spec)).first->second;
-    BodyMotion motion;
-    motion.position_m = position_m;
-    const Eigen::AngleAxisd heading(yaw_rad, Eigen::Vector3d::UnitZ());
-    motion.orientation = heading;
-    if (!spec.upright && !spec.wheels.empty()) {
-      const Eigen::Vector3d normal = ground().NormalAt({position_m.x(), position_m.y()});
-      motion.orientation =
-          Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal) * heading;
-    }
-    body.SetMotion(motion);
-    LiftOutOfGround(&body);
-    return id;
-  }
-
-  void Remove(BodyId body) override { bodies_.erase(body); }
-
-  void SetWalkVelocity(BodyId body, const Eigen::Vector3d& velocity_mps) override {
-    At(body).SetWalkVelocity(velocity_mps);
-  }
-  void SetWheelRates(BodyId body, double left_radps, double right_radps) override {
-    At(body).SetWheelRates(left_radps, right_radps);
-  }
-  void AddForce(BodyId id, const Eigen::Vector3d& force_n) override {
-    OdeBody& body = At(id);
-    body.Wake();
-    dBodyAddForce(body.trunk(), force_n.x(), force_n.y(), force_n.z());
-  }
-  void AddTorque(BodyId id, const Eigen::Vector3d& torque_nm) override {
-    OdeBody& body = At(id);
-    body.Wake();
-    dBodyAddTorque(body.trunk(), torque_nm.x(), torque_nm.y(), torque_nm.z());
-  }
-  void SetGround(const GroundState& ground) override {
-    ground_ = ground;
-    surfaces_ = SurfaceTable(*scene_, ground);
-    bool changed = false;
-    for (const auto& entry : EnumNames(SurfaceClass{})) {
-      const double friction = surfaces_.Of(entry.value).friction;
-      const double woken = woken_friction_[static_cast<std::size_t>(entry.value)];
-      changed = changed || std::abs(friction - woken) > kWakingFriction;
-    }
-    // Weather that moves slowly shall not keep everybody awake.
-    if (!changed) return;
-    for (const auto& entry : EnumNames(SurfaceClass{})) {
-      woken_friction_[static_cast<std::size_t>(entry.value)] = surfaces_.Of(entry.value).friction;
-    }
-    for (auto& [id, body] : bodies_) body->Wake();
-  }
-  void Place(BodyId body, const BodyMotion& motion) override { At(body).SetMotion(motion); }
-  BodyMotion MotionOf(BodyId body) const override { return At(body).Motion(); }
-  double SinkageOf(BodyId body) const override { return Sinkage(At(body)); }
-  bool IsResting(BodyId body) const override { return At(body).resting(); }
-
-  void Step(double step_s, std::uint64_t solver_seed) override {
-    contacts_.clear();
-    FindOutlines();
-    TouchBodies();
-    for (const Outlined& one : outlined_) {
-      if (one.body->resting()) continue;
-      TouchGroundOf(one.id, *one.body, step_s);
-      TouchAssetsOf(one);
-      TouchBoundaryOf(one);
-    }
-    StepOde(world_, step_s, solver_seed);
-    dJointGroupEmpty(contact_group_);
-    for (auto& [id, body] : bodies_) {
-      body->KeepUpright();
-      body->UpdateRest(step_s);
-    }
-  }
-
-  const std::vector<Contact>& contacts() const override { return contacts_; }
-
-  void AddTo(Digest* digest) const override {
-    digest->Add(last_id_);
-    digest->Add(ground_.wetness);
-    digest->Add(ground_.snow_depth_m);
-    digest->Add(ground_.blown_sand);
-    for (const double friction : woken_friction_) digest->Add(friction);
-    for (const auto& [id, body] : bodies_) {
-      digest->Add(id);
-      body->AddTo(digest);
-    }
-  }
-
- private:
-  struct Outlined {
-    BodyId id;
-    OdeBody* body;
-    Prism prism;
+void CheckSpec(const BodySpec& spec) {
+  const auto check = [](double mass_kg, const Eigen::Vector3d& inertia_kgm2) {
+    LW_CHECK(std::isfinite(mass_kg) && mass_kg > 0.0, "a part of a body has no mass");
+    LW_CHECK(inertia_kgm2.allFinite() && inertia_kgm2.minCoeff() > 0.0,
+             "a part of a body has no inertia");
   };
-
-  const HeightField& ground() const { return scene_->terrain->ground; }
-
-  OdeBody& At(BodyId id) const {
-    const auto found = bodies_.find(id);
-    LW_CHECK(found != bodies_.end(), "no such body");
-    return *found->second;
+  check(spec.mass_kg, spec.inertia_kgm2);
+  for (const WheelSpec& wheel : spec.wheels) {
+    check(wheel.mass_kg, Eigen::Vector3d::Constant(wheel.radius_m));
   }
+  for (const LinkSpec& link : spec.links) check(link.mass_kg, link.inertia_kgm2);
+}
 
-  double Sinkage(const OdeBody& body) const {
-    double depth_m = 0.0;
-    for (std::size_t i = 0; i < body.wheel_count(); ++i) {
-      depth_m = std::max(
-          depth_m, DepthBelowGround(ground(), body.WheelCenter(i), body.spec().wheels[i].radius_m));
-    }
-    const BodyMotion motion = body.Motion();
-    for (const GroundSample& sample : body.spec().ground_samples) {
-      const Eigen::Vector3d at = motion.position_m + motion.orientation * sample.offset_m;
-      depth_m = std::max(depth_m, DepthBelowGround(ground(), at, sample.radius_m));
-    }
-    return depth_m;
-  }
-
-  // Straight up, until nothing of the body is below the ground.
-  void LiftOutOfGround(OdeBody* body) const {
-    constexpr int kTries = 32;  // each undoes most of the depth even on steep ground
-    BodyMotion motion = body->Motion();
-    for (int i = 0; i < kTries; ++i) {
-      const double depth_m = Sinkage(*body);
-      if (depth_m <= 0.0) return;
-      motion.position_m.z() += depth_m + kPlacingClearance_m;
-      body->SetMotion(motion);
-    }
-  }
-
-  void FindOutlines() {
-    outlined_.clear();
-    for (auto& [id, body] : bodies_) outlined_.push_back({id, body.get(), body->Outline()});
-  }
-
-  // Sort and sweep along x (Baraff 1992); ties by id, so that the order is always the same.
-  void TouchBodies() {
-    sweep_.resize(outlined_.size());
-    for (std::size_t i = 0; i < sweep_.size(); ++i) sweep_[i] = i;
-    const auto low = [&](std::size_t i) {
-      return outlined_[i].prism.center_m.x() - outlined_[i].prism.radius_m;
-    };
-    std::sort(sweep_.begin(), sweep_.end(), [&](std::size_t a, std::size_t b) {
-      return low(a) != low(b) ? low(a) < low(b) : a < b;
-    });
-    for (std::size_t i = 0; i < sweep_.size(); ++i) {
-      const Outlined& a = outlined_[sweep_[i]];
-      const double high = a.prism.center_m.x() + a.prism.radius_m;
-      for (std::size_t j = i + 1; j < sweep_.size() && low(sweep_[j]) < high; ++j) {
-        const Outlined& b = outlined_[sweep_[j]];
-        if (a.body->resting() && b.body->resting()) continue;
-        const PrismContacts overlap = Overlap(a.prism, b.prism);
-        if (overlap.count == 0) continue;
-        // A moving body wakes its neighbour; beside one that merely stands, the sleeper is a wall.
-        if (!a.body->still()) b.body->Wake();
-        if (!b.body->still()) a.body->Wake();
-        for (int k = 0; k < overlap.count; ++k) {
-          PrismContact contact = overlap.contact[static_cast<std::size_t>(k)];
-          if (a.body->resting()) {
-            contact.normal = -contact.normal;
-            Push(b, contact, ContactKind::kBody, a.id, a.body);
-          } else {
-            Push(a, contact, ContactKind::kBody, b.id, b.body);
-          }
-        }
-      }
-    }
-  }
-
-  void TouchGroundOf(BodyId id, OdeBody& body, double step_s) {
-    wheel_touch_.clear();
-    int carrying = 0;  // wheels
-    for (std::size_t i = 0; i < body.wheel_count(); ++i) {
-      wheel_touch_.push_back(
-          TouchGround(ground(), body.WheelCenter(i), body.spec().wheels[i].radius_m));
-      if (wheel_touch_.back().count > 0) ++carrying;
-    }
-    for (std::size_t i = 0; i < body.wheel_count(); ++i) {
-      const GroundContacts& touch = wheel_touch_[i];
-      const WheelLoad load{body.mass_kg() / std::max(1, carrying), body.spec().wheels[i]};
-      for (int k = 0; k < touch.count; ++k) {
-        const GroundContact& one = touch.contact[static_cast<std::size_t>(k)];
-        const SurfaceProperties& surface = SurfaceAt(one.position_m);
-        const double friction = surface.friction * body.spec().grip;
-        Traction traction;
-        traction.along = body.WheelAxis(i).cross(one.normal);
-        traction.friction_along = friction;
-        traction.friction_across = friction * body.spec().wheel_side_grip;
-        traction.slip_mps_per_n =
-            SlipPerForce(load, surface, friction, body.WheelRate(i)) * touch.count;
-        Note({id, ContactKind::kGround, 0, one.position_m, one.normal, one.depth_m, 0.0});
-        Join(body.wheel(i), nullptr, one.position_m, one.normal, one.depth_m, traction);
-        ResistRolling(body.wheel(i), load, surface, one.normal, traction.along, step_s,
-                      1.0 / touch.count);
-      }
-    }
-    const BodyMotion motion = body.Motion();
-    for (const GroundSample& sample : body.spec().ground_samples) {
-      const Eigen::Vector3d at = motion.position_m + motion.orientation * sample.offset_m;
-      const GroundContacts touch = TouchGround(ground(), at, sample.radius_m);
-      for (int k = 0; k < touch.count; ++k) {
-        const GroundContact& one = touch.contact[static_cast<std::size_t>(k)];
-        Note({id, ContactKind::kGround, 0, one.position_m, one.normal, one.depth_m, 0.0});
-        Join(body.trunk(), nullptr, one.position_m, one.normal, one.depth_m,
-             WalkTraction(body, one.position_m, one.normal));
-      }
-    }
-  }
-
-  // Feet push the ground away: friction acts towards the wanted velocity along the surface.
-  Traction WalkTraction(const OdeBody& body, const Eigen::Vector3d& at,
-                        const Eigen::Vector3d& normal) const {
-    Traction traction;
-    traction.friction_along = SurfaceAt(at).friction * body.spec().grip;
-    traction.friction_across = traction.friction_along;
-    const Eigen::Vector3d& wanted = body.walk_velocity_mps();
-    const Eigen::Vector3d along = wanted - wanted.dot(normal) * normal;
-    if (along.squaredNorm() > 1e-12) {
-      traction.along = along;
-      traction.speed_mps = wanted.norm();
-    }
-    return traction;
-  }
-
-  void TouchAssetsOf(const Outlined& one) {
-    const WorldPoint at{one.prism.center_m.x(), one.prism.center_m.y()};
-    scene_->index.ForEachNear(at, one.prism.radius_m, [&](std::uint32_t index) {
-      const PrismContacts overlap = Overlap(one.prism, PrismOf(scene_->assets[index]));
-      for (int k = 0; k < overlap.count; ++k) {
-        Push(one, overlap.contact[static_cast<std::size_t>(k)], ContactKind::kAsset, index,
-             nullptr);
-      }
-    });
-  }
-
-  // The edge of the world is a soft wall that no body passes.
-  void TouchBoundaryOf(const Outlined& one) {
-    const double limit_m = scene_->geometry().half_size_m() - one.prism.radius_m;
-    for (int axis = 0; axis < 2; ++axis) {
-      const double beyond_m = std::abs(one.prism.center_m[axis]) - limit_m;
-      if (beyond_m <= 0.0) continue;
-      PrismContact contact;
-      contact.normal = Eigen::Vector3d::Zero();
-      contact.normal[axis] = one.prism.center_m[axis] > 0.0 ? -1.0 : 1.0;
-      contact.position_m = CenterOf(*one.body);
-      contact.depth_m = beyond_m;
-      Push(one, contact, ContactKind::kBoundary, 0, nullptr);
-    }
-  }
-
-  static Eigen::Vector3d CenterOf(const OdeBody& body) {
-    const dReal* center = dBodyGetPosition(body.trunk());
-    return {center[0], center[1], center[2]};
-  }
-
-  // Contact of an outline; acts on the trunk at the height of its centre, so that it stops the body
-  // without tipping it.
-  void Push(const Outlined& a, const PrismContact& contact, ContactKind kind, std::uint32_t other,
-            const OdeBody* b) {
-    Eigen::Vector3d at = contact.position_m;
-    const bool on_top = contact.normal.z() > 0.5;
-    if (!on_top) at.z() = CenterOf(*a.body).z();
-    Eigen::Vector3d closing = a.body->VelocityAt(at);
-    if (b != nullptr) closing -= b->VelocityAt(at);
-    Note({a.id, kind, other, at, contact.normal, contact.depth_m,
-          std::max(0.0, -closing.dot(contact.normal))});
-    Traction traction;
-    if (on_top && b == nullptr) {
-      traction = WalkTraction(*a.body, at, contact.normal);
-    } else {
-      traction.friction_along = kObstacleFriction;
-      traction.friction_across = kObstacleFriction;
-    }
-    Join(a.body->trunk(), b == nullptr || b->resting() ? nullptr : b->trunk(), at, contact.normal,
-         contact.depth_m, traction);
-  }
-
-  void Note(const Contact& contact) { contacts_.push_back(contact); }
-
-  const SurfaceProperties& SurfaceAt(const Eigen::Vector3d& at) const {
-    return surfaces_.Of(scene_->terrain->SurfaceAt({at.x(), at.y()}));
-  }
-
-  void Join(dBodyID a, dBodyID b, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
-            double depth_m, const Traction& traction) {
-    dContact contact = {};
-    contact.surface.mode = dContactApprox1 | dContactMu2 | dContactFDir1 | dContactSoftERP |
-                           dContactSoftCFM | dContactMotion1;
-    contact.surface.mu = traction.friction_along;
-    contact.surface.mu2 = traction.friction_across;
-    contact.surface.soft_erp = kErrorReduction;
-    contact.surface.soft_cfm = kContactSoftness;
-    contact.surface.motion1 = traction.speed_mps;
-    if (traction.slip_mps_per_n > 0.0) {
-      contact.surface.mode |= dContactSlip1;
-      contact.surface.slip1 = traction.slip_mps_per_n;
-    }
-    const double length = traction.along.norm();
-    const Eigen::Vector3d along =
-        length > 1e-9 ? Eigen::Vector3d(traction.along / length) : AnyTangent(normal);
-    for (int i = 0; i < 3; ++i) {
-      contact.geom.pos[i] = at[i];
-      contact.geom.normal[i] = normal[i];
-      contact.fdir1[i] = along[i];
-    }
-    contact.geom.depth = depth_m;
-    dJointAttach(dJointCreateContact(world_, contact_group_, &contact), a, b);
-  }
-
-  std::shared_ptr<const Scene> scene_;
-  dWorldID world_ = nullptr;
-  dJointGroupID contact_group_ = nullptr;
-  GroundState ground_;
-  SurfaceTable surfaces_;  // under that state
-  // Friction by SurfaceClass when a change of it last woke the bodies up.
-  std::array<double, kSurfaceClassCount> woken_friction_{};
-  BodyId last_id_ = 0;
-  std::map<BodyId, std::unique_ptr<OdeBody>> bodies_;
-  std::vector<Outlined> outlined_;           // of this step
-  std::vector<GroundContacts> wheel_touch_;  // of one body
-  std::vector<std::size_t> sweep_;           // into outlined_, by lowest x
-  std::vector<Contact> contacts_;
+class OdeSnapshot : public PhysicsSnapshot {
+ public:
+  struct Body {
+    BodyId id;
+    std::shared_ptr<const BodySpec> spec;
+    BodyState state;
+  };
+  std::vector<Body> bodies;
+  BodyId last_id = 0;
+  GroundState ground;
+  std::array<double, kSurfaceClassCount> woken_friction{};
+  std::set<std::uint32_t> gone_assets;
+  std::vector<Contact> contacts;
+  std::vector<BodyId> strayed;
 };
 
 }  // namespace
+
+OdeWorld::OdeWorld(std::shared_ptr<const Scene> scene)
+    : scene_(std::move(scene)), ground_(scene_->atmosphere.ground()), surfaces_(*scene_, ground_) {
+  ReadyOde();
+  world_ = dWorldCreate();
+  joints_ = std::make_unique<ContactJoints>(world_);
+  dWorldSetGravity(world_, 0.0, 0.0, -kGravity_mps2);
+  dWorldSetERP(world_, kErrorReduction);
+  dWorldSetCFM(world_, 1e-9);
+  dWorldSetContactSurfaceLayer(world_, kSurfaceLayer_m);
+  dWorldSetAutoDisableFlag(world_, 0);
+  for (const auto& entry : EnumNames(SurfaceClass{})) {
+    woken_friction_[static_cast<std::size_t>(entry.value)] = surfaces_.Of(entry.value).friction;
+  }
+}
+
+OdeWorld::~OdeWorld() {
+  joints_.reset();
+  bodies_.clear();
+  dWorldDestroy(world_);
+}
+
+std::size_t OdeWorld::IndexOf(BodyId id) const {
+  const auto found =
+      std::lower_bound(bodies_.begin(), bodies_.end(), id,
+                       [](const Entry& entry, BodyId key) { return entry.id < key; });
+  LW_CHECK(found != bodies_.end() && found->id == id, "no such body");
+  return static_cast<std::size_t>(found - bodies_.begin());
+}
+
+OdeBody& OdeWorld::At(BodyId id) const { return *bodies_[IndexOf(id)].body; }
+
+BodyId OdeWorld::Place(const BodySpec& spec, const BodyMotion& motion, bool lift) {
+  ReadyOde();
+  CheckSpec(spec);
+  const BodyId id = ++last_id_;
+  auto shared = std::make_shared<const BodySpec>(spec);
+  bodies_.push_back({id, std::make_unique<OdeBody>(world_, id, std::move(shared)), {}});
+  OdeBody* body = bodies_.back().body.get();
+  // What is put nowhere begins in the middle of the world, and has strayed.
+  const bool finite = IsSomewhere(motion);
+  body->SetMotion(finite ? motion : BodyMotion());
+  if (lift || !finite) LiftOutOfGround(body);
+  if (body->ball_radius_m() >= 0.0) spans_.push_back({0.0, 0.0, body, false});
+  if (!finite) body->Spoil();
+  return id;
+}
+
+BodyId OdeWorld::Add(const BodySpec& spec, const Eigen::Vector3d& position_m, double yaw_rad) {
+  BodyMotion motion;
+  motion.position_m = position_m;
+  const Eigen::AngleAxisd heading(yaw_rad, Eigen::Vector3d::UnitZ());
+  motion.orientation = heading;
+  if (!spec.upright && !spec.wheels.empty() && position_m.allFinite()) {
+    const Eigen::Vector3d normal = ground().NormalAt({position_m.x(), position_m.y()});
+    motion.orientation =
+        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal) * heading;
+  }
+  return Place(spec, motion, !spec.anchor);
+}
+
+BodyId OdeWorld::Add(const BodySpec& spec, const BodyMotion& motion) {
+  return Place(spec, motion, false);
+}
+
+void OdeWorld::Remove(BodyId id) {
+  OdeBody* body = &At(id);
+  WakeAround(body);
+  spans_.erase(std::remove_if(spans_.begin(), spans_.end(),
+                              [body](const Span& span) { return span.body == body; }),
+               spans_.end());
+  bodies_.erase(std::find_if(bodies_.begin(), bodies_.end(),
+                             [id](const Entry& entry) { return entry.id == id; }));
+}
+
+const BodySpec& OdeWorld::SpecOf(BodyId body) const { return At(body).spec(); }
+
+void OdeWorld::SetWalkVelocity(BodyId body, const Eigen::Vector3d& velocity_mps) {
+  At(body).SetWalkVelocity(velocity_mps);
+}
+
+void OdeWorld::SetWheel(BodyId body, std::size_t wheel, double rate_radps, double steer_rad) {
+  At(body).SetWheel(wheel, {rate_radps, steer_rad});
+}
+
+JointReading OdeWorld::WheelOf(BodyId body, std::size_t wheel) const {
+  return At(body).WheelReading(wheel);
+}
+
+JointReading OdeWorld::SteeringOf(BodyId body, std::size_t wheel) const {
+  return At(body).SteeringReading(wheel);
+}
+
+void OdeWorld::SetJoint(BodyId body, std::size_t link, const JointTarget& target) {
+  At(body).SetJoint(link, target);
+}
+
+JointReading OdeWorld::JointOf(BodyId body, std::size_t link) const {
+  return At(body).LinkReading(link);
+}
+
+BodyMotion OdeWorld::LinkMotionOf(BodyId body, std::size_t link) const {
+  return At(body).LinkMotion(link);
+}
+
+void OdeWorld::AddForce(BodyId id, const Eigen::Vector3d& force_n) {
+  OdeBody& body = At(id);
+  if (!body.TakesForce(force_n, Eigen::Vector3d::Zero())) return;
+  dBodyAddForce(body.trunk(), force_n.x(), force_n.y(), force_n.z());
+}
+
+void OdeWorld::AddForceAt(BodyId id, const Eigen::Vector3d& force_n,
+                          const Eigen::Vector3d& point_m) {
+  OdeBody& body = At(id);
+  if (!body.TakesForce(force_n, point_m)) return;
+  dBodyAddForceAtPos(body.trunk(), force_n.x(), force_n.y(), force_n.z(), point_m.x(), point_m.y(),
+                     point_m.z());
+}
+
+void OdeWorld::AddTorque(BodyId id, const Eigen::Vector3d& torque_nm) {
+  OdeBody& body = At(id);
+  if (!body.TakesForce(torque_nm, Eigen::Vector3d::Zero())) return;
+  dBodyAddTorque(body.trunk(), torque_nm.x(), torque_nm.y(), torque_nm.z());
+}
+
+void OdeWorld::AddImpulse(BodyId body, const Eigen::Vector3d& impulse_ns,
+                          const Eigen::Vector3d& point_m) {
+  At(body).AddImpulse(impulse_ns, point_m);
+}
+
+void OdeWorld::SetUpright(BodyId id, bool upright) {
+  OdeBody& body = At(id);
+  const bool rises = upright && !body.control().upright;
+  body.SetUpright(upright);
+  if (rises) LiftOutOfGround(&body);
+}
+
+bool OdeWorld::IsUpright(BodyId body) const { return At(body).control().upright; }
+
+void OdeWorld::SetAnchored(BodyId id, bool anchored) {
+  OdeBody& body = At(id);
+  if (body.control().anchored && !anchored) WakeAround(&body);
+  body.SetAnchored(anchored);
+}
+
+bool OdeWorld::IsAnchored(BodyId body) const { return At(body).control().anchored; }
+
+double OdeWorld::AnchorAngleOf(BodyId body) const { return At(body).AnchorAngle(); }
+
+void OdeWorld::SetAssetPresent(std::uint32_t index, bool present) {
+  if (index >= scene_->assets.size()) return;
+  if (present) {
+    gone_assets_.erase(index);
+    return;
+  }
+  if (!gone_assets_.insert(index).second) return;
+  const Asset& asset = scene_->assets[index];
+  const double reach_m = SolidRadius(asset);
+  const Eigen::Vector3d base(asset.x_m, asset.y_m, asset.z_m);
+  WakeNear({base - Eigen::Vector3d(reach_m, reach_m, 1.0),
+            base + Eigen::Vector3d(reach_m, reach_m, asset.height_m + reach_m)});
+}
+
+void OdeWorld::SetGround(const GroundState& ground) {
+  ground_ = ground;
+  surfaces_ = SurfaceTable(*scene_, ground);
+  bool changed = false;
+  for (const auto& entry : EnumNames(SurfaceClass{})) {
+    const double friction = surfaces_.Of(entry.value).friction;
+    const double woken = woken_friction_[static_cast<std::size_t>(entry.value)];
+    changed = changed || std::abs(friction - woken) > kWakingFriction;
+  }
+  // Weather that moves slowly shall not keep everybody awake.
+  if (!changed) return;
+  for (const auto& entry : EnumNames(SurfaceClass{})) {
+    woken_friction_[static_cast<std::size_t>(entry.value)] = surfaces_.Of(entry.value).friction;
+  }
+  for (Entry& entry : bodies_) entry.body->Wake();
+}
+
+void OdeWorld::Place(BodyId id, const BodyMotion& motion) {
+  OdeBody& body = At(id);
+  if (!IsSomewhere(motion)) return body.Spoil();
+  WakeAround(&body);
+  body.SetMotion(motion);
+}
+
+BodyMotion OdeWorld::MotionOf(BodyId body) const { return At(body).Motion(); }
+double OdeWorld::SinkageOf(BodyId body) const { return Sinkage(At(body)); }
+bool OdeWorld::IsResting(BodyId body) const { return At(body).stands(); }
+double OdeWorld::EnergyOf(BodyId body) const { return At(body).Energy(); }
+
+double OdeWorld::Sinkage(const OdeBody& body) const {
+  const BodySpec& spec = body.spec();
+  double depth_m = 0.0;
+  for (std::size_t i = 0; i < spec.wheels.size(); ++i) {
+    depth_m = std::max(
+        depth_m, DepthBelowGround(ground(), PositionOf(body.wheel(i)), spec.wheels[i].radius_m));
+  }
+  for (const GroundSample& sample : spec.ground_samples) {
+    const Eigen::Vector3d at = body.TrunkPoint(sample.offset_m);
+    depth_m = std::max(depth_m, DepthBelowGround(ground(), at, sample.radius_m));
+  }
+  for (std::size_t i = 0; i < spec.links.size(); ++i) {
+    for (const GroundSample& sample : spec.links[i].ground_samples) {
+      const Eigen::Vector3d at = body.LinkPoint(i, sample.offset_m);
+      depth_m = std::max(depth_m, DepthBelowGround(ground(), at, sample.radius_m));
+    }
+  }
+  return depth_m;
+}
+
+// Straight up, until nothing of the body is below the ground.
+void OdeWorld::LiftOutOfGround(OdeBody* body) const {
+  constexpr int kTries = 32;  // each undoes most of the depth even on steep ground
+  for (int i = 0; i < kTries; ++i) {
+    const double depth_m = Sinkage(*body);
+    if (depth_m <= 0.0) return;
+    BodyMotion motion = body->Motion();
+    motion.position_m.z() += depth_m + kPlacingClearance_m;
+    body->SetMotion(motion);
+  }
+}
+
+void OdeWorld::WakeNear(const Bounds& bounds) {
+  for (Entry& entry : bodies_) {
+    if (!entry.body->resting()) continue;
+    // Its whole ball: feet have no solids of their own.
+    const Eigen::Vector3d center = entry.body->BallCenter();
+    const Eigen::Vector3d nearest = center.cwiseMax(bounds.low_m).cwiseMin(bounds.high_m);
+    const double radius_m = entry.body->ball_radius_m();
+    if (radius_m < 0.0 || (nearest - center).squaredNorm() > radius_m * radius_m) continue;
+    entry.body->Wake();
+  }
+}
+
+void OdeWorld::WakeAround(OdeBody* body) {
+  for (const OdeBody::BodySolid& one : body->PosedSolids()) {
+    Bounds bounds = one.solid.bounds();
+    bounds.low_m.array() -= kWakingReach_m;
+    bounds.high_m.array() += kWakingReach_m;
+    WakeNear(bounds);
+  }
+}
+
+std::shared_ptr<const PhysicsSnapshot> OdeWorld::Save() const {
+  auto snapshot = std::make_shared<OdeSnapshot>();
+  snapshot->bodies.reserve(bodies_.size());
+  for (const Entry& entry : bodies_) {
+    snapshot->bodies.push_back({entry.id, entry.body->shared_spec(), entry.body->Save()});
+  }
+  snapshot->last_id = last_id_;
+  snapshot->ground = ground_;
+  snapshot->woken_friction = woken_friction_;
+  snapshot->gone_assets = gone_assets_;
+  snapshot->contacts = contacts_;
+  snapshot->strayed = strayed_;
+  return snapshot;
+}
+
+void OdeWorld::Restore(const PhysicsSnapshot& snapshot) {
+  ReadyOde();
+  const auto* saved = dynamic_cast<const OdeSnapshot*>(&snapshot);
+  LW_CHECK(saved != nullptr, "a snapshot of another back end");
+  // ODE steps bodies in the order of their making, backwards: where other bodies are about, all are
+  // made anew, in the order in which they once were.
+  bool same = bodies_.size() == saved->bodies.size();
+  for (std::size_t i = 0; same && i < bodies_.size(); ++i) {
+    same = bodies_[i].id == saved->bodies[i].id &&
+           bodies_[i].body->shared_spec() == saved->bodies[i].spec;
+  }
+  if (!same) {
+    spans_.clear();
+    bodies_.clear();
+    for (const OdeSnapshot::Body& one : saved->bodies) {
+      bodies_.push_back({one.id, std::make_unique<OdeBody>(world_, one.id, one.spec), {}});
+      OdeBody* body = bodies_.back().body.get();
+      if (body->ball_radius_m() >= 0.0) spans_.push_back({0.0, 0.0, body, false});
+    }
+  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].body->Restore(saved->bodies[i].state);
+  for (Span& span : spans_) span.settled = false;
+  last_id_ = saved->last_id;
+  ground_ = saved->ground;
+  surfaces_ = SurfaceTable(*scene_, ground_);
+  woken_friction_ = saved->woken_friction;
+  gone_assets_ = saved->gone_assets;
+  contacts_ = saved->contacts;
+  strayed_ = saved->strayed;
+}
+
+void OdeWorld::AddTo(Digest* digest) const {
+  digest->Add(last_id_);
+  digest->Add(ground_.wetness);
+  digest->Add(ground_.snow_depth_m);
+  digest->Add(ground_.blown_sand);
+  for (const double friction : woken_friction_) digest->Add(friction);
+  digest->Add(static_cast<std::uint64_t>(gone_assets_.size()));
+  for (const std::uint32_t asset : gone_assets_) digest->Add(asset);
+  for (const Entry& entry : bodies_) {
+    digest->Add(entry.id);
+    entry.body->AddTo(digest);
+  }
+}
 
 std::unique_ptr<PhysicsWorld> MakeOdeWorld(std::shared_ptr<const Scene> scene) {
   return std::make_unique<OdeWorld>(std::move(scene));

@@ -1,0 +1,66 @@
+#include "latticeworld/mapping/traversability_window.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "latticeworld/common/check.h"
+#include "latticeworld/mapping/asset_blocks.h"
+#include "latticeworld/mapping/mapped_assets.h"
+
+namespace latticeworld {
+
+TraversabilityWindow::TraversabilityWindow(const Scene& scene, const RobotLimits& limits)
+    : scene_(scene), limits_(limits), ground_(*scene.terrain, limits) {
+  LW_CHECK(limits.radius_m >= 0.0 && limits.max_step_m >= 0.0 &&
+               limits.max_fording_depth_m >= 0.0 && limits.max_slope_rad > 0.0 &&
+               limits.max_slope_rad < 1.5708,
+           "robot limits are validated where they enter");
+  // The index of a scene knows how far trunks reach, not crowns.
+  LW_CHECK(limits.clearance_m == 0.0, "windows are for robots that crowns do not stop");
+}
+
+void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& changes,
+                                float* values) const {
+  const GridGeometry& geometry = scene_.geometry();
+  LW_CHECK(window.row_begin >= 0 && window.rows() > 0 && window.row_end <= geometry.rows() &&
+               window.col_begin >= 0 && window.cols() > 0 && window.col_end <= geometry.cols(),
+           "a window lies in its scene");
+  const auto cols = static_cast<std::size_t>(window.cols());
+  for (int row = window.row_begin; row < window.row_end; ++row) {
+    float* const values_of_row = values + (row - window.row_begin) * cols;
+    ground_.Row(row, window.col_begin, window.col_end, values_of_row);
+    for (std::size_t i = 0; i < cols; ++i) values_of_row[i] = TraversabilityOf(values_of_row[i]);
+  }
+
+  const AssetBlocks blocks(scene_.terrain->ground, limits_);
+  const auto block = [&](const MappedAsset& asset) {
+    blocks.ForEachBlocked(asset, window.row_begin, window.row_end, [&](int row, int col) {
+      if (col < window.col_begin || col >= window.col_end) return;
+      values[(row - window.row_begin) * cols + (col - window.col_begin)] = 0.0f;
+    });
+  };
+  // Around a circle that holds the window.
+  const WorldPoint north_west = geometry.CenterOf({window.row_begin, window.col_begin});
+  const WorldPoint south_east = geometry.CenterOf({window.row_end - 1, window.col_end - 1});
+  const WorldPoint middle{0.5 * (north_west.x_m + south_east.x_m),
+                          0.5 * (north_west.y_m + south_east.y_m)};
+  const double around_m =
+      0.5 * std::hypot(window.rows(), window.cols()) * geometry.resolution_m() + limits_.radius_m;
+  scene_.index.ForEachNear(middle, around_m, [&](std::uint32_t asset) {
+    if (!changes.empty() && !changes.Stands(asset)) return;
+    MappedAsset standing;
+    standing.asset = scene_.assets[asset];
+    block(standing);
+  });
+  for (const FallenTree& tree : changes.fallen) {
+    const MappedAsset lying = Lying(scene_, tree);
+    const double reach_m = lying.reach_m() + around_m;
+    if (std::abs(lying.asset.x_m - middle.x_m) < reach_m &&
+        std::abs(lying.asset.y_m - middle.y_m) < reach_m)
+      block(lying);
+  }
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,23 @@
+#ifndef LATTICEWORLD_SCENE_FOOTBRIDGES_H_
+#define LATTICEWORLD_SCENE_FOOTBRIDGES_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "latticeworld/scene/element.h"
+#include "latticeworld/scene/road_finder.h"
+#include "latticeworld/terrain/terrain.h"
+
+namespace latticeworld {
+
+// Places where a footbridge crosses 3 to 12 m of water, square to it, from bank to bank: the deck
+// begins and ends where the banks are as high as it is, at least 0.3 m above the water, and the
+// ground beyond is no steeper than legs and wheels climb. Most are near roads; two on a square
+// kilometre and one in any world that has a place, at least 60 m apart. Without names. Draws from a
+// stream of its own of the seed.
+std::vector<Element> FindFootbridges(const Terrain& terrain, const RoadFinder& roads,
+                                     std::uint64_t seed);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_SCENE_FOOTBRIDGES_H_

@@ -1,0 +1,38 @@
+#ifndef LATTICEWORLD_SCENE_SCENE_CHANGES_H_
+#define LATTICEWORLD_SCENE_SCENE_CHANGES_H_
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "latticeworld/common/status.h"
+
+namespace latticeworld {
+
+struct Scene;
+
+// A tree that lies: its stem from foot to tip, map frame, as long as it was high, its crown around
+// the upper part.
+struct FallenTree {
+  std::uint32_t asset = 0;  // index into Scene::assets, of a tree
+  Eigen::Vector3d foot_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d tip_m = Eigen::Vector3d::Zero();
+};
+
+// What has become of a scene's assets since the world began; a Scene itself never changes. An asset
+// stands in neither list or in one of them, once.
+struct SceneChanges {
+  std::vector<FallenTree> fallen;  // by asset
+  std::vector<std::uint32_t>
+      gone;  // indices into Scene::assets, increasing: no longer there at all
+
+  bool empty() const { return fallen.empty() && gone.empty(); }
+  // Whether the asset is where the scene has it.
+  bool Stands(std::uint32_t asset) const;
+};
+// Errors: INVALID_ARGUMENT with every violation.
+Status Validate(const SceneChanges& changes, const Scene& scene);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_SCENE_SCENE_CHANGES_H_

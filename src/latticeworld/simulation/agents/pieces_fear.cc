@@ -1,0 +1,120 @@
+#include "latticeworld/simulation/agents/pieces_fear.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "latticeworld/simulation/agents/agent_grid.h"
+#include "latticeworld/simulation/agents/perception.h"
+#include "latticeworld/simulation/agents/places.h"
+#include "latticeworld/simulation/agents/steering.h"
+#include "latticeworld/simulation/agents/targets.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr double kThreat_m = 8.0;  // nearer than this, others are a threat
+constexpr double kAlarmed_s = 4.0;
+constexpr double kSafe_m = 20.0;  // runs no further than this from a threat
+
+// The nearest of all that it remembers, whoever they are.
+const Sighting* NearestThreat(const Agent& agent, const Surroundings& world, double distance_m,
+                              double age_s) {
+  const Sighting* nearest = nullptr;
+  const std::uint64_t age_steps = world.StepsIn(age_s);
+  for (const Sighting& sighting : agent.mind.memory) {
+    if (world.episode_step - sighting.step > age_steps) continue;
+    const double range_m = (sighting.position_m - agent.motion.position_m).norm();
+    if (range_m > distance_m) continue;
+    distance_m = range_m;
+    nearest = &sighting;
+  }
+  return nearest;
+}
+
+bool WasJustHit(const Agent& agent, const Surroundings& world) {
+  return agent.mind.hit_at != 0 && world.episode_step - agent.mind.hit_at <= world.StepsIn(0.5);
+}
+
+// Takes the alarm over from one of its kind beside it that flees from something that it perceived
+// itself a moment ago; what is told on grows old, so that an alarm dies down.
+void HeedTheHerd(Agent* agent, const Surroundings& world) {
+  constexpr double kBeside_m = 8.0, kFresh_s = 1.5;
+  const Sighting* told = nullptr;
+  world.near.ForEachNear(agent->place(), kBeside_m, [&](const Agent& other) {
+    if (told != nullptr || other.id == agent->id || other.behaviour != Behaviour::kFlee) return;
+    if (other.species != agent->species) return;
+    const Sighting* threat =
+        NearestThreat(other, world, std::numeric_limits<double>::infinity(), kFresh_s);
+    if (threat == nullptr) return;
+    // Of what it perceived as lately it thinks for itself.
+    const Sighting* own = MemoryOf(*agent, threat->who);
+    if (own == nullptr || own->step < threat->step) told = threat;
+  });
+  if (told == nullptr) return;
+  Sighting heard = *told;
+  heard.seen_now = false;
+  heard.only_heard = true;
+  Remember(agent, heard);
+  agent->mind.alarmed_until = world.In(kAlarmed_s);
+}
+
+}  // namespace
+
+Steering RunFrom(Agent* agent, Surroundings* world, WorldPoint danger) {
+  constexpr double kRun_m = 8.0;
+  constexpr std::array<double, 5> kTurns_rad = {0.0, 0.5, 1.0, 1.6, 2.2};
+  const WorldPoint here = agent->place();
+  const double away_rad = HeadingTo(danger, here);
+  for (const double turn_rad : kTurns_rad) {
+    for (const int side : {agent->mind.turn_side, -agent->mind.turn_side}) {
+      const WorldPoint place = Ahead(here, away_rad + side * turn_rad, kRun_m);
+      if (!CanGo(*world, *agent, here, place)) continue;
+      if (turn_rad > 0.0) agent->mind.turn_side = side;
+      return GoTo(agent, world, place, agent->species->top_speed_mps);
+    }
+  }
+  return FaceTo(*agent, danger);
+}
+
+std::optional<Steering> Flee(Agent* agent, Surroundings* world) {
+  constexpr double kForgotten_s = 6.0;
+  Mind& mind = agent->mind;
+  if (agent->team == 0) HeedTheHerd(agent, *world);
+  if (WasJustHit(*agent, *world) || NearestThreat(*agent, *world, kThreat_m, 1.0) != nullptr) {
+    mind.alarmed_until = world->In(kAlarmed_s);
+  }
+  if (world->episode_step >= mind.alarmed_until) return std::nullopt;
+  const Sighting* threat = NearestThreat(*agent, *world, kSafe_m, kForgotten_s);
+  if (threat == nullptr) return std::nullopt;
+  TakeUp(agent, Behaviour::kFlee);
+  return RunFrom(agent, world, PlaceOf(*threat));
+}
+
+bool IsHurt(const Agent& agent, const Surroundings&) {
+  return agent.hit_points < agent.species->hurt_share * agent.species->hit_points;
+}
+
+std::optional<Steering> Retreat(Agent* agent, Surroundings* world) {
+  constexpr double kRemembered_s = 6.0;
+  const Sighting* threat = NearestThreat(*agent, *world, kSafe_m, kRemembered_s);
+  if (threat == nullptr) return std::nullopt;
+  TakeUp(agent, Behaviour::kRetreat);
+  return RunFrom(agent, world, PlaceOf(*threat));
+}
+
+std::optional<Steering> Withdraw(Agent* agent, Surroundings* world) {
+  constexpr double kWithdraw_s = 3.0;
+  Mind& mind = agent->mind;
+  const bool struck = agent->next_blow > world->episode_step;
+  if (agent->behaviour == Behaviour::kAttack && struck) {
+    mind.alarmed_until = world->In(kWithdraw_s);
+  }
+  if (world->episode_step >= mind.alarmed_until) return std::nullopt;
+  const Sighting* target = MemoryOf(*agent, mind.target);
+  if (target == nullptr) return std::nullopt;
+  TakeUp(agent, Behaviour::kRetreat);
+  return RunFrom(agent, world, PlaceOf(*target));
+}
+
+}  // namespace latticeworld

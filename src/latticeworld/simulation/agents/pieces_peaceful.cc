@@ -1,0 +1,176 @@
+#include "latticeworld/simulation/agents/pieces_peaceful.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "latticeworld/simulation/agents/herd.h"
+#include "latticeworld/simulation/agents/places.h"
+#include "latticeworld/simulation/agents/steering.h"
+
+namespace latticeworld {
+namespace {
+
+bool IsGrass(const Surroundings& world, WorldPoint place) {
+  return world.scene.geometry().Contains(place) &&
+         world.scene.terrain->SurfaceAt(place) == SurfaceClass::kGrass;
+}
+
+bool GrassAllTheWay(const Surroundings& world, WorldPoint from, WorldPoint to) {
+  if (!IsGrass(world, from)) return IsGrass(world, to);  // astray: back to any grass
+  const int strides = std::max(1, static_cast<int>(std::ceil(DistanceBetween(from, to))));
+  for (int i = 1; i <= strides; ++i) {
+    const double share = static_cast<double>(i) / strides;
+    const WorldPoint place{from.x_m + share * (to.x_m - from.x_m),
+                           from.y_m + share * (to.y_m - from.y_m)};
+    if (!IsGrass(world, place)) return false;
+  }
+  return true;
+}
+
+bool Pauses(const Agent& agent, const Surroundings& world) {
+  return world.episode_step < agent.mind.pause_until;
+}
+
+}  // namespace
+
+std::optional<Steering> Idle(Agent* agent, Surroundings* world) {
+  constexpr double kAstray_m = 3.0, kHome_m = 1.0;
+  TakeUp(agent, Behaviour::kIdle);
+  Mind& mind = agent->mind;
+  const double away_m = DistanceBetween(agent->place(), mind.home);
+  if (away_m > kAstray_m) mind.goal = mind.home;
+  if (away_m < kHome_m) mind.goal.reset();
+  if (!mind.goal.has_value()) return StandAtHome(*agent);
+  return GoTo(agent, world, *mind.goal, agent->species->cruise_mps);
+}
+
+std::optional<Steering> Wander(Agent* agent, Surroundings* world) {
+  constexpr double kNear_m = 5.0, kFar_m = 25.0;
+  TakeUp(agent, Behaviour::kWander);
+  Mind& mind = agent->mind;
+  if (Pauses(*agent, *world)) return StandHere(*agent);
+  if (mind.goal.has_value() && GoalDone(*agent, *world)) {
+    PauseFor(agent, *world, 1.0, 4.0);
+    return StandHere(*agent);
+  }
+  const double speed_mps = agent->species->cruise_mps;
+  if (!mind.goal.has_value()) {
+    const WorldPoint here = agent->place();
+    const auto place = DrawPlace(agent, *world, here, here, kNear_m, kFar_m);
+    if (!place.has_value()) {
+      PauseFor(agent, *world, 1.0, 2.0);
+      return StandHere(*agent);
+    }
+    SetGoal(agent, *world, *place, speed_mps);
+  }
+  return GoTo(agent, world, *mind.goal, speed_mps);
+}
+
+std::optional<Steering> Patrol(Agent* agent, Surroundings* world) {
+  constexpr std::size_t kPlaces = 5;
+  constexpr double kNear_m = 6.0, kFar_m = 30.0;
+  TakeUp(agent, Behaviour::kPatrol);
+  Mind& mind = agent->mind;
+  if (Pauses(*agent, *world)) return StandHere(*agent);
+  const double speed_mps = agent->species->cruise_mps;
+  if (mind.goal.has_value() && GoalDone(*agent, *world)) {
+    ++mind.next_place;
+    mind.goal.reset();
+  }
+  if (!mind.goal.has_value()) {
+    // The route grows by a place whenever it is walked to its end, so that planning it is spread
+    // over time.
+    if (mind.next_place >= mind.route.size() && mind.route.size() < kPlaces) {
+      const auto place = DrawPlace(agent, *world, mind.home, agent->place(), kNear_m, kFar_m);
+      if (place.has_value()) mind.route.push_back(*place);
+    }
+    if (mind.route.empty()) {
+      PauseFor(agent, *world, 2.0, 5.0);
+      return StandHere(*agent);
+    }
+    mind.next_place %= mind.route.size();
+    SetGoal(agent, *world, mind.route[mind.next_place], speed_mps);
+  }
+  return GoTo(agent, world, *mind.goal, speed_mps);
+}
+
+std::optional<Steering> Graze(Agent* agent, Surroundings* world) {
+  constexpr double kNear_m = 1.5, kFar_m = 6.0;
+  constexpr double kDrawn_m = 5.0;  // how far the herd draws the next patch
+  const BodyPlan plan = agent->species->plan;
+  if (plan == BodyPlan::kFlyer || plan == BodyPlan::kSwimmer) return std::nullopt;
+  TakeUp(agent, Behaviour::kGraze);
+  Mind& mind = agent->mind;
+  if (Pauses(*agent, *world)) return StandHere(*agent);
+  if (mind.goal.has_value() && GoalDone(*agent, *world)) {
+    PauseFor(agent, *world, 2.0, 8.0);
+    return StandHere(*agent);
+  }
+  const double speed_mps = agent->species->cruise_mps;
+  const WorldPoint here = agent->place();
+  if (!mind.goal.has_value()) {
+    // The more the herd draws it, the more the next patch lies that way.
+    const Eigen::Vector2d drawn = Flocking(*agent, *world);
+    const WorldPoint center{here.x_m + kDrawn_m * drawn.x(), here.y_m + kDrawn_m * drawn.y()};
+    const double far_m = kFar_m - (kFar_m - kNear_m) * 0.8 * std::min(1.0, drawn.norm());
+    const auto patch = DrawPlace(agent, *world, center, here, kNear_m, far_m);
+    if (!patch.has_value() || !GrassAllTheWay(*world, here, *patch)) {
+      mind.pause_until = world->In(0.5);
+      return StandHere(*agent);
+    }
+    SetGoal(agent, *world, *patch, speed_mps);
+  }
+  const Steering steering = GoTo(agent, world, *mind.goal, speed_mps);
+  // Around an obstacle the way may lead off the grass: better to look for another patch.
+  if (IsGrass(*world, here) && !IsGrass(*world, Ahead(here, steering.heading_rad, 1.0))) {
+    PauseFor(agent, *world, 0.5, 2.0);
+    return StandHere(*agent);
+  }
+  return steering;
+}
+
+std::optional<Steering> Swim(Agent* agent, Surroundings* world) {
+  if (agent->species->plan != BodyPlan::kSwimmer) return std::nullopt;
+  TakeUp(agent, Behaviour::kSwim);
+  Mind& mind = agent->mind;
+  const Species& species = *agent->species;
+  const WorldPoint here = agent->place();
+  if (mind.goal.has_value() && GoalDone(*agent, *world)) mind.goal.reset();
+  if (!mind.goal.has_value()) {
+    const auto place = DrawPlace(agent, *world, here, here, 10.0, 60.0);
+    if (place.has_value()) SetGoal(agent, *world, *place, species.cruise_mps);
+  }
+  Steering steering = mind.goal.has_value() ? GoTo(agent, world, *mind.goal, species.cruise_mps)
+                                            : StandHere(*agent);
+  // Halfway between bed and surface, with its back covered.
+  const double bed_m = world->scene.terrain->ground.HeightAt(here);
+  const double depth_m = world->WaterDepthAt(here);
+  steering.base_z_m = bed_m + std::max(0.2, 0.5 * (depth_m - species.height_m));
+  return steering;
+}
+
+std::optional<Steering> Soar(Agent* agent, Surroundings* world) {
+  constexpr double kWidest_m = 25.0, kNarrowest_m = 8.0;  // circle; small worlds have small ones
+  constexpr double kEdge_m = 5.0;
+  constexpr double kLead_rad = 0.5;
+  if (agent->species->plan != BodyPlan::kFlyer) return std::nullopt;
+  TakeUp(agent, Behaviour::kSoar);
+  const WorldPoint here = agent->place();
+  const double size_m = world->scene.geometry().half_size_m();
+  const double circle_m = std::clamp(size_m - 2.0 * kEdge_m, kNarrowest_m, kWidest_m);
+  const double half_m = std::max(0.0, size_m - circle_m - kEdge_m);
+  const WorldPoint center{std::clamp(agent->mind.home.x_m, -half_m, half_m),
+                          std::clamp(agent->mind.home.y_m, -half_m, half_m)};
+  const double bearing_rad = HeadingTo(center, here);
+  const WorldPoint carrot =
+      Ahead(center, bearing_rad + agent->mind.turn_side * kLead_rad, circle_m);
+  Steering steering;
+  steering.heading_rad = HeadingTo(here, carrot);
+  steering.speed_mps = agent->species->cruise_mps;
+  const double reach_m = 2.0 * steering.speed_mps + 4.0;
+  steering.base_z_m = agent->species->altitude_m + HighestAhead(*world, here, steering.heading_rad,
+                                                                reach_m, agent->species->radius_m);
+  return steering;
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,70 @@
+#ifndef LATTICEWORLD_SIMULATION_ODE_CONTACT_JOINTS_H_
+#define LATTICEWORLD_SIMULATION_ODE_CONTACT_JOINTS_H_
+
+#include <ode/ode.h>
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "latticeworld/simulation/physics_world.h"
+
+namespace latticeworld {
+
+// How a contact pushes along the surface.
+struct Traction {
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();  // first friction direction; zero: any
+  double friction_along = 0.0;
+  double friction_across = 0.0;
+  double speed_mps = 0.0;       // of the body along `along` that friction pushes towards
+  double slip_mps_per_n = 0.0;  // speed that the contact gives way along `along` under a force
+};
+
+// How a contact pushes apart: a spring and damper under an implicit step.
+struct Compliance {
+  double stiffness_npm = 0.0;  // 0: as stiff as the solver likes it
+  double damping_nspm = 0.0;
+};
+
+// A contact to be solved.
+struct ContactJoint {
+  dBodyID a;  // never null
+  dBodyID b;  // null: the world
+  Eigen::Vector3d position_m;
+  Eigen::Vector3d normal;  // into a
+  double depth_m;
+  Traction traction;
+  Compliance compliance{};
+  int reported = -1;              // index of the Contact that takes its force
+  BodyId body_a = 0, body_b = 0;  // for the limit of contacts a body; 0: not counted
+};
+
+// The contacts of one step, from when they are found until their forces are known.
+class ContactJoints {
+ public:
+  explicit ContactJoints(dWorldID world);
+  ~ContactJoints();
+  ContactJoints(const ContactJoints&) = delete;
+  ContactJoints& operator=(const ContactJoints&) = delete;
+
+  void Add(const ContactJoint& joint) { found_.push_back(joint); }
+  const std::vector<ContactJoint>& found() const { return found_; }
+  // Makes joints of them in the order in which they were added; of a body's contacts that are
+  // counted only the deepest.
+  void Join(double step_s);
+  // After the world's step: writes what the contacts exerted, and forgets them.
+  void Finish(std::vector<Contact>* contacts);
+
+ private:
+  void DropBeyondLimit();
+  void JoinOne(const ContactJoint& joint, double step_s, dJointFeedback* feedback);
+
+  const dWorldID world_;
+  const dJointGroupID group_;
+  std::vector<ContactJoint> found_;
+  std::vector<dJointFeedback> feedback_;
+  std::vector<int> of_body_;  // contacts of a body, by BodyId; all 0 between steps
+};
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_SIMULATION_ODE_CONTACT_JOINTS_H_

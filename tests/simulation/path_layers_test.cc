@@ -1,0 +1,144 @@
+#include "latticeworld/simulation/agents/path_layers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "latticeworld/common/random.h"
+#include "latticeworld/species/species_catalogue.h"
+#include "test_scene.h"
+
+namespace latticeworld {
+namespace {
+
+const Species& Of(const std::string& name) { return *SpeciesCatalogue::BuiltIn()->Find(name); }
+
+FallenTree Lying(const Scene& scene, std::uint32_t asset, double heading_rad, double lift_m = 0.0) {
+  const Asset& tree = scene.assets[asset];
+  const Eigen::Vector3d foot(tree.x_m, tree.y_m, tree.z_m + tree.trunk_radius_m + lift_m);
+  const Eigen::Vector3d way(std::cos(heading_rad), std::sin(heading_rad), 0.0);
+  return {asset, foot, foot + tree.height_m * way};
+}
+
+Grid<std::uint8_t> All(PathLayer* layer) {
+  Grid<std::uint8_t> ease(layer->cells(), layer->cells());
+  for (int row = 0; row < ease.rows(); ++row) {
+    for (int col = 0; col < ease.cols(); ++col) ease(row, col) = layer->Ease({row, col});
+  }
+  return ease;
+}
+
+TEST(PathLayersTest, SpeciesAlikeShareALayer) {
+  const auto scene = TestScene().Build();
+  PathLayers layers(*scene);
+  Species other = Of("goblin");
+  other.top_speed_mps = 9.0;
+  EXPECT_EQ(&layers.Of(Of("goblin")), &layers.Of(other));
+  other.radius_m = 3.0;
+  EXPECT_NE(&layers.Of(Of("goblin")), &layers.Of(other));
+}
+
+TEST(PathLayersTest, CellsAreNoLargerThanAMetreUnlessTheSceneIsCoarser) {
+  const auto cell_m = [](int cells, double size_m) {
+    TestScene made;
+    made.cells = cells;
+    made.size_m = size_m;
+    const auto scene = made.Build();
+    PathLayers layers(*scene);
+    return layers.Of(Of("goblin")).cell_m();
+  };
+  EXPECT_DOUBLE_EQ(cell_m(128, 64.0), 1.0);
+  EXPECT_DOUBLE_EQ(cell_m(100, 30.0), 0.9);
+  EXPECT_DOUBLE_EQ(cell_m(128, 96.0), 0.75);
+  EXPECT_DOUBLE_EQ(cell_m(64, 128.0), 2.0);
+}
+
+TEST(PathLayersTest, ACellIsFreeWhereAllOfItIs) {
+  TestScene made;
+  made.AddTree(10.3, 10.2, 0.3);
+  const auto scene = made.Build();
+  PathLayers layers(*scene);
+  PathLayer& layer = layers.Of(Of("goblin"));
+  RobotLimits limits;
+  limits.radius_m = ClassOf(Of("goblin")).radius_m;
+  limits.clearance_m = 0.0;
+  const Grid<float> map = BuildTraversability(*scene, limits);
+  int blocked = 0;
+  for (int row = 0; row < layer.cells(); ++row) {
+    for (int col = 0; col < layer.cells(); ++col) {
+      const bool free = std::min({map(2 * row, 2 * col), map(2 * row + 1, 2 * col),
+                                  map(2 * row, 2 * col + 1), map(2 * row + 1, 2 * col + 1)}) > 0.0f;
+      EXPECT_EQ(layer.IsFree({row, col}), free) << row << " " << col;
+      blocked += free ? 0 : 1;
+    }
+  }
+  EXPECT_GT(blocked, 3);
+}
+
+TEST(PathLayersTest, BelowAStemThatHangsOnlyTheLowPass) {
+  TestScene made;
+  made.AddTree(-4.0, 0.3, 0.2);
+  const auto scene = made.Build();
+  PathLayers layers(*scene);
+  layers.Update({{Lying(*scene, 0, 0.0, 1.5)}, {}});
+  PathLayer& dog = layers.Of(Of("robotic dog"));
+  PathLayer& warrior = layers.Of(Of("ancient warrior"));
+  EXPECT_TRUE(dog.IsFree(dog.CellAt({-1.5, 0.3})));
+  EXPECT_FALSE(warrior.IsFree(warrior.CellAt({-1.5, 0.3})));
+}
+
+// Each change alone: one tree falls, rolls on, goes or stands again, wherever tiles meet.
+TEST(PathLayersTest, AfterEveryChangeTheyAreAsIfMadeWithIt) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    TestScene made;
+    made.size_m = 128.0;
+    RandomStream random(seed, "layers");
+    for (int i = 0; i < 60; ++i)
+      made.AddTree(random.Uniform(-60.0, 60.0), random.Uniform(-60.0, 60.0), 0.3);
+    const auto scene = made.Build();
+    PathLayers used(*scene);
+    SceneChanges changes;
+    for (int round = 0; round < 40; ++round) {
+      All(&used.Of(Of("goblin")));  // every tile is made
+      const auto tree = static_cast<std::uint32_t>(random.UniformInt(0, 59));
+      const auto same = [&](const FallenTree& other) { return other.asset == tree; };
+      changes.fallen.erase(std::remove_if(changes.fallen.begin(), changes.fallen.end(), same),
+                           changes.fallen.end());
+      changes.gone.erase(std::remove(changes.gone.begin(), changes.gone.end(), tree),
+                         changes.gone.end());
+      const int fate = random.UniformInt(0, 3);
+      if (fate == 0) changes.gone.push_back(tree);
+      if (fate >= 2) changes.fallen.push_back(Lying(*scene, tree, random.Uniform(-3.0, 3.0)));
+      std::sort(changes.gone.begin(), changes.gone.end());
+      std::sort(changes.fallen.begin(), changes.fallen.end(),
+                [](const FallenTree& a, const FallenTree& b) { return a.asset < b.asset; });
+      used.Update(changes);
+      PathLayers fresh(*scene);
+      fresh.Update(changes);
+      ASSERT_EQ(All(&used.Of(Of("goblin"))), All(&fresh.Of(Of("goblin"))))
+          << "seed " << seed << ", round " << round;
+    }
+  }
+}
+
+TEST(PathLayersTest, AChangeMakesFewTilesAnew) {
+  TestScene made;
+  made.size_m = 128.0;
+  made.AddTree(10.0, 10.0, 0.3);
+  const auto scene = made.Build();
+  PathLayers layers(*scene);
+  PathLayer& layer = layers.Of(Of("goblin"));
+  All(&layer);
+  const std::size_t all = layer.tiles_made();
+  layers.Update({{Lying(*scene, 0, 0.5)}, {}});
+  All(&layer);
+  EXPECT_LE(layer.tiles_made() - all, 4u);
+  EXPECT_GE(layer.tiles_made() - all, 1u);
+  layers.Update({{Lying(*scene, 0, 0.5)}, {}});
+  All(&layer);
+  EXPECT_LE(layer.tiles_made() - all, 4u);  // nothing is different
+}
+
+}  // namespace
+}  // namespace latticeworld

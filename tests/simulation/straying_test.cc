@@ -1,0 +1,116 @@
+// What physics cannot compute, or what leaves the world, is told and dealt with. No command brings
+// that about, so policies of the tests' own do it: they reach the physics as every policy does.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "latticeworld/simulation/agents/policy.h"
+#include "test_scene.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr std::uint64_t kStrike = 100;  // episode step of what befalls the agent
+
+// Walks east, and once is pushed by a force that is no number.
+class Poisoned : public Policy {
+ public:
+  Steering Decide(Agent* agent, Surroundings* world) const override {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    if (world->episode_step / 10 == kStrike / 10) {
+      world->physics.AddForce(agent->body, {nan, 0.0, 0.0});
+    }
+    agent->behaviour = Behaviour::kWander;
+    Steering steering;
+    steering.speed_mps = 1.0;
+    return steering;
+  }
+};
+
+// Once is put where there is no world; and so is body 1, the first that was made.
+class Abducted : public Policy {
+ public:
+  explicit Abducted(Eigen::Vector3d where_m) : where_m_(where_m) {}
+  Steering Decide(Agent* agent, Surroundings* world) const override {
+    if (world->episode_step / 10 == kStrike / 10) {
+      BodyMotion motion;
+      motion.position_m = where_m_;
+      world->physics.Place(agent->body, motion);
+      world->physics.Place(1, motion);
+    }
+    return {};
+  }
+
+ private:
+  Eigen::Vector3d where_m_;
+};
+
+std::unique_ptr<Simulator> With(const std::string& policy) {
+  TestScene scene;
+  scene.AddElement("crate", ElementKind::kCrate, 20.0, 20.0);
+  auto simulator = MakeSimulator(scene);
+  SpawnRequest request = RequestFor("goblin", "goblin", 0.0, 0.0);
+  request.policy = policy;
+  MustSpawn(simulator.get(), request);
+  RunFor(simulator.get(), 0.95);
+  simulator->TakeEvents();
+  return simulator;
+}
+
+TEST(StrayingTest, WhatLeavesFiniteNumbersIsFrozenForASecondAndGoesOn) {
+  RegisterPolicy("poisoned", std::make_unique<Poisoned>());
+  const auto simulator = With("poisoned");
+  EXPECT_GT(Now(*simulator, "goblin").linear_velocity_mps.x(), 0.5);
+  RunFor(simulator.get(), 0.2);
+  EXPECT_EQ(Count(simulator->TakeEvents(), EventKind::kFrozen, "goblin"), 1);
+  const Eigen::Vector3d there = Now(*simulator, "goblin").position_m;
+  EXPECT_TRUE(there.allFinite());
+  EXPECT_NEAR(there.x(), 0.8, 0.4);
+  RunFor(simulator.get(), 0.7);
+  EXPECT_EQ((Now(*simulator, "goblin").position_m - there).norm(), 0.0);
+  RunFor(simulator.get(), 2.0);
+  EXPECT_GT(Now(*simulator, "goblin").position_m.x(), there.x() + 1.0);
+  EXPECT_EQ(Count(simulator->TakeEvents(), EventKind::kFrozen, "goblin"), 0);
+}
+
+TEST(StrayingTest, WhoLeavesTheWorldIsPutBackAndAThingIsTakenAway) {
+  const double nowhere_m[][3] = {{500.0, 0.0, 0.0}, {5.0, 5.0, -50.0}, {0.0, 0.0, 5000.0}};
+  for (int i = 0; i < 3; ++i) {
+    const std::string policy = "abducted_" + std::to_string(i);
+    RegisterPolicy(policy, std::make_unique<Abducted>(
+                               Eigen::Vector3d(nowhere_m[i][0], nowhere_m[i][1], nowhere_m[i][2])));
+    const auto simulator = With(policy);
+    ASSERT_EQ(simulator->State()->elements.size(), 1u);
+    RunFor(simulator.get(), 3.0);
+    const auto events = simulator->TakeEvents();
+    EXPECT_GE(Count(events, EventKind::kLeftWorld, "goblin"), 1) << i;
+    EXPECT_EQ(Count(events, EventKind::kLeftWorld, "crate"), 1) << i;
+    EXPECT_TRUE(simulator->State()->elements.empty());
+    const Eigen::Vector3d place = Now(*simulator, "goblin").position_m;
+    EXPECT_LT(place.head<2>().norm(), 10.0) << i;
+    EXPECT_GT(place.z(), -0.5) << i;
+  }
+}
+
+TEST(StrayingTest, TheFrozenArePartOfTheState) {
+  RegisterPolicy("poisoned", std::make_unique<Poisoned>());
+  const auto simulator = With("poisoned");
+  RunFor(simulator.get(), 0.3);
+  const auto snapshot = simulator->Save();
+  RunFor(simulator.get(), 2.0);
+  const std::string hash = simulator->StateHash();
+  simulator->Reset(5);
+  ASSERT_TRUE(simulator->Restore(*snapshot).ok());
+  RunFor(simulator.get(), 2.0);
+  EXPECT_EQ(simulator->StateHash(), hash);
+  // Nobody is frozen who is gone.
+  ASSERT_TRUE(simulator->Restore(*snapshot).ok());
+  ASSERT_TRUE(simulator->Remove("goblin").ok());
+  RunFor(simulator.get(), 1.0);
+}
+
+}  // namespace
+}  // namespace latticeworld
