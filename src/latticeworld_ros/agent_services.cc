@@ -1,10 +1,7 @@
 #include "latticeworld_ros/agent_services.h"
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
-#include "latticeworld/common/text.h"
 #include "latticeworld_ros/agent_conversion.h"
 #include "latticeworld_ros/messages.h"
 #include "latticeworld_ros/scene_conversion.h"
@@ -12,28 +9,6 @@
 
 namespace latticeworld {
 namespace {
-
-// "there are a, b and 7 more": not all of a thousand, for nobody reads them.
-template <typename Named>
-std::string NamesOf(const std::vector<Named>& all, const std::string& what) {
-  constexpr std::size_t kMost = 50;
-  if (all.empty()) return "there are no " + what;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < std::min(kMost, all.size()); ++i) names.push_back(all[i].name);
-  const std::size_t more = all.size() - names.size();
-  return "there are " + Join(names, ", ") +
-         (more > 0 ? " and " + std::to_string(more) + " more" : "");
-}
-
-// The same failure; one of a name that is not there tells those that are.
-Status TellAgents(const Status& status, const Simulator& simulator) {
-  if (status.code() != StatusCode::kNotFound) return status;
-  return NotFound(status.message() + "; " + NamesOf(simulator.State()->agents, "agents"));
-}
-Status TellElements(const Status& status, const Simulator& simulator) {
-  if (status.code() != StatusCode::kNotFound) return status;
-  return NotFound(status.message() + "; " + NamesOf(simulator.State()->elements, "elements"));
-}
 
 // Lets the loop do `change` and fills in what every response of this file has.
 template <typename Response>
@@ -73,7 +48,7 @@ void AdvertiseAgentServices(const SimulatorOptions& options, SimulationLoop* loo
   queue->Advertise<RemoveAgent>(
       "remove_agent", [=](const RemoveAgent::Request& request, RemoveAgent::Response* response) {
         const auto remove = [&](Simulator* simulator) -> Result<std::string> {
-          LW_RETURN_IF_ERROR(TellAgents(simulator->Remove(request.name), *simulator));
+          LW_RETURN_IF_ERROR(simulator->Remove(request.name));
           return request.name;
         };
         response->status = ToRos(Apply(loop, remove, response).status());
@@ -84,7 +59,7 @@ void AdvertiseAgentServices(const SimulatorOptions& options, SimulationLoop* loo
         const auto set = [&]() -> Status {
           LW_ASSIGN_OR_RETURN(const PolicyChange change, FromRos(request));
           const auto apply = [&](Simulator* simulator) -> Result<std::string> {
-            LW_RETURN_IF_ERROR(TellAgents(simulator->SetPolicy(change), *simulator));
+            LW_RETURN_IF_ERROR(simulator->SetPolicy(change));
             return change.agent;
           };
           LW_RETURN_IF_ERROR(Apply(loop, apply, response).status());
@@ -109,7 +84,7 @@ void AdvertiseAgentServices(const SimulatorOptions& options, SimulationLoop* loo
   queue->Advertise<RemoveElement>("remove_element", [=](const RemoveElement::Request& request,
                                                         RemoveElement::Response* response) {
     const auto remove = [&](Simulator* simulator) -> Result<std::string> {
-      LW_RETURN_IF_ERROR(TellElements(simulator->RemoveElement(request.name), *simulator));
+      LW_RETURN_IF_ERROR(simulator->RemoveElement(request.name));
       return request.name;
     };
     response->status = ToRos(Apply(loop, remove, response).status());
@@ -117,8 +92,7 @@ void AdvertiseAgentServices(const SimulatorOptions& options, SimulationLoop* loo
   queue->Advertise<OpenGate>(
       "open_gate", [=](const OpenGate::Request& request, OpenGate::Response* response) {
         const auto open = [&](Simulator* simulator) -> Result<std::string> {
-          LW_RETURN_IF_ERROR(
-              TellElements(simulator->OpenGate(request.name, OpeningOf(request)), *simulator));
+          LW_RETURN_IF_ERROR(simulator->OpenGate(request.name, OpeningOf(request)));
           return request.name;
         };
         response->status = ToRos(Apply(loop, open, response).status());

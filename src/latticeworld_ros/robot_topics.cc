@@ -36,7 +36,8 @@ void RobotTopics::Want(std::vector<RobotWish> wishes) {
 
 void RobotTopics::WaitUntilReady() {
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock, [this] { return stopping_ || applied_version_ == wanted_version_; });
+  const std::uint64_t wanted = wanted_version_;
+  changed_.wait(lock, [&] { return stopping_ || applied_version_ >= wanted; });
 }
 
 std::shared_ptr<const RobotPublisherMap> RobotTopics::publishers() const {

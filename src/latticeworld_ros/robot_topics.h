@@ -57,7 +57,7 @@ class RobotTopics {
 
   // The agents that there are now, sorted by name. Does not block.
   void Want(std::vector<RobotWish> wishes);
-  // Blocks until the topics are those of the last Want.
+  // Blocks until the topics are those of the last Want before the call.
   void WaitUntilReady();
   std::shared_ptr<const RobotPublisherMap> publishers() const;
 

@@ -33,7 +33,7 @@ std::string NumberedName(std::string_view kind, int number) {
 
 Status NoneNamed(std::string_view kind, std::string_view name,
                  const std::vector<std::string>& names) {
-  constexpr std::size_t kNamed = 12;
+  constexpr std::size_t kNamed = 50;  // nobody reads a thousand
   std::string message = "there is no " + std::string(kind) + " named " + Quote(name);
   if (names.empty()) return NotFound(message + ": there are none");
   const std::size_t named = std::min(kNamed, names.size());

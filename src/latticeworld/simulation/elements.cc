@@ -8,6 +8,7 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/scene/elements.h"
 #include "latticeworld/scene/footprint.h"
+#include "latticeworld/simulation/agent_names.h"
 #include "latticeworld/simulation/element_body.h"
 #include "latticeworld/simulation/felling.h"
 
@@ -104,7 +105,7 @@ Result<std::string> Elements::Add(const Element& element) {
 
 Status Elements::Remove(const std::string& name) {
   const auto found = state_.find(name);
-  if (found == state_.end()) return NotFound("there is no element named " + Quote(name));
+  if (found == state_.end()) return NoneNamed("element", name, state_);
   physics_->Remove(found->second.body);
   names_.erase(found->second.body);
   blows_.erase(name);
@@ -114,7 +115,7 @@ Status Elements::Remove(const std::string& name) {
 
 Status Elements::OpenGate(const std::string& name, double opening_rad) {
   const auto found = state_.find(name);
-  if (found == state_.end()) return NotFound("there is no element named " + Quote(name));
+  if (found == state_.end()) return NoneNamed("element", name, state_);
   if (found->second.element.kind != ElementKind::kGate) {
     return FailedPrecondition(Quote(name) + " is no gate but a " +
                               std::string(latticeworld::NameOf(found->second.element.kind)));
