@@ -49,24 +49,35 @@ add_message_files(FILES
   AgentEvent.msg
   AgentState.msg
   AgentStates.msg
+  Bumper.msg
   ClaimOutcome.msg
   ElementState.msg
   ElementStates.msg
   Environment.msg
+  Episode.msg
+  EpisodeEnd.msg
+  EpisodeStart.msg
+  EpisodeStatus.msg
   FelledTree.msg
   GenerationProgress.msg
+  JournalEntry.msg
   Layout.msg
   SceneChanges.msg
   StageTime.msg
+  StateHash.msg
   Status.msg
   TerrainSample.msg
   Weather.msg
   WorldBundle.msg
+  WorldFile.msg
+  WorldFiles.msg
   WorldInfo.msg
 )
 add_service_files(FILES
   GenerateWorld.srv
   GetWorld.srv
+  GetWorldBundle.srv
+  ListEpisodes.srv
   ListWorlds.srv
   LoadWorld.srv
   OpenGate.srv
@@ -82,7 +93,9 @@ add_service_files(FILES
   SetWeather.srv
   SpawnAgent.srv
   SpawnElement.srv
+  StartEpisode.srv
   Step.srv
+  StopEpisode.srv
 )
 add_action_files(FILES GenerateWorldTask.action)
 generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs sensor_msgs std_msgs)

@@ -12,13 +12,14 @@ packages=(
   libcli11-dev libcurl4-openssl-dev libembree-dev libgdal-dev libvalijson-dev nlohmann-json3-dev
   zlib1g-dev
   # testing against real peers
-  octomap-tools openssl python3-numpy python3-onnx python3-yaml
+  octomap-tools openssl python3-numpy python3-onnx python3-venv python3-yaml
   # ROS: building
   catkin ros-message-generation ros-message-runtime
   libactionlib-dev libactionlib-msgs-dev libdiagnostic-msgs-dev libgeometry-msgs-dev
-  libnav-msgs-dev libros-rosgraph-msgs-dev libroscpp-dev librostest-dev libsensor-msgs-dev
+  libnav-msgs-dev libros-rosgraph-msgs-dev librosbag-storage-dev libroscpp-dev librostest-dev
+  libsensor-msgs-dev
   libstd-msgs-dev libstd-srvs-dev libtf2-dev libtf2-msgs-dev libtf2-ros-dev
-  libvisualization-msgs-dev
+  libtopic-tools-dev libvisualization-msgs-dev
   ros-actionlib-msgs ros-diagnostic-msgs ros-geometry-msgs ros-nav-msgs ros-rosgraph-msgs
   ros-sensor-msgs ros-std-msgs ros-std-srvs ros-tf2-msgs ros-visualization-msgs
   # ROS: running

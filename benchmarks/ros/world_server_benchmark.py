@@ -3,7 +3,9 @@
 
 Prints: seconds that /generate_world takes for the default world; the longest wall-clock gap of
 /clock while another world is generated; the real-time factor with 50 agents and one robot, held to
-real time and as fast as possible; peak memory of the server; the cost of publishing transforms.
+real time and as fast as possible; peak memory of the server; the cost of publishing transforms; the
+real-time factor with 100 driving four-wheel robots, of which nothing, states and frames, or odometry
+as well is recorded.
 
 Usage: world_server_benchmark.py BUILD_DIRECTORY   (with BUILD_DIRECTORY/devel/setup.bash sourced)
 """
@@ -143,23 +145,32 @@ def main():
         print(tf.stdout.strip())
         rospy.signal_shutdown("done")
 
-    os.environ["ROS_MASTER_URI"] = f"http://127.0.0.1:{free_port()}"
-    child = subprocess.run([sys.executable, __file__, "--fast", str(build)], check=True,
-                           capture_output=True, text=True)
-    print(child.stdout.strip())
+    for part in ("--fast", "--robots"):
+        child = subprocess.run([sys.executable, __file__, part, str(build)], check=True,
+                               capture_output=True, text=True)
+        print(child.stdout.strip())
 
 
-def fast():
-    """In a process of its own: a rospy node lives once."""
+@contextlib.contextmanager
+def fast_server(*arguments):
+    """As fast as possible, with a master of its own, and this process a node beside it."""
+    os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{free_port()}", ROS_IP="127.0.0.1")
     import rosgraph
     import rospy
-    from rosgraph_msgs.msg import Clock
-    from latticeworld.srv import GenerateWorld
-    with launched(dict(os.environ), "real_time_factor:=0"):
+    with launched(dict(os.environ), "real_time_factor:=0", *arguments):
         while not rosgraph.is_master_online():
             time.sleep(0.05)
         rospy.init_node("world_server_benchmark", disable_signals=True)
         rospy.wait_for_service("/generate_world", timeout=30.0)
+        yield
+
+
+def fast():
+    """In a process of its own: a rospy node lives once."""
+    import rospy
+    from rosgraph_msgs.msg import Clock
+    from latticeworld.srv import GenerateWorld
+    with fast_server():
         watch = ClockWatch()
         rospy.Subscriber("/clock", Clock, watch, queue_size=10000, tcp_nodelay=True)
         answer = rospy.ServiceProxy("/generate_world", GenerateWorld)(
@@ -171,9 +182,119 @@ def fast():
         rospy.signal_shutdown("done")
 
 
+class StepTimes:
+    """Mean wall time of Simulator::Step [s], as the last diagnostics tell it."""
+
+    def __init__(self):
+        self.mean_s = float("nan")
+
+    def __call__(self, message):
+        for value in message.status[0].values:
+            if value.key == "mean step time [s]":
+                self.mean_s = float(value.value)
+
+
+@contextlib.contextmanager
+def recorded(folder, *topics):
+    """Meanwhile rosbag records these topics; none: nobody does. Afterwards: how many messages it
+    got, by topic."""
+    counts = {}
+    if not topics:
+        yield counts
+        return
+    import rosbag
+    import roslib.packages
+    record = roslib.packages.find_node("rosbag", "record")[0]  # itself: "rosbag" would end before it
+    bag = pathlib.Path(folder, "robots.bag")
+    recorder = subprocess.Popen([record, "--quiet", "-O", bag, "-e", "|".join(topics)],
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        time.sleep(6.0)  # for it to hear all of them
+        yield counts
+    finally:
+        recorder.send_signal(signal.SIGINT)
+        recorder.wait()
+    with rosbag.Bag(str(bag)) as file:
+        counts.update({topic: info.message_count
+                       for topic, info in file.get_type_and_topic_info()[1].items()})
+
+
+def spawn_robots(count_a_side, spacing_m):
+    """Their names, on a square grid."""
+    import rospy
+    from geometry_msgs.msg import Point
+    from latticeworld.srv import SpawnAgent
+    rospy.wait_for_service("/spawn_agent", timeout=30.0)
+    spawn = rospy.ServiceProxy("/spawn_agent", SpawnAgent, persistent=True)
+    names = []
+    for i in range(count_a_side ** 2):
+        for shift_m in range(8):  # to where no stone lies
+            place = Point(x=spacing_m * (i % count_a_side - count_a_side / 2) + 0.5 * shift_m,
+                          y=spacing_m * (i // count_a_side - count_a_side / 2) + 20.0)
+            answer = spawn(name=f"robot_{i + 2}", species="wheeled_robot", position=place,
+                           controllable=True)
+            if answer.status.code == 0:
+                names.append(answer.name)
+                break
+        else:
+            raise RuntimeError(answer.status.message)
+    return names
+
+
+def robots():
+    """100 robots on a meadow that are commanded and drive in circles. Each has odometry, ground
+    truth, joints and frames; what is recorded of them grows."""
+    import rospy
+    from diagnostic_msgs.msg import DiagnosticArray
+    from geometry_msgs.msg import Twist
+    from latticeworld.srv import GenerateWorld, GetWorld
+    with tempfile.TemporaryDirectory(prefix="latticeworld_bench_") as folder:
+        config = pathlib.Path(folder, "config.yaml")
+        config.write_text("command_timeout: 60.0\n")  # simulated, so that commands may come slowly
+        with fast_server(f"config:={config}"):
+            answer = rospy.ServiceProxy("/generate_world", GenerateWorld)(
+                layout_instruction="Flat grassland everywhere.",
+                environment_instruction="A sunny summer noon.", seed=1)
+            assert answer.status.code == 0, answer.status.message
+            names = spawn_robots(10, 8.0)
+            topics = [rospy.Publisher(f"/{name}/cmd_vel", Twist, queue_size=1) for name in names]
+            command = Twist()
+            command.linear.x, command.angular.z = 1.0, 0.5
+            stop = threading.Event()
+
+            def drive():
+                while not stop.wait(2.0):
+                    for topic in topics:
+                        topic.publish(command)
+
+            driver = threading.Thread(target=drive)
+            driver.start()
+            get_world = rospy.ServiceProxy("/get_world", GetWorld)
+            times = StepTimes()
+            rospy.Subscriber("/diagnostics", DiagnosticArray, times)
+            time.sleep(4.0)
+            for what, record in (("nobody listens", ()),
+                                 ("states and frames recorded", ("/tf", "/agents")),
+                                 ("odometry of each as well", ("/tf", "/agents", "/.*/odom"))):
+                with recorded(folder, *record) as counts:
+                    begin, begin_step = time.monotonic(), get_world().step
+                    time.sleep(10.0)
+                    wall_s, steps = time.monotonic() - begin, get_world().step - begin_step
+                heard = sum(topic.endswith("/odom") for topic in counts)
+                assert heard == 0 or heard >= len(names), f"odometry of {heard} robots"
+                print(f"{len(names)} driving four-wheel robots, as fast as possible, {what}: factor "
+                      f"{steps * 0.01 / wall_s:.2f} (a step {1e3 * times.mean_s:.2f} ms of "
+                      f"{1e3 * wall_s / steps:.2f} ms)")
+            stop.set()
+            driver.join()
+            rospy.signal_shutdown("done")
+
+
 if __name__ == "__main__":
     if len(sys.argv) == 3 and sys.argv[1] == "--fast":
         fast()
+    elif len(sys.argv) == 3 and sys.argv[1] == "--robots":
+        robots()
     elif len(sys.argv) == 2:
         main()
     else:

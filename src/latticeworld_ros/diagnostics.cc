@@ -25,17 +25,17 @@ void Add(const char* key, const std::string& value, DiagnosticStatus* status) {
 
 DiagnosticStatus OfSimulation(const LoopStatistics& statistics) {
   DiagnosticStatus status = Named("world_server: simulation");
-  if (statistics.simulator == nullptr) {
+  if (statistics.world != nullptr) Add("world", statistics.world->id, &status);
+  if (!statistics.failure.empty()) {
+    status.level = DiagnosticStatus::ERROR;
+    status.message = "failed: " + statistics.failure;
+  } else if (statistics.simulator == nullptr) {
     status.level = DiagnosticStatus::WARN;
     status.message = "no world is running";
   } else {
-    const bool failed = !statistics.failure.empty();
-    status.level = failed ? DiagnosticStatus::ERROR : DiagnosticStatus::OK;
-    status.message = failed              ? "failed: " + statistics.failure
-                     : statistics.paused ? "paused"
-                                         : "running";
+    status.level = DiagnosticStatus::OK;
+    status.message = statistics.paused ? "paused" : "running";
     const std::shared_ptr<const WorldState> state = statistics.simulator->State();
-    Add("world", statistics.world_id, &status);
     Add("agents", std::to_string(state->agents.size()), &status);
     Add("contacts", std::to_string(state->contacts), &status);
     Add("elements", std::to_string(state->elements.size()), &status);
@@ -47,6 +47,17 @@ DiagnosticStatus OfSimulation(const LoopStatistics& statistics) {
   Add("real-time factor", FormatDouble(statistics.real_time_factor), &status);
   Add("mean step time [s]", FormatDouble(statistics.mean_step_s), &status);
   Add("longest step time [s]", FormatDouble(statistics.max_step_s), &status);
+  return status;
+}
+
+DiagnosticStatus OfSensors(const SensorStatistics& sensors) {
+  DiagnosticStatus status = Named("world_server: sensors");
+  status.level = DiagnosticStatus::OK;
+  status.message = sensors.listeners == 0 ? "nobody listens" : "sensing";
+  Add("listeners", std::to_string(sensors.listeners), &status);
+  Add("steps sensed", std::to_string(sensors.steps), &status);
+  Add("frames", std::to_string(sensors.frames), &status);
+  Add("time spent [s]", FormatDouble(sensors.busy_s), &status);
   return status;
 }
 
@@ -76,10 +87,12 @@ DiagnosticStatus OfLanguage(const OpenAiClient* server) {
 }  // namespace
 
 diagnostic_msgs::DiagnosticArray ToDiagnostics(const LoopStatistics& statistics,
+                                               const SensorStatistics& sensors,
                                                const OpenAiClient* server) {
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp = statistics.now;
   array.status.push_back(OfSimulation(statistics));
+  array.status.push_back(OfSensors(sensors));
   array.status.push_back(OfLanguage(server));
   return array;
 }

@@ -1,8 +1,5 @@
 #include "latticeworld_ros/generation_service.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <boost/bind/bind.hpp>
 #include <exception>
 #include <utility>
@@ -11,6 +8,7 @@
 #include "latticeworld_ros/bundle_name.h"
 #include "latticeworld_ros/progress_estimate.h"
 #include "latticeworld_ros/status_conversion.h"
+#include "latticeworld_ros/step_back.h"
 #include "latticeworld_ros/stopwatch.h"
 #include "latticeworld_ros/world_conversion.h"
 
@@ -20,13 +18,6 @@ namespace {
 // Reports that come sooner and say less than this are dropped.
 constexpr double kLeastReportPeriod_s = 0.05;
 constexpr double kLeastReportStep = 0.25;  // of the fraction
-
-// The calling thread, and those that it makes, step back behind the simulation's where there are
-// too few cores: a world may take a little longer to make, the clock must not stall.
-void StepBack() {
-  constexpr int kNice = 5;
-  (void)setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);  // a wish, no more
-}
 
 Status Busy() {
   return ResourceExhausted(

@@ -6,23 +6,21 @@
 #include <exception>
 #include <utility>
 
+#include "latticeworld_ros/step_back.h"
+
 namespace latticeworld {
 namespace {
 
 constexpr std::chrono::seconds kLeastPause(2);
 
-bool SameChanges(const SceneChanges& a, const SceneChanges& b) {
-  if (a.gone != b.gone || a.fallen.size() != b.fallen.size()) return false;
-  for (std::size_t i = 0; i < a.fallen.size(); ++i) {
-    const FallenTree &one = a.fallen[i], &other = b.fallen[i];
-    if (one.asset != other.asset || one.foot_m != other.foot_m || one.tip_m != other.tip_m) {
-      return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
+
+WishStanding StandingOf(const MapWish& wish, const PublishedWorld* published) {
+  const std::shared_ptr<const World> world = wish.world.lock();
+  if (world == nullptr) return WishStanding::kDone;
+  if (published == nullptr || published->world != world) return WishStanding::kWaits;
+  return published->changes == wish.changes ? WishStanding::kDone : WishStanding::kOpen;
+}
 
 MapFollower::MapFollower(const WorldServerOptions& options, const CurrentWorld* current,
                          MapPublisher* maps)
@@ -40,20 +38,22 @@ void MapFollower::Stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-void MapFollower::Follow(const std::string& world_id, SceneChanges changes, ros::Time now) {
+void MapFollower::Follow(const std::shared_ptr<const World>& world, SceneChanges changes,
+                         ros::Time now) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    wish_ = Wish{world_id, std::move(changes), now};
+    wish_ = MapWish{world, std::move(changes), now};
   }
   changed_.notify_all();
 }
 
 void MapFollower::Run() {
+  StepBack();
   std::unique_lock<std::mutex> lock(mutex_);
   for (;;) {
     changed_.wait(lock, [this] { return stopping_ || wish_.has_value(); });
     if (stopping_) return;
-    Wish wish = *std::move(wish_);
+    MapWish wish = *std::move(wish_);
     wish_.reset();
     lock.unlock();
     const bool done = Fulfil(wish);
@@ -63,10 +63,10 @@ void MapFollower::Run() {
   }
 }
 
-bool MapFollower::Fulfil(const Wish& wish) {
+bool MapFollower::Fulfil(const MapWish& wish) {
   const std::shared_ptr<const PublishedWorld> before = current_->Get();
-  if (before == nullptr || before->world->id != wish.world_id) return false;
-  if (SameChanges(before->changes, wish.changes)) return true;
+  const WishStanding standing = StandingOf(wish, before.get());
+  if (standing != WishStanding::kOpen) return standing == WishStanding::kDone;
   try {
     Result<WorldMessages> messages =
         RebuildMaps(*before->world, options_, wish.changes, wish.now, progress_, before->messages);

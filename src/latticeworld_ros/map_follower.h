@@ -7,7 +7,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <thread>
 
 #include "latticeworld/common/progress.h"
@@ -17,8 +16,23 @@
 
 namespace latticeworld {
 
-// Lets the published maps follow what becomes of the trees: makes them anew on a thread of its own,
-// at most every two seconds, always for the newest changes.
+// What the maps of a world should show.
+struct MapWish {
+  std::weak_ptr<const World> world;  // the object: worlds of one bundle have one id
+  SceneChanges changes;
+  ros::Time now;
+};
+enum class WishStanding {
+  kWaits,  // another world is published, and this one lives: it will be
+  kOpen,   // the published maps of this world show something else
+  kDone,   // they show it, or the world is gone
+};
+// published: null: no world yet.
+WishStanding StandingOf(const MapWish& wish, const PublishedWorld* published);
+
+// Lets the published maps follow what becomes of the trees: makes them anew on a thread of its own
+// that steps back behind the simulation's, at most every two seconds, always for the newest
+// changes.
 class MapFollower {
  public:
   // Both outlive the follower.
@@ -28,19 +42,13 @@ class MapFollower {
   MapFollower& operator=(const MapFollower&) = delete;
 
   // What maps of that world should show, at that time. Does not block.
-  void Follow(const std::string& world_id, SceneChanges changes, ros::Time now);
+  void Follow(const std::shared_ptr<const World>& world, SceneChanges changes, ros::Time now);
   void Stop();
 
  private:
-  struct Wish {
-    std::string world_id;
-    SceneChanges changes;
-    ros::Time now;
-  };
-
   void Run();
-  // False: the wish is of a world that is not published yet.
-  bool Fulfil(const Wish& wish);
+  // False: the wish has to wait.
+  bool Fulfil(const MapWish& wish);
 
   const WorldServerOptions options_;
   const CurrentWorld* const current_;
@@ -49,8 +57,8 @@ class MapFollower {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::optional<Wish> wish_;  // guarded by mutex_
-  bool stopping_ = false;     // guarded by mutex_
+  std::optional<MapWish> wish_;  // guarded by mutex_
+  bool stopping_ = false;        // guarded by mutex_
   std::thread thread_;
 };
 

@@ -85,9 +85,16 @@ std::map<std::string, Parameter> BindAll(WorldServerOptions* options) {
       {"day_length", Bind(&options->simulator.day_length_s)},
       {"species", Bind(&options->species)},
       {"robot_species", Bind(&options->simulator.robot_species)},
+      {"sensors", Bind(&options->sensors)},
+      {"sensor_suite", Bind(&options->sensor_suite)},
+      {"sensor_threads", Bind(&options->sensor_threads)},
+      {"sensor_seed", Bind(&options->sensor_seed)},
+      {"longitude", Bind(&options->longitude_deg)},
+      {"altitude", Bind(&options->altitude_m)},
       {"clock_rate", Bind(&options->clock_rate_hz)},
       {"state_rate", Bind(&options->state_rate_hz)},
       {"marker_rate", Bind(&options->marker_rate_hz)},
+      {"state_hash_rate", Bind(&options->state_hash_rate_hz)},
       {"marker_terrain_cells", Bind(&options->marker_terrain_cells)},
       {"marker_max_assets", Bind(&options->marker_max_assets)},
       {"generator", Bind(&options->generator)},
@@ -155,6 +162,16 @@ Result<WorldServerOptions> OptionsFromParameters(const XmlRpcValue& parameters) 
     } else {
       violations.push_back(
           {"unusable", "species", species.status().message(), Quote(options.species)});
+    }
+  }
+  if (!options.sensors.empty()) {
+    Result<std::shared_ptr<const SensorCatalogue>> sensors =
+        SensorCatalogue::Load({ExpandHome(options.sensors)});
+    if (sensors.ok()) {
+      options.sensor_catalogue = std::move(sensors).value();
+    } else {
+      violations.push_back(
+          {"unusable", "sensors", sensors.status().message(), Quote(options.sensors)});
     }
   }
   for (Violation& violation : Validate(options)) {

@@ -13,8 +13,12 @@
 
 namespace latticeworld {
 
-RobotTopics::RobotTopics(ros::NodeHandle node, CommandSinks sinks)
-    : node_(std::move(node)), sinks_(std::move(sinks)), thread_([this] { Run(); }) {}
+RobotTopics::RobotTopics(ros::NodeHandle node, CommandSinks sinks,
+                         std::function<void(const std::vector<RobotWish>&)> others)
+    : node_(std::move(node)),
+      sinks_(std::move(sinks)),
+      others_(std::move(others)),
+      thread_([this] { Run(); }) {}
 
 RobotTopics::~RobotTopics() {
   {
@@ -54,6 +58,7 @@ void RobotTopics::Run() {
     const std::uint64_t version = wanted_version_;
     lock.unlock();
     Apply(wishes);
+    others_(wishes);
     lock.lock();
     applied_version_ = version;
     changed_.notify_all();
@@ -69,15 +74,22 @@ void RobotTopics::Apply(const std::vector<RobotWish>& wishes) {
     const auto listening = subscribers_.find(name);
     subscribers[name] =
         listening != subscribers_.end() ? std::move(listening->second) : Subscribe(name);
-    if (!wish.controllable) continue;
+    RobotPublishers& robot = (*publishers)[name];
     const auto kept = before->find(name);
     if (kept != before->end()) {
-      publishers->insert(*kept);
-      continue;
+      robot = kept->second;
+    } else {
+      robot.ground_truth =
+          HeardPublisher(node_.advertise<nav_msgs::Odometry>(name + "/ground_truth", 10));
+      robot.joint_states =
+          HeardPublisher(node_.advertise<sensor_msgs::JointState>(name + "/joint_states", 10));
     }
-    (*publishers)[name] = {node_.advertise<nav_msgs::Odometry>(name + "/odom", 10),
-                           node_.advertise<nav_msgs::Odometry>(name + "/ground_truth", 10),
-                           node_.advertise<sensor_msgs::JointState>(name + "/joint_states", 10)};
+    // The name may have gone to an agent of the other kind.
+    if (!wish.controllable) {
+      robot.odom = HeardPublisher();
+    } else if (!robot.odom) {
+      robot.odom = HeardPublisher(node_.advertise<nav_msgs::Odometry>(name + "/odom", 10));
+    }
   }
   subscribers_ = std::move(subscribers);
   const std::lock_guard<std::mutex> lock(mutex_);

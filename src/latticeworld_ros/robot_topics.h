@@ -14,26 +14,27 @@
 #include <vector>
 
 #include "latticeworld/simulation/simulator.h"
+#include "latticeworld_ros/heard_publisher.h"
 
 namespace latticeworld {
 
 // An agent that has topics of its own.
 struct RobotWish {
   std::string name;
-  bool controllable = false;  // false: decided for from outside (policy "external"), and told of in
-                              // `agents` alone
+  bool controllable = false;  // false: decided for from outside (policy "external")
+  std::string species;
 
   friend bool operator==(const RobotWish& a, const RobotWish& b) {
-    return a.name == b.name && a.controllable == b.controllable;
+    return a.name == b.name && a.controllable == b.controllable && a.species == b.species;
   }
   friend bool operator!=(const RobotWish& a, const RobotWish& b) { return !(a == b); }
 };
 
-// What one controllable robot publishes.
+// What an agent that obeys commands publishes.
 struct RobotPublishers {
-  ros::Publisher odom;
-  ros::Publisher ground_truth;
-  ros::Publisher joint_states;
+  HeardPublisher odom;  // none where it is not controllable
+  HeardPublisher ground_truth;
+  HeardPublisher joint_states;
 };
 using RobotPublisherMap = std::map<std::string, RobotPublishers>;
 
@@ -44,13 +45,16 @@ struct CommandSinks {
   std::function<void(const std::string& agent)> strike;
 };
 
-// <agent>/cmd_vel, joint_command and strike of every agent that obeys commands, and odom,
-// ground_truth and joint_states of the controllable ones. Talking to the master takes milliseconds
-// a topic, which the simulation must not wait for: a thread of its own makes and ends them.
+// <agent>/cmd_vel, joint_command, strike, ground_truth and joint_states of every agent that obeys
+// commands, and odom of the controllable ones: odometry is an instrument that robots have. Talking
+// to the master takes milliseconds a topic, which the simulation must not wait for: a thread of its
+// own makes and ends them.
 class RobotTopics {
  public:
-  // node: its callback queue calls the sinks.
-  RobotTopics(ros::NodeHandle node, CommandSinks sinks);
+  // node: its callback queue calls the sinks. others: makes and ends whatever else those agents
+  // have, on the thread and before the topics count as ready.
+  RobotTopics(ros::NodeHandle node, CommandSinks sinks,
+              std::function<void(const std::vector<RobotWish>&)> others);
   ~RobotTopics();
   RobotTopics(const RobotTopics&) = delete;
   RobotTopics& operator=(const RobotTopics&) = delete;
@@ -69,6 +73,7 @@ class RobotTopics {
 
   ros::NodeHandle node_;
   const CommandSinks sinks_;
+  const std::function<void(const std::vector<RobotWish>&)> others_;
   std::map<std::string, std::vector<ros::Subscriber>> subscribers_;  // of the thread alone
 
   mutable std::mutex mutex_;

@@ -39,16 +39,16 @@ ScenePublisher::Standing ScenePublisher::StandingOf(const WorldState& state) {
 void ScenePublisher::Publish(const Tick& tick, const WorldState& state) {
   if (jumped_ || !std::equal(state.elements.begin(), state.elements.end(), told_elements_.begin(),
                              told_elements_.end(), Same)) {
-    elements_.publish(ToElementStates(state, tick.now, tick.world_id));
+    elements_.publish(ToElementStates(state, tick.now, tick.world_id()));
     told_elements_ = state.elements;
   }
   Standing standing = StandingOf(state);
   if (jumped_ || standing.falling != told_.falling || standing.at_rest != told_.at_rest ||
       standing.broken != told_.broken || standing.map_version != told_.map_version) {
-    changes_.publish(ToSceneChanges(state, tick.now, tick.world_id));
+    changes_.publish(ToSceneChanges(state, tick.now, tick.world_id()));
   }
   if (jumped_ || standing.map_version != told_.map_version) {
-    maps_->Follow(tick.world_id, ChangesOf(state), tick.now);
+    maps_->Follow(tick.world, ChangesOf(state), tick.now);
   }
   told_ = std::move(standing);
   jumped_ = false;

@@ -4,8 +4,10 @@
 #include <ros/time.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
+#include "latticeworld/generation/world.h"
 #include "latticeworld/simulation/simulator.h"
 
 namespace latticeworld {
@@ -14,9 +16,11 @@ namespace latticeworld {
 struct Tick {
   std::uint64_t number = 0;  // since the node began; ROS time is number * fixed step
   ros::Time now;
-  Simulator* simulator = nullptr;  // null: no world yet
-  std::string world_id;            // empty: no world yet
+  Simulator* simulator = nullptr;      // null: no world yet, or its simulator has failed
+  std::shared_ptr<const World> world;  // null: no world yet
   bool settled = false;  // the next tick may be long in coming: publish what is due later as well
+
+  std::string world_id() const { return world == nullptr ? std::string() : world->id; }
 };
 
 // Over the last second or so of wall time.
@@ -28,11 +32,11 @@ struct LoopStatistics {
   double real_time_factor = 0.0;  // simulated over wall time
   double mean_step_s = 0.0;       // wall time of Simulator::Step
   double max_step_s = 0.0;
-  Simulator* simulator = nullptr;  // null: no world yet
-  std::string world_id;
+  Simulator* simulator = nullptr;      // null: no world yet, or its simulator has failed
+  std::shared_ptr<const World> world;  // null: no world yet
 };
 
-// Hears what the simulation loop does, on the loop's thread.
+// Hears what the simulation loop does, on the loop's thread. What it throws goes to the log.
 class SimulationListener {
  public:
   virtual ~SimulationListener() = default;

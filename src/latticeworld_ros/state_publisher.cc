@@ -29,9 +29,10 @@ std::uint64_t TicksPer(double rate_hz, double step_s) {
 }  // namespace
 
 StatePublisher::StatePublisher(ros::NodeHandle node, const WorldServerOptions& options,
-                               RobotTopics* robots, MapFollower* maps,
+                               RobotTopics* robots, MapFollower* maps, SensorThread* sensors,
                                std::shared_ptr<const OpenAiClient> language_server)
     : robots_(robots),
+      sensors_(sensors),
       language_server_(std::move(language_server)),
       ticks_per_clock_(TicksPer(options.clock_rate_hz, options.simulator.step_s)),
       ticks_per_state_(TicksPer(options.state_rate_hz, options.simulator.step_s)),
@@ -44,7 +45,8 @@ StatePublisher::StatePublisher(ros::NodeHandle node, const WorldServerOptions& o
       weather_(node.advertise<latticeworld_msgs::Weather>("world/weather", 1, /*latch=*/true)),
       markers_(node.advertise<visualization_msgs::MarkerArray>("agents/markers", 10)),
       diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("diagnostics", 10)),
-      scene_(node, maps) {}
+      scene_(node, maps),
+      journal_(node, options.state_hash_rate_hz, options.simulator.step_s) {}
 
 void StatePublisher::OnTick(const Tick& tick) {
   const auto due = [&](std::uint64_t ticks) { return tick.settled || tick.number % ticks == 0; };
@@ -58,15 +60,20 @@ void StatePublisher::OnTick(const Tick& tick) {
   const bool weather_due =
       tick.simulator != nullptr && (weather_told || (weather_moves_ && due(ticks_per_weather_)));
 
-  if (due(ticks_per_clock_) || state_due || markers_due || weather_due || !events.empty()) {
+  if (due(ticks_per_clock_) || state_due || markers_due || weather_due || !events.empty() ||
+      journal_.IsDue(tick) || sensors_->IsDue(tick)) {
     PublishClock(tick.now);
   }
+  journal_.Publish(tick);
   PublishEvents(tick, events);
-  if (!state_due && !markers_due && !weather_due) return;
-  const std::shared_ptr<const WorldState> state = tick.simulator->State();
-  if (weather_due) PublishWeather(tick, *state);
-  if (state_due) PublishState(tick, *state);
-  if (markers_due) PublishMarkers(tick, *state);
+  if (state_due || markers_due || weather_due) {
+    const std::shared_ptr<const WorldState> state = tick.simulator->State();
+    if (weather_due) PublishWeather(tick, *state);
+    if (state_due) PublishState(tick, *state);
+    if (markers_due) PublishMarkers(tick, *state);
+  }
+  // Last, for it may wait.
+  sensors_->Take(tick);
 }
 
 void StatePublisher::OnStandstill(ros::Time now) { PublishClock(now); }
@@ -80,12 +87,13 @@ void StatePublisher::OnRestore() {
   // Odometry frames stay where they are: the robots began there. The next tick shows all else.
   weather_moves_ = true;
   scene_.OnJump();
+  sensors_->OnJump();
 }
 
 void StatePublisher::OnStatistics(const LoopStatistics& statistics) {
   // The clock first: what is published below carries this stamp.
   PublishClock(statistics.now);
-  diagnostics_.publish(ToDiagnostics(statistics, language_server_.get()));
+  diagnostics_.publish(ToDiagnostics(statistics, sensors_->statistics(), language_server_.get()));
 }
 
 void StatePublisher::PublishClock(ros::Time now) {
@@ -95,7 +103,7 @@ void StatePublisher::PublishClock(ros::Time now) {
 }
 
 void StatePublisher::PublishEvents(const Tick& tick, const std::vector<Event>& events) {
-  for (const Event& event : events) events_.publish(ToRos(event, tick.now, tick.world_id));
+  for (const Event& event : events) events_.publish(ToRos(event, tick.now, tick.world_id()));
 }
 
 void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
@@ -106,6 +114,8 @@ void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
   for (const AgentSnapshot& agent : state.agents) {
     const Eigen::Isometry3d map_from_base = PoseOf(agent);
     const std::string base = BaseFrame(agent.name);
+    const auto robot = robots->find(agent.name);
+    if (robot != robots->end()) PublishRobot(agent, tick, robot->second);
     if (!agent.controllable) {
       transforms.transforms.push_back(ToRos(map_from_base, tick.now, kMapFrame, base));
       continue;
@@ -117,15 +127,16 @@ void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
     const std::string odom = OdomFrame(agent.name);
     transforms.transforms.push_back(ToRos(map_from_odom, tick.now, kMapFrame, odom));
     transforms.transforms.push_back(ToRos(odom_from_map * map_from_base, tick.now, odom, base));
-    const auto robot = robots->find(agent.name);
-    if (robot != robots->end()) PublishRobot(agent, tick, robot->second, odom_from_map);
+    if (robot != robots->end()) {
+      robot->second.odom.Publish([&] { return ToOdometry(agent, tick.now, odom, odom_from_map); });
+    }
   }
   for (const ElementSnapshot& element : state.elements) {
     transforms.transforms.push_back(ToRos(ToIsometry(element.position_m, element.orientation),
                                           tick.now, kMapFrame, element.name));
   }
   tf_.publish(transforms);
-  agents_.publish(ToRos(state, tick.now, tick.world_id));
+  agents_.publish(ToRos(state, tick.now, tick.world_id()));
   scene_.Publish(tick, state);
 }
 
@@ -133,7 +144,7 @@ void StatePublisher::WishForTopics(const WorldState& state) {
   std::vector<RobotWish> wishes;
   for (const AgentSnapshot& agent : state.agents) {
     if (agent.controllable || agent.policy == kExternalPolicy) {
-      wishes.push_back({agent.name, agent.controllable});
+      wishes.push_back({agent.name, agent.controllable, agent.species});
     }
   }
   if (wishes == wishes_) return;
@@ -149,16 +160,15 @@ void StatePublisher::WishForTopics(const WorldState& state) {
 }
 
 void StatePublisher::PublishRobot(const AgentSnapshot& agent, const Tick& tick,
-                                  const RobotPublishers& robot,
-                                  const Eigen::Isometry3d& odom_from_map) {
-  robot.odom.publish(ToOdometry(agent, tick.now, OdomFrame(agent.name), odom_from_map));
-  robot.ground_truth.publish(ToOdometry(agent, tick.now, kMapFrame, Eigen::Isometry3d::Identity()));
-  robot.joint_states.publish(ToJointStates(agent, tick.now));
+                                  const RobotPublishers& robot) {
+  robot.ground_truth.Publish(
+      [&] { return ToOdometry(agent, tick.now, kMapFrame, Eigen::Isometry3d::Identity()); });
+  robot.joint_states.Publish([&] { return ToJointStates(agent, tick.now); });
 }
 
 void StatePublisher::PublishWeather(const Tick& tick, const WorldState& state) {
   weather_moves_ = state.weather_change_s > 0.0 || tick.simulator->options().day_length_s > 0.0;
-  weather_.publish(ToRos(state.atmosphere, state.weather_change_s, tick.now, tick.world_id));
+  weather_.publish(ToRos(state.atmosphere, state.weather_change_s, tick.now, tick.world_id()));
 }
 
 void StatePublisher::PublishMarkers(const Tick& tick, const WorldState& state) {

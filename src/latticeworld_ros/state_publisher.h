@@ -11,8 +11,10 @@
 #include <vector>
 
 #include "latticeworld/language/chat/openai_client.h"
+#include "latticeworld_ros/journal_publisher.h"
 #include "latticeworld_ros/robot_topics.h"
 #include "latticeworld_ros/scene_publisher.h"
+#include "latticeworld_ros/sensor_thread.h"
 #include "latticeworld_ros/simulation_listener.h"
 #include "latticeworld_ros/world_server_options.h"
 
@@ -21,13 +23,14 @@ namespace latticeworld {
 // Publishes what changes while a world runs: /clock (before all that carries its stamp), /tf (one
 // message a tick, whatever the number of agents and elements), agents, agent_events, world/weather
 // (latched, once a second while it moves), odometry and joint states, agents/markers, diagnostics
-// and what the scene publisher does. Everything but the constructor runs on the simulation loop's
-// thread.
+// and what the scene publisher and the journal publisher do. Everything but the constructor runs on
+// the simulation loop's thread.
 class StatePublisher : public SimulationListener {
  public:
   // language_server: for diagnostics; nullptr: there is none.
   StatePublisher(ros::NodeHandle node, const WorldServerOptions& options, RobotTopics* robots,
-                 MapFollower* maps, std::shared_ptr<const OpenAiClient> language_server);
+                 MapFollower* maps, SensorThread* sensors,
+                 std::shared_ptr<const OpenAiClient> language_server);
 
   void OnTick(const Tick& tick) override;
   void OnStandstill(ros::Time now) override;
@@ -41,12 +44,13 @@ class StatePublisher : public SimulationListener {
   void PublishState(const Tick& tick, const WorldState& state);
   // Lets agents have the topics that they should have.
   void WishForTopics(const WorldState& state);
-  void PublishRobot(const AgentSnapshot& agent, const Tick& tick, const RobotPublishers& robot,
-                    const Eigen::Isometry3d& odom_from_map);
+  // What every agent that obeys commands tells.
+  void PublishRobot(const AgentSnapshot& agent, const Tick& tick, const RobotPublishers& robot);
   void PublishWeather(const Tick& tick, const WorldState& state);
   void PublishMarkers(const Tick& tick, const WorldState& state);
 
   RobotTopics* const robots_;
+  SensorThread* const sensors_;
   const std::shared_ptr<const OpenAiClient> language_server_;
   const std::uint64_t ticks_per_clock_;
   const std::uint64_t ticks_per_state_;
@@ -54,6 +58,7 @@ class StatePublisher : public SimulationListener {
   const std::uint64_t ticks_per_weather_;
   ros::Publisher clock_, tf_, agents_, events_, weather_, markers_, diagnostics_;
   ScenePublisher scene_;
+  JournalPublisher journal_;
   bool weather_moves_ = true;  // as published last; true: nothing was
 
   std::vector<RobotWish> wishes_;                           // as last told to robots_

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "latticeworld/simulation/journaled_simulator.h"
 #include "latticeworld_ros/stopwatch.h"
 
 namespace latticeworld {
@@ -17,8 +18,9 @@ Status WorldLauncher::Launch(std::shared_ptr<const World> world, const Progress&
   const Stopwatch simulator_watch;
   RunningWorld running;
   running.world = world;
-  LW_ASSIGN_OR_RETURN(running.simulator,
+  LW_ASSIGN_OR_RETURN(std::unique_ptr<Simulator> simulator,
                       Simulator::Create(world->scene, options_.simulator, world->request.seed));
+  running.simulator = std::make_unique<JournaledSimulator>(std::move(simulator), ++last_run_);
   stages->push_back({"simulator", simulator_watch.seconds()});
 
   // The last moment at which a cancel leaves the old world running.

@@ -1,6 +1,7 @@
 #ifndef LATTICEWORLD_ROS_WORLD_LAUNCHER_H_
 #define LATTICEWORLD_ROS_WORLD_LAUNCHER_H_
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -32,6 +33,7 @@ class WorldLauncher {
   SimulationLoop* const loop_;
   RobotTopics* const robots_;
   MapPublisher* const maps_;
+  std::uint64_t last_run_ = 0;  // tells the simulations of this node apart
 };
 
 }  // namespace latticeworld

@@ -49,6 +49,20 @@ GenerationService::Options GenerationOptions(const WorldServerOptions& options) 
   return generation;
 }
 
+SensorThreadOptions SensorOptions(const WorldServerOptions& options) {
+  SensorThreadOptions sensors;
+  sensors.threads = options.sensor_threads;
+  sensors.seed = static_cast<std::uint64_t>(options.sensor_seed);
+  sensors.longitude_deg = options.longitude_deg;
+  sensors.altitude_m = options.altitude_m;
+  return sensors;
+}
+
+// The options are valid: there is such a suite.
+const SensorSuite& SuiteOf(const WorldServerOptions& options) {
+  return *options.sensor_catalogue->FindSuite(options.sensor_suite);
+}
+
 }  // namespace
 
 WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options,
@@ -56,6 +70,10 @@ WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options
                          std::shared_ptr<const Catalogue> catalogue)
     : maps_(node, &current_),
       follower_(options, &current_, &maps_),
+      sensor_topics_(WithQueue(node, &command_queue_),
+                     std::make_shared<const SensorSuite>(SuiteOf(options)),
+                     options.simulator.species),
+      sensors_(SensorOptions(options), &sensor_topics_),
       robots_(WithQueue(node, &command_queue_),
               {[this](const std::string& agent, const VelocityCommand& command) {
                  loop_.Command(agent, command);
@@ -63,15 +81,17 @@ WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options
                [this](const std::string& agent, std::vector<JointCommand> commands) {
                  loop_.CommandJoints(agent, std::move(commands));
                },
-               [this](const std::string& agent) { loop_.Strike(agent); }}),
-      states_(node, options, &robots_, &follower_, backends.server),
+               [this](const std::string& agent) { loop_.Strike(agent); }},
+              [this](const std::vector<RobotWish>& robots) { sensor_topics_.Apply(robots); }),
+      states_(node, options, &robots_, &follower_, &sensors_, backends.server),
       loop_(LoopOptions(options), &states_),
       launcher_(options, &loop_, &robots_, &maps_),
       generation_(node, GenerationOptions(options),
                   WorldGenerator(std::move(backends.by_name), options.generator,
                                  std::move(sketches), std::move(catalogue)),
                   &launcher_),
-      services_(node) {
+      services_(node),
+      bundles_(&loop_, &services_) {
   AdvertiseWorldServices(WorldsDirectory(options), &loop_, &current_, &services_);
   AdvertiseAgentServices(options.simulator, &loop_, &robots_, &services_);
   AdvertiseTimeServices(&loop_, &robots_, &services_);
@@ -82,9 +102,10 @@ WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options
 }
 
 WorldServer::~WorldServer() {
-  // From outside in: nothing is asked any more, then nothing runs any more. The loop first, for
-  // whoever waits for it is let go.
+  // From outside in: nothing is asked any more, then nothing runs any more. The sensors first, for
+  // whom the loop may wait, then the loop, for whoever waits for it is let go.
   command_spinner_.stop();
+  sensors_.Stop();
   loop_.Stop();
   follower_.Stop();
   generation_.Stop();

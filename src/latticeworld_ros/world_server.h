@@ -9,11 +9,14 @@
 #include "latticeworld/catalogue/catalogue.h"
 #include "latticeworld/generation/language_backends.h"
 #include "latticeworld/generation/sketch_translator.h"
+#include "latticeworld_ros/bundle_service.h"
 #include "latticeworld_ros/current_world.h"
 #include "latticeworld_ros/generation_service.h"
 #include "latticeworld_ros/map_follower.h"
 #include "latticeworld_ros/map_publisher.h"
 #include "latticeworld_ros/robot_topics.h"
+#include "latticeworld_ros/sensor_thread.h"
+#include "latticeworld_ros/sensor_topics.h"
 #include "latticeworld_ros/service_queue.h"
 #include "latticeworld_ros/simulation_loop.h"
 #include "latticeworld_ros/state_publisher.h"
@@ -29,6 +32,7 @@ namespace latticeworld {
 //   services (4)                 everything else that is asked for
 //   commands (1)                 what is commanded to every robot
 //   robot topics (1)             makes and ends the topics of robots
+//   sensors (1)                  makes and publishes what robots sense
 //   map follower (1)             makes maps anew when trees have fallen
 class WorldServer {
  public:
@@ -43,12 +47,15 @@ class WorldServer {
   CurrentWorld current_;
   MapPublisher maps_;
   MapFollower follower_;
+  SensorTopics sensor_topics_;
+  SensorThread sensors_;
   RobotTopics robots_;
   StatePublisher states_;
   SimulationLoop loop_;
   WorldLauncher launcher_;
   GenerationService generation_;
   ServiceQueue services_;
+  BundleService bundles_;
   ros::AsyncSpinner command_spinner_{1, &command_queue_};
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "latticeworld/common/text.h"
@@ -43,9 +44,19 @@ std::vector<Violation> Validate(const WorldServerOptions& options) {
   if (!CheckRealTimeFactor(options.real_time_factor).ok()) {
     refuse("real_time_factor", FormatDouble(options.real_time_factor), "0 or 0.01 .. 1000");
   }
+  if (options.sensor_catalogue->FindSuite(options.sensor_suite) == nullptr) {
+    std::vector<std::string> names;
+    for (const SensorSuite& suite : options.sensor_catalogue->suites()) names.push_back(suite.name);
+    refuse("sensor_suite", Quote(options.sensor_suite), Join(names, ", "));
+  }
+  check_range("sensor_threads", options.sensor_threads, 1, 64);
+  check_range("sensor_seed", options.sensor_seed, 0, std::numeric_limits<int>::max());
+  check_range("longitude", options.longitude_deg, -180.0, 180.0);
+  check_range("altitude", options.altitude_m, -1000.0, 9000.0);
   check_range("clock_rate", options.clock_rate_hz, 1.0, 1000.0);
   check_range("state_rate", options.state_rate_hz, 1.0, 1000.0);
   check_range("marker_rate", options.marker_rate_hz, 0.1, 1000.0);
+  check_zero_or_range("state_hash_rate", options.state_hash_rate_hz, 0.001, 1000.0);
   check_range("marker_terrain_cells", options.marker_terrain_cells, 16, 512);
   check_range("marker_max_assets", options.marker_max_assets, 0, 500000);
   check_zero_or_range("octomap_resolution", options.octomap_resolution_m, 0.05, 16.0);

@@ -1,12 +1,14 @@
 #ifndef LATTICEWORLD_ROS_WORLD_SERVER_OPTIONS_H_
 #define LATTICEWORLD_ROS_WORLD_SERVER_OPTIONS_H_
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "latticeworld/common/status.h"
 #include "latticeworld/generation/language_backends.h"
 #include "latticeworld/mapping/traversability.h"
+#include "latticeworld/sensing/sensor_suite.h"
 #include "latticeworld/simulation/simulator.h"
 
 namespace latticeworld {
@@ -22,12 +24,23 @@ struct WorldServerOptions {
   SimulatorOptions simulator;
   std::string species;  // "": the built-in ones, else a file or directory that adds to them
 
+  // Sensors of robots.
+  std::string sensors;                    // "": the built-in suites, else a file or directory
+                                          // that adds to them; sensor_catalogue is made from it
+  std::string sensor_suite = "standard";  // of sensor_catalogue: what every robot carries
+  int sensor_threads = 1;                 // [1, 64] that trace rays
+  int sensor_seed = 0;                    // of their noise; 0: the simulation's, else above
+  double longitude_deg = 0.0;             // [-180, 180] of worlds that lie nowhere on the earth
+  double altitude_m = 0.0;                // [-1000, 9000] of them
+  std::shared_ptr<const SensorCatalogue> sensor_catalogue = SensorCatalogue::BuiltIn();
+
   // Publishing, in Hz of simulated time.
-  double clock_rate_hz = 100.0;    // [1, 1000]
-  double state_rate_hz = 50.0;     // [1, 1000]: tf, agents, odometry
-  double marker_rate_hz = 10.0;    // [0.1, 1000]: agents/markers
-  int marker_terrain_cells = 128;  // [16, 512] a side: ground of world/markers
-  int marker_max_assets = 20000;   // [0, 500000]: assets of world/markers
+  double clock_rate_hz = 100.0;     // [1, 1000]
+  double state_rate_hz = 50.0;      // [1, 1000]: tf, agents, odometry
+  double marker_rate_hz = 10.0;     // [0.1, 1000]: agents/markers
+  double state_hash_rate_hz = 1.0;  // 0, or [0.001, 1000]: world/state_hash
+  int marker_terrain_cells = 128;   // [16, 512] a side: ground of world/markers
+  int marker_max_assets = 20000;    // [0, 500000]: assets of world/markers
 
   // Worlds.
   std::string generator = "grounded";  // "grounded", or "remote" where remote.server.url is set

@@ -14,8 +14,10 @@
 #include "tools/picture_command.h"
 #include "tools/rebuild_command.h"
 #include "tools/score_command.h"
+#include "tools/sensors_command.h"
 #include "tools/show_command.h"
 #include "tools/species_command.h"
+#include "tools/tasks_command.h"
 
 namespace latticeworld::tools {
 namespace {
@@ -36,14 +38,21 @@ std::string LegalOptions(const CLI::App& command) {
   return names;
 }
 
+// "generate, show, ...": every command that there is.
+std::string Commands(const CLI::App& app) {
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  return names;
+}
+
 int ReportUsage(const CLI::App& app, const CLI::ParseError& error) {
   const auto commands = app.get_subcommands();
   const std::string called = commands.empty() ? "" : " " + commands.front()->get_name();
   std::cerr << "latticeworld" << called << ": " << error.what() << "\n";
   if (commands.empty()) {
-    std::cerr
-        << "legal are the commands generate, show, picture, measure, score, rebuild, catalogue and "
-           "species, --help and --version\n";
+    std::cerr << "legal are the commands " << Commands(app) << ", --help and --version\n";
   } else {
     std::cerr << "legal are " << LegalOptions(*commands.front()) << "; each at most once\n";
   }
@@ -63,6 +72,8 @@ int Run(int argc, const char* const* argv) {
   AddRebuildCommand(&app, &exit_status);
   AddCatalogueCommand(&app, &exit_status);
   AddSpeciesCommand(&app, &exit_status);
+  AddTasksCommand(&app, &exit_status);
+  AddSensorsCommand(&app, &exit_status);
   app.footer(kFooter);  // after the commands, which would inherit it
   try {
     app.parse(argc, argv);

@@ -4,12 +4,10 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "latticeworld/common/files.h"
 #include "latticeworld/common/range.h"
 #include "latticeworld/exporting/close_view.h"
 #include "latticeworld/exporting/contact_sheet.h"
@@ -18,6 +16,7 @@
 #include "latticeworld/exporting/thematic_map.h"
 #include "latticeworld/generation/bundle.h"
 #include "tools/arguments.h"
+#include "tools/output_file.h"
 
 namespace latticeworld::tools {
 namespace {
@@ -85,20 +84,6 @@ Result<std::string> Draw(const CLI::App& command, const World& world, const std:
   if (view == "octomap") return DrawOctree(scene, options, Progress());
   if (const auto theme = FromName<MapTheme>(view)) return DrawThematicMap(scene, *theme, options);
   return DrawWorld(scene, options);
-}
-
-// The old picture, if any, stays until the new one is whole.
-Status ReplaceFile(const std::filesystem::path& path, const std::string& content) {
-  std::filesystem::path temporary = path;
-  temporary += ".part";
-  Status status = WriteFile(temporary, content);
-  std::error_code error;
-  if (status.ok()) {
-    std::filesystem::rename(temporary, path, error);
-    if (error) status = Internal("cannot rename to " + path.string() + ": " + error.message());
-  }
-  if (!status.ok()) std::filesystem::remove(temporary, error);
-  return status;
 }
 
 Status Picture(const CLI::App& command) {

@@ -19,6 +19,7 @@ FLOORS = [
     ["mapping", "sensing"],
     ["exporting"],
     ["generation", "simulation"],
+    ["navigation", "episode"],
     ["latticeworld_ros"],
     ["nodes", "tools"],
 ]

@@ -77,6 +77,23 @@ TEST(ParametersTest, SpeciesThatCannotBeReadAreNamed) {
   }
 }
 
+TEST(ParametersTest, SensorsThatThereAreNotAreNamed) {
+  XmlRpc::XmlRpcValue parameters;
+  parameters["sensors"] = std::string("/nowhere/sensors.json");
+  parameters["sensor_suite"] = std::string("crystal balls");
+  parameters["sensor_threads"] = 0;
+  parameters["sensor_seed"] = -1;
+  parameters["longitude"] = 200.0;
+  parameters["altitude"] = 1e6;
+  const auto options = OptionsFromParameters(parameters);
+  ASSERT_FALSE(options.ok());
+  EXPECT_EQ(options.status().violations().size(), 6u) << options.status().ToString();
+  for (const char* word : {"/nowhere/sensors.json", "crystal balls", "none", "standard",
+                           "sensor_threads", "sensor_seed", "longitude", "altitude"}) {
+    EXPECT_NE(options.status().message().find(word), std::string::npos) << word;
+  }
+}
+
 XmlRpc::XmlRpcValue WithServer() {
   XmlRpc::XmlRpcValue parameters;
   parameters["remote_url"] = std::string("http://127.0.0.1:8080/v1");

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/scene/elements.h"
+#include "latticeworld/scene/standing_elements.h"
 #include "scene_of_everything.h"
 
 namespace latticeworld {
@@ -66,6 +68,39 @@ TEST(OctreeStreamTest, IsAfterEveryChangeTheStreamOfTheWholeMap) {
     EXPECT_EQ(binary.Update({}, progress).value().bytes,
               BuildBinaryData(*scene, options, progress).value().bytes);
   }
+}
+
+TEST(OctreeStreamTest, FollowsElementsThatMoveComeAndGo) {
+  auto scene = std::make_shared<Scene>(*Forest(1));
+  for (int i = 0; i < 6; ++i) {
+    Element crate = UsualElement(i == 0 ? ElementKind::kBridge : ElementKind::kCrate);
+    crate.position = {-40.0 + 14.0 * i, 10.0};
+    crate.z_m = scene->terrain->ground.HeightAt(crate.position);
+    scene->elements.push_back(crate);
+  }
+  const OctreeOptions options = {0.25, 1.0};
+  auto stream =
+      OctreeStream::Create(scene, OctreeStream::Format::kBinary, options, Progress()).value();
+  auto elements = StandingAtBegin(scene->elements);
+  SceneChanges changes;
+  for (int round = 0; round < 6; ++round) {
+    EXPECT_EQ(stream.Update(changes, Progress()).value().bytes,
+              BuildBinaryData(*scene, options, Progress(), changes).value().bytes)
+        << round;
+    if (round > 0) {
+      EXPECT_GE(stream.tiles_written(), 1) << round;
+      EXPECT_LE(stream.tiles_written(), 4) << round;
+    }
+    if (round == 0) elements.blocks[1].footprint.centre.y_m += 30.0;
+    if (round == 1) elements.blocks[2].top_m += 1.0;
+    if (round == 2) elements.decks.clear();
+    if (round == 3) elements.blocks.erase(elements.blocks.begin());
+    if (round == 4) elements.blocks.push_back(elements.blocks.back());
+    if (round == 4) elements.blocks.back().footprint.centre = {20.0, -20.0};
+    changes.elements = std::make_shared<const StandingElements>(elements);
+  }
+  EXPECT_EQ(stream.Update({}, Progress()).value().bytes,
+            BuildBinaryData(*scene, options, Progress()).value().bytes);
 }
 
 TEST(OctreeStreamTest, WithoutAChangeNothingIsWritten) {

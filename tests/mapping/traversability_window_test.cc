@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <vector>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/scene/elements.h"
+#include "latticeworld/scene/standing_elements.h"
 #include "scene_of_everything.h"
 
 namespace latticeworld {
@@ -15,6 +18,21 @@ RobotLimits Limits(double radius_m) {
   limits.radius_m = radius_m;
   limits.clearance_m = 0.0;
   return limits;
+}
+
+// Crates, posts, gates and bridges anywhere.
+StandingElements SomeElements(RandomStream* random) {
+  StandingElements elements;
+  for (int i = 0; i < 12; ++i) {
+    Element element = UsualElement(static_cast<ElementKind>(random->UniformInt(0, 4)));
+    element.position = {random->Uniform(-17.0, 17.0), random->Uniform(-17.0, 17.0)};
+    element.yaw_rad = random->Uniform(-3.0, 3.0);
+    element.z_m = random->Uniform(-1.0, 3.0);
+    const StandingElements one = StandingAtBegin({element});
+    elements.blocks.insert(elements.blocks.end(), one.blocks.begin(), one.blocks.end());
+    elements.decks.insert(elements.decks.end(), one.decks.begin(), one.decks.end());
+  }
+  return elements;
 }
 
 // Some trees lie, some assets of any kind are gone.
@@ -37,7 +55,10 @@ TEST(TraversabilityWindowTest, HoldsWhatTheWholeMapHoldsThere) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Scene scene = SceneOfEverything(seed);
     RandomStream random(seed, "windows");
-    const SceneChanges changes = seed % 2 == 0 ? SceneChanges() : SomeChanges(scene, &random);
+    SceneChanges changes = seed % 2 == 0 ? SceneChanges() : SomeChanges(scene, &random);
+    if (seed % 3 != 0) {
+      changes.elements = std::make_shared<const StandingElements>(SomeElements(&random));
+    }
     const RobotLimits limits = Limits(random.Uniform(0.0, 2.0));
     const Grid<float> whole = BuildTraversability(scene, limits, changes);
     const TraversabilityWindow part(scene, limits);

@@ -3,6 +3,7 @@
 
 import math
 
+import rosgraph
 import rospy
 from geometry_msgs.msg import Point, Twist
 from nav_msgs.msg import Odometry
@@ -121,11 +122,64 @@ class AgentsTest(ServerTest):
             return math.hypot(at.x - start.x, at.y - start.y)
 
         self.drive_until(lambda: gone() > 1.5, (command, twist(x=1.0)))
-        # It publishes nothing of its own, and without a policy from outside it hears nothing.
-        self.assertNotIn("/puppet/odom", [name for name, _ in rospy.get_published_topics()])
+        # Without a policy from outside it hears nothing.
         self.assert_ok(self.world.set_policy(agent="puppet"))
         wait_until(lambda: command.get_num_connections() == 0, "its topics end")
+        wait_until(lambda: not self.topics_of("puppet"), "those that it publishes, too")
         self.assertEqual(start_policy(self.states, "puppet"), self.agent("puppet").policy)
+
+    @staticmethod
+    def topics_of(agent):
+        """What it publishes."""
+        published, _, _ = rosgraph.Master("/agents_test").getSystemState()
+        return sorted(topic for topic, nodes in published
+                      if topic.startswith(f"/{agent}/") and "/world_server" in nodes)
+
+    def test_a_policy_from_outside_sees_state_and_joints(self):
+        self.spawn("hound", "robotic_dog", x=-10.0, y=5.0, policy="external")
+        topics = self.topics_of("hound")
+        self.assertIn("/hound/ground_truth", topics)
+        self.assertIn("/hound/joint_states", topics)
+        self.assertNotIn("/hound/odom", topics)
+        with Collector("hound/joint_states", JointState) as joints, \
+                Collector("hound/ground_truth", Odometry) as truth:
+            stands = joints.wait_for_next()
+            self.assertEqual(12, len(stands.name))
+            self.assertEqual(12, len(stands.position))
+            told = truth.wait_for_next()
+            self.assertEqual(("map", "hound/base_link"),
+                             (told.header.frame_id, told.child_frame_id))
+            state = self.states.wait_for(lambda m: m.header.stamp == told.header.stamp)
+            hound = next(agent for agent in state.agents if agent.name == "hound")
+            for axis in "xyz":
+                self.assertAlmostEqual(getattr(hound.pose.position, axis),
+                                       getattr(told.pose.pose.position, axis), places=9)
+            for axis in "xyzw":
+                self.assertAlmostEqual(getattr(hound.pose.orientation, axis),
+                                       getattr(told.pose.pose.orientation, axis), places=9)
+            knee = stands.name.index("front_left_knee")
+            command = publisher("hound/joint_command", JointState)
+            wanted = stands.position[knee] - 0.3
+            self.drive_until(
+                lambda: abs(joints.wait_for_next().position[knee] - wanted) < 0.1,
+                (command, JointState(name=["front_left_knee"], position=[wanted])))
+        # A robot of that name has odometry as well.
+        self.assert_ok(self.world.remove_agent(name="hound"))
+        self.spawn("hound", "robotic_dog", x=-10.0, y=5.0, controllable=True)
+        self.assertIn("/hound/odom", self.topics_of("hound"))
+
+    def test_controllable_agents_take_no_policy(self):
+        self.spawn("scout", "wheeled_robot", x=-20.0, team=6, controllable=True)
+        self.assert_refused(self.world.set_policy(agent="scout", policy="pursuer"),
+                            Status.FAILED_PRECONDITION, "scout", "controllable")
+        self.assert_refused(self.world.spawn_agent(species="goblin", controllable=True,
+                                                   policy="pursuer"),
+                            Status.INVALID_ARGUMENT, "controllable", "pursuer")
+        # A team's is for the others of the team.
+        self.assert_ok(self.world.set_policy(team=6, policy="external"))
+        self.spawn("puppet", "goblin", x=10.0, team=6)
+        self.assertEqual(("", "external"),
+                         (self.agent("scout").policy, self.agent("puppet").policy))
 
     def test_a_policy_can_be_a_teams(self):
         self.spawn("first", "goblin", x=-15.0, team=7)

@@ -103,6 +103,8 @@ class SimulationTest(WorldTest):
         buffer = tf2_ros.Buffer(rospy.Duration(60.0))
         listener = tf2_ros.TransformListener(buffer)
         states = Collector("agents", AgentStates)
+        # From here on the listener has heard, so that the states to come have their transforms.
+        buffer.lookup_transform("map", "robot/base_link", rospy.Time(0), rospy.Duration(TIMEOUT_S))
         for _ in range(5):
             state = states.wait_for_next()
             self.assertGreater(len(state.agents), 5)

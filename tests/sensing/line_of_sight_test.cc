@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "../mapping/hand_made_scene.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/scene/scene_changes.h"
+#include "latticeworld/scene/standing_elements.h"
 
 namespace latticeworld {
 namespace {
@@ -67,6 +69,25 @@ TEST(LineOfSightTest, ATreeThatFellOrWentHidesNothing) {
     EXPECT_FALSE(HasLineOfSight(scene, {x_m, -10, 1}, {x_m, 10, 1})) << x_m;
     EXPECT_EQ(HasLineOfSight(scene, changes, {x_m, -10, 1}, {x_m, 10, 1}), x_m != 0.0) << x_m;
   }
+}
+
+TEST(LineOfSightTest, AClosedGateHidesAndAnOpenOneDoesNot) {
+  Scene scene = Flat();
+  Element gate;
+  gate.kind = ElementKind::kGate;
+  gate.size_m = {4.0, 0.06, 1.5};
+  gate.position = {-2.0, 0.0};
+  gate.z_m = 0.0;
+  scene.elements = {gate};
+  EXPECT_FALSE(HasLineOfSight(scene, {0, -10, 1}, {0, 10, 1}));
+  EXPECT_TRUE(HasLineOfSight(scene, {0, -10, 1.6}, {0, 10, 1.6}));
+  EXPECT_TRUE(HasLineOfSight(scene, {3, -10, 1}, {3, 10, 1}));
+  EXPECT_TRUE(HasLineOfSight(scene, {0, -10, 1}, {0, -1, 1}));
+  gate.yaw_rad = M_PI / 2.0;
+  SceneChanges open;
+  open.elements = std::make_shared<const StandingElements>(StandingAtBegin({gate}));
+  EXPECT_TRUE(HasLineOfSight(scene, open, {0, -10, 1}, {0, 10, 1}));
+  EXPECT_FALSE(HasLineOfSight(scene, open, {-5, 1, 1}, {5, 1, 1}));
 }
 
 TEST(LineOfSightTest, AWallHidesBelowItsTopAndBetweenItsEnds) {

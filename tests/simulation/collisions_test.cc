@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "latticeworld/simulation/footprint.h"
 #include "test_scene.h"
 
 namespace latticeworld {
@@ -58,23 +57,6 @@ TEST(CollisionsTest, ALightOneAtTheSameSpeedHurtsLess) {
   const Ram light = RunOver("wheeled robot", 2.0);
   EXPECT_EQ(light.health, 1.0);
   EXPECT_EQ(light.knocked_over, 0);
-}
-
-TEST(FootprintTest, DistancesToElementsAndStems) {
-  Element crate;
-  crate.kind = ElementKind::kCrate;
-  crate.size_m = {2.0, 1.0, 1.0};
-  EXPECT_EQ(DistanceToElement(crate, {5.0, 5.0}, 0.3, {5.0, 5.0}), 0.0);
-  EXPECT_NEAR(DistanceToElement(crate, {0.0, 0.0}, 0.0, {3.0, 0.0}), 2.0, 1e-12);
-  EXPECT_NEAR(DistanceToElement(crate, {0.0, 0.0}, M_PI / 2.0, {3.0, 0.0}), 2.5, 1e-12);
-  Element gate = crate;
-  gate.kind = ElementKind::kGate;
-  EXPECT_NEAR(DistanceToElement(gate, {0.0, 0.0}, 0.0, {3.0, 0.0}), 1.0, 1e-12);
-  EXPECT_NEAR(DistanceToElement(gate, {0.0, 0.0}, 0.0, {-1.0, 0.0}), 1.0, 1e-12);
-  const FallenTree stem{0, {0.0, 0.0, 0.0}, {4.0, 0.0, 1.0}};
-  EXPECT_NEAR(DistanceToStem(stem, {2.0, -1.5}), 1.5, 1e-12);
-  EXPECT_NEAR(DistanceToStem(stem, {7.0, 4.0}), 5.0, 1e-12);
-  EXPECT_NEAR(DistanceToStem({0, {1.0, 1.0, 0.0}, {1.0, 1.0, 8.0}}, {1.0, 3.0}), 2.0, 1e-12);
 }
 
 }  // namespace

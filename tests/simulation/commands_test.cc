@@ -197,15 +197,43 @@ TEST(CommandsTest, AMainAgentStrikesBack) {
   EXPECT_EQ(Count(simulator->TakeEvents(), EventKind::kAttacked, "hero"), 1);
 }
 
+TEST(CommandsTest, WhoFollowsCommandsFollowsNoPolicy) {
+  TestScene scene;
+  AgentStart& hero = scene.AddAgent("hero", AgentCategory::kAncientWarrior, 0.0, 0.0);
+  hero.controllable = true;
+  scene.AddAgent("warrior", AgentCategory::kAncientWarrior, 10.0, 0.0);
+  const auto simulator = MakeSimulator(scene);
+  const std::string before = simulator->StateHash();
+  PolicyChange change;
+  change.agent = "hero";
+  change.policy = "pursuer";
+  const Status refused = simulator->SetPolicy(change);
+  EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
+  EXPECT_NE(refused.message().find("hero"), std::string::npos) << refused.message();
+  EXPECT_NE(refused.message().find("controllable"), std::string::npos) << refused.message();
+  change.policy.clear();  // that it has none is true already
+  EXPECT_TRUE(simulator->SetPolicy(change).ok());
+  EXPECT_EQ(simulator->StateHash(), before);
+  change = {};
+  change.team = Now(*simulator, "hero").team;
+  change.policy = "ambusher";
+  EXPECT_TRUE(simulator->SetPolicy(change).ok());
+  EXPECT_EQ(Now(*simulator, "hero").policy, "");
+  EXPECT_EQ(Now(*simulator, "warrior").policy, "ambusher");
+  EXPECT_TRUE(simulator->Command("hero", Forward(1.0)).ok());
+}
+
 TEST(CommandsTest, GatesTurnAsTold) {
   TestScene scene;
   scene.AddElement("gate", ElementKind::kGate, 0.0, 0.0);
   scene.AddElement("crate", ElementKind::kCrate, 10.0, 0.0);
   const auto simulator = MakeSimulator(scene);
+  const std::string before = simulator->StateHash();
   EXPECT_EQ(simulator->OpenGate("nothing", 1.0).code(), StatusCode::kNotFound);
   EXPECT_EQ(simulator->OpenGate("crate", 1.0).code(), StatusCode::kFailedPrecondition);
   EXPECT_EQ(simulator->OpenGate("gate", 9.0).code(), StatusCode::kOutOfRange);
   EXPECT_FALSE(simulator->OpenGate("gate", kNan).ok());
+  EXPECT_EQ(simulator->StateHash(), before);
   ASSERT_TRUE(simulator->OpenGate("gate", 1.2).ok());
   RunFor(simulator.get(), 8.0);
   EXPECT_NEAR(ElementNow(*simulator, "gate").opening_rad, 1.2, 0.15);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "latticeworld/scene/elements.h"
+#include "latticeworld/simulation/blows.h"
 #include "latticeworld/simulation/element_body.h"
 #include "test_scene.h"
 #include "thing_world.h"
@@ -209,6 +210,41 @@ TEST(ElementsTest, APostStopsALightBodyAndBreaksUnderAHeavyOne) {
   }
 }
 
+TEST(ElementsTest, APostMeetsOnlyTheShareOfAStemThatHitsIt) {
+  // A log that turns about its end meets a post near that end with nearly all of its mass, and one
+  // far from its middle with a part of it.
+  struct Hit {
+    double along_m;
+    bool breaks;
+  };
+  for (const Hit& hit : {Hit{0.0, true}, Hit{2.6, false}}) {
+    ThingWorld world(TestScene().Build());
+    Element post = ElementAt(ElementKind::kPost, 0.0, hit.along_m);
+    BodySpec log;
+    log.mass_kg = 60.0;
+    log.inertia_kgm2 = {60.0 * 36.0 / 12.0, 5.0, 60.0 * 36.0 / 12.0};
+    BodyShape box;
+    box.form = ShapeForm::kBox;
+    box.half_extents_m = {0.15, 3.0, 0.15};
+    log.shapes = {box};
+    BodyMotion motion;
+    motion.position_m = {-0.3, 0.0, 0.6};
+    motion.linear_velocity_mps = {2.0, 0.0, 0.0};
+    // Between what the whole log and what its share breaks at.
+    const double whole_kg = log.mass_kg;
+    const double share_kg = MassMet(log, motion, {0.0, 2.6, 0.6}, Eigen::Vector3d::UnitX());
+    ASSERT_LT(share_kg, 0.5 * whole_kg);
+    const auto moment_nm = [&](double mass_kg) {
+      return ImpactMoment(mass_kg, 2.0, StiffnessMet(mass_kg, PostStiffness(post)));
+    };
+    post.strength = 0.5 * (moment_nm(share_kg) + moment_nm(whole_kg));
+    ASSERT_TRUE(world.elements.Add(post).ok());
+    world.physics->Add(log, motion);
+    world.Run(0.2);
+    EXPECT_EQ(world.Count(EventKind::kBroke), hit.breaks ? 1 : 0) << hit.along_m;
+  }
+}
+
 TEST(ElementsTest, ACrateFloatsAndAStoneSinks) {
   TestScene scene;
   scene.height_m = [](double, double) { return -3.0; };
@@ -229,14 +265,19 @@ TEST(ElementsTest, RefusesWhatCannotBeAndChangesNothing) {
   scene.AddBuilding(-10.0, 0.0, 4.0, 3.0, 0.4);
   ThingWorld world(scene.Build());
   ASSERT_TRUE(world.elements.Add(ElementAt(ElementKind::kCrate, 0.0, 0.0, "first")).ok());
-  const std::string before = world.Hash();
-  const auto code = [&](Element element) { return world.elements.Add(element).status().code(); };
+  std::string before = world.Hash();
+  const auto code = [&](const Element& element) {
+    return world.elements.Add(element).status().code();
+  };
   EXPECT_EQ(code(ElementAt(ElementKind::kCrate, 10.3, 0.2)), StatusCode::kFailedPrecondition);
   EXPECT_EQ(code(ElementAt(ElementKind::kCrate, -7.0, 0.0)), StatusCode::kFailedPrecondition);
   EXPECT_EQ(code(ElementAt(ElementKind::kCrate, 0.3, 0.3)), StatusCode::kFailedPrecondition);
   EXPECT_EQ(code(ElementAt(ElementKind::kCrate, 31.9, 0.0)), StatusCode::kOutOfRange);
+  EXPECT_EQ(world.Hash(), before);
   EXPECT_EQ(code(ElementAt(ElementKind::kBridge, 0.0, 30.0)), StatusCode::kOk);
+  EXPECT_NE(world.Hash(), before);
   ASSERT_TRUE(world.elements.Remove("thing").ok());
+  before = world.Hash();
   Element bad = ElementAt(ElementKind::kPost, 5.0, 5.0);
   bad.size_m.z() = 100.0;
   bad.mass_kg = NAN;
@@ -245,13 +286,22 @@ TEST(ElementsTest, RefusesWhatCannotBeAndChangesNothing) {
   EXPECT_EQ(world.elements.Add(bad).status().violations().size(), 3u);
   EXPECT_EQ(world.elements.OpenGate("first", 1.0).code(), StatusCode::kFailedPrecondition);
   EXPECT_EQ(world.elements.OpenGate("nobody", 1.0).code(), StatusCode::kNotFound);
+  EXPECT_EQ(world.Hash(), before);
   ASSERT_TRUE(world.elements.Add(ElementAt(ElementKind::kGate, 5.0, 0.0, "gate")).ok());
+  before = world.Hash();
   EXPECT_EQ(world.elements.OpenGate("gate", 2.0).code(), StatusCode::kOutOfRange);
   EXPECT_EQ(world.elements.OpenGate("gate", NAN).code(), StatusCode::kOutOfRange);
+  EXPECT_EQ(world.Hash(), before);
+  ASSERT_TRUE(world.elements.OpenGate("gate", 1.0).ok());
+  EXPECT_NE(world.Hash(), before);
   ASSERT_TRUE(world.elements.Remove("gate").ok());
   EXPECT_EQ(world.elements.Remove("gate").code(), StatusCode::kNotFound);
   EXPECT_EQ(world.elements.state().size(), 1u);
-  EXPECT_FALSE(before.empty());
+  for (double* const number : {&bad.position.x_m, &bad.z_m, &bad.yaw_rad, &bad.strength}) {
+    bad = ElementAt(ElementKind::kCrate, 5.0, 5.0);
+    *number = NAN;
+    EXPECT_EQ(code(bad), StatusCode::kInvalidArgument);
+  }
 }
 
 TEST(ElementsTest, HoldsAsManyAsAWorldHolds) {

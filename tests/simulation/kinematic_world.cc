@@ -38,10 +38,22 @@ Agent& KinematicWorld::Add(const std::string& species, double x_m, double y_m, d
 
 Surroundings KinematicWorld::World() {
   near_.Rebuild(scene_->geometry().size_m(), agents_);
-  return {
-      *scene_, changes_, 0,       scene_->atmosphere, surfaces_, gusts_,  Eigen::Vector2d::Zero(),
-      paths_,  near_,    agents_, *physics_,          events_,   kStep_s, 25.0,
-      step_,   step_};
+  return {*scene_,
+          changes_,
+          map_version_,
+          scene_->atmosphere,
+          surfaces_,
+          gusts_,
+          Eigen::Vector2d::Zero(),
+          paths_,
+          near_,
+          agents_,
+          *physics_,
+          events_,
+          kStep_s,
+          25.0,
+          step_,
+          step_};
 }
 
 void KinematicWorld::Move(Agent* agent) {

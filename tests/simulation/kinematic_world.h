@@ -31,6 +31,7 @@ class KinematicWorld {
   std::map<AgentId, Agent>& agents() { return agents_; }
   PathFinder& paths() { return paths_; }
   SceneChanges& changes() { return changes_; }
+  std::uint64_t& map_version() { return map_version_; }
   // Least distance between the sides of two agents so far [m]; below 0: they were in each other.
   double least_gap_m() const { return least_gap_m_; }
 
@@ -41,6 +42,7 @@ class KinematicWorld {
   std::shared_ptr<const SpeciesCatalogue> species_ = SpeciesCatalogue::BuiltIn();
   std::uint64_t seed_;
   SceneChanges changes_;
+  std::uint64_t map_version_ = 0;
   SurfaceTable surfaces_;
   GustField gusts_;
   PathFinder paths_;

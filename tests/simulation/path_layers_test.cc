@@ -4,8 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/scene/elements.h"
+#include "latticeworld/scene/standing_elements.h"
+#include "latticeworld/simulation/agents/path_finder.h"
 #include "latticeworld/species/species_catalogue.h"
 #include "test_scene.h"
 
@@ -119,6 +124,91 @@ TEST(PathLayersTest, AfterEveryChangeTheyAreAsIfMadeWithIt) {
       ASSERT_EQ(All(&used.Of(Of("goblin"))), All(&fresh.Of(Of("goblin"))))
           << "seed " << seed << ", round " << round;
     }
+  }
+}
+
+// Crates, posts, stones, gates and bridges anywhere.
+StandingElements SomeElements(int count, RandomStream* random) {
+  StandingElements elements;
+  for (int i = 0; i < count; ++i) {
+    Element element = UsualElement(static_cast<ElementKind>(random->UniformInt(0, 4)));
+    element.position = {random->Uniform(-60.0, 60.0), random->Uniform(-60.0, 60.0)};
+    element.yaw_rad = random->Uniform(-3.0, 3.0);
+    element.z_m = element.kind == ElementKind::kBridge ? 1.0 : 0.0;
+    const StandingElements one = StandingAtBegin({element});
+    elements.blocks.insert(elements.blocks.end(), one.blocks.begin(), one.blocks.end());
+    elements.decks.insert(elements.decks.end(), one.decks.begin(), one.decks.end());
+  }
+  return elements;
+}
+
+TEST(PathLayersTest, AfterEveryMoveOfAnElementTheyAreAsIfMadeWithIt) {
+  TestScene made;
+  made.size_m = 128.0;
+  const auto scene = made.Build();
+  RandomStream random(4, "elements");
+  PathLayers used(*scene);
+  StandingElements elements;
+  for (int round = 0; round < 30; ++round) {
+    All(&used.Of(Of("goblin")));  // every tile is made
+    if (round % 3 == 0) {
+      elements = SomeElements(8, &random);
+    } else if (!elements.blocks.empty() && round % 3 == 1) {
+      elements.blocks.erase(elements.blocks.begin());
+    } else if (!elements.decks.empty()) {
+      elements.decks.back().carries_kg = 1.0;
+    }
+    SceneChanges changes;
+    changes.elements = std::make_shared<const StandingElements>(elements);
+    used.Update(changes);
+    PathLayers fresh(*scene);
+    fresh.Update(changes);
+    ASSERT_EQ(All(&used.Of(Of("goblin"))), All(&fresh.Of(Of("goblin")))) << round;
+  }
+}
+
+// A channel too deep to wade from north to south, in cells of that size, and a bridge over it.
+TestScene Bridged(double cell_m, double yaw_rad, double y_m) {
+  TestScene made;
+  made.cells = static_cast<int>(64.0 / cell_m);
+  made.height_m = [](double x, double) { return std::abs(x) < 3.0 ? -2.5 : 0.0; };
+  made.water_depth_m = [](double x, double) { return std::abs(x) < 3.0 ? 2.0 : 0.0; };
+  Element& bridge = made.AddElement("bridge", ElementKind::kBridge, 0.0, y_m);
+  bridge.size_m = {(6.0 + 1.5 * 2.0) / std::cos(yaw_rad), 2.0, 0.15};
+  bridge.yaw_rad = yaw_rad;
+  bridge.z_m = 0.01 - bridge.size_m.z();
+  bridge.strength = 700.0;
+  return made;
+}
+
+TEST(PathLayersTest, AWayLeadsOverABridgeForWhatItCarries) {
+  RandomStream random(9, "bridges");
+  for (int i = 0; i < 24; ++i) {
+    const double cell_m = i % 3 == 0 ? 0.25 : i % 3 == 1 ? 0.5 : 1.0;
+    const double yaw_rad = random.Uniform(-0.7, 0.7), y_m = random.Uniform(-15.0, 15.0);
+    const auto scene = Bridged(cell_m, yaw_rad, y_m).Build();
+    PathFinder paths(*scene);
+    for (const char* const species : {"goblin", "robotic dog", "wheeled robot", "horse"}) {
+      const FoundPath path = paths.Find(Of(species), {-20.0, -20.0}, {20.0, 20.0}, 20000);
+      EXPECT_TRUE(path.complete) << species << " " << cell_m << " " << yaw_rad << " " << y_m;
+      // Over the water only on the deck.
+      const Footprint deck = FootprintOf(scene->elements[0]);
+      WorldPoint from{-20.0, -20.0};
+      for (const WorldPoint& to : path.points) {
+        for (double share = 0.0; share <= 1.0; share += 0.01) {
+          const WorldPoint at{from.x_m + share * (to.x_m - from.x_m),
+                              from.y_m + share * (to.y_m - from.y_m)};
+          if (std::abs(at.x_m) > 2.9) continue;
+          EXPECT_LT(GapTo(deck, at), 0.0) << species << " " << at.x_m << " " << at.y_m;
+        }
+        from = to;
+      }
+    }
+    EXPECT_FALSE(paths.Find(Of("tractor"), {-20.0, -20.0}, {20.0, 20.0}, 20000).complete);
+    SceneChanges broken;
+    broken.elements = std::make_shared<const StandingElements>();
+    paths.Update(broken);
+    EXPECT_FALSE(paths.Find(Of("goblin"), {-20.0, -20.0}, {20.0, 20.0}, 20000).complete);
   }
 }
 

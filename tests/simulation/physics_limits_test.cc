@@ -223,6 +223,19 @@ TEST_P(PhysicsLimitsTest, NothingFastGoesFarBeyondTheEdge) {
   }
 }
 
+TEST_P(PhysicsLimitsTest, TheEdgePushesBackOnlyWhatMeetsIt) {
+  const auto physics = Make();
+  const double edge_m = TestScene().Build()->geometry().half_size_m();
+  BodySpec box = Box(20.0, {0.5, 0.25, 0.25});
+  const BodyId held = physics->Add(box, {edge_m, -3.0, 0.0}, 0.0);
+  box.meets_boundary = false;
+  const BodyId lies = physics->Add(box, {edge_m, 3.0, 0.0}, 0.0);
+  StepFor(physics.get(), 2.0);
+  EXPECT_LT(physics->MotionOf(held).position_m.x(), edge_m - 0.4);
+  EXPECT_NEAR(physics->MotionOf(lies).position_m.x(), edge_m, 0.01);
+  EXPECT_NEAR(physics->MotionOf(lies).position_m.z(), 0.0, 0.01);  // on the ground beyond it too
+}
+
 BodySpec Turntable() {
   BodySpec base = Box(200.0, {0.5, 0.5, 0.2});
   LinkSpec table;

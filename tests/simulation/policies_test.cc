@@ -7,7 +7,6 @@
 #include <set>
 #include <string>
 
-#include "latticeworld/sensing/line_of_sight.h"
 #include "latticeworld/simulation/agents/behaviour_tree.h"
 #include "latticeworld/simulation/agents/perception.h"
 #include "latticeworld/simulation/agents/pieces_fear.h"
@@ -172,36 +171,6 @@ TEST(PoliciesTest, TheHurtRetreat) {
   world.Run(3.0, {{goblin.id, "pursuer"}});
   EXPECT_GT(world.DistanceOf(goblin, robot), 9.0);
   EXPECT_EQ(world.Count(EventKind::kAttacked, goblin.name), 0);
-}
-
-TEST(PoliciesTest, AmbushersHideAndLetTheFarPassAndStrikeTheNear) {
-  TestScene scene = Wide();
-  scene.surface = [](double, double y) {
-    return std::abs(y) < 2.0 ? SurfaceClass::kRoad : SurfaceClass::kGrass;
-  };
-  for (int i = 0; i < 12; ++i) scene.AddBuilding(-44.0 + 8.0 * i, 7.0, 1.5, 1.5);
-  MindWorld world(scene);
-  Agent& goblin = world.Add("goblin", 2, 0.0, 1.0);
-  world.Run(40.0, {{goblin.id, "ambusher"}});
-  ASSERT_EQ(goblin.behaviour, Behaviour::kAmbush);
-  ASSERT_LT(goblin.motion.linear_velocity_mps.norm(), 0.1) << "it waits";
-  const WorldPoint hide = goblin.place();
-  int hidden = 0, looks = 0;
-  for (double x = -30.0; x <= 30.0; x += 3.0, ++looks) {
-    const Eigen::Vector3d road(x, 0.0, 1.2), eye(hide.x_m, hide.y_m, goblin.species->eye_height_m);
-    hidden += HasLineOfSight(world.Now().scene, road, eye) ? 0 : 1;
-  }
-  EXPECT_GT(hidden, looks / 3) << "from much of the road it is not seen";
-
-  Agent& robot = world.Add("humanoid robot", 1, hide.x_m + 15.0, hide.y_m);
-  robot.controllable = true;
-  world.Run(5.0, {{goblin.id, "ambusher"}});
-  EXPECT_EQ(goblin.behaviour, Behaviour::kAmbush) << "too far";
-  const double yaw_rad = goblin.motion.yaw_rad();
-  robot.motion.position_m.head<2>() =
-      Eigen::Vector2d(hide.x_m + 3.0 * std::cos(yaw_rad), hide.y_m + 3.0 * std::sin(yaw_rad));
-  world.Run(4.0, {{goblin.id, "ambusher"}});
-  EXPECT_GT(world.Count(EventKind::kAttacked, goblin.name), 0);
 }
 
 TEST(PoliciesTest, EncirclersSpreadAroundTheirPreyBeforeTheyCloseIn) {

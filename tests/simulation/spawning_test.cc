@@ -65,6 +65,9 @@ TEST(SpawningTest, RefusesAndSaysWhyAndChangesNothing) {
   pacifist.policy = "pacifist";
   SpawnRequest outsider = At(AgentCategory::kGoblin, -5.0, 0.0);
   outsider.team = 16;
+  SpawnRequest torn = At(AgentCategory::kGoblin, -5.0, 0.0);
+  torn.controllable = true;
+  torn.policy = "pursuer";
   const struct {
     SpawnRequest request;
     StatusCode code;
@@ -85,6 +88,7 @@ TEST(SpawningTest, RefusesAndSaysWhyAndChangesNothing) {
       {dragon, StatusCode::kInvalidArgument},
       {pacifist, StatusCode::kInvalidArgument},
       {outsider, StatusCode::kInvalidArgument},
+      {torn, StatusCode::kInvalidArgument},
       {At(AgentCategory::kSheep, -5.0, 0.0, "crate"), StatusCode::kAlreadyExists},
       {At(AgentCategory::kSheep, -20.0, -20.0), StatusCode::kFailedPrecondition},  // in the crate
   };
@@ -140,7 +144,7 @@ TEST(SpawningTest, HoldsNoMoreThanTheLimit) {
   TestScene scene;
   scene.size_m = 256.0;
   const auto simulator = MakeSimulator(scene);
-  for (int i = 0; i < kMaxAgents; ++i) {
+  for (int i = 0; i < kMaxAgentStarts; ++i) {
     ASSERT_TRUE(simulator
                     ->Spawn(At(AgentCategory::kRoboticDog, -100.0 + 5.0 * (i % 40),
                                -100.0 + 5.0 * (i / 40)))
@@ -149,7 +153,8 @@ TEST(SpawningTest, HoldsNoMoreThanTheLimit) {
   const auto refused = simulator->Spawn(At(AgentCategory::kRoboticDog, 120.0, 120.0));
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.status().code(), StatusCode::kResourceExhausted);
-  EXPECT_NE(refused.status().message().find(std::to_string(kMaxAgents)), std::string::npos);
+  EXPECT_NE(refused.status().message().find(std::to_string(kMaxAgentStarts)), std::string::npos)
+      << refused.status().message();
   simulator->Step();
 }
 
@@ -165,9 +170,9 @@ TEST(SpawningTest, AStormOfRequestsFillsTheWorldAndIsThenRefused) {
     if (name.ok()) ++held;
     exhausted += name.status().code() == StatusCode::kResourceExhausted;
   }
-  EXPECT_EQ(held, kMaxAgents);
-  EXPECT_EQ(exhausted, 200);
-  EXPECT_EQ(simulator->State()->agents.size(), static_cast<std::size_t>(kMaxAgents));
+  EXPECT_EQ(held, kMaxAgentStarts);
+  EXPECT_EQ(exhausted, 1200 - kMaxAgentStarts);
+  EXPECT_EQ(simulator->State()->agents.size(), static_cast<std::size_t>(kMaxAgentStarts));
   // Nobody stands in another.
   const auto state = simulator->State();
   double nearest_m = 1e9;

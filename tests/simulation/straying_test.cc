@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -93,6 +94,83 @@ TEST(StrayingTest, WhoLeavesTheWorldIsPutBackAndAThingIsTakenAway) {
     EXPECT_LT(place.head<2>().norm(), 10.0) << i;
     EXPECT_GT(place.z(), -0.5) << i;
   }
+}
+
+// Is put out of the world, or pushed by what is no number, whenever it thinks; and so is body 1.
+class Cursed : public Policy {
+ public:
+  explicit Cursed(bool leaves) : leaves_(leaves) {}
+  Steering Decide(Agent* agent, Surroundings* world) const override {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    if (leaves_) {
+      BodyMotion motion;
+      motion.position_m = {500.0, 0.0, 0.0};
+      world->physics.Place(agent->body, motion);
+    } else {
+      world->physics.AddForce(agent->body, {nan, 0.0, 0.0});
+      const bool is_there =
+          std::any_of(world->agents.begin(), world->agents.end(),
+                      [](const auto& one) { return one.second.name == "goblin"; });
+      if (is_there) world->physics.AddForce(1, {nan, 0.0, 0.0});
+    }
+    return {};
+  }
+
+ private:
+  bool leaves_;
+};
+
+TEST(StrayingTest, WhatStraysAgainAndAgainIsToldOnceAndThenTakenAway) {
+  for (const bool leaves : {true, false}) {
+    const std::string policy = leaves ? "exiled" : "cursed";
+    RegisterPolicy(policy, std::make_unique<Cursed>(leaves));
+    TestScene scene;
+    scene.AddElement("crate", ElementKind::kCrate, 20.0, 20.0);
+    const auto simulator = MakeSimulator(scene);
+    SpawnRequest request = RequestFor("goblin", "goblin", 0.0, 0.0);
+    request.policy = policy;
+    MustSpawn(simulator.get(), request);
+    RunFor(simulator.get(), 8.0);
+    auto events = simulator->TakeEvents();
+    const EventKind told = leaves ? EventKind::kLeftWorld : EventKind::kFrozen;
+    EXPECT_EQ(Count(events, told, "goblin"), 1) << policy;
+    if (!leaves) {
+      EXPECT_EQ(Count(events, EventKind::kFrozen, "crate"), 1);
+    }
+    RunFor(simulator.get(), 4.0);
+    events = simulator->TakeEvents();
+    EXPECT_EQ(Count(events, EventKind::kLeftWorld, "goblin"), 1) << policy;
+    EXPECT_EQ(Count(events, EventKind::kFrozen, "goblin"), 0) << policy;
+    EXPECT_TRUE(simulator->State()->agents.empty()) << policy;
+    EXPECT_EQ(simulator->Remove("goblin").code(), StatusCode::kNotFound);
+    RunFor(simulator.get(), 1.0);
+    EXPECT_TRUE(simulator->TakeEvents().empty());
+    // Its name is free again, and it is well.
+    request.policy = "";
+    MustSpawn(simulator.get(), request);
+    RunFor(simulator.get(), 1.0);
+    EXPECT_EQ(simulator->State()->agents.size(), 1u);
+  }
+}
+
+TEST(StrayingTest, EventsThatNobodyTakesAreBoundedWhateverTellsThem) {
+  TestScene scene;
+  const auto simulator = MakeSimulator(scene);
+  Element crate;
+  crate.name = "crate";
+  crate.size_m.setConstant(0.5);
+  for (int i = 0; i < 40000; ++i) {
+    ASSERT_TRUE(simulator->SpawnElement(crate).ok());
+    ASSERT_TRUE(simulator->RemoveElement("crate").ok());
+  }
+  EXPECT_LE(simulator->TakeEvents().size(), 65536u);
+  WeatherChange rain;
+  rain.weather = Weather::kRain;
+  for (int i = 0; i < 40000; ++i) {
+    ASSERT_TRUE(simulator->SetWeather(rain).ok());
+    rain.weather = rain.weather == Weather::kRain ? Weather::kSunny : Weather::kRain;
+  }
+  EXPECT_LE(simulator->TakeEvents().size(), 65536u);
 }
 
 TEST(StrayingTest, TheFrozenArePartOfTheState) {

@@ -29,8 +29,9 @@ class ThingWorld : private ContactJudge {
     felling.Act(scene->atmosphere);
     elements.Act(scene->atmosphere, step_s);
     physics->Step(step_s, ++steps);
-    felling.Step(
+    const Felling::Outcome trees = felling.Step(
         step_s, steps, [](BodyId body) { return "body_" + std::to_string(body); }, &events);
+    map_changes += trees.maps ? 1 : 0;
     elements.Step(step_s, steps, &events);
   }
   void Run(double seconds, double step_s = 0.01) {
@@ -55,6 +56,7 @@ class ThingWorld : private ContactJudge {
   Elements elements;
   std::vector<Event> events;
   std::uint64_t steps = 0;
+  int map_changes = 0;  // steps in which what maps show of trees changed
 
  private:
   bool GivesWay(const Contact& contact) override {

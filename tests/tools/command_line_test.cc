@@ -73,13 +73,12 @@ TEST_F(CommandLineTest, TellsItsVersion) {
 }
 
 TEST_F(CommandLineTest, RefusesWhatIsNoCommand) {
-  ExpectUsageError({}, {"generate, show, picture, measure, score, rebuild, catalogue and species"});
+  ExpectUsageError({}, {"generate, show, picture, measure, score, rebuild, catalogue, species"});
   ExpectUsageError(
-      {"grow"},
-      {"grow", "generate, show, picture, measure, score, rebuild, catalogue and species"});
+      {"grow"}, {"grow", "generate, show, picture, measure, score, rebuild, catalogue, species"});
   ExpectUsageError(
       {"--frobnicate"},
-      {"--frobnicate", "generate, show, picture, measure, score, rebuild, catalogue and species"});
+      {"--frobnicate", "generate, show, picture, measure, score, rebuild, catalogue, species"});
 }
 
 TEST_F(CommandLineTest, RefusesUnusableOptions) {

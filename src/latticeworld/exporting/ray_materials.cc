@@ -5,11 +5,11 @@
 
 #include "latticeworld/common/parallel.h"
 #include "latticeworld/exporting/asset_looks.h"
+#include "latticeworld/exporting/body_looks.h"
 #include "latticeworld/exporting/ground_colors.h"
 #include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/exporting/ray_noise.h"
 #include "latticeworld/scene/scene.h"
-#include "latticeworld/sensing/agent_body.h"
 
 namespace latticeworld {
 namespace {
@@ -18,8 +18,6 @@ using Eigen::Vector3f;
 
 const Light kSnow(.84f, .88f, .94f);
 constexpr float kDeepSnow_m = 0.1f;  // from which on it covers all
-
-Light LightOf(const Color& bgr) { return {ToLinear(bgr[2]), ToLinear(bgr[1]), ToLinear(bgr[0])}; }
 
 std::uint8_t ByteOf(float value) {
   return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
@@ -263,43 +261,8 @@ SurfaceLook RayMaterials::AssetAt(const RayHit& hit, const Vector3f& point_m,
 }
 
 SurfaceLook RayMaterials::AgentAt(const RayHit& hit) const {
-  const AgentCategory category = scene_.agents[hit.index].category;
-  const auto part = static_cast<BodyPart>(hit.part);
-  Color color = AgentColor(category);
-  switch (category) {
-    case AgentCategory::kSheep:
-      color = part == BodyPart::kCoat ? FromRgb(232, 226, 210) : FromRgb(64, 56, 52);
-      break;
-    case AgentCategory::kHorse:
-      color = part == BodyPart::kCoat || part == BodyPart::kHead ? FromRgb(122, 74, 42)
-                                                                 : FromRgb(52, 36, 28);
-      break;
-    case AgentCategory::kEagle:
-      color = part == BodyPart::kHead ? FromRgb(238, 234, 222) : FromRgb(74, 54, 40);
-      break;
-    case AgentCategory::kWhale:
-      color = FromRgb(66, 78, 96);
-      break;
-    case AgentCategory::kAncientWarrior:
-      color = part == BodyPart::kHead     ? FromRgb(196, 160, 96)
-              : part == BodyPart::kDetail ? FromRgb(150, 104, 52)
-                                          : Mix(color, FromRgb(90, 60, 50), 0.35f);
-      break;
-    case AgentCategory::kGoblin:
-      if (part == BodyPart::kCoat) color = FromRgb(110, 82, 52);
-      break;
-    case AgentCategory::kHumanoidRobot:
-    case AgentCategory::kRoboticDog:
-    case AgentCategory::kAerialRobot:
-    case AgentCategory::kWheeledRobot:
-      if (part == BodyPart::kLimb) color = FromRgb(48, 50, 56);
-      if (part == BodyPart::kDetail) color = FromRgb(30, 32, 38);
-      break;
-  }
-  SurfaceLook look;
-  look.normal = hit.normal;
-  look.albedo = LightOf(InStyle(scene_.environment.coarse.artistic_style, color));
-  return look;
+  return LookOfBody(scene_.agents[hit.index].category, scene_.environment.coarse.artistic_style,
+                    hit);
 }
 
 SurfaceLook RayMaterials::EarthAt(const Vector3f& point_m, const Vector3f& normal, float below_m,

@@ -8,6 +8,7 @@
 #include "latticeworld/exporting/picture_assets.h"
 #include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/exporting/ray_film.h"
+#include "latticeworld/exporting/ray_lighting.h"
 #include "latticeworld/exporting/ray_materials.h"
 #include "latticeworld/exporting/ray_noise.h"
 #include "latticeworld/exporting/ray_shader.h"
@@ -103,15 +104,7 @@ Status TracePicture(const Scene& scene, const GroundMaterials& ground, const Ray
     FilmSample caught;
     if (hit.hit.target == RayTarget::kNothing) {
       caught.is_clear = is_block;
-      if (!is_block) {
-        // Under the horizon the air is all there is to see.
-        caught.light = ray.direction.z() > 0.0f ? sky.At(ray.direction) : sky.Air(ray.direction);
-      }
-      if (!is_block && ray.direction.z() > 0.0f) {
-        // Thick air hides the sky too; there is less of it upward.
-        const float clarity = sky.Clarity(1500.0f / (3.0f * ray.direction.z() + 0.25f) * 0.25f);
-        caught.light = Blend(sky.Air(ray.direction), caught.light, clarity);
-      }
+      if (!is_block) caught.light = EmptySky(sky, ray.direction);
       return caught;
     }
     caught.is_clear = false;

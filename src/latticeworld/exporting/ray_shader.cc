@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "latticeworld/exporting/ray_lighting.h"
 #include "latticeworld/exporting/ray_noise.h"
 #include "latticeworld/scene/scene.h"
 
@@ -37,18 +38,6 @@ Vector3f ConeDirection(const Vector3f& axis, float radius_rad, const Vector2f& d
   const float radius = radius_rad * std::sqrt(draw.x());
   const float turn = 2.0f * static_cast<float>(M_PI) * draw.y();
   return (axis + radius * std::cos(turn) * u + radius * std::sin(turn) * v).normalized();
-}
-
-// Light in steps, as drawn cartoons have it; the steps' edges a little soft.
-float Stepped(float share) {
-  constexpr float kEdge = 0.03f;
-  const auto step = [&](float at) { return std::clamp((share - at) / kEdge + 0.5f, 0.0f, 1.0f); };
-  return 0.45f * step(0.12f) + 0.55f * step(0.48f);
-}
-
-// Fresnel's reflectance of water (Schlick 1994).
-float Reflectance(float cosine) {
-  return 0.02f + 0.98f * std::pow(1.0f - std::clamp(cosine, 0.0f, 1.0f), 5.0f);
 }
 
 }  // namespace
@@ -88,28 +77,21 @@ SurfaceLook RayShader::LookAt(const WorldHit& hit, float footprint_m) const {
 
 Light RayShader::Lit(const SurfaceLook& look, const WorldHit& hit, SampleDraws* draws) const {
   const Vector3f sun = sky_.sun_direction().cwiseProduct(hit.mirror);
-  const float offset_m = 0.01f + 2e-5f * hit.point_m.cwiseAbs().maxCoeff() +
-                         (hit.hit.target == RayTarget::kGround ? 0.02f : 0.0f);
-  const Vector3f start_m = hit.point_m + offset_m * hit.hit.normal;
-
-  float facing = look.normal.dot(sun);
-  const bool from_behind = facing < 0.0f;
-  if (from_behind) facing *= -look.translucency;
+  Facing facing = FacingTo(look, sun);
   const Vector2f sun_draw = draws->Next();
-  float direct = 0.0f;
-  if (facing > 0.0f && sky_.sunlight().maxCoeff() > 1e-3f) {
+  if (facing.share > 0.0f && sky_.sunlight().maxCoeff() > 1e-3f) {
     Ray shadow;
-    // Light from behind starts on the far side of the leaf.
-    const bool far_side = hit.hit.normal.dot(sun) < 0.0f;
-    shadow.origin_m = far_side ? Vector3f(hit.point_m - offset_m * hit.hit.normal) : start_m;
+    shadow.origin_m = ShadowStart(hit.hit, hit.point_m, sun);
     shadow.direction = ConeDirection(sun, kSunRadius_rad, sun_draw);
-    if (!world_.IsBlocked(shadow)) direct = facing;
+    if (world_.IsBlocked(shadow)) facing.share = 0.0f;
+  } else {
+    facing.share = 0.0f;
   }
 
   float open = 1.0f;
   if (options_.occlusion_rays > 0) {
     Ray up;
-    up.origin_m = start_m;
+    up.origin_m = hit.point_m + LiftOff(hit.hit, hit.point_m) * hit.hit.normal;
     up.to_m = kOcclusion_m;
     Vector3f normal = look.normal;
     if (normal.dot(hit.hit.normal) < 0.2f) normal = hit.hit.normal;
@@ -121,9 +103,7 @@ Light RayShader::Lit(const SurfaceLook& look, const WorldHit& hit, SampleDraws* 
     open -= (1.0f - kIndirect) * static_cast<float>(blocked) /
             static_cast<float>(options_.occlusion_rays);
   }
-  if (style_ == ArtisticStyle::kCartoon && !from_behind) direct = Stepped(direct);
-  const Light ambient = sky_.Ambient(look.normal.cwiseProduct(hit.mirror));
-  return look.albedo * (sky_.sunlight() * direct + ambient * open) + look.emission;
+  return LitSurface(look, look.normal.cwiseProduct(hit.mirror), facing, open, sky_, style_);
 }
 
 Light RayShader::Mirrored(const WorldHit& hit, const Vector3f& direction, float footprint_pm,
@@ -147,14 +127,9 @@ Light RayShader::Mirrored(const WorldHit& hit, const Vector3f& direction, float 
 
 Light RayShader::Water(const WorldHit& hit, float footprint_m, SampleDraws* draws) const {
   const Vector3f sun = sky_.sun_direction().cwiseProduct(hit.mirror);
-  // Waves: slopes of a few octaves; those too small to be seen roughen the mirror image instead.
   const float wind_mps = static_cast<float>(scene_.atmosphere.wind_mps.norm());
-  const float steepness = 0.018f + 0.0045f * std::min(wind_mps, 12.0f);
   const float x = hit.point_m.x(), y = hit.point_m.y();
-  const Vector2f slope =
-      steepness * Vector2f(DetailNoise(x, 1.7f * y, 2.6f, 4, 0.8f, footprint_m, 431),
-                           DetailNoise(1.7f * x, y, 2.6f, 4, 0.8f, footprint_m, 441));
-  const float unseen = steepness * std::min(1.0f, footprint_m / 0.6f);
+  const auto [slope, unseen] = WavesAt(hit.point_m, wind_mps, footprint_m);
   const Vector2f draw = draws->Next();
   const Vector2f jitter =
       unseen * Vector2f(draw.x() - 0.5f, draw.y() - 0.5f) * (1.0f - materials_.ice());
@@ -169,11 +144,9 @@ Light RayShader::Water(const WorldHit& hit, float footprint_m, SampleDraws* draw
   up.normalize();
 
   // Down to the bed, along the bent ray.
-  constexpr float kIndex = 1.0f / 1.33f;
-  const float bent = std::sqrt(std::max(0.0f, 1.0f - kIndex * kIndex * (1.0f - cosine * cosine)));
   Ray down;
   down.origin_m = hit.point_m;
-  down.direction = (kIndex * hit.direction + (kIndex * cosine - bent) * normal).normalized();
+  down.direction = RefractedIntoWater(hit.direction, normal);
   down.from_m = 1e-3f;
   down.to_m = 25.0f;
   WorldHit bed;
@@ -185,28 +158,20 @@ Light RayShader::Water(const WorldHit& hit, float footprint_m, SampleDraws* draw
     bed.direction = down.direction;
     bed.mirror = hit.mirror;
     const SurfaceLook look = LookAt(bed, footprint_m);
-    // There and back: light comes from above.
     const float depth_m = std::max(0.0f, hit.point_m.z() - bed.point_m.z());
-    const Light left = (-materials_.water_extinction_pm() * (bed.hit.distance_m + depth_m)).exp();
-    water = water * (1.0f - left) + look.albedo * white * 0.75f * left;
+    water = WaterOver(water, look.albedo * white, materials_.water_extinction_pm(),
+                      bed.hit.distance_m, depth_m);
   }
 
   Light light = water * (1.0f - mirror);
   const Light image = Mirrored(hit, up, footprint_m / std::max(1.0f, hit.hit.distance_m), draws);
   light += image * mirror;
-  // The sun's image, broken up by the waves that are too small to be drawn.
-  const Vector3f half = (sun - hit.direction).normalized();
-  const float rough = 0.02f + unseen;
-  const float tangent2 =
-      std::max(0.0f, 1.0f / std::max(1e-4f, std::pow(half.dot(normal), 2.0f)) - 1.0f);
-  const float glint = std::exp(-tangent2 / (rough * rough)) / (4.0f * rough);
-  if (glint > 1e-3f && !hit.on_cut) {
+  const float glint = hit.on_cut ? 0.0f : GlintOf(hit.direction, normal, sun, unseen);
+  if (glint > 0.0f) {
     Ray shadow;
     shadow.origin_m = hit.point_m + 0.03f * Vector3f::UnitZ();
     shadow.direction = sun;
-    if (!world_.IsBlocked(shadow))
-      light +=
-          sky_.sunlight() * (std::min(2.5f, 0.12f * glint) * Reflectance(half.dot(sun)) * 12.0f);
+    if (!world_.IsBlocked(shadow)) light += sky_.sunlight() * glint;
   }
 
   if (materials_.ice() > 0.0f) {

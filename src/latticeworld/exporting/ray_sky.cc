@@ -94,8 +94,11 @@ float FromLinear(float linear) {
   return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
-RaySky::RaySky(const Scene& scene) : style_(scene.environment.coarse.artistic_style) {
-  const Vector3f sun = scene.atmosphere.sun_direction.cast<float>().normalized();
+RaySky::RaySky(const Scene& scene)
+    : RaySky(scene.atmosphere, scene.environment.coarse.artistic_style) {}
+
+RaySky::RaySky(const Atmosphere& atmosphere, ArtisticStyle style) : style_(style) {
+  const Vector3f sun = atmosphere.sun_direction.cast<float>().normalized();
   const float sun_deg = std::asin(std::clamp(sun.z(), -1.0f, 1.0f)) / kDegree;
   SkyKey key = ClearSkyAt(sun_deg);
   for (Light* light : {&key.zenith, &key.horizon, &key.glow}) *light *= kSkyScale;
@@ -114,7 +117,7 @@ RaySky::RaySky(const Scene& scene) : style_(scene.environment.coarse.artistic_st
     disc_ = 12.0f;
   }
 
-  const WeatherLook look = LookOf(scene.atmosphere.weather);
+  const WeatherLook look = LookOf(atmosphere.weather);
   overcast_ = look.overcast;
   cover_ = look.cover;
   const float sky = Brightness(0.5f * (key.zenith + key.horizon)) + 0.10f * Brightness(sunlight_);
@@ -141,7 +144,7 @@ RaySky::RaySky(const Scene& scene) : style_(scene.environment.coarse.artistic_st
     sunlight_ *= Light(.34f, .22f, .42f);
     exposure_ *= 1.6f;
   }
-  const double visibility_m = std::max(1.0, scene.atmosphere.visibility_m);
+  const double visibility_m = std::max(1.0, atmosphere.visibility_m);
   extinction_pm_ = static_cast<float>(2.9957 / visibility_m);
 }
 

@@ -7,6 +7,7 @@
 
 namespace latticeworld {
 
+struct Atmosphere;
 struct Scene;
 
 // Light of ray-traced pictures: linear RGB; a white thing square to the noon's sun under a clear
@@ -28,6 +29,7 @@ inline float Brightness(const Light& light) {
 class RaySky {
  public:
   explicit RaySky(const Scene& scene);
+  RaySky(const Atmosphere& atmosphere, ArtisticStyle style);
 
   // Unit, map frame, towards what throws shadows: the sun, at night the moon.
   const Eigen::Vector3f& sun_direction() const { return sun_direction_; }

@@ -13,9 +13,9 @@
 #include "latticeworld/common/enum_names.h"
 #include "latticeworld/common/text.h"
 
-// Strict reading of JSON objects for the .cc files of this room. A wrong key, type or value throws
-// FieldError (or, while parsing, nlohmann's own exception); both are caught at the edge of the
-// codec that uses them and become a Status.
+// Strict reading of JSON objects for the .cc files of this room and of rooms above. A wrong key,
+// type or value throws FieldError (or, while parsing, nlohmann's own exception); both are caught at
+// the edge of the codec that uses them and become a Status.
 namespace latticeworld::json_fields {
 
 using Json = nlohmann::ordered_json;  // keys keep the order in which they were written

@@ -31,7 +31,7 @@ void AssetCutter::Cut(const MappedAsset& mapped, const SurfaceWindow& window,
       CutCylinder(job, asset.half_length_m, asset.height_m);
       break;
     case AssetKind::kBuilding:
-      CutBox(job);
+      CutBox(job, mapped.hangs);
       break;
     case AssetKind::kDeadBranch:
     case AssetKind::kGrassTuft:
@@ -91,14 +91,19 @@ void AssetCutter::CutCylinder(const Job& job, double radius_m, double height_m) 
   });
 }
 
-void AssetCutter::CutBox(const Job& job) const {
+void AssetCutter::CutBox(const Job& job, bool hangs) const {
   const Asset& asset = job.asset;
   const double c = std::cos(asset.yaw_rad), s = std::sin(asset.yaw_rad);
   const double reach_m = std::hypot(asset.half_length_m, asset.half_width_m);
   ForEachColumn(job, asset.x_m, asset.y_m, reach_m, [&](int x, int y, double dx, double dy) {
     if (std::abs(c * dx + s * dy) <= asset.half_length_m &&
-        std::abs(-s * dx + c * dy) <= asset.half_width_m)
-      PlaceStanding(job, x, y, asset.z_m, asset.z_m + asset.height_m);
+        std::abs(-s * dx + c * dy) <= asset.half_width_m) {
+      if (hangs) {
+        Place(job, x, y, asset.z_m, asset.z_m + asset.height_m);
+      } else {
+        PlaceStanding(job, x, y, asset.z_m, asset.z_m + asset.height_m);
+      }
+    }
   });
 }
 

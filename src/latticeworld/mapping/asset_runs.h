@@ -25,9 +25,10 @@ struct SurfaceWindow {
   int at(int x, int y) const { return surface[(y - y_origin) * stride + x - x_origin]; }
 };
 
-// Cuts assets into runs of voxels. Trunks, stones and buildings (vertical cylinders, oriented
-// boxes) reach down to the ground; crowns and bushes are ellipsoids. A column is hit where its
-// centre is inside, and always the one that holds the asset, so that thin trunks show.
+// Cuts assets into runs of voxels. Trunks, stones, buildings and what stands of the elements
+// (vertical cylinders, oriented boxes) reach down to the ground; decks hang; crowns and bushes are
+// ellipsoids. A column is hit where its centre is inside, and always the one that holds the asset,
+// so that thin trunks show.
 class AssetCutter {
  public:
   // world: all columns of the world.
@@ -44,7 +45,7 @@ class AssetCutter {
   void Place(const Job& job, int x, int y, double low_m, double high_m) const;
   void PlaceStanding(const Job& job, int x, int y, double low_m, double high_m) const;
   void CutCylinder(const Job& job, double radius_m, double height_m) const;
-  void CutBox(const Job& job) const;
+  void CutBox(const Job& job, bool hangs) const;
   void CutEllipsoid(const Job& job, double bottom_m) const;
   void CutFallenTree(const MappedAsset& tree, const Job& job) const;
 

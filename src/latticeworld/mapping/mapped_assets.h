@@ -8,7 +8,8 @@
 
 namespace latticeworld {
 
-// An asset as maps see it: standing as the scene says, or a tree that lies.
+// An asset as maps see it: standing as the scene says, or a tree that lies. Elements are boxes like
+// buildings (element_boxes.h).
 struct MappedAsset {
   Asset asset;  // of a tree that lies, position and z_m are those of its stem's foot
   // Of a tree that lies: direction of its stem from foot to tip, 0 east, counter-clockwise, and the
@@ -17,6 +18,7 @@ struct MappedAsset {
   double heading_rad = 0.0;
   double level_share = 1.0;
   double rise_share = 0.0;
+  bool hangs = false;  // a box with nothing between it and the ground
 
   // How far the stem gets along its heading in so much of its length [m].
   double Level_m(double length_m) const { return level_share * length_m; }

@@ -42,11 +42,13 @@ struct OctreeOptions {
 // Errors: INVALID_ARGUMENT with every violation.
 Status Validate(const OctreeOptions& options, const Scene& scene);
 
-// Occupied voxels of ground, trees (trunk and crown), bushes, stones and buildings; pruned. Voxels
+// Occupied voxels of ground, trees (trunk and crown), bushes, stones, buildings and elements (as
+// boxes; decks hang); pruned. Voxels
 // above the ground are unknown, not free. The surface voxel of a column holds the ground's height
 // at the column's centre, so that the tree agrees with HeightAt within one voxel; steep ground is
 // filled down to the lowest neighbouring column. Water is not occupied, its bed is. Every node is
-// at the clamping maximum. changes: trees that fell or assets that went since the world began.
+// at the clamping maximum. changes: trees that fell, assets that went and elements that moved since
+// the world began.
 //
 // The nodes lie in memory of the tree's own: copy the tree to change it (octomap::OcTree
 // copy(*tree)). Errors: INVALID_ARGUMENT (options, changes), CANCELLED.

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "latticeworld/mapping/element_boxes.h"
 #include "latticeworld/mapping/octree_bytes.h"
 #include "latticeworld/mapping/tile_work.h"
 #include "latticeworld/mapping/voxel_plan.h"
@@ -47,6 +48,26 @@ std::vector<Fate> FatesOf(const SceneChanges& changes) {
   return fates;
 }
 
+// The numbers of a box, for an order of boxes.
+using BoxNumbers = std::array<float, 8>;
+
+// The boxes of the elements in order.
+std::vector<std::pair<BoxNumbers, MappedAsset>> BoxesOf(const StandingElements& elements,
+                                                        double voxel_m) {
+  std::vector<std::pair<BoxNumbers, MappedAsset>> boxes;
+  const auto add = [&boxes](const MappedAsset& mapped) {
+    const Asset& box = mapped.asset;
+    boxes.push_back({{box.x_m, box.y_m, box.z_m, box.yaw_rad, box.height_m, box.half_length_m,
+                      box.half_width_m, mapped.hangs ? 1.0f : 0.0f},
+                     mapped});
+  };
+  for (const ElementBlock& block : elements.blocks) add(BoxOf(block, 0.5 * voxel_m));
+  for (const ElementDeck& deck : elements.decks) add(BoxOf(deck, 0.5 * voxel_m));
+  std::sort(boxes.begin(), boxes.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  return boxes;
+}
+
 // Tiles in which the two differ, in order.
 std::vector<int> TilesBetween(const SceneChanges& before, const SceneChanges& after,
                               const Scene& scene, const VoxelPlan& plan) {
@@ -68,6 +89,13 @@ std::vector<int> TilesBetween(const SceneChanges& before, const SceneChanges& af
     mapped.lies = true;
     add(mapped);
   }
+  const auto old_boxes = BoxesOf(*ElementsIn(scene, before), plan.voxel_m());
+  const auto new_boxes = BoxesOf(*ElementsIn(scene, after), plan.voxel_m());
+  std::vector<std::pair<BoxNumbers, MappedAsset>> moved;
+  std::set_symmetric_difference(old_boxes.begin(), old_boxes.end(), new_boxes.begin(),
+                                new_boxes.end(), std::back_inserter(moved),
+                                [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [numbers, box] : moved) add(box);
   std::sort(tiles.begin(), tiles.end());
   tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
   return tiles;

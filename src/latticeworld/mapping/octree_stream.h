@@ -13,8 +13,9 @@ namespace latticeworld {
 class OctreeBytes;
 struct Scene;
 
-// A map's stream while its world changes: a tree that falls costs the tiles that it stood in and
-// falls on, not the map. It keeps the stream in pieces, about as much memory as one message.
+// A map's stream while its world changes: a tree that falls or an element that moves costs the
+// tiles that it stood in and those where it is, not the map. It keeps the stream in pieces, about
+// as much memory as one message.
 class OctreeStream {
  public:
   enum class Format { kBinary, kFull };

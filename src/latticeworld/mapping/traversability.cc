@@ -1,12 +1,14 @@
 #include "latticeworld/mapping/traversability.h"
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/parallel.h"
 #include "latticeworld/geomorphology/distance.h"
 #include "latticeworld/mapping/asset_blocks.h"
+#include "latticeworld/mapping/element_boxes.h"
 #include "latticeworld/mapping/ground_effort.h"
 #include "latticeworld/mapping/mapped_assets.h"
 #include "latticeworld/scene/scene.h"
@@ -24,12 +26,15 @@ Grid<T> BuildMap(const Scene& scene, const RobotLimits& limits, const SceneChang
                  int threads, T blocked, const ValueOf& value_of) {
   LW_CHECK(limits.radius_m >= 0.0 && limits.max_step_m >= 0.0 &&
                limits.max_fording_depth_m >= 0.0 && limits.clearance_m >= 0.0 &&
-               limits.max_slope_rad > 0.0 && limits.max_slope_rad < 1.5708,
+               limits.mass_kg >= 0.0 && limits.max_slope_rad > 0.0 && limits.max_slope_rad < 1.5708,
            "robot limits are validated where they enter");
   LW_CHECK(Validate(changes, scene).ok(), "scene changes are validated where they enter");
   const GroundEffort ground(*scene.terrain, limits);
   const AssetBlocks blocks(scene.terrain->ground, limits);
-  const std::vector<MappedAsset> assets = AssetsToMap(scene, changes);
+  const std::shared_ptr<const StandingElements> elements = ElementsIn(scene, changes);
+  std::vector<MappedAsset> assets = AssetsToMap(scene, changes);
+  const double least_half_m = LeastHalfOf(limits, scene.geometry().resolution_m());
+  for (const ElementBlock& block : elements->blocks) assets.push_back(BoxOf(block, least_half_m));
   const int rows = scene.geometry().rows(), cols = scene.geometry().cols();
   Grid<T> map(rows, cols);
   ParallelFor(rows, threads, [&](int begin, int end) {
@@ -38,6 +43,12 @@ Grid<T> BuildMap(const Scene& scene, const RobotLimits& limits, const SceneChang
       ground.Row(row, effort.data());
       T* values = map.row(row);
       for (int col = 0; col < cols; ++col) values[col] = value_of(effort[col]);
+    }
+    for (const ElementDeck& deck : elements->decks) {
+      ForEachCellOf(deck, scene.terrain->ground, limits, {begin, end, 0, cols},
+                    [&](int row, int col, DeckEffect effect) {
+                      map(row, col) = effect == DeckEffect::kCarries ? value_of(0.0f) : blocked;
+                    });
     }
     for (const MappedAsset& asset : assets)
       blocks.ForEachBlocked(asset, begin, end, [&](int row, int col) { map(row, col) = blocked; });

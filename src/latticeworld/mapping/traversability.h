@@ -21,12 +21,16 @@ struct RobotLimits {
   // Height that has to be free above the ground that it stands on: where a crown hangs lower, over
   // any part of the robot, it cannot go. 0: crowns are no matter.
   double clearance_m = 0.5;
+  // Bridges that carry less are no way for it.
+  double mass_kg = 50.0;
 };
 
 // All of them legal: RobotLimits finite, none below 0, max_slope_rad in (0, pi/2). changes: trees
-// that fell or assets that went since the world began; a fallen trunk blocks as it lies, and so
-// does its crown where clearance_m is above 0. threads: at most; 0: as many as the machine has
-// cores; the result is the same.
+// that fell, assets that went and elements that moved since the world began; a fallen trunk blocks
+// as it lies, and so does its crown where clearance_m is above 0. Crates, loose stones, posts and
+// gates' panels block as they stand; bridges that carry the robot are level open ground in their
+// middle and block it beside that, and others block it (element_boxes.h). threads: at most; 0: as
+// many as the machine has cores; the result is the same.
 
 // (rows x cols) of the scene's geometry, in [0, 1]: 0 impassable, 1 level open ground. Slopes and
 // shallow water lie between, by their shares of max_slope and max_fording_depth. It is 0 exactly

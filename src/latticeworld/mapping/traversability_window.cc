@@ -3,19 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/mapping/asset_blocks.h"
+#include "latticeworld/mapping/element_boxes.h"
 #include "latticeworld/mapping/mapped_assets.h"
 
 namespace latticeworld {
 
-TraversabilityWindow::TraversabilityWindow(const Scene& scene, const RobotLimits& limits)
-    : scene_(scene), limits_(limits), ground_(*scene.terrain, limits) {
+TraversabilityWindow::TraversabilityWindow(const Scene& scene, const RobotLimits& limits,
+                                           int coarse)
+    : scene_(scene), limits_(limits), ground_(*scene.terrain, limits), coarse_(coarse) {
+  LW_CHECK(coarse >= 1, "squares have cells");
   LW_CHECK(limits.radius_m >= 0.0 && limits.max_step_m >= 0.0 &&
-               limits.max_fording_depth_m >= 0.0 && limits.max_slope_rad > 0.0 &&
-               limits.max_slope_rad < 1.5708,
+               limits.max_fording_depth_m >= 0.0 && limits.mass_kg >= 0.0 &&
+               limits.max_slope_rad > 0.0 && limits.max_slope_rad < 1.5708,
            "robot limits are validated where they enter");
   // The index of a scene knows how far trunks reach, not crowns.
   LW_CHECK(limits.clearance_m == 0.0, "windows are for robots that crowns do not stop");
@@ -32,6 +36,17 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
     float* const values_of_row = values + (row - window.row_begin) * cols;
     ground_.Row(row, window.col_begin, window.col_end, values_of_row);
     for (std::size_t i = 0; i < cols; ++i) values_of_row[i] = TraversabilityOf(values_of_row[i]);
+  }
+
+  const std::shared_ptr<const StandingElements> elements = ElementsIn(scene_, changes);
+  for (const ElementDeck& deck : elements->decks) {
+    ForEachCellOf(
+        deck, scene_.terrain->ground, limits_, window,
+        [&](int row, int col, DeckEffect effect) {
+          values[(row - window.row_begin) * cols + (col - window.col_begin)] =
+              effect == DeckEffect::kCarries ? TraversabilityOf(0.0f) : 0.0f;
+        },
+        coarse_);
   }
 
   const AssetBlocks blocks(scene_.terrain->ground, limits_);
@@ -60,6 +75,13 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
     if (std::abs(lying.asset.x_m - middle.x_m) < reach_m &&
         std::abs(lying.asset.y_m - middle.y_m) < reach_m)
       block(lying);
+  }
+  const double least_half_m = LeastHalfOf(limits_, geometry.resolution_m());
+  for (const ElementBlock& one : elements->blocks) {
+    const double reach_m = one.footprint.radius_m() + geometry.resolution_m() + around_m;
+    if (std::abs(one.footprint.centre.x_m - middle.x_m) < reach_m &&
+        std::abs(one.footprint.centre.y_m - middle.y_m) < reach_m)
+      block(BoxOf(one, least_half_m));
   }
 }
 

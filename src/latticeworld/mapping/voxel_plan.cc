@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "latticeworld/mapping/element_boxes.h"
 #include "latticeworld/mapping/octree.h"
 #include "latticeworld/scene/scene.h"
 
@@ -28,6 +30,11 @@ VoxelPlan::VoxelPlan(const Scene& scene, const OctreeOptions& options, const Sce
       box_(VoxelsToMap(scene, options)),
       ground_(scene.terrain->ground, options.resolution_m, WithNeighbours(box_, world_)),
       assets_(AssetsToMap(scene, changes)) {
+  const std::shared_ptr<const StandingElements> elements = ElementsIn(scene, changes);
+  for (const ElementBlock& block : elements->blocks) {
+    assets_.push_back(BoxOf(block, 0.5 * voxel_m_));
+  }
+  for (const ElementDeck& deck : elements->decks) assets_.push_back(BoxOf(deck, 0.5 * voxel_m_));
   if (!box_.empty()) {
     first_tile_x_ = box_.x_low >> kTileLevel;
     first_tile_y_ = box_.y_low >> kTileLevel;

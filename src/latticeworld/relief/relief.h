@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "latticeworld/common/result.h"
+#include "latticeworld/geometry/geo_origin.h"
 #include "latticeworld/geometry/grid.h"
 #include "latticeworld/geometry/grid_geometry.h"
 
@@ -16,13 +17,6 @@ namespace latticeworld {
 inline constexpr int kReliefSummarySize = 32;  // cells a side, as the symbolic layout
 inline constexpr int kMinReliefSize = 33;      // samples a side of a height map
 inline constexpr int kMaxReliefSize = 8193;
-
-// Where the origin of the frame map lies on the earth, WGS 84: x east, y north there.
-struct GeoOrigin {
-  double latitude_deg = 0.0;
-  double longitude_deg = 0.0;
-  double altitude_m = 0.0;  // of z = 0, above the datum of the elevation data
-};
 
 // v_L, read: the shape of the land that the user gave. It spans the whole world whatever its size.
 struct Relief {

@@ -27,6 +27,10 @@ constexpr std::array<EnumName<ElementKind>, 5> EnumNames(ElementKind) {
            {ElementKind::kPost, "post"}}};
 }
 
+// Height of the middle of a loose stone at rest above its origin, over its radius: it lies on a
+// face of an icosahedron, phi^2 / sqrt(3 (1 + phi^2)) of a corner's distance from the middle.
+inline constexpr double kStoneLies = 0.7946544722917661;
+
 // Where an element begins. Its frame: x along size_m.x, z up, origin in the middle of its base; a
 // gate's origin is at the base of its hinge, and the closed panel lies along +x.
 struct Element {

@@ -116,6 +116,9 @@ std::vector<Violation> Validate(const Element& element) {
   check("mass_kg", element.mass_kg, kLeastMass_kg, kLargestMass_kg);
   if (element.kind == ElementKind::kBridge || element.kind == ElementKind::kPost) {
     check("strength", element.strength, 0.0, kLargestStrength);
+  } else if (!std::isfinite(element.strength)) {
+    violations.push_back(
+        {"not_finite", "strength", "must be finite", FormatDouble(element.strength)});
   }
   check("yaw_rad", element.yaw_rad, -1000.0, 1000.0);
   for (const auto& [field, value] : {std::pair<const char*, double>{"x", element.position.x_m},

@@ -8,6 +8,7 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/scene/standing_elements.h"
 
 namespace latticeworld {
 namespace {
@@ -53,6 +54,18 @@ bool SceneChanges::Stands(std::uint32_t asset) const {
   return !std::binary_search(gone.begin(), gone.end(), asset);
 }
 
+bool operator==(const SceneChanges& a, const SceneChanges& b) {
+  const auto same_tree = [](const FallenTree& one, const FallenTree& other) {
+    return one.asset == other.asset && one.foot_m == other.foot_m && one.tip_m == other.tip_m;
+  };
+  if (a.gone != b.gone ||
+      !std::equal(a.fallen.begin(), a.fallen.end(), b.fallen.begin(), b.fallen.end(), same_tree)) {
+    return false;
+  }
+  if (a.elements == nullptr || b.elements == nullptr) return a.elements == b.elements;
+  return a.elements == b.elements || *a.elements == *b.elements;
+}
+
 Status Validate(const SceneChanges& changes, const Scene& scene) {
   std::vector<Violation> violations;
   std::vector<bool> named;
@@ -93,6 +106,10 @@ Status Validate(const SceneChanges& changes, const Scene& scene) {
   for (std::size_t i = 0; i < changes.gone.size(); ++i) {
     check("gone/" + std::to_string(i), changes.gone[i],
           i == 0 || changes.gone[i - 1] <= changes.gone[i]);
+  }
+  if (changes.elements != nullptr) {
+    const std::vector<Violation> of_elements = Validate(*changes.elements);
+    violations.insert(violations.end(), of_elements.begin(), of_elements.end());
   }
   return Status::FromViolations("illegal scene changes", std::move(violations));
 }

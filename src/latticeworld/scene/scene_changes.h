@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "latticeworld/common/status.h"
@@ -10,6 +11,7 @@
 namespace latticeworld {
 
 struct Scene;
+struct StandingElements;
 
 // A tree that lies: its stem from foot to tip, map frame, as long as it was high, its crown around
 // the upper part.
@@ -19,17 +21,22 @@ struct FallenTree {
   Eigen::Vector3d tip_m = Eigen::Vector3d::Zero();
 };
 
-// What has become of a scene's assets since the world began; a Scene itself never changes. An asset
-// stands in neither list or in one of them, once.
+// What has become of a scene's assets and elements since the world began; a Scene itself never
+// changes. An asset stands in neither list or in one of them, once.
 struct SceneChanges {
   std::vector<FallenTree> fallen;  // by asset
   std::vector<std::uint32_t>
       gone;  // indices into Scene::assets, increasing: no longer there at all
+  // null: the elements are where the scene has them. See ElementsIn (standing_elements.h).
+  std::shared_ptr<const StandingElements> elements{};
 
+  // Whether all assets stand; the elements are not looked at.
   bool empty() const { return fallen.empty() && gone.empty(); }
   // Whether the asset is where the scene has it.
   bool Stands(std::uint32_t asset) const;
 };
+// Elements by what they are; null is not the same as a list of where they began.
+bool operator==(const SceneChanges& a, const SceneChanges& b);
 // Errors: INVALID_ARGUMENT with every violation.
 Status Validate(const SceneChanges& changes, const Scene& scene);
 

@@ -11,8 +11,9 @@ double BodyRadius(AgentCategory category) {
 }
 
 Status CheckSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
-                  double body_radius_m, WorldPoint position) {
-  const SpawnSite site = ExamineSpawn(scene, atmosphere, category, body_radius_m, position);
+                  double body_radius_m, WorldPoint position, const SceneChanges* changes) {
+  const SpawnSite site =
+      ExamineSpawn(scene, atmosphere, category, body_radius_m, position, changes);
   if (site.flaw == SpawnFlaw::kNone) return Status();
   const bool outside =
       site.flaw == SpawnFlaw::kIllegalRadius || site.flaw == SpawnFlaw::kOutsideWorld;

@@ -7,15 +7,17 @@
 
 namespace latticeworld {
 
+struct SceneChanges;
+
 // OK when an agent of the category with that body radius can live at the place: wholly inside the
 // world, not in or within its radius of a solid asset, in water of at most 0.2 m for legs and
 // wheels and of at least 2 m for fins, on slopes of at most 35 degrees for legs and 30 for wheels.
 // Depth and slope are those of the centre and the rim of the body. Else OUT_OF_RANGE (place
 // outside, or a radius that is not positive or larger than half the world) or FAILED_PRECONDITION
 // that says why, with the figures found and allowed. atmosphere: of the moment, whose waters count;
-// none: the scene's own.
+// none: the scene's own. changes: assets that do not stand are in nobody's way; null: all stand.
 Status CheckSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
-                  double body_radius_m, WorldPoint position);
+                  double body_radius_m, WorldPoint position, const SceneChanges* changes = nullptr);
 Status CheckSpawn(const Scene& scene, AgentCategory category, double body_radius_m,
                   WorldPoint position);
 
@@ -25,7 +27,8 @@ Status CheckSpawn(const Scene& scene, AgentCategory category, double body_radius
 // counts why when neither finds one.
 Result<WorldPoint> FindSpawn(const Scene& scene, const Atmosphere& atmosphere,
                              AgentCategory category, double body_radius_m, Region region,
-                             const std::vector<WorldPoint>& taken, RandomStream* random);
+                             const std::vector<WorldPoint>& taken, RandomStream* random,
+                             const SceneChanges* changes = nullptr);
 Result<WorldPoint> FindSpawn(const Scene& scene, AgentCategory category, double body_radius_m,
                              Region region, const std::vector<WorldPoint>& taken,
                              RandomStream* random);

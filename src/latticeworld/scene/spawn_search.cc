@@ -56,9 +56,10 @@ std::string LimitFor(SpawnFlaw flaw, Locomotion locomotion) {
 double SpawnClearance(double body_radius_m) { return std::max(2.0, 2.0 * body_radius_m); }
 
 SpawnSearch::SpawnSearch(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
-                         double body_radius_m, Region region)
+                         double body_radius_m, Region region, const SceneChanges* changes)
     : scene_(scene),
       atmosphere_(atmosphere),
+      changes_(changes),
       category_(category),
       body_radius_m_(body_radius_m),
       region_(region) {
@@ -95,7 +96,7 @@ bool SpawnSearch::Suits(WorldPoint position) const {
 
 bool SpawnSearch::Try(WorldPoint position, const std::vector<WorldPoint>& taken) {
   const SpawnFlaw flaw =
-      ExamineSpawn(scene_, atmosphere_, category_, body_radius_m_, position).flaw;
+      ExamineSpawn(scene_, atmosphere_, category_, body_radius_m_, position, changes_).flaw;
   if (flaw != SpawnFlaw::kNone) {
     ++flaws_[static_cast<int>(flaw)];
     return false;
@@ -176,8 +177,10 @@ Status SpawnSearch::Failure() const {
 
 Result<WorldPoint> FindSpawn(const Scene& scene, const Atmosphere& atmosphere,
                              AgentCategory category, double body_radius_m, Region region,
-                             const std::vector<WorldPoint>& taken, RandomStream* random) {
-  return SpawnSearch(scene, atmosphere, category, body_radius_m, region).Find(taken, random);
+                             const std::vector<WorldPoint>& taken, RandomStream* random,
+                             const SceneChanges* changes) {
+  return SpawnSearch(scene, atmosphere, category, body_radius_m, region, changes)
+      .Find(taken, random);
 }
 
 Result<WorldPoint> FindSpawn(const Scene& scene, AgentCategory category, double body_radius_m,

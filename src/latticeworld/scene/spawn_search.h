@@ -22,9 +22,10 @@ class SpawnSearch {
  public:
   static constexpr double kScanStep_m = 0.5;
 
-  // scene, atmosphere: outlive this; the waters are those of that weather.
+  // scene, atmosphere, changes: outlive this; the waters are those of that weather. changes: assets
+  // that do not stand are in nobody's way; null: all stand.
   SpawnSearch(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
-              double body_radius_m, Region region);
+              double body_radius_m, Region region, const SceneChanges* changes = nullptr);
 
   // A place anywhere in the region. NOT_FOUND says why the places that were tried are none.
   Result<WorldPoint> Find(const std::vector<WorldPoint>& taken, RandomStream* random);
@@ -45,6 +46,7 @@ class SpawnSearch {
 
   const Scene& scene_;
   const Atmosphere& atmosphere_;
+  const SceneChanges* changes_;
   AgentCategory category_;
   double body_radius_m_;
   Region region_;

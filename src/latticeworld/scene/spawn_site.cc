@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/scene/scene_changes.h"
 #include "latticeworld/scene/water_depth.h"
 
 namespace latticeworld {
@@ -38,7 +39,7 @@ std::string Figure(double value) {
 }  // namespace
 
 SpawnSite ExamineSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
-                       double body_radius_m, WorldPoint position) {
+                       double body_radius_m, WorldPoint position, const SceneChanges* changes) {
   const Terrain& terrain = *scene.terrain;
   const double half_m = terrain.geometry().half_size_m();
   if (!(body_radius_m > 0.0 && body_radius_m < half_m)) {
@@ -67,7 +68,8 @@ SpawnSite ExamineSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCa
   }
   scene.index.ForEachNear(position, body_radius_m, [&](std::uint32_t asset) {
     if (site.flaw == SpawnFlaw::kNone &&
-        SolidContains(scene.assets[asset], position, body_radius_m)) {
+        SolidContains(scene.assets[asset], position, body_radius_m) &&
+        (changes == nullptr || changes->Stands(asset))) {
       site = {SpawnFlaw::kSolid, 0.0, asset};
     }
   });

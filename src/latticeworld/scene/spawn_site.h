@@ -8,6 +8,8 @@
 
 namespace latticeworld {
 
+struct SceneChanges;
+
 // What walkers and wheels can ford, what swimmers need, and what legs and wheels can stand on.
 inline constexpr double kFordingDepth_m = 0.2;
 inline constexpr double kSwimmingDepth_m = 2.0;
@@ -33,9 +35,10 @@ struct SpawnSite {
 };
 
 // Depth, under that weather, and slope are taken at the centre and at eight points of the body's
-// rim.
+// rim. changes: assets that do not stand are no matter; null: all stand.
 SpawnSite ExamineSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
-                       double body_radius_m, WorldPoint position);
+                       double body_radius_m, WorldPoint position,
+                       const SceneChanges* changes = nullptr);
 
 // "the water is 1.2 m deep, and legs ford at most 0.2 m".
 std::string Describe(const Scene& scene, AgentCategory category, double body_radius_m,

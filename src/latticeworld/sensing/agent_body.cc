@@ -146,6 +146,38 @@ void AddAerialRobot(BodyBuilder* body) {
   body->Box(BodyPart::kDetail, {0.12f, 0.0f, 0.05f}, {0.04f, 0.04f, 0.05f});  // camera
 }
 
+// Of BuildBody's bodies: to the top of back or head, and the species' radius that they are made
+// for.
+struct BuiltSize {
+  double height_m, radius_m;
+};
+
+BuiltSize BuiltSizeOf(AgentCategory category) {
+  switch (category) {
+    case AgentCategory::kGoblin:
+      return {1.2, 0.4};
+    case AgentCategory::kHumanoidRobot:
+      return {1.65, 0.35};
+    case AgentCategory::kAncientWarrior:
+      return {1.8, 0.4};
+    case AgentCategory::kRoboticDog:
+      return {0.58, 0.4};
+    case AgentCategory::kSheep:
+      return {0.86, 0.6};
+    case AgentCategory::kHorse:
+      return {2.14, 1.2};
+    case AgentCategory::kEagle:
+      return {0.3, 0.6};
+    case AgentCategory::kAerialRobot:
+      return {0.21, 0.4};
+    case AgentCategory::kWhale:
+      return {2.35, 3.0};
+    case AgentCategory::kWheeledRobot:
+      break;
+  }
+  return {0.43, 0.6};
+}
+
 }  // namespace
 
 BodyMesh BuildBody(AgentCategory category) {
@@ -192,6 +224,12 @@ BodyMesh BuildBody(AgentCategory category) {
       break;
   }
   return body.Take();
+}
+
+Eigen::Affine3d BaseFromBody(AgentCategory category, double height_m, double radius_m) {
+  const BuiltSize built = BuiltSizeOf(category);
+  const double across = radius_m / built.radius_m;
+  return Eigen::Affine3d(Eigen::Scaling(across, across, height_m / built.height_m));
 }
 
 }  // namespace latticeworld

@@ -2,6 +2,7 @@
 #define LATTICEWORLD_SENSING_AGENT_BODY_H_
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -29,6 +30,10 @@ struct BodyMesh {
 // A simple body of boxes and ellipsoids, within BodyRadius(category) of its axis but for wings,
 // tails and what it carries.
 BodyMesh BuildBody(AgentCategory category);
+
+// What brings such a body to the size of a species (species/species.h); of what it carries above
+// itself - spears, masts - height_m says nothing.
+Eigen::Affine3d BaseFromBody(AgentCategory category, double height_m, double radius_m);
 
 }  // namespace latticeworld
 

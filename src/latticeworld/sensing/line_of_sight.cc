@@ -7,6 +7,7 @@
 
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/scene/scene_changes.h"
+#include "latticeworld/scene/standing_elements.h"
 
 namespace latticeworld {
 namespace {
@@ -91,19 +92,23 @@ Interval InsideDisc(const Eigen::Vector2d& start, const Eigen::Vector2d& delta, 
   return inside;
 }
 
+// start: from the middle of the rectangle.
+Interval InsideRectangle(const Eigen::Vector2d& start, const Eigen::Vector2d& delta, double yaw_rad,
+                         double half_length_m, double half_width_m) {
+  const double c = std::cos(yaw_rad), s = std::sin(yaw_rad);
+  Interval inside;
+  ClipToSlab(c * start.x() + s * start.y(), c * delta.x() + s * delta.y(), half_length_m, &inside);
+  ClipToSlab(-s * start.x() + c * start.y(), -s * delta.x() + c * delta.y(), half_width_m, &inside);
+  return inside;
+}
+
 bool AssetHides(const Asset& asset, const Segment& segment) {
   const Eigen::Vector2d start = segment.start.head<2>() - Eigen::Vector2d(asset.x_m, asset.y_m);
   const Eigen::Vector2d delta = segment.delta.head<2>();
-  Interval inside;
-  if (asset.kind == AssetKind::kBuilding) {
-    const double c = std::cos(asset.yaw_rad), s = std::sin(asset.yaw_rad);
-    ClipToSlab(c * start.x() + s * start.y(), c * delta.x() + s * delta.y(), asset.half_length_m,
-               &inside);
-    ClipToSlab(-s * start.x() + c * start.y(), -s * delta.x() + c * delta.y(), asset.half_width_m,
-               &inside);
-  } else {
-    inside = InsideDisc(start, delta, SolidRadius(asset));
-  }
+  const Interval inside =
+      asset.kind == AssetKind::kBuilding
+          ? InsideRectangle(start, delta, asset.yaw_rad, asset.half_length_m, asset.half_width_m)
+          : InsideDisc(start, delta, SolidRadius(asset));
   if (inside.empty()) return false;
   const double lowest_z_m = std::min(segment.At(inside.low).z(), segment.At(inside.high).z());
   return lowest_z_m < static_cast<double>(asset.z_m) + asset.height_m;
@@ -132,6 +137,27 @@ bool AnyAssetHides(const Scene& scene, const SceneChanges& changes, const Segmen
   return false;
 }
 
+bool AnyElementHides(const StandingElements& elements, const Segment& segment) {
+  const Eigen::Vector3d end = segment.At(1.0);
+  const Eigen::Vector3d low = segment.start.cwiseMin(end), high = segment.start.cwiseMax(end);
+  for (const ElementBlock& block : elements.blocks) {
+    const WorldPoint middle = block.footprint.centre;
+    if (block.top_m <= low.z() || block.bottom_m >= high.z()) continue;
+    const double reach_m = block.footprint.half_length_m + block.footprint.half_width_m;
+    if (middle.x_m < low.x() - reach_m || middle.x_m > high.x() + reach_m ||
+        middle.y_m < low.y() - reach_m || middle.y_m > high.y() + reach_m) {
+      continue;
+    }
+    const Interval inside = InsideRectangle(
+        segment.start.head<2>() - Eigen::Vector2d(middle.x_m, middle.y_m), segment.delta.head<2>(),
+        block.footprint.yaw_rad, block.footprint.half_length_m, block.footprint.half_width_m);
+    if (inside.empty()) continue;
+    const double z1_m = segment.At(inside.low).z(), z2_m = segment.At(inside.high).z();
+    if (std::min(z1_m, z2_m) < block.top_m && std::max(z1_m, z2_m) > block.bottom_m) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool HasLineOfSight(const Scene& scene, const SceneChanges& changes, const Eigen::Vector3d& from,
@@ -140,6 +166,10 @@ bool HasLineOfSight(const Scene& scene, const SceneChanges& changes, const Eigen
   const auto key = [](const Eigen::Vector3d& p) { return std::make_tuple(p.x(), p.y(), p.z()); };
   const bool swap = key(to) < key(from);
   const Segment segment = {swap ? to : from, swap ? from - to : to - from};
+  if (changes.elements != nullptr ? AnyElementHides(*changes.elements, segment)
+                                  : AnyElementHides(StandingAtBegin(scene.elements), segment)) {
+    return false;
+  }
   return !AnyAssetHides(scene, changes, segment) && !GroundHides(scene.terrain->ground, segment);
 }
 

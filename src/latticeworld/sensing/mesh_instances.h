@@ -3,7 +3,10 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "latticeworld/common/result.h"
@@ -13,8 +16,9 @@ namespace latticeworld {
 
 // A mesh that is kept once and met in many places.
 struct MeshPrototype {
-  EmbreeScene scene;
-  std::vector<std::uint8_t> parts;  // one a triangle
+  EmbreeScene scene;                // of one geometry, number 0; empty where it has no triangles
+  std::vector<std::uint8_t> parts;  // one a triangle; empty: all 0
+  std::size_t vertices = 0;
 };
 
 // Errors are the device's: Embree keeps them for each thread, so they are asked for here.
@@ -22,8 +26,8 @@ Result<MeshPrototype> MakePrototype(RTCDevice device, const std::vector<Eigen::V
                                     const std::vector<std::array<std::uint32_t, 3>>& triangles,
                                     std::vector<std::uint8_t> parts);
 
-// Where one is met: the mesh times size_m, leaned from z towards x, turned by a yaw about z, moved
-// to position_m.
+// Where one is met: the mesh times size_m, twisted about z, leaned from z towards x, turned by a
+// yaw about z, moved to position_m.
 struct MeshInstance {
   Eigen::Vector3f position_m;
   Eigen::Vector3f size_m;  // > 0
@@ -31,17 +35,22 @@ struct MeshInstance {
   float sin_yaw = 0.0f;
   float cos_lean = 1.0f;
   float sin_lean = 0.0f;
-  std::uint32_t index = 0;  // in its owner's list
-  std::uint16_t prototype = 0;
+  float cos_twist = 1.0f;
+  float sin_twist = 0.0f;
+  std::uint32_t index = 0;      // in its owner's list
+  std::uint16_t prototype = 0;  // in the list that the instances share
 };
+// From the mesh's frame; columns x, y, z, origin.
+Eigen::Matrix<float, 3, 4> MapFromMesh(const MeshInstance& instance);
 
 // Embree's own instances take about a kilobyte each; here all of them are the primitives of one
-// user geometry, whose callbacks carry the ray into the mesh's frame. Hits come back with the
-// number of the instance in instID[0] and that of the triangle in primID. Must stay where it is
-// while a scene holds the geometry.
+// user geometry, whose callbacks carry rays into the mesh's frame. Hits are as of IntersectMesh
+// (mesh_frame.h). Must stay where it is while a scene holds the geometry.
 class MeshInstances {
  public:
-  MeshInstances(std::vector<MeshPrototype> prototypes, std::vector<MeshInstance> instances)
+  using Prototypes = std::vector<std::shared_ptr<const MeshPrototype>>;  // none null
+
+  MeshInstances(Prototypes prototypes, std::vector<MeshInstance> instances)
       : prototypes_(std::move(prototypes)), instances_(std::move(instances)) {}
   MeshInstances(const MeshInstances&) = delete;
   MeshInstances& operator=(const MeshInstances&) = delete;
@@ -50,17 +59,21 @@ class MeshInstances {
   // Of nothing where there is none.
   EmbreeGeometry MakeGeometry(RTCDevice device) const;
 
-  const MeshInstance& instance(unsigned number) const { return instances_[number]; }
-  std::uint8_t PartOf(unsigned instance, unsigned triangle) const {
-    return prototypes_[instances_[instance].prototype].parts[triangle];
+  // Of a hit.
+  const MeshInstance& InstanceOf(unsigned geometry) const { return instances_[geometry - 1]; }
+  std::uint8_t PartOf(unsigned geometry, unsigned triangle) const {
+    return prototypes_[InstanceOf(geometry).prototype]->parts[triangle];
   }
 
  private:
+  RTCScene SceneOf(const MeshInstance& instance) const {
+    return prototypes_[instance.prototype]->scene.get();
+  }
   static void Bound(const RTCBoundsFunctionArguments* arguments);
   static void Intersect(const RTCIntersectFunctionNArguments* arguments);
   static void Occlude(const RTCOccludedFunctionNArguments* arguments);
 
-  std::vector<MeshPrototype> prototypes_;
+  Prototypes prototypes_;
   std::vector<MeshInstance> instances_;
 };
 

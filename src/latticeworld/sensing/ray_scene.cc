@@ -7,6 +7,7 @@
 #include "latticeworld/meshes/mesh.h"
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/sensing/embree_handles.h"
+#include "latticeworld/sensing/ray_packet.h"
 #include "latticeworld/sensing/scene_instances.h"
 #include "latticeworld/sensing/surface_geometry.h"
 
@@ -21,20 +22,6 @@ EmbreeScene NewScene(RTCDevice device) {
   return scene;
 }
 
-RTCRay ToEmbree(const Ray& ray) {
-  RTCRay result = {};
-  result.org_x = ray.origin_m.x();
-  result.org_y = ray.origin_m.y();
-  result.org_z = ray.origin_m.z();
-  result.dir_x = ray.direction.x();
-  result.dir_y = ray.direction.y();
-  result.dir_z = ray.direction.z();
-  result.tnear = ray.from_m;
-  result.tfar = ray.to_m;
-  result.mask = ~0u;
-  return result;
-}
-
 // The nearest hit up to ray->tfar, which it brings nearer.
 bool Intersect(RTCScene scene, RTCRayHit* ray) {
   RTCIntersectContext context;
@@ -44,17 +31,16 @@ bool Intersect(RTCScene scene, RTCRayHit* ray) {
   return ray->hit.geomID != RTC_INVALID_GEOMETRY_ID;
 }
 
-bool Occludes(RTCScene scene, RTCRay ray) {
+bool Occludes(RTCScene scene, const Ray& ray) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcOccluded1(scene, &context, &ray);
-  return ray.tfar < 0.0f;
+  return IsOccluded(scene, &context, ToEmbree(ray));
 }
 
 void SetAsset(const MeshInstances& instances, RayTarget target, const RTCHit& hit, RayHit* result) {
   result->target = target;
-  result->index = instances.instance(hit.instID[0]).index;
-  result->part = instances.PartOf(hit.instID[0], hit.primID);
+  result->index = instances.InstanceOf(hit.geomID).index;
+  result->part = instances.PartOf(hit.geomID, hit.primID);
 }
 
 }  // namespace
@@ -144,6 +130,7 @@ RayHit RayScene::Trace(const Ray& ray, RaySights sights) const {
   }
   if ((sights & kSeesWater) != 0 && parts_->water && Intersect(parts_->water.get(), &embree)) {
     met = true;
+    result = RayHit();
     result.target = RayTarget::kWater;
     result.normal = {embree.hit.Ng_x, embree.hit.Ng_y, embree.hit.Ng_z};
   }
@@ -160,10 +147,9 @@ RayHit RayScene::Trace(const Ray& ray, RaySights sights) const {
 }
 
 bool RayScene::IsBlocked(const Ray& ray, RaySights sights) const {
-  const RTCRay embree = ToEmbree(ray);
-  return ((sights & kSeesSolid) != 0 && Occludes(parts_->solid.get(), embree)) ||
-         ((sights & kSeesWater) != 0 && parts_->water && Occludes(parts_->water.get(), embree)) ||
-         ((sights & kSeesAgents) != 0 && parts_->bodies && Occludes(parts_->bodies.get(), embree));
+  return ((sights & kSeesSolid) != 0 && Occludes(parts_->solid.get(), ray)) ||
+         ((sights & kSeesWater) != 0 && parts_->water && Occludes(parts_->water.get(), ray)) ||
+         ((sights & kSeesAgents) != 0 && parts_->bodies && Occludes(parts_->bodies.get(), ray));
 }
 
 }  // namespace latticeworld

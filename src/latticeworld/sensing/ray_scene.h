@@ -19,7 +19,7 @@ struct Scene;
 struct SceneChanges;
 
 // What a ray met.
-enum class RayTarget : std::uint8_t { kNothing, kGround, kWater, kAsset, kAgent };
+enum class RayTarget : std::uint8_t { kNothing, kGround, kWater, kAsset, kAgent, kElement };
 
 // Which of them a ray can meet; solid is the ground and the assets on it.
 using RaySights = unsigned;

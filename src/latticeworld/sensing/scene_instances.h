@@ -5,6 +5,7 @@
 
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
+#include "latticeworld/environment/agent_group.h"
 #include "latticeworld/sensing/mesh_instances.h"
 #include "latticeworld/sensing/ray_scene.h"
 
@@ -15,6 +16,8 @@ namespace latticeworld {
 Result<std::unique_ptr<MeshInstances>> AssetInstances(RTCDevice device, const Scene& scene,
                                                       const RaySceneOptions& options,
                                                       const Progress& progress);
+// The simple body of a category. Errors are the device's.
+Result<MeshPrototype> BodyPrototype(RTCDevice device, AgentCategory category);
 // The bodies of the scene's agents where they begin. Errors are the device's.
 Result<std::unique_ptr<MeshInstances>> AgentInstances(RTCDevice device, const Scene& scene);
 

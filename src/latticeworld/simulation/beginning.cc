@@ -75,7 +75,8 @@ std::optional<WorldPoint> SimulatorImpl::PlaceToRespawn(Agent* agent) {
   const Species& species = *agent->species;
   WorldPoint place = agent->start.position;
   for (int i = 0; i < kRespawnTries; ++i) {
-    if (CheckSpawn(*scene_, weather_->now(), species.category, species.radius_m, place).ok() &&
+    if (CheckSpawn(*scene_, weather_->now(), species.category, species.radius_m, place, &changes_)
+            .ok() &&
         CheckFree(species, place, agent->id).ok()) {
       return place;
     }

@@ -85,6 +85,7 @@ struct BodySpec {
   std::optional<AnchorSpec> anchor;
   bool upright = false;          // never pitches or rolls
   bool may_rest = true;          // sleeps when nothing moves it
+  bool meets_boundary = true;    // the world's edge holds it back; beyond it the ground goes on
   double grip = 1.0;             // times the friction of the surface
   double max_speed_mps = 100.0;  // no force or blow makes it faster
 

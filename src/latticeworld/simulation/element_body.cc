@@ -45,9 +45,7 @@ Eigen::Vector3d BoxInertia(double mass_kg, const Eigen::Vector3d& size_m) {
 void MakeStone(const Element& element, BodySpec* spec) {
   const double radius_m = 0.5 * element.size_m.x();
   const double golden = 0.5 * (1.0 + std::sqrt(5.0));
-  // Distance of a face of the icosahedron from its middle over that of a corner: it lies on a face.
-  const double face = golden * golden / std::sqrt(3.0 * (1.0 + golden * golden));
-  spec->center_height_m = radius_m * face;
+  spec->center_height_m = radius_m * kStoneLies;
   const Eigen::Vector3d middle(0.0, 0.0, spec->center_height_m);
   // Turns (1, 1, 1), which looks out of a face, upwards.
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(std::acos(std::sqrt(1.0 / 3.0)),

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
-#include "latticeworld/common/digest.h"
 #include "latticeworld/scene/water_depth.h"
+#include "latticeworld/simulation/blows.h"
 #include "latticeworld/simulation/tree_body.h"
 
 namespace latticeworld {
 namespace {
 
-// How much a body that hits gives in: a car that hits a wall at 56 km/h is crushed by about 0.6 m,
-// so that its stiffness is some 680 N/m for each kilogram, here at a bumper's height of 0.4 m.
-constexpr double kCrush_m2ps2 = 100.0;
 constexpr double kPushTime_s = 0.1;  // over which pushes are averaged
 // Weights that a body pushes with for long: more than its grip on the ground bears. What a contact
 // exerts to part two bodies that overlap can be far more.
@@ -30,35 +28,7 @@ constexpr double kLongestFall_s = 10.0;  // then it lies where it is, moving or 
 constexpr double kMoved_m = 0.3;         // from its place of rest
 constexpr double kDeepest_m = 5.0;       // below the ground: lost
 
-void Add(Digest* digest, const Eigen::Vector3d& vector) {
-  for (int i = 0; i < 3; ++i) digest->Add(vector[i]);
-}
-
 }  // namespace
-
-double ImpactMoment(double mass_kg, double approach_mps, double stiffness_nmprad) {
-  return approach_mps * std::sqrt(mass_kg * stiffness_nmprad);
-}
-
-double StiffnessMet(double mass_kg, double stiffness_nmprad) {
-  return 1.0 / (1.0 / stiffness_nmprad + 1.0 / (kCrush_m2ps2 * mass_kg));
-}
-
-double SpeedAfterBreaking(double mass_kg, double approach_mps, double stiffness_nmprad,
-                          double moment_nm) {
-  const double lost_m2ps2 = moment_nm * moment_nm / (stiffness_nmprad * mass_kg);
-  return std::sqrt(std::max(0.0, approach_mps * approach_mps - lost_m2ps2));
-}
-
-double MassMet(const BodySpec& spec, const BodyMotion& motion, const Eigen::Vector3d& point_m,
-               const Eigen::Vector3d& direction) {
-  const Eigen::Quaterniond base_from_map = motion.orientation.conjugate();
-  const Eigen::Vector3d arm = base_from_map * (point_m - motion.position_m) -
-                              Eigen::Vector3d(0.0, 0.0, spec.center_height_m);
-  const Eigen::Vector3d turning = arm.cross(base_from_map * direction);
-  return 1.0 / (1.0 / spec.total_mass_kg() +
-                turning.cwiseProduct(turning).cwiseQuotient(spec.inertia_kgm2).sum());
-}
 
 Felling::Felling(const Scene& scene, PhysicsWorld* physics) : scene_(scene), physics_(physics) {}
 
@@ -79,12 +49,7 @@ bool Felling::GivesWay(const Contact& contact) {
   const double level_share = level.norm();
   const double approach_mps = contact.approach_mps * level_share;
   if (approach_mps <= 0.0) return false;
-  // A vehicle or character is driven on as a whole; a stem that falls hits with a part of its mass.
-  const BodySpec& spec = physics_->SpecOf(contact.body);
-  const bool is_tree = AssetOf(contact.body).has_value();
-  const double mass_kg =
-      is_tree ? MassMet(spec, physics_->MotionOf(contact.body), contact.position_m, contact.normal)
-              : spec.total_mass_kg();
+  const double mass_kg = HittingMass(*physics_, contact.body, contact.position_m, contact.normal);
   const AssetPhysics physics = PhysicsOfTree(contact.other);
   const double stiffness = StiffnessMet(mass_kg, physics.base_stiffness_nmprad);
   const double strength_nm = physics.failing_moment_nm();
@@ -99,7 +64,8 @@ bool Felling::GivesWay(const Contact& contact) {
   const Eigen::Vector2d push_ns = impulse_ns * level / level_share;
   fall.impulse_ns = {push_ns.x(), push_ns.y(), 0.0};
   fall.point_m = contact.position_m;
-  if (!is_tree) {
+  const BodySpec& spec = physics_->SpecOf(contact.body);
+  if (IsDriven(spec)) {
     // At the height of its centre of mass: breaking a tree does not make it pitch.
     const BodyMotion motion = physics_->MotionOf(contact.body);
     fall.point_m.z() =
@@ -233,13 +199,33 @@ bool Felling::Follow(std::uint32_t asset, double step_s, Tree* tree) {
   return true;
 }
 
-bool Felling::Step(double step_s, std::uint64_t step,
-                   const std::function<std::string(BodyId)>& name_of, std::vector<Event>* events) {
+std::string Felling::NameOf(std::uint32_t asset) { return "tree_" + std::to_string(asset); }
+
+void Felling::Lose(Tree* tree) {
+  physics_->Remove(tree->body);
+  tree->body = 0;
+  tree->at_rest = false;
+}
+
+void Felling::Remove(const std::string& name, std::uint64_t step, std::vector<Event>* events) {
+  for (auto& [asset, tree] : state_.trees) {
+    if (tree.body == 0 || NameOf(asset) != name) continue;
+    events->push_back(
+        {step, EventKind::kLeftWorld, "", name, physics_->MotionOf(tree.body).position_m});
+    Lose(&tree);
+    ListChanges();
+  }
+}
+
+Felling::Outcome Felling::Step(double step_s, std::uint64_t step,
+                               const std::function<std::string(BodyId)>& name_of,
+                               std::vector<Event>* events) {
   Push(step_s);
-  bool changed = !falls_.empty(), rested = false;
+  Outcome outcome;
+  outcome.changes = !falls_.empty();
   const auto tell = [&](EventKind kind, std::uint32_t asset, const std::string& by,
                         const Eigen::Vector3d& place) {
-    events->push_back({step, kind, by, "tree_" + std::to_string(asset), place});
+    events->push_back({step, kind, by, NameOf(asset), place});
   };
   // First, while all that struck them are still there.
   for (const auto& [asset, fall] : falls_) {
@@ -254,80 +240,18 @@ bool Felling::Step(double step_s, std::uint64_t step,
     if (!looked_at) continue;
     if (HasLeft(physics_->MotionOf(tree.body))) {
       tell(EventKind::kLeftWorld, asset, "", physics_->MotionOf(tree.body).position_m);
-      physics_->Remove(tree.body);
-      tree.body = 0;
-      tree.at_rest = false;
-      changed = rested = true;
+      Lose(&tree);
+      outcome.maps = true;
       continue;
     }
     const bool lay = tree.at_rest;
     if (!Follow(asset, step_s, &tree)) continue;
-    changed = rested = true;
+    outcome.maps = true;
     if (!lay) tell(EventKind::kTreeCameToRest, asset, "", tree.lies.foot_m);
   }
-  if (changed) ListChanges();
-  if (rested) ++state_.map_version;
-  return rested;
-}
-
-void Felling::Restore(const State& state) {
-  state_ = state;
-  falls_.clear();
-  ListChanges();
-}
-
-void Felling::ListChanges() {
-  changes_ = {};
-  for (const auto& [asset, tree] : state_.trees) {
-    if (tree.at_rest) {
-      changes_.fallen.push_back(tree.lies);
-    } else {
-      changes_.gone.push_back(asset);
-    }
-  }
-}
-
-std::vector<FelledTree> Felling::Snapshots() const {
-  std::vector<FelledTree> felled;
-  for (const auto& [asset, tree] : state_.trees) {
-    FelledTree one;
-    one.at_rest = tree.at_rest;
-    // One that left the world is where it was seen last, and never at rest.
-    one.tree = tree.at_rest || tree.body == 0
-                   ? tree.lies
-                   : StemOf(asset, scene_.assets[asset], physics_->MotionOf(tree.body));
-    felled.push_back(one);
-  }
-  return felled;
-}
-
-std::optional<std::uint32_t> Felling::AssetOf(BodyId body) const {
-  for (const auto& [asset, tree] : state_.trees) {
-    if (tree.body == body && body != 0) return asset;
-  }
-  return std::nullopt;
-}
-
-void Felling::AddTo(Digest* digest) const {
-  digest->Add(state_.map_version);
-  digest->Add<std::uint64_t>(state_.trees.size());
-  for (const auto& [asset, tree] : state_.trees) {
-    digest->Add(asset);
-    digest->Add(tree.body);
-    digest->Add(tree.still_s);
-    digest->Add(tree.falling_s);
-    digest->Add(tree.at_rest);
-    Add(digest, tree.lies.foot_m);
-    Add(digest, tree.lies.tip_m);
-    digest->Add(tree.toward.x());
-    digest->Add(tree.toward.y());
-  }
-  digest->Add<std::uint64_t>(state_.pushes.size());
-  for (const auto& [asset, moment_nm] : state_.pushes) {
-    digest->Add(asset);
-    digest->Add(moment_nm.x());
-    digest->Add(moment_nm.y());
-  }
+  outcome.changes |= outcome.maps;
+  if (outcome.changes) ListChanges();
+  return outcome;
 }
 
 }  // namespace latticeworld

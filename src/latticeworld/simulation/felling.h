@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "latticeworld/scene/asset_physics.h"
+#include "latticeworld/scene/footprint.h"
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/scene/scene_changes.h"
 #include "latticeworld/simulation/physics_world.h"
@@ -19,21 +20,6 @@ namespace latticeworld {
 
 // No more trees than this fall in a world; when so many have, the others hold.
 inline constexpr int kMaxFelledTrees = 500;
-
-// Moment at the base of something that stands when a body of that mass hits it at that speed [N m]:
-// the elastic energy at the greatest lean equals the energy of the blow, so M = v sqrt(m k),
-// whatever the height and the step. stiffness: [N m/rad].
-double ImpactMoment(double mass_kg, double approach_mps, double stiffness_nmprad);
-// The stiffness that such a blow meets when what stands has that one: the body that hits gives in,
-// too, in proportion to its mass [N m/rad].
-double StiffnessMet(double mass_kg, double stiffness_nmprad);
-// Speed that the body keeps when what it hit breaks at that moment; the moment of its blow is no
-// less.
-double SpeedAfterBreaking(double mass_kg, double approach_mps, double stiffness_nmprad,
-                          double moment_nm);
-// Mass that a rigid body opposes to a blow at a point of it, along a unit direction [kg].
-double MassMet(const BodySpec& spec, const BodyMotion& motion, const Eigen::Vector3d& point_m,
-               const Eigen::Vector3d& direction);
 
 // Trees that fall. Owns the bodies of those that fell. A tree falls when a blow, or what pushes it
 // for about a tenth of a second, has at its base the moment at which its roots or its stem fail
@@ -56,7 +42,6 @@ class Felling {
     std::map<std::uint32_t, Tree> trees;  // by asset
     // Moments of what pushes standing trees, averaged [N m], map frame, where they push to.
     std::map<std::uint32_t, Eigen::Vector2d> pushes;
-    std::uint64_t map_version = 0;
   };
 
   // Part of the physics' judge: whether the asset of a kAsset contact gives way to it. It falls in
@@ -64,19 +49,30 @@ class Felling {
   bool GivesWay(const Contact& contact);
   // Before the physics' step: what holds the foot of a falling tree, and water on what lies.
   void Act(const Atmosphere& atmosphere);
+  // What a step did.
+  struct Outcome {
+    bool changes = false;  // changes() are others
+    bool maps = false;     // a tree came to rest, moved where it lies, or left the world
+  };
   // After it: makes bodies of the trees that gave way or are pushed beyond their strength, and
   // tells felled_tree (name_of: of the body that did it) and tree_came_to_rest; a tree that leaves
-  // the world is gone (left_world). True: what maps show has changed (map_version grew).
-  bool Step(double step_s, std::uint64_t step, const std::function<std::string(BodyId)>& name_of,
-            std::vector<Event>* events);
+  // the world is gone (left_world).
+  Outcome Step(double step_s, std::uint64_t step, const std::function<std::string(BodyId)>& name_of,
+               std::vector<Event>* events);
+  // Takes a tree that fell out of the world and tells left_world. name: "tree_<asset>"; others are
+  // left alone.
+  void Remove(const std::string& name, std::uint64_t step, std::vector<Event>* events);
 
   const State& state() const { return state_; }
   // After the physics was restored to the same moment.
   void Restore(const State& state);
   // Trees that lie, and as gone those that still fall or have left the world.
   const SceneChanges& changes() const { return changes_; }
+  // What stems that lie or fall cover, and where those that fall will lie, seen from above.
+  std::vector<Footprint> Obstacles() const;
   // By asset; those that have left the world never come to rest.
   std::vector<FelledTree> Snapshots() const;
+  static std::string NameOf(std::uint32_t asset);
   // Which tree a body is.
   std::optional<std::uint32_t> AssetOf(BodyId body) const;
   void AddTo(Digest* digest) const;
@@ -98,6 +94,7 @@ class Felling {
   // Whether it has come to rest, or has left its place of rest.
   bool Follow(std::uint32_t asset, double step_s, Tree* tree);
   bool HasLeft(const BodyMotion& motion) const;
+  void Lose(Tree* tree);
   void ListChanges();
 
   const Scene& scene_;

@@ -50,10 +50,11 @@ struct SpawnRequest {
   double heading_rad = 0.0;
   bool controllable = false;
   std::optional<int> team;  // none: what suits the category; [0, 15]
-  std::string policy;       // "": the team's, else the category's usual one
+  std::string policy;       // "": the team's, else the category's usual one; "" where controllable
 };
 
 // Which policy an agent, or every agent of a team now and later, follows. Exactly one of the two.
+// Controllable agents follow commands and no policy: those of a team are left alone.
 struct PolicyChange {
   std::string agent;
   std::optional<int> team;
@@ -90,7 +91,8 @@ class Simulator {
   // Strikes the nearest enemy before it and within its reach, if any, once its last blow is long
   // enough ago. Errors: NOT_FOUND, FAILED_PRECONDITION (cannot strike, dead, not commandable).
   virtual Status Strike(const std::string& agent) = 0;
-  // Errors: INVALID_ARGUMENT (no such policy, neither or both of agent and team), NOT_FOUND.
+  // Errors: INVALID_ARGUMENT (no such policy, neither or both of agent and team), NOT_FOUND,
+  // FAILED_PRECONDITION (a policy for a controllable agent).
   virtual Status SetPolicy(const PolicyChange& change) = 0;
 
   virtual void Step() = 0;

@@ -62,9 +62,7 @@ std::string SimulatorImpl::NameOfOther(const Contact& contact) const {
 std::string SimulatorImpl::NameOfBody(BodyId body) const {
   const auto agent = agent_of_body_.find(body);
   if (agent != agent_of_body_.end()) return agents_.at(agent->second).name;
-  for (const auto& [asset, tree] : felling_->state().trees) {
-    if (tree.body == body) return "tree_" + std::to_string(asset);
-  }
+  if (const auto tree = felling_->AssetOf(body)) return Felling::NameOf(*tree);
   return elements_->NameOf(body);
 }
 

@@ -162,9 +162,13 @@ Status SimulatorImpl::SetPolicy(const PolicyChange& change) {
     const Result<Agent*> found = FindAgent(change.agent);
     if (!found.ok()) return found.status();
     Agent& agent = **found;
+    if (agent.controllable && !change.policy.empty()) {
+      return FailedPrecondition(Quote(change.agent) +
+                                " is controllable: it follows its own commands and no policy");
+    }
     if (agent.policy == change.policy) return Status();
     agent.policy = change.policy;
-    if (!agent.controllable) begin_anew(&agent);
+    begin_anew(&agent);
   } else {
     if (*change.team < 0 || *change.team >= kTeams) {
       return InvalidArgument("team must be in [0, " + std::to_string(kTeams - 1) + "], not " +

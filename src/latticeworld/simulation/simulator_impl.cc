@@ -36,6 +36,8 @@ void SimulatorImpl::Reset(std::uint64_t seed) {
   ids_.clear();
   agent_of_body_.clear();
   frozen_until_.clear();
+  strays_.clear();
+  lost_.clear();
   team_policies_.clear();
   last_agent_ = 0;
   map_version_ = 0;
@@ -46,7 +48,8 @@ void SimulatorImpl::Reset(std::uint64_t seed) {
   physics_->SetJudge(this);
   felling_.emplace(*scene_, physics_.get());
   elements_.emplace(*scene_, physics_.get());
-  paths_.Update(felling_->changes());
+  ListChanges();
+  paths_.Update(changes_);
   const bool other_weather = weather_.has_value() && weather_->HasChanged();
   weather_.emplace(*scene_, options_.day_length_s, seed);
   if (other_weather) TellWeather(std::string(NameOf(weather_->now().weather)));
@@ -62,7 +65,7 @@ void SimulatorImpl::Reset(std::uint64_t seed) {
 
 Surroundings SimulatorImpl::World() {
   return {*scene_,
-          felling_->changes(),
+          changes_,
           map_version_,
           weather_->now(),
           *surfaces_,
@@ -82,13 +85,19 @@ Surroundings SimulatorImpl::World() {
 void SimulatorImpl::TellOf(EventKind kind, const std::string& who, const std::string& other,
                            const Eigen::Vector3d& position_m) {
   events_.push_back({step_, kind, who, other, position_m});
+  BoundEvents();
+}
+
+void SimulatorImpl::ListChanges() {
+  changes_ = felling_->changes();
+  changes_.elements = elements_->standing();
 }
 
 void SimulatorImpl::Step() {
   ++step_;
   ++episode_step_;
   StepWeather();
-  paths_.Update(felling_->changes());
+  paths_.Update(changes_);
   near_.Rebuild(scene_->geometry().size_m(), agents_);
   if (in_order_.size() != agents_.size()) {
     in_order_.clear();
@@ -160,9 +169,13 @@ bool SimulatorImpl::GivesWay(const Contact& contact) {
 void SimulatorImpl::StepThings() {
   const auto name_of = [this](BodyId body) { return NameOfBody(body); };
   // Elements first: trees that leave the world take the bodies of their contacts with them.
-  elements_->Step(options_.step_s, step_, &events_);
-  if (felling_->Step(options_.step_s, step_, name_of, &events_)) ++map_version_;
-  RemoveLostElements();
+  bool elements = elements_->Step(options_.step_s, step_, &events_);
+  const Felling::Outcome trees = felling_->Step(options_.step_s, step_, name_of, &events_);
+  if (episode_step_ % turns_ == 0) elements |= elements_->Follow();
+  if (elements || trees.maps) ++map_version_;
+  if (elements || trees.changes) ListChanges();
+  FindLostElements();
+  RemoveLost();
 }
 
 void SimulatorImpl::BoundEvents() {

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "latticeworld/simulation/felling.h"
 #include "latticeworld/simulation/running_weather.h"
 #include "latticeworld/simulation/simulator.h"
+#include "latticeworld/simulation/straying.h"
 
 namespace latticeworld {
 
@@ -59,6 +61,9 @@ class SimulatorImpl : public Simulator, private ContactJudge {
 
   bool GivesWay(const Contact& contact) override;
   Surroundings World();
+  // Lists what has become of trees and elements.
+  void ListChanges();
+  // Events are told through this, and bounded for a caller who does not take them.
   void TellOf(EventKind kind, const std::string& who, const std::string& other,
               const Eigen::Vector3d& position_m);
   // An agent's, an element's or a felled tree's ("tree_7"); "": nobody's.
@@ -93,10 +98,16 @@ class SimulatorImpl : public Simulator, private ContactJudge {
   // Freezes what physics could not compute.
   void FreezeStrayed();
   void Freeze(Agent* agent);
+  // Notes that it strays. True: it was well before, so that it is to be told.
+  bool BeginsToStray(const std::string& name);
+  // Takes out of the world what has strayed for too long.
+  void RemoveLost();
+  // Takes an agent out of the world, untold.
+  void Erase(AgentId id);
   bool IsFrozen(AgentId id) const { return frozen_until_.count(id) != 0; }
   // Lets go who was frozen long enough, and holds the others where they are.
   void HoldFrozen();
-  void RemoveLostElements();
+  void FindLostElements();
 
   // One side of a collision: tells it, hurts and knocks over. other: name of the other side.
   // push: unit, away from it. other_id: 0 where it is no agent.
@@ -120,7 +131,8 @@ class SimulatorImpl : public Simulator, private ContactJudge {
   Status CheckRequest(const SpawnRequest& request, const Species& species) const;
   Status CheckName(const std::string& name) const;
   Result<WorldPoint> PlaceFor(const SpawnRequest& request, const Species& species);
-  // FAILED_PRECONDITION when an agent, an element or a fallen stem is in the way of a body there.
+  // FAILED_PRECONDITION when an agent, an element or a stem that lies or will lie there is in the
+  // way of a body there.
   // except: not in its own way; 0: nobody.
   Status CheckFree(const Species& species, WorldPoint place, AgentId except) const;
   bool IsNameTaken(const std::string& name) const;
@@ -144,12 +156,15 @@ class SimulatorImpl : public Simulator, private ContactJudge {
   std::optional<Elements> elements_;
   std::optional<RunningWeather> weather_;
   std::optional<SurfaceTable> surfaces_;  // under that weather
+  SceneChanges changes_;                  // of both
   std::uint64_t map_version_ = 0;
   AgentId last_agent_ = 0;
   std::map<AgentId, Agent> agents_;
   std::map<std::string, AgentId> ids_;  // by name
   std::map<BodyId, AgentId> agent_of_body_;
   std::map<AgentId, std::uint64_t> frozen_until_;  // episode step
+  std::map<std::string, Stray> strays_;            // agents, elements and trees, by name
+  std::set<std::string> lost_;                     // of this step; empty between steps
   std::map<int, std::string> team_policies_;
   std::vector<Agent*> in_order_;  // of agents_, by id; empty: made by the next step
   AgentGrid near_;                // made by each step

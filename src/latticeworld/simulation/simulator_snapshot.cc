@@ -16,6 +16,7 @@ struct SimulatorImpl::Snapshot : SimulatorSnapshot {
         last_agent(of.last_agent_),
         agents(of.agents_),
         frozen_until(of.frozen_until_),
+        strays(of.strays_),
         team_policies(of.team_policies_),
         trees(of.felling_->state()),
         elements(of.elements_->state()),
@@ -30,6 +31,7 @@ struct SimulatorImpl::Snapshot : SimulatorSnapshot {
   const AgentId last_agent;
   const std::map<AgentId, Agent> agents;
   const std::map<AgentId, std::uint64_t> frozen_until;
+  const std::map<std::string, Stray> strays;
   const std::map<int, std::string> team_policies;
   const Felling::State trees;
   const Elements::State elements;
@@ -72,6 +74,8 @@ Status SimulatorImpl::Restore(const SimulatorSnapshot& snapshot) {
   agents_ = of->agents;
   in_order_.clear();
   frozen_until_ = of->frozen_until;
+  strays_ = of->strays;
+  lost_.clear();
   team_policies_ = of->team_policies;
   ids_.clear();
   agent_of_body_.clear();
@@ -82,7 +86,8 @@ Status SimulatorImpl::Restore(const SimulatorSnapshot& snapshot) {
   physics_->Restore(*of->physics);
   felling_->Restore(of->trees);
   elements_->Restore(of->elements);
-  paths_.Update(felling_->changes());
+  ListChanges();
+  paths_.Update(changes_);
   near_ = AgentGrid();
   state_.reset();
   return Status();

@@ -1,10 +1,24 @@
+#include <map>
 #include <utility>
 
 #include "latticeworld/common/digest.h"
 #include "latticeworld/simulation/agents/thinking.h"
+#include "latticeworld/simulation/bumps.h"
+#include "latticeworld/simulation/sensed.h"
 #include "latticeworld/simulation/simulator_impl.h"
 
 namespace latticeworld {
+
+namespace {
+
+void Tell(const Bump& bump, AgentSnapshot* agent) {
+  if (!HasSensors(*agent)) return;
+  agent->contact_force_n = bump.force_n;
+  agent->contact_direction =
+      agent->orientation.conjugate() * (bump.point_m - agent->position_m).normalized();
+}
+
+}  // namespace
 
 const std::vector<JointName>& SimulatorImpl::JointsOfSpecies(const Species& species) const {
   const auto found = joints_.find(&species);
@@ -47,7 +61,7 @@ AgentSnapshot SimulatorImpl::SnapshotOf(const Agent& agent) const {
   const Eigen::Quaterniond base_from_map = agent.motion.orientation.conjugate();
   snapshot.linear_velocity_mps = base_from_map * agent.motion.linear_velocity_mps;
   snapshot.angular_velocity_radps = base_from_map * agent.motion.angular_velocity_radps;
-  if (agent.controllable) snapshot.joints = JointSnapshotsOf(agent);
+  if (agent.controllable || IsExternal(agent)) snapshot.joints = JointSnapshotsOf(agent);
   return snapshot;
 }
 
@@ -62,9 +76,16 @@ std::shared_ptr<const WorldState> SimulatorImpl::State() const {
   state->atmosphere = weather_->now();
   state->weather_change_s = weather_->remaining_s();
   state->agents.reserve(agents_.size());
-  for (const auto& [name, id] : ids_) state->agents.push_back(SnapshotOf(agents_.at(id)));
+  const std::map<BodyId, Bump> bumps = HardestBumps(physics_->contacts());
+  for (const auto& [name, id] : ids_) {
+    const Agent& agent = agents_.at(id);
+    state->agents.push_back(SnapshotOf(agent));
+    const auto bump = bumps.find(agent.body);
+    if (bump != bumps.end()) Tell(bump->second, &state->agents.back());
+  }
   state->elements = elements_->Snapshots();
   state->felled = felling_->Snapshots();
+  if (!elements_->is_as_begun()) state->standing = elements_->standing();
   state->map_version = map_version_;
   state_ = std::move(state);
   return state_;
@@ -85,10 +106,18 @@ std::string SimulatorImpl::StateHash() const {
   for (const std::uint64_t word : spawn_random_.state()) digest.Add(word);
   digest.Add(static_cast<std::uint64_t>(agents_.size()));
   for (const auto& [id, agent] : agents_) AddTo(&digest, agent);
+  digest.Add(static_cast<std::uint64_t>(frozen_until_.size()));
   for (const auto& [id, until] : frozen_until_) {
     digest.Add(id);
     digest.Add(until);
   }
+  digest.Add(static_cast<std::uint64_t>(strays_.size()));
+  for (const auto& [name, stray] : strays_) {
+    digest.AddText(name);
+    digest.Add(stray.since);
+    digest.Add(stray.until);
+  }
+  digest.Add(static_cast<std::uint64_t>(team_policies_.size()));
   for (const auto& [team, policy] : team_policies_) {
     digest.Add(team);
     digest.AddText(policy);

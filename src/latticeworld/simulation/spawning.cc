@@ -8,8 +8,6 @@
 #include "latticeworld/simulation/agent_names.h"
 #include "latticeworld/simulation/agents/policy.h"
 #include "latticeworld/simulation/agents/steering.h"
-#include "latticeworld/simulation/element_body.h"
-#include "latticeworld/simulation/footprint.h"
 #include "latticeworld/simulation/simulator_impl.h"
 
 namespace latticeworld {
@@ -53,9 +51,10 @@ Result<const Species*> SimulatorImpl::SpeciesFor(const SpawnRequest& request) co
 }
 
 Status SimulatorImpl::CheckRequest(const SpawnRequest& request, const Species& species) const {
-  if (agents_.size() >= static_cast<std::size_t>(kMaxAgents)) {
+  if (agents_.size() >= static_cast<std::size_t>(kMaxAgentStarts)) {
     return ResourceExhausted("the world holds " + std::to_string(agents_.size()) +
-                             " agents; it can hold no more than " + std::to_string(kMaxAgents));
+                             " agents; it can hold no more than " +
+                             std::to_string(kMaxAgentStarts));
   }
   if (!request.name.empty()) LW_RETURN_IF_ERROR(CheckName(request.name));
   if (request.state.has_value() && !CanBe(species.category, *request.state)) {
@@ -72,6 +71,10 @@ Status SimulatorImpl::CheckRequest(const SpawnRequest& request, const Species& s
   if (request.team.has_value() && (*request.team < 0 || *request.team > kMostTeam)) {
     return InvalidArgument("team must be in [0, " + std::to_string(kMostTeam) + "], not " +
                            std::to_string(*request.team));
+  }
+  if (request.controllable && !request.policy.empty()) {
+    return InvalidArgument("a controllable agent follows its own commands: it has no policy, not " +
+                           Quote(request.policy));
   }
   if (!request.policy.empty() && FindPolicy(request.policy) == nullptr) {
     return InvalidArgument("there is no policy " + Quote(request.policy) + ": it must be one of " +
@@ -92,17 +95,12 @@ Status SimulatorImpl::CheckFree(const Species& species, WorldPoint place, AgentI
   }
   if (species.plan == BodyPlan::kFlyer) return Status();
   for (const auto& [name, running] : elements_->state()) {
-    const BodyMotion motion = ElementPoseOf(running.element, physics_->MotionOf(running.body));
-    const WorldPoint at{motion.position_m.x(), motion.position_m.y()};
-    if (DistanceToElement(running.element, at, motion.yaw_rad(), place) <= species.radius_m) {
+    if (GapTo(elements_->BoxNow(running).footprint, place) <= species.radius_m) {
       return taken_by(name);
     }
   }
-  for (const FallenTree& tree : felling_->changes().fallen) {
-    const double stem_m = scene_->assets[tree.asset].trunk_radius_m;
-    if (DistanceToStem(tree, place) <= species.radius_m + stem_m) {
-      return taken_by("a fallen tree");
-    }
+  for (const Footprint& stem : felling_->Obstacles()) {
+    if (GapTo(stem, place) <= species.radius_m) return taken_by("a tree that lies or falls");
   }
   return Status();
 }
@@ -110,7 +108,7 @@ Status SimulatorImpl::CheckFree(const Species& species, WorldPoint place, AgentI
 Result<WorldPoint> SimulatorImpl::PlaceFor(const SpawnRequest& request, const Species& species) {
   if (request.position.has_value()) {
     LW_RETURN_IF_ERROR(CheckSpawn(*scene_, weather_->now(), species.category, species.radius_m,
-                                  *request.position));
+                                  *request.position, &changes_));
     LW_RETURN_IF_ERROR(CheckFree(species, *request.position, 0));
     return *request.position;
   }
@@ -120,19 +118,17 @@ Result<WorldPoint> SimulatorImpl::PlaceFor(const SpawnRequest& request, const Sp
     const Eigen::Vector3d at = physics_->MotionOf(running.body).position_m;
     taken.push_back({at.x(), at.y()});
   }
-  for (const FallenTree& tree : felling_->changes().fallen) {
-    const double length_m = (tree.tip_m - tree.foot_m).head<2>().norm();
-    const int places = 1 + static_cast<int>(length_m / kStemSpacing_m);
+  for (const Footprint& stem : felling_->Obstacles()) {
+    const int places = 1 + static_cast<int>(2.0 * stem.half_length_m / kStemSpacing_m);
     for (int i = 0; i <= places; ++i) {
-      const Eigen::Vector3d at = tree.foot_m + (tree.tip_m - tree.foot_m) * i / places;
-      taken.push_back({at.x(), at.y()});
+      taken.push_back(stem.At(stem.half_length_m * (2.0 * i / places - 1.0), 0.0));
     }
   }
   Status in_the_way;
   for (int i = 0; i < kTries; ++i) {
     const Result<WorldPoint> place =
         FindSpawn(*scene_, weather_->now(), species.category, species.radius_m, request.region,
-                  taken, &spawn_random_);
+                  taken, &spawn_random_, &changes_);
     if (!place.ok()) return place;
     in_the_way = CheckFree(species, *place, 0);
     if (in_the_way.ok()) return place;
@@ -163,7 +159,7 @@ Result<std::string> SimulatorImpl::Spawn(const SpawnRequest& request) {
   start.height_above_ground_m = species.altitude_m;
   start.heading_rad = request.heading_rad;
   const Agent& agent = Begin(start, species, request.policy);
-  World().Tell(EventKind::kSpawned, agent, "");
+  TellOf(EventKind::kSpawned, agent.name, "", agent.motion.position_m);
   state_.reset();
   return agent.name;
 }
@@ -172,17 +168,23 @@ Status SimulatorImpl::Remove(const std::string& name) {
   const Result<Agent*> found = FindAgent(name);
   if (!found.ok()) return found.status();
   const Agent& agent = **found;
-  World().Tell(EventKind::kRemoved, agent, "");
+  TellOf(EventKind::kRemoved, agent.name, "", agent.motion.position_m);
+  Erase(agent.id);
+  return Status();
+}
+
+void SimulatorImpl::Erase(AgentId id) {
+  const Agent& agent = agents_.at(id);
   physics_->Remove(agent.body);
   agent_of_body_.erase(agent.body);
-  frozen_until_.erase(agent.id);
-  ids_.erase(name);
-  agents_.erase(agent.id);
+  frozen_until_.erase(id);
+  strays_.erase(agent.name);
+  ids_.erase(agent.name);
+  agents_.erase(id);
   in_order_.clear();
   // Who was near whom is found anew by each step; until then nobody is.
   near_ = AgentGrid();
   state_.reset();
-  return Status();
 }
 
 }  // namespace latticeworld

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <iterator>
+#include <string>
 #include <vector>
 
 #include "latticeworld/simulation/simulator_impl.h"
@@ -7,6 +9,8 @@ namespace latticeworld {
 namespace {
 
 constexpr double kFrozen_s = 1.0;
+constexpr double kWell_s = 1.0;        // after it was let go: then what strays again is told again
+constexpr double kLongest_s = 10.0;    // that something strays, before it is taken away
 constexpr double kDeepest_m = 5.0;     // below the ground: lost
 constexpr double kHighest_m = 1000.0;  // above the highest ground: lost
 
@@ -47,9 +51,23 @@ void SimulatorImpl::FreezeStrayed() {
       Freeze(&agents_.at(found->second));
     } else {
       // Physics has put it back and at rest: what has no will of its own goes on from there.
-      TellOf(EventKind::kFrozen, NameOfBody(body), "", physics_->MotionOf(body).position_m);
+      const std::string name = NameOfBody(body);
+      if (!BeginsToStray(name)) continue;
+      TellOf(EventKind::kFrozen, name, "", physics_->MotionOf(body).position_m);
     }
   }
+}
+
+bool SimulatorImpl::BeginsToStray(const std::string& name) {
+  const auto steps_of = [this](double seconds) {
+    return static_cast<std::uint64_t>(seconds / options_.step_s + 0.5);
+  };
+  Stray& stray = strays_[name];
+  const bool begins = episode_step_ >= stray.until;
+  if (begins) stray.since = episode_step_;
+  stray.until = episode_step_ + steps_of(kFrozen_s + kWell_s);
+  if (episode_step_ - stray.since >= steps_of(kLongest_s)) lost_.insert(name);
+  return begins;
 }
 
 void SimulatorImpl::Freeze(Agent* agent) {
@@ -57,10 +75,13 @@ void SimulatorImpl::Freeze(Agent* agent) {
   frozen_until_[agent->id] = world.In(kFrozen_s);
   agent->driven = {};
   PutAtRest(&agent->motion);
-  world.Tell(EventKind::kFrozen, *agent, "");
+  if (BeginsToStray(agent->name)) world.Tell(EventKind::kFrozen, *agent, "");
 }
 
 void SimulatorImpl::HoldFrozen() {
+  for (auto it = strays_.begin(); it != strays_.end();) {
+    it = episode_step_ >= it->second.until ? strays_.erase(it) : std::next(it);
+  }
   for (auto it = frozen_until_.begin(); it != frozen_until_.end();) {
     if (episode_step_ >= it->second) {
       it = frozen_until_.erase(it);
@@ -86,21 +107,42 @@ void SimulatorImpl::ReadMotions() {
     PutAtRest(&agent->motion);
     LiftToGround(*scene_, &agent->motion);
     physics_->Place(agent->body, agent->motion);
-    world.Tell(EventKind::kLeftWorld, *agent, "");
+    if (BeginsToStray(agent->name)) world.Tell(EventKind::kLeftWorld, *agent, "");
   }
 }
 
-void SimulatorImpl::RemoveLostElements() {
+void SimulatorImpl::FindLostElements() {
   if (episode_step_ % turns_ != 0) return;
-  std::vector<std::string> lost;
   for (const auto& [name, running] : elements_->state()) {
     if (physics_->IsResting(running.body)) continue;
     const BodyMotion motion = physics_->MotionOf(running.body);
     if (IsFinite(motion) && IsInside(*scene_, motion) && !IsUnderGround(*scene_, motion)) continue;
-    TellOf(EventKind::kLeftWorld, name, "", motion.position_m);
-    lost.push_back(name);
+    lost_.insert(name);
   }
-  for (const std::string& name : lost) (void)elements_->Remove(name);
+}
+
+void SimulatorImpl::RemoveLost() {
+  if (lost_.empty()) return;
+  const std::size_t agents = agents_.size();
+  for (const std::string& name : lost_) {
+    const auto agent = ids_.find(name);
+    const auto element = elements_->state().find(name);
+    if (agent != ids_.end()) {
+      TellOf(EventKind::kLeftWorld, name, "", agents_.at(agent->second).motion.position_m);
+      Erase(agent->second);
+    } else if (element != elements_->state().end()) {
+      TellOf(EventKind::kLeftWorld, name, "", physics_->MotionOf(element->second.body).position_m);
+      (void)elements_->Remove(name);
+    } else {
+      felling_->Remove(name, step_, &events_);
+    }
+    strays_.erase(name);
+  }
+  const bool only_agents = agents - agents_.size() == lost_.size();
+  lost_.clear();
+  if (only_agents) return;
+  ++map_version_;
+  ListChanges();
 }
 
 }  // namespace latticeworld

@@ -71,6 +71,7 @@ BodySpec TreeBodyOf(const Asset& tree, const AssetPhysics& physics) {
   spec.shapes.push_back(stem);
   AddSamples(tree, &spec);
   spec.max_speed_mps = 40.0;
+  spec.meets_boundary = false;  // its crown may lie across the world's edge
   return spec;
 }
 

@@ -11,6 +11,7 @@ SceneChanges ChangesOf(const WorldState& state) {
       changes.gone.push_back(felled.tree.asset);
     }
   }
+  changes.elements = state.standing;
   return changes;
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,10 @@ struct AgentSnapshot {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d linear_velocity_mps = Eigen::Vector3d::Zero();     // in base_link
   Eigen::Vector3d angular_velocity_radps = Eigen::Vector3d::Zero();  // in base_link
+  // Of the hardest bump of the last step with what it does not stand on; of agents that obey
+  // commands alone.
+  double contact_force_n = 0.0;
+  Eigen::Vector3d contact_direction = Eigen::Vector3d::Zero();  // to it, in base_link; zero: none
   std::vector<JointSnapshot> joints;  // wheels and steering, or legs; of controllable agents alone
 };
 
@@ -159,12 +164,15 @@ struct WorldState {
   std::vector<AgentSnapshot> agents;      // sorted by name
   std::vector<ElementSnapshot> elements;  // sorted by name
   std::vector<FelledTree> felled;         // by asset
-  // Grows whenever what maps show has changed: a tree has come to rest, or one that
-  // lies has moved or left the world.
+  // The elements as maps show them; null: where the scene has them.
+  std::shared_ptr<const StandingElements> standing;
+  // Grows whenever what maps show has changed: a tree has come to rest, or one that lies has moved
+  // or left the world; an element came, went or broke, was opened or closed, or stands still more
+  // than half a cell from where it was on maps.
   std::uint64_t map_version = 0;
 };
 // What maps and ray scenes made now should show: trees at rest where they lie, and none of those
-// that still fall.
+// that still fall; elements where they stood still last.
 SceneChanges ChangesOf(const WorldState& state);
 
 }  // namespace latticeworld

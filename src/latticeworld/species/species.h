@@ -30,6 +30,14 @@ constexpr std::array<EnumName<BodyPlan>, 6> EnumNames(BodyPlan) {
            {BodyPlan::kSwimmer, "swimmer"}}};
 }
 
+inline bool IsOnLegs(BodyPlan plan) {
+  return plan == BodyPlan::kQuadruped || plan == BodyPlan::kBiped || plan == BodyPlan::kGrazer;
+}
+// In the air or in water, where nothing holds it but itself.
+inline bool KeepsAfloat(BodyPlan plan) {
+  return plan == BodyPlan::kFlyer || plan == BodyPlan::kSwimmer;
+}
+
 enum class DriveKind : std::uint8_t {
   kDifferential,  // two driven wheels, and a castor that follows
   kSkidSteer,     // every wheel driven, the wheels of a side together

@@ -143,6 +143,7 @@ Result<std::shared_ptr<const SpeciesCatalogue>> SpeciesCatalogue::Extended(
   }
   std::shared_ptr<SpeciesCatalogue> catalogue(new SpeciesCatalogue);
   catalogue->all_ = Sorted(std::move(species));
+  catalogue->added_files_ = files;
   return std::shared_ptr<const SpeciesCatalogue>(std::move(catalogue));
 }
 

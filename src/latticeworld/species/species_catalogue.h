@@ -35,6 +35,10 @@ class SpeciesCatalogue {
 
   // Sorted by name.
   const std::vector<Species>& all() const { return all_; }
+  // What Extended makes the same catalogue of; empty: the built-in one.
+  const std::vector<std::pair<std::string, std::string>>& added_files() const {
+    return added_files_;
+  }
   // nullptr: there is none. '_' may stand for ' '.
   const Species* Find(std::string_view name) const;
   // The species that a category is unless said otherwise: the one of its name. Never missing.
@@ -43,6 +47,7 @@ class SpeciesCatalogue {
  private:
   SpeciesCatalogue() = default;
   std::vector<Species> all_;
+  std::vector<std::pair<std::string, std::string>> added_files_;  // {name, text}
 };
 
 }  // namespace latticeworld

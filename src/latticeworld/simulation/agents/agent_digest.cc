@@ -1,7 +1,7 @@
 #include <optional>
+#include <vector>
 
 #include "latticeworld/common/digest.h"
-#include "latticeworld/simulation/agents/path_following.h"
 #include "latticeworld/simulation/agents/thinking.h"
 
 namespace latticeworld {
@@ -17,6 +17,11 @@ void AddVector(Digest* digest, const Eigen::Vector3d& vector) {
 }
 
 void AddSize(Digest* digest, std::size_t size) { digest->Add(static_cast<std::uint64_t>(size)); }
+
+void AddPoints(Digest* digest, const std::vector<WorldPoint>& points) {
+  AddSize(digest, points.size());
+  for (const WorldPoint& point : points) AddPoint(digest, point);
+}
 
 void AddOptional(Digest* digest, const std::optional<WorldPoint>& point) {
   digest->Add(point.has_value());
@@ -47,19 +52,37 @@ void AddSighting(Digest* digest, const Sighting& sighting) {
   digest->Add(sighting.only_heard);
 }
 
+void AddPath(Digest* digest, const PathPlan& plan) {
+  AddPoints(digest, plan.points);
+  AddPoint(digest, plan.goal);
+  digest->Add(plan.complete);
+  digest->Add(plan.made_at);
+  digest->Add(plan.map_version);
+  digest->Add(plan.nearest_m);
+  digest->Add(plan.nearest_at);
+  digest->Add(plan.followed_at);
+  digest->Add(plan.sidestep_until);
+}
+
+void AddAmbush(Digest* digest, const AmbushPlan& plan) {
+  AddPoints(digest, plan.watched);
+  digest->Add(plan.tries);
+  digest->Add(plan.fewest);
+  AddOptional(digest, plan.best);
+}
+
 void AddMind(Digest* digest, const Mind& mind) {
   for (const std::uint64_t word : mind.random.state()) digest->Add(word);
   AddPoint(digest, mind.home);
   digest->Add(mind.home_z_m);
   AddSize(digest, mind.memory.size());
   for (const Sighting& sighting : mind.memory) AddSighting(digest, sighting);
-  AddSize(digest, mind.route.size());
-  for (const WorldPoint& place : mind.route) AddPoint(digest, place);
+  AddPoints(digest, mind.route);
   AddSize(digest, mind.next_place);
   AddOptional(digest, mind.goal);
   digest->Add(mind.goal_until);
   digest->Add(mind.pause_until);
-  AddTo(digest, mind.path);
+  AddPath(digest, mind.path);
   digest->Add(mind.turn_side);
   digest->Add(mind.target);
   digest->Add(mind.hit_by);
@@ -67,6 +90,7 @@ void AddMind(Digest* digest, const Mind& mind) {
   digest->Add(mind.alarmed_until);
   digest->Add(mind.searched_until);
   digest->Add(mind.closes_at);
+  AddAmbush(digest, mind.ambush);
   AddOptional(digest, mind.hide);
   AddSteering(digest, mind.steering);
 }

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "latticeworld/sensing/line_of_sight.h"
@@ -68,21 +67,32 @@ WorldPoint DrawHide(Agent* agent, const Surroundings& world, WorldPoint watched)
   return hide;
 }
 
-void PlanAmbush(Agent* agent, const Surroundings& world) {
+// A look at one place more; settles for the best one after some. Rays are dear: a plan made in one
+// thought would make that step a long one.
+void LookForHide(Agent* agent, const Surroundings& world) {
   constexpr int kTries = 12;
-  const std::vector<WorldPoint> watched = WatchedPlaces(agent, world);
   Mind& mind = agent->mind;
-  mind.hide = mind.home;
-  if (watched.empty()) return;
-  int fewest = std::numeric_limits<int>::max();
-  for (int i = 0; i < kTries && fewest > 0; ++i) {
-    const WorldPoint place = DrawHide(agent, world, watched[i % watched.size()]);
-    if (!world.scene.geometry().Contains(place) || !CanStand(world, *agent, place)) continue;
-    const int watchers = Watchers(*agent, world, watched, place);
-    if (watchers >= fewest) continue;
-    fewest = watchers;
-    mind.hide = place;
+  AmbushPlan& plan = mind.ambush;
+  if (plan.watched.empty()) {
+    plan = AmbushPlan();
+    plan.watched = WatchedPlaces(agent, world);
+    if (plan.watched.empty()) mind.hide = mind.home;
+    return;
   }
+  const WorldPoint watched =
+      plan.watched[static_cast<std::size_t>(plan.tries++) % plan.watched.size()];
+  const WorldPoint place = DrawHide(agent, world, watched);
+  if (world.scene.geometry().Contains(place) && CanStand(world, *agent, place)) {
+    const int watchers = Watchers(*agent, world, plan.watched, place);
+    if (!plan.best.has_value() || watchers < plan.fewest) {
+      plan.fewest = watchers;
+      plan.best = place;
+    }
+  }
+  const bool unseen = plan.best.has_value() && plan.fewest == 0;
+  if (!unseen && plan.tries < kTries) return;
+  mind.hide = plan.best.value_or(mind.home);
+  plan = AmbushPlan();
 }
 
 }  // namespace
@@ -100,7 +110,10 @@ std::optional<Steering> Ambush(Agent* agent, Surroundings* world) {
   constexpr double kThere_m = 0.7;
   Mind& mind = agent->mind;
   TakeUp(agent, Behaviour::kAmbush);
-  if (!mind.hide.has_value()) PlanAmbush(agent, *world);
+  if (!mind.hide.has_value()) {
+    LookForHide(agent, *world);
+    return StandHere(*agent);
+  }
   if (DistanceBetween(agent->place(), *mind.hide) <= kThere_m) {
     mind.goal.reset();
     return StandHere(*agent);

@@ -1,10 +1,10 @@
 #include "latticeworld/simulation/agents/avoidance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "latticeworld/simulation/agents/agent_grid.h"
+#include "latticeworld/simulation/agents/nearest_few.h"
 
 namespace latticeworld {
 namespace {
@@ -141,12 +141,7 @@ Vector2d AvoidingVelocity(const Vector2d& velocity_mps, const Vector2d& preferre
 }
 
 std::vector<AvoidedBody> BodiesToAvoid(const Agent& agent, const Surroundings& world) {
-  struct Near {
-    double gap_m;
-    const Agent* agent;
-  };
-  std::array<Near, kMostBodies> nearest;
-  std::size_t count = 0;
+  NearestFew<kMostBodies> nearest;
   const Eigen::Vector3d& here_m = agent.motion.position_m;
   world.near.ForEachNear(agent.place(), kAround_m, [&](const Agent& other) {
     if (other.id == agent.id || other.id == agent.mind.target) return;
@@ -156,15 +151,11 @@ std::vector<AvoidedBody> BodiesToAvoid(const Agent& agent, const Surroundings& w
     if (above_m > agent.species->height_m + kSpare_m ||
         -above_m > other.species->height_m + kSpare_m)
       return;
-    const double gap_m =
-        (other.motion.position_m - here_m).head<2>().norm() - other.species->radius_m;
-    if (count == kMostBodies && gap_m >= nearest[count - 1].gap_m) return;
-    std::size_t i = count < kMostBodies ? count++ : count - 1;
-    for (; i > 0 && nearest[i - 1].gap_m > gap_m; --i) nearest[i] = nearest[i - 1];
-    nearest[i] = {gap_m, &other};
+    nearest.Offer(other,
+                  (other.motion.position_m - here_m).head<2>().norm() - other.species->radius_m);
   });
-  std::vector<AvoidedBody> bodies(count);
-  for (std::size_t i = 0; i < count; ++i) {
+  std::vector<AvoidedBody> bodies(nearest.size());
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
     const Agent& other = *nearest[i].agent;
     constexpr double kBetween_m = 0.1;  // bodies follow what is wanted of them only so well
     bodies[i].offset_m = (other.motion.position_m - here_m).head<2>();

@@ -25,13 +25,13 @@ class FirstOfPieces : public BehaviourPiece {
   const std::vector<Piece> pieces_;
 };
 
-class WhenPiece : public BehaviourPiece {
+class GatedPiece : public BehaviourPiece {
  public:
-  WhenPiece(std::string name, Condition condition, Piece piece)
-      : name_(std::move(name)), condition_(condition), piece_(std::move(piece)) {}
+  GatedPiece(std::string name, Gate gate, Piece piece)
+      : name_(std::move(name)), gate_(std::move(gate)), piece_(std::move(piece)) {}
 
   std::optional<Steering> Try(Agent* agent, Surroundings* world) const override {
-    if (!condition_(*agent, *world)) return std::nullopt;
+    if (!gate_(agent, world)) return std::nullopt;
     return piece_->Try(agent, world);
   }
   std::string name() const override { return name_; }
@@ -39,7 +39,7 @@ class WhenPiece : public BehaviourPiece {
 
  private:
   const std::string name_;
-  const Condition condition_;
+  const Gate gate_;
   const Piece piece_;
 };
 
@@ -79,8 +79,15 @@ Piece FirstOf(std::vector<Piece> pieces) {
   return std::make_unique<FirstOfPieces>(std::move(pieces));
 }
 
+Piece Gated(std::string name, Gate gate, Piece piece) {
+  return std::make_unique<GatedPiece>(std::move(name), std::move(gate), std::move(piece));
+}
+
 Piece When(std::string name, Condition condition, Piece piece) {
-  return std::make_unique<WhenPiece>(std::move(name), condition, std::move(piece));
+  return Gated(
+      std::move(name),
+      [condition](Agent* agent, Surroundings* world) { return condition(*agent, *world); },
+      std::move(piece));
 }
 
 Piece Do(std::string name, Action action) {

@@ -1,6 +1,7 @@
 #ifndef LATTICEWORLD_SIMULATION_AGENTS_BEHAVIOUR_TREE_H_
 #define LATTICEWORLD_SIMULATION_AGENTS_BEHAVIOUR_TREE_H_
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,9 @@ using Action = std::optional<Steering> (*)(Agent* agent, Surroundings* world);
 
 // The first of the pieces that decides.
 Piece FirstOf(std::vector<Piece> pieces);
+// The piece, as long as the gate lets it; the gate may change the agent's mind first.
+using Gate = std::function<bool(Agent* agent, Surroundings* world)>;
+Piece Gated(std::string name, Gate gate, Piece piece);
 // The piece, as long as the condition holds.
 Piece When(std::string name, Condition condition, Piece piece);
 Piece Do(std::string name, Action action);

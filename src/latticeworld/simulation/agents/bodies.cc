@@ -49,6 +49,19 @@ BodyShape BoxShape(const Eigen::Vector3d& center_m, const Eigen::Vector3d& half_
   return shape;
 }
 
+void MakeBox(const Eigen::Vector3d& center_m, const Eigen::Vector3d& half_extents_m,
+             BodySpec* body) {
+  body->shapes = {BoxShape(center_m, half_extents_m)};
+  for (const double x : {1.0, -1.0}) {
+    for (const double y : {1.0, -1.0}) {
+      for (const double z : {-1.0, 1.0}) {
+        body->ground_samples.push_back(
+            {center_m + Eigen::Vector3d(x, y, z).cwiseProduct(half_extents_m), 0.0});
+      }
+    }
+  }
+}
+
 BodySpec BodyOf(const Species& species) {
   BodySpec body = PlanOf(species);
   body.grip = species.grip;

@@ -2,6 +2,7 @@
 
 #include "latticeworld/simulation/agents/drives.h"
 #include "latticeworld/simulation/agents/forces_on.h"
+#include "latticeworld/simulation/agents/limits.h"
 
 namespace latticeworld {
 namespace {
@@ -29,8 +30,7 @@ void DriveFins(const Agent& agent, const Surroundings& world) {
   Eigen::Vector3d thrust = species.mass_kg * kVelocityGain_hz * (wanted - velocity);
   if (velocity.norm() > 1e-6) thrust += drag_n(velocity.norm()) * velocity.normalized();
   const double most_n = species.mass_kg * species.acceleration_mps2 + drag_n(species.top_speed_mps);
-  if (thrust.norm() > most_n) thrust *= most_n / thrust.norm();
-  world.physics.AddForce(agent.body, submerged * thrust);
+  world.physics.AddForce(agent.body, submerged * NoLongerThan(most_n, thrust));
   TurnTo(agent, submerged * agent.driven.yaw_rate_radps, &world.physics);
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "latticeworld/simulation/agents/drives.h"
+#include "latticeworld/simulation/agents/footing.h"
 #include "latticeworld/simulation/agents/forces_on.h"
 #include "latticeworld/simulation/agents/quadruped_gait.h"
 
@@ -19,6 +20,7 @@ constexpr double kLevel_rad = 0.1, kTipped_rad = 0.2;
 constexpr double kLow_m = 0.05;   // too low to step: it rises first
 constexpr double kFallen = 0.45;  // upward share of its upright axis below which it has fallen
 constexpr double kRighted = 0.9;
+constexpr double kStride_m = 1.5;  // no foot is put down further from its base
 // How fast it learns what its gait falls short by, and how much of it at most.
 constexpr double kTrimGain_hz = 1.5;
 constexpr double kForget_hz = 3.0;  // once nothing is wanted
@@ -131,7 +133,7 @@ double Tilt(const GaitState& state) {
   return std::acos(std::clamp(state.map_from_base.col(2).dot(state.normal), -1.0, 1.0));
 }
 
-bool FeetAreNear(const QuadrupedDesign& design, const Legs& legs, const HeightField& ground,
+bool FeetAreNear(const QuadrupedDesign& design, const Legs& legs, const Footing& ground,
                  const GaitState& state) {
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const Eigen::Vector3d neutral_m = NeutralFoot(design, legs[i], ground, state);
@@ -157,7 +159,7 @@ void Walk(Agent* agent, const Legs& legs, Surroundings* world) {
   Posture& posture = agent->posture;
   PhysicsWorld& physics = world->physics;
   const QuadrupedDesign& design = *agent->species->quadruped;
-  const HeightField& ground = world->scene.terrain->ground;
+  const Footing ground(*world, *agent, kStride_m);
   const GaitState state = StateOf(design, legs, ground, agent->body, agent->motion, physics);
   const bool wanted = IsWanted(agent->driven);
   const double low_m = state.ground_m + design.stance_height_m - state.center_m.z();

@@ -3,6 +3,7 @@
 
 #include "latticeworld/simulation/agents/drives.h"
 #include "latticeworld/simulation/agents/forces_on.h"
+#include "latticeworld/simulation/agents/limits.h"
 
 namespace latticeworld {
 namespace {
@@ -28,7 +29,7 @@ void DriveWings(const Agent& agent, const Surroundings& world) {
                         kGravity_mps2 * Eigen::Vector3d::UnitZ()) -
              kWindCompensation * AirDrag(species.drag_area_m2, world.atmosphere.wind_mps, velocity);
     const double limit_n = kThrustToWeight * mass_kg * kGravity_mps2;
-    if (thrust.norm() > limit_n) thrust *= limit_n / thrust.norm();
+    thrust = NoLongerThan(limit_n, thrust);
     TurnTo(agent, agent.driven.yaw_rate_radps, &world.physics);
   }
   world.physics.AddForce(agent.body, thrust + drag);

@@ -88,13 +88,9 @@ void ChooseSharedPrey(Agent* agent, Surroundings* world) {
     if (seen != nullptr && !seen->only_heard && AgeOf(*seen, *world) <= kFresh_s) called = seen;
   });
   if (called == nullptr || !AreEnemies(agent->team, called->team)) return;
-  const auto found = world->agents.find(called->who);
-  if (found == world->agents.end() || !found->second.alive()) return;
-  Sighting heard = *called;
-  heard.seen_now = false;
-  heard.only_heard = true;
-  Remember(agent, heard);
-  mind.target = heard.who;
+  if (world->FindLiving(called->who) == nullptr) return;
+  mind.target = called->who;
+  RememberHearsay(agent, *called);
 }
 
 bool HuntsInPack(const Agent& agent, const Surroundings& world) {

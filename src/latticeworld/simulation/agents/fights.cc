@@ -34,9 +34,9 @@ Agent* NearestWithinReach(const Agent& agent, Surroundings* world) {
 }
 
 Agent* ThoughtOfTarget(const Agent& agent, Surroundings* world) {
-  const auto found = world->agents.find(agent.mind.steering.strike);
-  if (found == world->agents.end() || !found->second.alive()) return nullptr;
-  return IsWithinReach(agent, found->second) ? &found->second : nullptr;
+  const Agent* const target = world->FindLiving(agent.mind.steering.strike);
+  return target != nullptr && IsWithinReach(agent, *target) ? &world->agents.at(target->id)
+                                                            : nullptr;
 }
 
 // Above the victim's base [m]. What stands on wheels or four feet is struck low at its side: a blow
@@ -87,7 +87,11 @@ void Harm(Agent* victim, double hit_points, const std::string& by, Surroundings*
   if (!victim->alive()) return;
   victim->hit_points = std::max(0.0, victim->hit_points - hit_points);
   world->Tell(EventKind::kHit, *victim, by);
-  if (victim->alive()) return;
+  if (!victim->alive()) Die(victim, by, world);
+}
+
+void Die(Agent* victim, const std::string& by, Surroundings* world) {
+  victim->hit_points = 0.0;
   victim->died_at = world->episode_step;
   victim->behaviour = Behaviour::kDead;
   victim->strike_wanted = false;

@@ -21,6 +21,8 @@ bool Faces(const Agent& agent, WorldPoint place);
 // Takes hit points from the victim; tells hit (by: the agent or thing that did it; may be empty)
 // and, when none are left, died. The dead are harmed no more.
 void Harm(Agent* victim, double hit_points, const std::string& by, Surroundings* world);
+// What becomes of who has no hit points left; tells died.
+void Die(Agent* victim, const std::string& by, Surroundings* world);
 
 }  // namespace latticeworld
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "latticeworld/simulation/agents/fights.h"
+#include "latticeworld/simulation/agents/footing.h"
 #include "latticeworld/simulation/water_forces.h"
 
 namespace latticeworld {
@@ -25,12 +27,8 @@ void Drown(Agent* agent, double under_m, Surroundings* world) {
   agent->posture.water_s += world->step_s;
   agent->hit_points -= species.hit_points * world->step_s / species.drowning_time_s;
   if (agent->alive()) return;
-  agent->hit_points = 0.0;
-  agent->died_at = world->episode_step;
-  agent->behaviour = Behaviour::kDead;
-  agent->strike_wanted = false;
   world->Tell(EventKind::kDrowned, *agent, "water");
-  world->Tell(EventKind::kDied, *agent, "water");
+  Die(agent, "water", world);
 }
 
 }  // namespace
@@ -79,7 +77,7 @@ double SpeedInSnow(double depth_m) {
 
 Eigen::Vector3d WithinSlope(const Agent& agent, const Surroundings& world,
                             const Eigen::Vector3d& velocity_mps) {
-  constexpr double kOnSomething_m = 0.25;  // above the ground: on a deck, a stone, a stem
+  constexpr double kOnSomething_m = 0.25;  // above the ground: on a stone, a stem
   if (velocity_mps.isZero()) return velocity_mps;
   const HeightField& ground = world.scene.terrain->ground;
   const Species& species = *agent.species;
@@ -89,7 +87,8 @@ Eigen::Vector3d WithinSlope(const Agent& agent, const Surroundings& world,
   if (sine <= std::sin(species.max_slope_rad)) return velocity_mps;
   const double downward_mps = velocity_mps.head<2>().dot(down) / sine;
   if (downward_mps >= 0.0) return velocity_mps;
-  if (agent.motion.position_m.z() > ground.HeightAt(agent.place()) + kOnSomething_m) {
+  if (agent.motion.position_m.z() > ground.HeightAt(agent.place()) + kOnSomething_m ||
+      StandsOnDeck(world, agent)) {
     return velocity_mps;
   }
   Eigen::Vector3d limited = velocity_mps;

@@ -30,10 +30,13 @@ Eigen::Vector2d AroundOthers(const Agent& agent, const Surroundings& world, doub
                           options);
 }
 
-// Steered wheels: forward in an arc where that leads there, else back first, turning to it.
+// Steered wheels: forward in an arc where that leads there, else back first, turning to it. Where
+// there is room for neither, back and forth over what room there is, turning each time.
 void SteerWheels(const Agent& agent, const LookAround& look, WorldPoint corner,
                  Steering* steering) {
   constexpr double kBent_rad = 0.3;  // from here on the arc is not the straight way that was seen
+  constexpr double kShares[] = {0.5, 0.25, 0.12};  // of the usual room
+  constexpr double kCrawl_s = 1.0;                 // over the room that there is
   const double yaw_rad = agent.motion.yaw_rad();
   const double error_rad = WrapAngle(steering->heading_rad - yaw_rad);
   if (std::abs(error_rad) < kBent_rad) return;
@@ -42,18 +45,29 @@ void SteerWheels(const Agent& agent, const LookAround& look, WorldPoint corner,
   const double side = error_rad > 0.0 ? 1.0 : -1.0;
   const WorldPoint pivot = Ahead(agent.place(), yaw_rad + side * M_PI / 2, radius_m);
   // Once it backs up it does so for a while, not back and forth on the circle's rim.
-  const double rim_m = (agent.mind.steering.speed_mps < 0.0 ? 1.2 : 1.0) * radius_m;
+  const bool backs_up = agent.mind.steering.speed_mps < 0.0;
+  const double rim_m = (backs_up ? 1.2 : 1.0) * radius_m;
   const bool inside = DistanceBetween(pivot, corner) < rim_m;
   const bool forward = look.CanGo(yaw_rad, ahead_m);
   if (forward && !inside) return;
   if (look.CanGo(yaw_rad + M_PI, ahead_m)) {
     steering->speed_mps = -0.5 * steering->speed_mps;
-  } else if (!forward) {
-    steering->speed_mps = 0.0;
+    return;
   }
+  if (forward) return;
+  for (const double share : kShares) {
+    const double room_m = share * ahead_m;
+    const bool can_go[] = {look.CanGo(yaw_rad, room_m), look.CanGo(yaw_rad + M_PI, room_m)};
+    if (!can_go[0] && !can_go[1]) continue;
+    const bool back = can_go[backs_up ? 1 : 0] ? backs_up : !backs_up;
+    steering->speed_mps = (back ? -1.0 : 1.0) * std::min(steering->speed_mps, room_m / kCrawl_s);
+    return;
+  }
+  steering->speed_mps = 0.0;
 }
 
-// Height of base_link that it keeps on its way, of flyers and swimmers.
+}  // namespace
+
 std::optional<double> HeightOnTheWay(const Agent& agent, const Surroundings& world,
                                      double heading_rad, double speed_mps) {
   const Species& species = *agent.species;
@@ -71,8 +85,6 @@ std::optional<double> HeightOnTheWay(const Agent& agent, const Surroundings& wor
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 Steering GoTo(Agent* agent, Surroundings* world, WorldPoint place, double speed_mps) {
   const Species& species = *agent->species;

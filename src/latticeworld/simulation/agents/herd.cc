@@ -1,10 +1,10 @@
 #include "latticeworld/simulation/agents/herd.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "latticeworld/simulation/agents/agent_grid.h"
+#include "latticeworld/simulation/agents/nearest_few.h"
 
 namespace latticeworld {
 namespace {
@@ -18,11 +18,6 @@ constexpr double kOwnRoom_m = 1.5;
 constexpr std::size_t kNeighbours = 7;
 // Cohesion begins at this distance from the middle of the neighbours and is whole at the other.
 constexpr double kContent_m = 5.0, kAstray_m = 15.0;
-
-struct Neighbour {
-  double distance_m = 0.0;
-  const Agent* agent = nullptr;
-};
 
 bool IsOfItsHerd(const Agent& agent, const Agent& other) {
   return other.id != agent.id && other.species == agent.species && other.alive();
@@ -42,35 +37,27 @@ void Grant(const Eigen::Vector2d& wish, double* left, Eigen::Vector2d* sum) {
 }  // namespace
 
 Eigen::Vector2d Flocking(const Agent& agent, const Surroundings& world) {
-  // The nearest few, nearest first; ties by the order of the grid.
-  std::array<Neighbour, kNeighbours> nearest;
-  std::size_t count = 0;
+  NearestFew<kNeighbours> nearest;
   const Eigen::Vector2d here = PlaceOf(agent);
   world.near.ForEachNear(agent.place(), kHerd_m, [&](const Agent& other) {
-    if (!IsOfItsHerd(agent, other)) return;
-    const double distance_m = (PlaceOf(other) - here).norm();
-    if (count == kNeighbours && distance_m >= nearest[count - 1].distance_m) return;
-    std::size_t i = count < kNeighbours ? count++ : count - 1;
-    for (; i > 0 && nearest[i - 1].distance_m > distance_m; --i) nearest[i] = nearest[i - 1];
-    nearest[i] = {distance_m, &other};
+    if (IsOfItsHerd(agent, other)) nearest.Offer(other, (PlaceOf(other) - here).norm());
   });
-  if (count == 0) return Eigen::Vector2d::Zero();
+  if (nearest.empty()) return Eigen::Vector2d::Zero();
 
   const double room_m = 2.0 * agent.species->radius_m + kOwnRoom_m;
   Eigen::Vector2d apart = Eigen::Vector2d::Zero(), middle = Eigen::Vector2d::Zero();
   Eigen::Vector2d velocity_mps = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Eigen::Vector2d off_m = here - PlaceOf(*nearest[i].agent);
+  for (const auto& [distance_m, other] : nearest) {
+    const Eigen::Vector2d off_m = here - PlaceOf(*other);
     // Two in one place part along x, by who came first.
-    const Eigen::Vector2d away =
-        nearest[i].distance_m > 1e-6
-            ? Eigen::Vector2d(off_m / nearest[i].distance_m)
-            : Eigen::Vector2d(agent.id < nearest[i].agent->id ? -1.0 : 1.0, 0.0);
-    apart += std::max(0.0, 1.0 - nearest[i].distance_m / room_m) * away;
-    middle += PlaceOf(*nearest[i].agent);
-    velocity_mps += nearest[i].agent->motion.linear_velocity_mps.head<2>();
+    const Eigen::Vector2d away = distance_m > 1e-6
+                                     ? Eigen::Vector2d(off_m / distance_m)
+                                     : Eigen::Vector2d(agent.id < other->id ? -1.0 : 1.0, 0.0);
+    apart += std::max(0.0, 1.0 - distance_m / room_m) * away;
+    middle += PlaceOf(*other);
+    velocity_mps += other->motion.linear_velocity_mps.head<2>();
   }
-  const double of_count = 1.0 / static_cast<double>(count);
+  const double of_count = 1.0 / static_cast<double>(nearest.size());
   middle *= of_count;
   velocity_mps *= of_count;
 

@@ -5,6 +5,7 @@
 
 #include "latticeworld/simulation/agents/drives.h"
 #include "latticeworld/simulation/agents/forces_on.h"
+#include "latticeworld/simulation/agents/limits.h"
 
 namespace latticeworld {
 namespace {
@@ -13,10 +14,6 @@ constexpr double kSidewaysShare = 0.5;  // of a quadruped's top speed
 // A vehicle whose upward axis has less of the vertical is overturned, until it has more of it.
 constexpr double kOverturned = 0.3, kOnItsWheels = 0.5;
 constexpr double kMostLever = 2.0;  // of a blow above the middle of a body
-
-bool IsOnLegs(BodyPlan plan) {
-  return plan == BodyPlan::kQuadruped || plan == BodyPlan::kBiped || plan == BodyPlan::kGrazer;
-}
 
 double Toward(double from, double to, double largest_change) {
   return from + std::clamp(to - from, -largest_change, largest_change);
@@ -82,8 +79,7 @@ VelocityCommand ClampToLimits(const Species& species, const VelocityCommand& com
   } else if (species.plan == BodyPlan::kVehicle || IsOnLegs(species.plan)) {
     clamped.linear_mps.tail<2>().setZero();
   }
-  const double speed_mps = clamped.linear_mps.norm();
-  if (speed_mps > top_mps) clamped.linear_mps *= top_mps / speed_mps;
+  clamped.linear_mps = NoLongerThan(top_mps, clamped.linear_mps);
   return clamped;
 }
 
@@ -94,8 +90,7 @@ void Drive(Agent* agent, const VelocityCommand& wanted, Surroundings* world) {
   VelocityCommand able = agent->able() ? wanted : VelocityCommand();
   if (IsOnLegs(species.plan)) {
     const double top_mps = species.top_speed_mps * SpeedInSnow(world->atmosphere.snow_depth_m);
-    const double speed_mps = able.linear_mps.norm();
-    if (speed_mps > top_mps) able.linear_mps *= top_mps / speed_mps;
+    able.linear_mps = NoLongerThan(top_mps, able.linear_mps);
   }
   RampUp(agent, able, world->step_s);
   switch (species.plan) {
@@ -116,9 +111,7 @@ void Drive(Agent* agent, const VelocityCommand& wanted, Surroundings* world) {
       DriveFins(*agent, *world);
       break;
   }
-  if (species.plan != BodyPlan::kFlyer && species.plan != BodyPlan::kSwimmer) {
-    BlowOn(*agent, *world);
-  }
+  if (!KeepsAfloat(species.plan)) BlowOn(*agent, *world);
   Float(agent, world);
 }
 

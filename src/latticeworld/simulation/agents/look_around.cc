@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "latticeworld/simulation/agents/footing.h"
 #include "latticeworld/simulation/agents/steering.h"
 
 namespace latticeworld {
@@ -11,11 +12,12 @@ namespace {
 constexpr double kClearance_m = 0.12;  // kept from solid things beside the body's own radius
 constexpr double kEdge_m = 0.3;        // kept from the edge of the world
 constexpr double kThin_m = 0.02;       // of the ray that must not go through a wall
+constexpr double kDeckEdge_m = 0.3;    // kept by its middle from the edge of a bridge
 
 double StrideOf(const Species& species) { return species.plan == BodyPlan::kSwimmer ? 2.0 : 0.5; }
 
-// What does not depend on solid things.
-bool IsGroundGood(const Surroundings& world, const Agent& agent, WorldPoint place) {
+// What does not depend on solid things, off bridges.
+bool IsGroundItselfGood(const Surroundings& world, const Agent& agent, WorldPoint place) {
   const Species& species = *agent.species;
   const double half_m = world.scene.geometry().half_size_m() - species.radius_m - kEdge_m;
   if (!(std::abs(place.x_m) <= half_m && std::abs(place.y_m) <= half_m)) return false;
@@ -29,18 +31,17 @@ bool IsGroundGood(const Surroundings& world, const Agent& agent, WorldPoint plac
   return world.scene.terrain->ground.SlopeAt(place) <= max_slope_rad;
 }
 
+bool IsGroundGood(const Surroundings& world, const Agent& agent, WorldPoint place) {
+  if (IsGroundItselfGood(world, agent, place)) return true;
+  return !KeepsAfloat(agent.species->plan) && world.scene.geometry().Contains(place) &&
+         IsCarried(*ElementsIn(world.scene, world.changes), place, kDeckEdge_m,
+                   agent.species->mass_kg);
+}
+
 bool IsGroundGoodAlong(const Surroundings& world, const Agent& agent, WorldPoint from,
                        WorldPoint to) {
-  const double length_m = DistanceBetween(from, to);
-  const int strides = std::max(1, static_cast<int>(std::ceil(length_m / StrideOf(*agent.species))));
-  for (int i = 1; i <= strides; ++i) {
-    const double share = static_cast<double>(i) / strides;
-    if (!IsGroundGood(
-            world, agent,
-            {from.x_m + share * (to.x_m - from.x_m), from.y_m + share * (to.y_m - from.y_m)}))
-      return false;
-  }
-  return true;
+  return HoldsAlong(from, to, StrideOf(*agent.species),
+                    [&](WorldPoint place) { return IsGroundGood(world, agent, place); });
 }
 
 double MarginOf(const Agent& agent) { return agent.species->radius_m + kClearance_m; }
@@ -103,15 +104,8 @@ bool LookAround::CanGo(double heading_rad, double distance_m) const {
 std::optional<double> LookAround::ClearHeading(double wanted_rad, double distance_m,
                                                int* turn_side) const {
   constexpr double kTurns_rad[] = {0.0, 0.4, 0.8, 1.2, 1.6, 2.1, 2.7};
-  for (const double turn_rad : kTurns_rad) {
-    for (const int side : {*turn_side, -*turn_side}) {
-      const double heading_rad = WrapAngle(wanted_rad + side * turn_rad);
-      if (!CanGo(heading_rad, distance_m)) continue;
-      if (turn_rad > 0.0) *turn_side = side;
-      return heading_rad;
-    }
-  }
-  return std::nullopt;
+  return FirstClearHeading(wanted_rad, kTurns_rad, turn_side,
+                           [&](double heading_rad) { return CanGo(heading_rad, distance_m); });
 }
 
 }  // namespace latticeworld

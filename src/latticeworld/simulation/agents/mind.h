@@ -50,6 +50,14 @@ struct PathPlan {
   std::uint64_t sidestep_until = 0;  // episode step; stuck: tries its luck to one side until then
 };
 
+// The search for a hiding place, spread over thoughts.
+struct AmbushPlan {
+  std::vector<WorldPoint> watched;  // where others may pass; empty: not begun
+  int tries = 0;                    // places that it has looked at
+  int fewest = 0;                   // of the watched places, that see the best one
+  std::optional<WorldPoint> best{};
+};
+
 // What an agent has in mind from one thought to the next. Times are episode steps. Plain data: the
 // pieces that behaviours are composed of keep what they remember here and nowhere else.
 struct Mind {
@@ -72,7 +80,8 @@ struct Mind {
   std::uint64_t alarmed_until = 0;   // flees or retreats until then
   std::uint64_t searched_until = 0;  // searches the last seen place until then
   std::uint64_t closes_at = 0;       // encirclement: goes in then; 0: has not begun
-  std::optional<WorldPoint> hide{};  // ambush
+  AmbushPlan ambush;
+  std::optional<WorldPoint> hide{};  // ambush: where it waits; none: it is still looking for it
   Steering steering;
 };
 

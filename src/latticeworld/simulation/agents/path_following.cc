@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "latticeworld/common/digest.h"
 #include "latticeworld/simulation/agents/path_finder.h"
 #include "latticeworld/simulation/agents/steering.h"
 
@@ -46,6 +45,17 @@ bool IsStillFree(const Agent& agent, Surroundings* world, const PathPlan& plan) 
   return true;
 }
 
+// Whether what has changed may have opened a better way: none led there, or one that is much longer
+// than the straight one.
+bool IsDetour(WorldPoint here, const PathPlan& plan) {
+  constexpr double kMuchLonger = 1.25;
+  if (!plan.complete) return true;
+  double left_m = DistanceBetween(here, plan.points.front());
+  for (std::size_t i = 1; i < plan.points.size(); ++i)
+    left_m += DistanceBetween(plan.points[i - 1], plan.points[i]);
+  return left_m > kMuchLonger * DistanceBetween(here, plan.points.back());
+}
+
 // Drops the corner that it has come to, or that it need not go around any more.
 void PassCorner(const Agent& agent, Surroundings* world, PathPlan* plan) {
   if (plan->points.size() < 2) return;
@@ -86,8 +96,8 @@ std::optional<WorldPoint> NextCorner(Agent* agent, Surroundings* world, WorldPoi
     if (plan.complete) plan.points.back() = place;
     PassCorner(*agent, world, &plan);
     if (plan.map_version != world->map_version) {
-      useless = !IsStillFree(*agent, world, plan);
-      plan.map_version = world->map_version;
+      useless = IsDetour(here, plan) || !IsStillFree(*agent, world, plan);
+      if (!useless) plan.map_version = world->map_version;
     }
     const bool ended =
         !plan.complete && DistanceBetween(here, plan.points.back()) < ReachOf(*agent);
@@ -110,23 +120,6 @@ std::optional<WorldPoint> NextCorner(Agent* agent, Surroundings* world, WorldPoi
   }
   if (plan.points.empty()) return std::nullopt;
   return plan.points.front();
-}
-
-void AddTo(Digest* digest, const PathPlan& plan) {
-  digest->Add(plan.points.size());
-  for (const WorldPoint& point : plan.points) {
-    digest->Add(point.x_m);
-    digest->Add(point.y_m);
-  }
-  digest->Add(plan.goal.x_m);
-  digest->Add(plan.goal.y_m);
-  digest->Add(plan.complete);
-  digest->Add(plan.made_at);
-  digest->Add(plan.map_version);
-  digest->Add(plan.nearest_m);
-  digest->Add(plan.nearest_at);
-  digest->Add(plan.followed_at);
-  digest->Add(plan.sidestep_until);
 }
 
 }  // namespace latticeworld

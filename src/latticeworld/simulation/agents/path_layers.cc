@@ -33,6 +33,7 @@ RobotLimits LimitsOf(const BodyClass& body) {
   limits.max_slope_rad = body.max_slope_rad;
   limits.max_fording_depth_m = body.wade_depth_m;
   limits.clearance_m = 0.0;  // agents push through crowns
+  limits.mass_kg = body.mass_kg;
   return limits;
 }
 
@@ -45,11 +46,12 @@ BodyClass ClassOf(const Species& species) {
   body.height_m = RoundUp(species.height_m, 0.5);
   if (body.swims) {
     body.wade_depth_m = RoundUp(species.wade_depth_m, 0.1);
-    body.max_slope_rad = body.grip = 0.0;
+    body.max_slope_rad = body.grip = body.mass_kg = 0.0;
   } else {
     body.wade_depth_m = std::max(0.0, RoundDown(species.wade_depth_m, 0.05));
     body.max_slope_rad = std::clamp(RoundDown(species.max_slope_rad, 0.02), 0.02, 1.5);
     body.grip = RoundDown(species.grip, 0.1);
+    body.mass_kg = std::exp2(std::ceil(std::log2(species.mass_kg)));
   }
   return body;
 }
@@ -66,7 +68,7 @@ struct PathLayers::Layer {
           }
           layers->BlockBelowStems(body, row, col, ease);
         }) {
-    if (!body.swims) window.emplace(layers->scene_, LimitsOf(body));
+    if (!body.swims) window.emplace(layers->scene_, LimitsOf(body), layers->scene_cells_);
   }
   Layer(const Layer&) = delete;
   Layer& operator=(const Layer&) = delete;
@@ -79,7 +81,9 @@ struct PathLayers::Layer {
 PathLayers::PathLayers(const Scene& scene)
     : scene_(scene),
       surfaces_(scene, scene.atmosphere.ground()),
-      scene_cells_(std::max(1, static_cast<int>(kCell_m / scene.geometry().resolution_m()))) {}
+      scene_cells_(std::max(1, static_cast<int>(kCell_m / scene.geometry().resolution_m()))) {
+  changes_.elements = ElementsIn(scene, changes_);
+}
 
 PathLayers::~PathLayers() = default;
 
@@ -106,6 +110,7 @@ void PathLayers::FillOnGround(const Layer& layer, int row, int col, PathLayer::T
   standing.gone = changes_.gone;
   for (const FallenTree& tree : changes_.fallen) standing.gone.push_back(tree.asset);
   std::sort(standing.gone.begin(), standing.gone.end());
+  standing.elements = changes_.elements;
   layer.window->Fill(window, standing, values.data());
 
   // Slopes that the feet hold on, by surface.
@@ -150,6 +155,9 @@ void PathLayers::FillInWater(const BodyClass& body, int row, int col, PathLayer:
       if (!scene_.geometry().Contains(point) ||
           scene_.terrain->WaterDepthAt(point) < body.wade_depth_m)
         return false;
+    }
+    for (const ElementBlock& block : changes_.elements->blocks) {
+      if (GapTo(block.footprint, center) < beside_m) return false;
     }
     bool clear = true;
     scene_.index.ForEachNear(center, beside_m, [&](std::uint32_t asset) {
@@ -211,9 +219,35 @@ void PathLayers::Forget(const FallenTree& tree) {
                       reach_m + layer->body.radius_m + 2.0 * cell_m());
 }
 
+void PathLayers::Forget(const Footprint& footprint) {
+  for (const std::unique_ptr<Layer>& layer : layers_)
+    layer->map.Forget(footprint.centre,
+                      footprint.radius_m() + layer->body.radius_m + 2.0 * cell_m());
+}
+
+void PathLayers::ForgetDifferent(const StandingElements& before, const StandingElements& after) {
+  const auto forget = [this](const auto& from, const auto& but) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const bool is_in_place = i < but.size() && from[i] == but[i];
+      if (!is_in_place && std::find(but.begin(), but.end(), from[i]) == but.end())
+        Forget(from[i].footprint);
+    }
+  };
+  forget(before.blocks, after.blocks);
+  forget(after.blocks, before.blocks);
+  forget(before.decks, after.decks);
+  forget(after.decks, before.decks);
+}
+
 void PathLayers::Update(const SceneChanges& changes) {
+  if (changes.elements != changes_.elements) {
+    const std::shared_ptr<const StandingElements> elements = ElementsIn(scene_, changes);
+    ForgetDifferent(*changes_.elements, *elements);
+    changes_.elements = elements;
+  }
   if (changes.empty() && changes_.empty()) return;
   SceneChanges rounded = changes;
+  rounded.elements = changes_.elements;
   for (FallenTree& tree : rounded.fallen) {
     tree.foot_m = Rounded(tree.foot_m);
     tree.tip_m = Rounded(tree.tip_m);

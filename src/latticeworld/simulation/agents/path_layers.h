@@ -8,6 +8,7 @@
 #include "latticeworld/mapping/traversability_window.h"
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/scene/scene_changes.h"
+#include "latticeworld/scene/standing_elements.h"
 #include "latticeworld/scene/surface_table.h"
 #include "latticeworld/simulation/agents/path_layer.h"
 #include "latticeworld/species/species.h"
@@ -23,19 +24,20 @@ struct BodyClass {
   double max_slope_rad = 0.6;
   double wade_depth_m = 0.2;  // swimmers: shallowest water
   double grip = 1.0;          // times the friction of the surface
+  double mass_kg = 50.0;      // on bridges; swimmers: 0
 
   friend bool operator==(const BodyClass& a, const BodyClass& b) {
     return a.swims == b.swims && a.radius_m == b.radius_m && a.height_m == b.height_m &&
            a.max_slope_rad == b.max_slope_rad && a.wade_depth_m == b.wade_depth_m &&
-           a.grip == b.grip;
+           a.grip == b.grip && a.mass_kg == b.mass_kg;
   }
 };
 BodyClass ClassOf(const Species& species);
 
 // Where bodies of each class can go in one scene: the traversability map at its mean water level,
-// less what their feet do not hold on in the weather that the scene begins with and what hangs too
-// low, in cells of 0.5 to 1 m (or as coarse as the scene). A cell is free where all cells of the
-// scene in it are.
+// with elements as the changes have them, less what their feet do not hold on in the weather that
+// the scene begins with and what hangs too low, in cells of 0.5 to 1 m (or as coarse as the scene).
+// A cell is free where all cells of the scene in it are, or a bridge carries its middle.
 class PathLayers {
  public:
   // scene: outlives this.
@@ -63,6 +65,8 @@ class PathLayers {
   void BlockBelowStems(const BodyClass& body, int row, int col, PathLayer::Tile* ease) const;
   void Forget(std::uint32_t asset);
   void Forget(const FallenTree& tree);
+  void Forget(const Footprint& footprint);
+  void ForgetDifferent(const StandingElements& before, const StandingElements& after);
 
   const Scene& scene_;
   const SurfaceTable surfaces_;

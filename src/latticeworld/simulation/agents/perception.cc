@@ -1,14 +1,13 @@
 #include "latticeworld/simulation/agents/perception.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "latticeworld/sensing/line_of_sight.h"
 #include "latticeworld/sensing/weather_effects.h"
 #include "latticeworld/simulation/agents/agent_grid.h"
 #include "latticeworld/simulation/agents/fights.h"
+#include "latticeworld/simulation/agents/nearest_few.h"
 #include "latticeworld/simulation/agents/steering.h"
 
 namespace latticeworld {
@@ -16,7 +15,7 @@ namespace {
 
 constexpr double kMemory_s = 30.0;
 // Sight rays of one look, which so takes in no more than the nearest.
-constexpr int kRays = 8;
+constexpr std::size_t kRays = 8;
 // Animals heed only what could soon be upon them.
 constexpr double kHeeded_m = 20.0;
 
@@ -73,11 +72,6 @@ bool Heeds(const Agent& agent, const Agent& other) {
   return agent.team == 0 && other.team != 0 && CanStrike(other);
 }
 
-struct Heeded {
-  double range_m;
-  const Agent* other;
-};
-
 void Note(Agent* agent, const Agent& other, bool seen, const Surroundings& world) {
   Sighting sighting;
   sighting.who = other.id;
@@ -94,8 +88,7 @@ void Forget(Agent* agent, const Surroundings& world) {
   const std::uint64_t kept_steps = world.StepsIn(kMemory_s);
   auto& memory = agent->mind.memory;
   const auto is_over = [&](const Sighting& sighting) {
-    const auto found = world.agents.find(sighting.who);
-    return found == world.agents.end() || !found->second.alive() ||
+    return world.FindLiving(sighting.who) == nullptr ||
            world.episode_step - sighting.step > kept_steps;
   };
   memory.erase(std::remove_if(memory.begin(), memory.end(), is_over), memory.end());
@@ -104,12 +97,10 @@ void Forget(Agent* agent, const Surroundings& world) {
 
 // A blow is felt: it tells who struck it, and where from, whether that was seen or not.
 void FeelBlows(Agent* agent, const Surroundings& world) {
-  const Mind& mind = agent->mind;
-  if (mind.hit_at == 0 || world.episode_step - mind.hit_at > world.StepsIn(0.3)) return;
-  const auto found = world.agents.find(mind.hit_by);
-  if (found != world.agents.end() && found->second.alive()) {
-    Note(agent, found->second, false, world);
-  }
+  constexpr double kFelt_s = 0.3;
+  if (!WasHit(*agent, world, kFelt_s)) return;
+  const Agent* const striker = world.FindLiving(agent->mind.hit_by);
+  if (striker != nullptr) Note(agent, *striker, false, world);
 }
 
 }  // namespace
@@ -125,25 +116,15 @@ void Perceive(Agent* agent, const Surroundings& world) {
   }
 
   // The nearest first, as many as there are rays; those beyond may still be heard.
-  std::array<Heeded, kRays> nearest;
-  int count = 0;
+  NearestFew<kRays> nearest;
   world.near.ForEachNear(agent->place(), std::max(sight_m, hearing_m), [&](const Agent& other) {
     if (!Heeds(*agent, other)) return;
     const double range_m = RangeTo(*agent, other);
-    if (range_m <= sight_m && IsInView(*agent, other)) {
-      int place = count;
-      while (place > 0 && range_m < nearest[place - 1].range_m) --place;
-      if (place < kRays) {
-        count = std::min(count + 1, kRays);
-        std::move_backward(nearest.begin() + place, nearest.begin() + count - 1,
-                           nearest.begin() + count);
-        nearest[place] = {range_m, &other};
-      }
-    }
+    if (range_m <= sight_m && IsInView(*agent, other)) nearest.Offer(other, range_m);
     if (range_m <= LoudnessOf(other) * hearing_m) Note(agent, other, false, world);
   });
-  for (int i = 0; i < count; ++i) {
-    if (LineIsFree(*agent, *nearest[i].other, world)) Note(agent, *nearest[i].other, true, world);
+  for (const auto& [range_m, other] : nearest) {
+    if (LineIsFree(*agent, *other, world)) Note(agent, *other, true, world);
   }
 }
 
@@ -159,6 +140,13 @@ void Remember(Agent* agent, const Sighting& sighting) {
   }
 }
 
+void RememberHearsay(Agent* agent, const Sighting& sighting) {
+  Sighting heard = sighting;
+  heard.seen_now = false;
+  heard.only_heard = true;
+  Remember(agent, heard);
+}
+
 const Sighting* MemoryOf(const Agent& agent, AgentId who) {
   for (const Sighting& sighting : agent.mind.memory) {
     if (sighting.who == who) return &sighting;
@@ -166,19 +154,25 @@ const Sighting* MemoryOf(const Agent& agent, AgentId who) {
   return nullptr;
 }
 
+const Sighting* NearestKnown(const Agent& agent, const Surroundings& world, double distance_m,
+                             double age_s) {
+  const std::uint64_t age_steps = world.StepsIn(age_s);
+  return NearestOf(agent, distance_m, [&](const Sighting& sighting) {
+    return world.episode_step - sighting.step <= age_steps;
+  });
+}
+
 const Sighting* NearestEnemy(const Agent& agent, const Surroundings& world, double distance_m,
                              double age_s) {
-  const Sighting* nearest = nullptr;
   const std::uint64_t age_steps = world.StepsIn(age_s);
-  for (const Sighting& sighting : agent.mind.memory) {
-    if (!AreEnemies(agent.team, sighting.team)) continue;
-    if (world.episode_step - sighting.step > age_steps) continue;
-    const double range_m = (sighting.position_m - agent.motion.position_m).norm();
-    if (range_m > distance_m) continue;
-    distance_m = range_m;
-    nearest = &sighting;
-  }
-  return nearest;
+  return NearestOf(agent, distance_m, [&](const Sighting& sighting) {
+    return AreEnemies(agent.team, sighting.team) && world.episode_step - sighting.step <= age_steps;
+  });
+}
+
+bool WasHit(const Agent& agent, const Surroundings& world, double within_s) {
+  return agent.mind.hit_at != 0 &&
+         world.episode_step - agent.mind.hit_at <= world.StepsIn(within_s);
 }
 
 }  // namespace latticeworld

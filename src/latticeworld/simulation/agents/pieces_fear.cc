@@ -1,7 +1,5 @@
 #include "latticeworld/simulation/agents/pieces_fear.h"
 
-#include <array>
-#include <cmath>
 #include <limits>
 
 #include "latticeworld/simulation/agents/agent_grid.h"
@@ -15,26 +13,8 @@ namespace {
 
 constexpr double kThreat_m = 8.0;  // nearer than this, others are a threat
 constexpr double kAlarmed_s = 4.0;
+constexpr double kJustHit_s = 0.5;
 constexpr double kSafe_m = 20.0;  // runs no further than this from a threat
-
-// The nearest of all that it remembers, whoever they are.
-const Sighting* NearestThreat(const Agent& agent, const Surroundings& world, double distance_m,
-                              double age_s) {
-  const Sighting* nearest = nullptr;
-  const std::uint64_t age_steps = world.StepsIn(age_s);
-  for (const Sighting& sighting : agent.mind.memory) {
-    if (world.episode_step - sighting.step > age_steps) continue;
-    const double range_m = (sighting.position_m - agent.motion.position_m).norm();
-    if (range_m > distance_m) continue;
-    distance_m = range_m;
-    nearest = &sighting;
-  }
-  return nearest;
-}
-
-bool WasJustHit(const Agent& agent, const Surroundings& world) {
-  return agent.mind.hit_at != 0 && world.episode_step - agent.mind.hit_at <= world.StepsIn(0.5);
-}
 
 // Takes the alarm over from one of its kind beside it that flees from something that it perceived
 // itself a moment ago; what is told on grows old, so that an alarm dies down.
@@ -45,17 +25,14 @@ void HeedTheHerd(Agent* agent, const Surroundings& world) {
     if (told != nullptr || other.id == agent->id || other.behaviour != Behaviour::kFlee) return;
     if (other.species != agent->species) return;
     const Sighting* threat =
-        NearestThreat(other, world, std::numeric_limits<double>::infinity(), kFresh_s);
+        NearestKnown(other, world, std::numeric_limits<double>::infinity(), kFresh_s);
     if (threat == nullptr) return;
     // Of what it perceived as lately it thinks for itself.
     const Sighting* own = MemoryOf(*agent, threat->who);
     if (own == nullptr || own->step < threat->step) told = threat;
   });
   if (told == nullptr) return;
-  Sighting heard = *told;
-  heard.seen_now = false;
-  heard.only_heard = true;
-  Remember(agent, heard);
+  RememberHearsay(agent, *told);
   agent->mind.alarmed_until = world.In(kAlarmed_s);
 }
 
@@ -63,29 +40,27 @@ void HeedTheHerd(Agent* agent, const Surroundings& world) {
 
 Steering RunFrom(Agent* agent, Surroundings* world, WorldPoint danger) {
   constexpr double kRun_m = 8.0;
-  constexpr std::array<double, 5> kTurns_rad = {0.0, 0.5, 1.0, 1.6, 2.2};
+  constexpr double kTurns_rad[] = {0.0, 0.5, 1.0, 1.6, 2.2};
   const WorldPoint here = agent->place();
   const double away_rad = HeadingTo(danger, here);
-  for (const double turn_rad : kTurns_rad) {
-    for (const int side : {agent->mind.turn_side, -agent->mind.turn_side}) {
-      const WorldPoint place = Ahead(here, away_rad + side * turn_rad, kRun_m);
-      if (!CanGo(*world, *agent, here, place)) continue;
-      if (turn_rad > 0.0) agent->mind.turn_side = side;
-      return GoTo(agent, world, place, agent->species->top_speed_mps);
-    }
-  }
-  return FaceTo(*agent, danger);
+  const auto way_rad =
+      FirstClearHeading(away_rad, kTurns_rad, &agent->mind.turn_side, [&](double heading_rad) {
+        return CanGo(*world, *agent, here, Ahead(here, heading_rad, kRun_m));
+      });
+  if (!way_rad.has_value()) return FaceTo(*agent, danger);
+  return GoTo(agent, world, Ahead(here, *way_rad, kRun_m), agent->species->top_speed_mps);
 }
 
 std::optional<Steering> Flee(Agent* agent, Surroundings* world) {
   constexpr double kForgotten_s = 6.0;
   Mind& mind = agent->mind;
   if (agent->team == 0) HeedTheHerd(agent, *world);
-  if (WasJustHit(*agent, *world) || NearestThreat(*agent, *world, kThreat_m, 1.0) != nullptr) {
+  if (WasHit(*agent, *world, kJustHit_s) ||
+      NearestKnown(*agent, *world, kThreat_m, 1.0) != nullptr) {
     mind.alarmed_until = world->In(kAlarmed_s);
   }
   if (world->episode_step >= mind.alarmed_until) return std::nullopt;
-  const Sighting* threat = NearestThreat(*agent, *world, kSafe_m, kForgotten_s);
+  const Sighting* threat = NearestKnown(*agent, *world, kSafe_m, kForgotten_s);
   if (threat == nullptr) return std::nullopt;
   TakeUp(agent, Behaviour::kFlee);
   return RunFrom(agent, world, PlaceOf(*threat));
@@ -97,7 +72,7 @@ bool IsHurt(const Agent& agent, const Surroundings&) {
 
 std::optional<Steering> Retreat(Agent* agent, Surroundings* world) {
   constexpr double kRemembered_s = 6.0;
-  const Sighting* threat = NearestThreat(*agent, *world, kSafe_m, kRemembered_s);
+  const Sighting* threat = NearestKnown(*agent, *world, kSafe_m, kRemembered_s);
   if (threat == nullptr) return std::nullopt;
   TakeUp(agent, Behaviour::kRetreat);
   return RunFrom(agent, world, PlaceOf(*threat));

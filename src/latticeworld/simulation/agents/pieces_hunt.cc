@@ -19,31 +19,6 @@ constexpr double kUpon_m = 8.0;     // who comes nearer than this may mean to st
 constexpr double kGuarded = 0.6;    // times the pursuit distance: radius of what is guarded
 constexpr double kWatched_m = 1.0;  // one that cannot strike keeps so near to its target
 
-class WithTargetPiece : public BehaviourPiece {
- public:
-  WithTargetPiece(std::string name, Chooser choose, Piece piece)
-      : name_(std::move(name)), choose_(choose), piece_(std::move(piece)) {}
-
-  std::optional<Steering> Try(Agent* agent, Surroundings* world) const override {
-    const AgentId before = agent->mind.target;
-    choose_(agent, world);
-    const AgentId target = agent->mind.target;
-    if (target != before) agent->mind.closes_at = 0;
-    if (target == 0) return std::nullopt;
-    if (target != before) {
-      world->Tell(EventKind::kPursued, *agent, world->agents.at(target).name);
-    }
-    return piece_->Try(agent, world);
-  }
-  std::string name() const override { return name_; }
-  std::vector<const BehaviourPiece*> children() const override { return {piece_.get()}; }
-
- private:
-  const std::string name_;
-  const Chooser choose_;
-  const Piece piece_;
-};
-
 const Sighting* TargetOf(const Agent& agent) {
   return agent.mind.target == 0 ? nullptr : MemoryOf(agent, agent.mind.target);
 }
@@ -112,7 +87,17 @@ Steering SearchAround(Agent* agent, Surroundings* world, WorldPoint middle) {
 }  // namespace
 
 Piece WithTarget(std::string name, Chooser choose, Piece piece) {
-  return std::make_unique<WithTargetPiece>(std::move(name), choose, std::move(piece));
+  const auto has_target = [choose](Agent* agent, Surroundings* world) {
+    const AgentId before = agent->mind.target;
+    choose(agent, world);
+    const AgentId target = agent->mind.target;
+    if (target == before) return target != 0;
+    agent->mind.closes_at = 0;
+    if (target == 0) return false;
+    world->Tell(EventKind::kPursued, *agent, world->agents.at(target).name);
+    return true;
+  };
+  return Gated(std::move(name), has_target, std::move(piece));
 }
 
 void ChoosePrey(Agent* agent, Surroundings* world) {
@@ -221,10 +206,7 @@ std::optional<Steering> Guard(Agent* agent, Surroundings* world) {
     mind.goal_until = world->In(mind.random.Uniform(3.0, 6.0));
   }
   Steering steering = FaceTo(*agent, *mind.goal);
-  if (steering.hold.has_value()) {
-    steering.hold = mind.home;
-    steering.base_z_m = mind.home_z_m;
-  }
+  KeepToHome(*agent, &steering);
   return steering;
 }
 

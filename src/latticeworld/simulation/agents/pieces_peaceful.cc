@@ -17,18 +17,21 @@ bool IsGrass(const Surroundings& world, WorldPoint place) {
 
 bool GrassAllTheWay(const Surroundings& world, WorldPoint from, WorldPoint to) {
   if (!IsGrass(world, from)) return IsGrass(world, to);  // astray: back to any grass
-  const int strides = std::max(1, static_cast<int>(std::ceil(DistanceBetween(from, to))));
-  for (int i = 1; i <= strides; ++i) {
-    const double share = static_cast<double>(i) / strides;
-    const WorldPoint place{from.x_m + share * (to.x_m - from.x_m),
-                           from.y_m + share * (to.y_m - from.y_m)};
-    if (!IsGrass(world, place)) return false;
-  }
-  return true;
+  constexpr double kStride_m = 1.0;
+  return HoldsAlong(from, to, kStride_m, [&](WorldPoint place) { return IsGrass(world, place); });
 }
 
 bool Pauses(const Agent& agent, const Surroundings& world) {
   return world.episode_step < agent.mind.pause_until;
+}
+
+// Stands while it pauses, and pauses once it has come to its goal; nullopt: it goes on.
+std::optional<Steering> PauseBetween(Agent* agent, const Surroundings& world, double low_s,
+                                     double high_s) {
+  if (Pauses(*agent, world)) return StandHere(*agent);
+  if (!agent->mind.goal.has_value() || !GoalDone(*agent, world)) return std::nullopt;
+  PauseFor(agent, world, low_s, high_s);
+  return StandHere(*agent);
 }
 
 }  // namespace
@@ -40,7 +43,11 @@ std::optional<Steering> Idle(Agent* agent, Surroundings* world) {
   const double away_m = DistanceBetween(agent->place(), mind.home);
   if (away_m > kAstray_m) mind.goal = mind.home;
   if (away_m < kHome_m) mind.goal.reset();
-  if (!mind.goal.has_value()) return StandAtHome(*agent);
+  if (!mind.goal.has_value()) {
+    Steering steering = StandHere(*agent);
+    KeepToHome(*agent, &steering);
+    return steering;
+  }
   return GoTo(agent, world, *mind.goal, agent->species->cruise_mps);
 }
 
@@ -48,11 +55,7 @@ std::optional<Steering> Wander(Agent* agent, Surroundings* world) {
   constexpr double kNear_m = 5.0, kFar_m = 25.0;
   TakeUp(agent, Behaviour::kWander);
   Mind& mind = agent->mind;
-  if (Pauses(*agent, *world)) return StandHere(*agent);
-  if (mind.goal.has_value() && GoalDone(*agent, *world)) {
-    PauseFor(agent, *world, 1.0, 4.0);
-    return StandHere(*agent);
-  }
+  if (const auto pause = PauseBetween(agent, *world, 1.0, 4.0)) return pause;
   const double speed_mps = agent->species->cruise_mps;
   if (!mind.goal.has_value()) {
     const WorldPoint here = agent->place();
@@ -97,15 +100,10 @@ std::optional<Steering> Patrol(Agent* agent, Surroundings* world) {
 std::optional<Steering> Graze(Agent* agent, Surroundings* world) {
   constexpr double kNear_m = 1.5, kFar_m = 6.0;
   constexpr double kDrawn_m = 5.0;  // how far the herd draws the next patch
-  const BodyPlan plan = agent->species->plan;
-  if (plan == BodyPlan::kFlyer || plan == BodyPlan::kSwimmer) return std::nullopt;
+  if (KeepsAfloat(agent->species->plan)) return std::nullopt;
   TakeUp(agent, Behaviour::kGraze);
   Mind& mind = agent->mind;
-  if (Pauses(*agent, *world)) return StandHere(*agent);
-  if (mind.goal.has_value() && GoalDone(*agent, *world)) {
-    PauseFor(agent, *world, 2.0, 8.0);
-    return StandHere(*agent);
-  }
+  if (const auto pause = PauseBetween(agent, *world, 2.0, 8.0)) return pause;
   const double speed_mps = agent->species->cruise_mps;
   const WorldPoint here = agent->place();
   if (!mind.goal.has_value()) {
@@ -142,10 +140,7 @@ std::optional<Steering> Swim(Agent* agent, Surroundings* world) {
   }
   Steering steering = mind.goal.has_value() ? GoTo(agent, world, *mind.goal, species.cruise_mps)
                                             : StandHere(*agent);
-  // Halfway between bed and surface, with its back covered.
-  const double bed_m = world->scene.terrain->ground.HeightAt(here);
-  const double depth_m = world->WaterDepthAt(here);
-  steering.base_z_m = bed_m + std::max(0.2, 0.5 * (depth_m - species.height_m));
+  steering.base_z_m = HeightOnTheWay(*agent, *world, steering.heading_rad, steering.speed_mps);
   return steering;
 }
 
@@ -167,9 +162,7 @@ std::optional<Steering> Soar(Agent* agent, Surroundings* world) {
   Steering steering;
   steering.heading_rad = HeadingTo(here, carrot);
   steering.speed_mps = agent->species->cruise_mps;
-  const double reach_m = 2.0 * steering.speed_mps + 4.0;
-  steering.base_z_m = agent->species->altitude_m + HighestAhead(*world, here, steering.heading_rad,
-                                                                reach_m, agent->species->radius_m);
+  steering.base_z_m = HeightOnTheWay(*agent, *world, steering.heading_rad, steering.speed_mps);
   return steering;
 }
 

@@ -6,13 +6,6 @@
 #include "latticeworld/simulation/agents/steering.h"
 
 namespace latticeworld {
-namespace {
-
-bool KeepsAfloat(const Agent& agent) {
-  return agent.species->plan == BodyPlan::kFlyer || agent.species->plan == BodyPlan::kSwimmer;
-}
-
-}  // namespace
 
 void TakeUp(Agent* agent, Behaviour behaviour) {
   if (agent->behaviour == behaviour) return;
@@ -24,20 +17,17 @@ void TakeUp(Agent* agent, Behaviour behaviour) {
 Steering StandHere(const Agent& agent) {
   Steering steering;
   steering.heading_rad = agent.motion.yaw_rad();
-  if (KeepsAfloat(agent)) {
+  if (KeepsAfloat(agent.species->plan)) {
     steering.base_z_m = agent.motion.position_m.z();
     steering.hold = agent.place();
   }
   return steering;
 }
 
-Steering StandAtHome(const Agent& agent) {
-  Steering steering = StandHere(agent);
-  if (KeepsAfloat(agent)) {
-    steering.base_z_m = agent.mind.home_z_m;
-    steering.hold = agent.mind.home;
-  }
-  return steering;
+void KeepToHome(const Agent& agent, Steering* steering) {
+  if (!KeepsAfloat(agent.species->plan)) return;
+  steering->base_z_m = agent.mind.home_z_m;
+  steering->hold = agent.mind.home;
 }
 
 Steering FaceTo(const Agent& agent, WorldPoint place) {

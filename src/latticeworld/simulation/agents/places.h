@@ -15,8 +15,8 @@ void TakeUp(Agent* agent, Behaviour behaviour);
 
 // Stands where it is; flyers and swimmers keep to that place and height.
 Steering StandHere(const Agent& agent);
-// Stands at its home; those that fly and swim keep to it against wind and drift.
-Steering StandAtHome(const Agent& agent);
+// Those that fly and swim are to keep to their home, against wind and drift.
+void KeepToHome(const Agent& agent, Steering* steering);
 // Turns on the spot until it faces the place; what cannot turn on the spot stands.
 Steering FaceTo(const Agent& agent, WorldPoint place);
 

@@ -51,35 +51,31 @@ Piece First(Pieces... pieces) {
 
 Piece RetreatWhenHurt() { return When("when hurt", IsHurt, Do("retreat", Retreat)); }
 
+Piece AttackOrPursue() { return First(Do("attack", Attack), Do("pursue", Pursue)); }
+
 // Lives by its piece as long as nobody harms it.
 Piece Peaceful(Piece calm) {
-  Piece fight = WithTarget("with an enemy upon it", ChooseAssailant,
-                           First(Do("attack", Attack), Do("pursue", Pursue)));
+  Piece fight = WithTarget("with an enemy upon it", ChooseAssailant, AttackOrPursue());
   return First(When("when it can strike", Strikes, First(RetreatWhenHurt(), std::move(fight))),
                When("when it cannot strike", StrikesNot, Do("flee", Flee)), std::move(calm));
 }
 
-Piece Pursuer() {
-  return First(RetreatWhenHurt(),
-               WithTarget("with prey", ChoosePrey,
-                          First(Do("attack", Attack), Do("pursue", Pursue), Do("search", Search))),
+// Hunts as its pieces say while it has prey, and looks for some without.
+template <typename... Pieces>
+Piece Hunter(Pieces... hunt) {
+  return First(RetreatWhenHurt(), WithTarget("with prey", ChoosePrey, First(std::move(hunt)...)),
                Do("look into a noise", LookIntoNoise), Do("patrol", Patrol));
 }
 
+Piece Pursuer() { return Hunter(Do("attack", Attack), Do("pursue", Pursue), Do("search", Search)); }
+
 Piece Interceptor() {
-  return First(
-      RetreatWhenHurt(),
-      WithTarget("with prey", ChoosePrey,
-                 First(Do("attack", Attack), Do("intercept", Intercept), Do("search", Search))),
-      Do("look into a noise", LookIntoNoise), Do("patrol", Patrol));
+  return Hunter(Do("attack", Attack), Do("intercept", Intercept), Do("search", Search));
 }
 
 Piece Raider() {
-  return First(RetreatWhenHurt(),
-               WithTarget("with prey", ChoosePrey,
-                          First(Do("withdraw after a blow", Withdraw), Do("attack", Attack),
-                                Do("pursue", Pursue), Do("search", Search))),
-               Do("look into a noise", LookIntoNoise), Do("patrol", Patrol));
+  return Hunter(Do("withdraw after a blow", Withdraw), Do("attack", Attack), Do("pursue", Pursue),
+                Do("search", Search));
 }
 
 Piece Encircler() {
@@ -94,14 +90,12 @@ Piece Encircler() {
 
 Piece Ambusher() {
   return First(RetreatWhenHurt(),
-               WithTarget("with somebody close by", ChooseVictim,
-                          First(Do("attack", Attack), Do("pursue", Pursue))),
+               WithTarget("with somebody close by", ChooseVictim, AttackOrPursue()),
                Do("ambush", Ambush));
 }
 
 Piece Guardian() {
-  return First(WithTarget("with an intruder", ChooseIntruder,
-                          First(Do("attack", Attack), Do("pursue", Pursue))),
+  return First(WithTarget("with an intruder", ChooseIntruder, AttackOrPursue()),
                Do("guard", Guard));
 }
 

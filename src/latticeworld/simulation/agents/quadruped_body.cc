@@ -26,15 +26,7 @@ BodySpec QuadrupedBody(const Species& species) {
   const Eigen::Vector3d size_m(design.trunk_length_m, design.trunk_width_m, design.trunk_height_m);
   body.inertia_kgm2 = BoxInertia(body.mass_kg, size_m);
   const Eigen::Vector3d center_m(0.0, 0.0, design.stance_height_m);
-  body.shapes = {BoxShape(center_m, 0.5 * size_m)};
-  for (const double x : {0.5, -0.5}) {
-    for (const double y : {0.5, -0.5}) {
-      for (const double z : {-0.5, 0.5}) {
-        body.ground_samples.push_back(
-            {center_m + Eigen::Vector3d(x, y, z).cwiseProduct(size_m), 0.0});
-      }
-    }
-  }
+  MakeBox(center_m, 0.5 * size_m, &body);
   const double leg_m = design.thigh_m + design.shank_m;
   const double rotor_kgm2 = kRotorShare * design.leg_mass_kg * leg_m * leg_m;
   for (int leg = 0; leg < kLegs; ++leg) {

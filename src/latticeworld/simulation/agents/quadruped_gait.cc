@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "latticeworld/simulation/agents/limits.h"
+
 namespace latticeworld {
 namespace {
 
@@ -50,7 +52,7 @@ bool AllStand(double gait_phase) {
 double StanceTime(double stride_period_s) { return kDuty * stride_period_s; }
 
 GaitState StateOf(const QuadrupedDesign& design, const std::array<LegKinematics, kLegs>& legs,
-                  const HeightField& ground, BodyId body, const BodyMotion& motion,
+                  const Footing& ground, BodyId body, const BodyMotion& motion,
                   const PhysicsWorld& physics) {
   GaitState state;
   state.map_from_base = motion.orientation.toRotationMatrix();
@@ -86,7 +88,7 @@ GaitState StateOf(const QuadrupedDesign& design, const std::array<LegKinematics,
 }
 
 Eigen::Vector3d NeutralFoot(const QuadrupedDesign& design, const LegKinematics& leg,
-                            const HeightField& ground, const GaitState& state) {
+                            const Footing& ground, const GaitState& state) {
   const Eigen::Vector3d hip_m =
       state.center_m +
       state.map_from_base * (leg.PitchJoint() - Eigen::Vector3d(0, 0, design.stance_height_m));
@@ -94,7 +96,7 @@ Eigen::Vector3d NeutralFoot(const QuadrupedDesign& design, const LegKinematics& 
   return {hip_m.x(), hip_m.y(), ground_m + design.foot_radius_m};
 }
 
-Eigen::Vector3d StanceVelocity(const QuadrupedDesign& design, const HeightField& ground,
+Eigen::Vector3d StanceVelocity(const QuadrupedDesign& design, const Footing& ground,
                                const GaitState& state, const GaitCommand& command, double raise_m,
                                int leg) {
   // The trunk's wanted motion.
@@ -109,8 +111,7 @@ Eigen::Vector3d StanceVelocity(const QuadrupedDesign& design, const HeightField&
     up.z() = least_z;
   }
   Eigen::Vector3d rate_radps = kAttitudeGain_hz * state.map_from_base.col(2).cross(up);
-  const double righting_radps = rate_radps.norm();
-  if (righting_radps > kMostRighting_radps) rate_radps *= kMostRighting_radps / righting_radps;
+  rate_radps = NoLongerThan(kMostRighting_radps, rate_radps);
   rate_radps.z() = command.yaw_rate_radps;
 
   const Eigen::Vector3d& foot_m = state.feet_m[static_cast<std::size_t>(leg)];
@@ -124,7 +125,7 @@ Eigen::Vector3d StanceVelocity(const QuadrupedDesign& design, const HeightField&
 }
 
 Eigen::Vector3d SwingVelocity(const QuadrupedDesign& design, const LegKinematics& kinematics,
-                              const HeightField& ground, const GaitState& state,
+                              const Footing& ground, const GaitState& state,
                               const GaitCommand& command, int leg, const LegPhase& phase) {
   const Eigen::Vector3d& foot_m = state.feet_m[static_cast<std::size_t>(leg)];
   // Where the hip will be, and half a stance further.
@@ -147,9 +148,8 @@ Eigen::Vector3d SwingVelocity(const QuadrupedDesign& design, const LegKinematics
           : place_m.z() + (floor_m + design.swing_height_m - place_m.z()) *
                               std::sin(M_PI * std::min(0.5, (1.0 - phase.share) / 0.8));
   foot_mps.z() = kSwingHeightGain_hz * (wanted_m - foot_m.z());
-  const double speed_mps = foot_mps.norm();
-  if (speed_mps > kMostSwing_mps) foot_mps *= kMostSwing_mps / speed_mps;
-  return foot_mps - state.velocity_mps - state.rate_radps.cross(foot_m - state.center_m);
+  return NoLongerThan(kMostSwing_mps, foot_mps) - state.velocity_mps -
+         state.rate_radps.cross(foot_m - state.center_m);
 }
 
 Eigen::Vector3d JointRates(const LegKinematics& kinematics, const GaitState& state, int leg,

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "latticeworld/geometry/height_field.h"
+#include "latticeworld/simulation/agents/footing.h"
 #include "latticeworld/simulation/agents/leg_kinematics.h"
 #include "latticeworld/simulation/physics_world.h"
 
@@ -40,12 +40,12 @@ struct GaitState {
   Eigen::Vector3d normal;                     // of that ground, unit
 };
 GaitState StateOf(const QuadrupedDesign& design, const std::array<LegKinematics, kLegs>& legs,
-                  const HeightField& ground, BodyId body, const BodyMotion& motion,
+                  const Footing& ground, BodyId body, const BodyMotion& motion,
                   const PhysicsWorld& physics);
 
 // Where a foot stands when nothing is wanted: upright below its pitch joint, on the ground.
 Eigen::Vector3d NeutralFoot(const QuadrupedDesign& design, const LegKinematics& leg,
-                            const HeightField& ground, const GaitState& state);
+                            const Footing& ground, const GaitState& state);
 
 struct GaitCommand {
   Eigen::Vector3d velocity_mps;  // level, map frame
@@ -53,12 +53,12 @@ struct GaitCommand {
 };
 // Velocity of a standing leg's foot against the trunk, map axes: pushes the trunk on as commanded,
 // to its height (raise_m above the standing one) and its attitude along the ground.
-Eigen::Vector3d StanceVelocity(const QuadrupedDesign& design, const HeightField& ground,
+Eigen::Vector3d StanceVelocity(const QuadrupedDesign& design, const Footing& ground,
                                const GaitState& state, const GaitCommand& command, double raise_m,
                                int leg);
 // The same of a swinging leg's: over the ground to where it is put down next.
 Eigen::Vector3d SwingVelocity(const QuadrupedDesign& design, const LegKinematics& kinematics,
-                              const HeightField& ground, const GaitState& state,
+                              const Footing& ground, const GaitState& state,
                               const GaitCommand& command, int leg, const LegPhase& phase);
 
 // Rates of a leg's joints that give its foot that velocity, within the reach of the leg.

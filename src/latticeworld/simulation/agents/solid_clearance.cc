@@ -25,6 +25,12 @@ double DistanceToWay(const Vector2d& a, const Vector2d& b, const Vector2d& point
   return (a + NearestShare(a, b, point) * (b - a) - point).norm();
 }
 
+// The vector in a frame that is turned by yaw_rad.
+Vector2d Turned(const Vector2d& v, double yaw_rad) {
+  const double cosine = std::cos(yaw_rad), sine = std::sin(yaw_rad);
+  return {cosine * v.x() + sine * v.y(), -sine * v.x() + cosine * v.y()};
+}
+
 // Distance between the way and the box |x| <= half.x, |y| <= half.y.
 double DistanceToBox(const Vector2d& a, const Vector2d& b, const Vector2d& half) {
   // Clipped by the box's sides (Liang and Barsky 1984): is some of it inside?
@@ -92,11 +98,19 @@ double SolidDistance(const Asset& asset, WorldPoint from, WorldPoint to) {
   Vector2d a = ToVector(from) - center, b = ToVector(to) - center;
   if (asset.kind != AssetKind::kBuilding)
     return std::max(0.0, DistanceToWay(a, b, Vector2d::Zero()) - SolidRadius(asset));
-  const double cosine = std::cos(asset.yaw_rad), sine = std::sin(asset.yaw_rad);
-  const auto turned = [&](const Vector2d& v) {
-    return Vector2d(cosine * v.x() + sine * v.y(), -sine * v.x() + cosine * v.y());
-  };
-  return DistanceToBox(turned(a), turned(b), Vector2d(asset.half_length_m, asset.half_width_m));
+  return DistanceToBox(Turned(a, asset.yaw_rad), Turned(b, asset.yaw_rad),
+                       Vector2d(asset.half_length_m, asset.half_width_m));
+}
+
+double BlockDistance(const ElementBlock& block, const HeightField& ground, WorldPoint from,
+                     WorldPoint to, double height_m) {
+  const Footprint& footprint = block.footprint;
+  if (block.bottom_m - ground.HeightAt(footprint.centre) > height_m)
+    return std::numeric_limits<double>::infinity();
+  const Vector2d center = ToVector(footprint.centre);
+  return DistanceToBox(Turned(ToVector(from) - center, footprint.yaw_rad),
+                       Turned(ToVector(to) - center, footprint.yaw_rad),
+                       Vector2d(footprint.half_length_m, footprint.half_width_m));
 }
 
 double StemDistance(const FallenTree& tree, const HeightField& ground, double trunk_radius_m,
@@ -128,6 +142,16 @@ bool BlocksWay(const FallenTree& tree, const Scene& scene, WorldPoint from, Worl
   return StemDistance(tree, scene.terrain->ground, trunk_m, from, to, height_m) < margin_m;
 }
 
+// The same of an element.
+bool BlocksWay(const ElementBlock& block, const Scene& scene, WorldPoint from, WorldPoint to,
+               double margin_m, double height_m) {
+  const Footprint& footprint = block.footprint;
+  const Vector2d center = ToVector(footprint.centre);
+  const double reach_m = margin_m + footprint.radius_m();
+  if (DistanceToWay(ToVector(from), ToVector(to), center) >= reach_m) return false;
+  return BlockDistance(block, scene.terrain->ground, from, to, height_m) < margin_m;
+}
+
 }  // namespace
 
 bool IsWayClear(const Scene& scene, const SceneChanges& changes, WorldPoint from, WorldPoint to,
@@ -154,12 +178,15 @@ bool IsWayClear(const Scene& scene, const SceneChanges& changes, WorldPoint from
   for (const FallenTree& tree : changes.fallen) {
     if (BlocksWay(tree, scene, from, to, margin_m, height_m)) return false;
   }
+  for (const ElementBlock& block : ElementsIn(scene, changes)->blocks) {
+    if (BlocksWay(block, scene, from, to, margin_m, height_m)) return false;
+  }
   return true;
 }
 
 NearSolids::NearSolids(const Scene& scene, const SceneChanges& changes, WorldPoint place,
                        double radius_m, double height_m)
-    : scene_(scene), height_m_(height_m) {
+    : scene_(scene), height_m_(height_m), elements_(ElementsIn(scene, changes)) {
   scene.index.ForEachNear(place, radius_m, [&](std::uint32_t asset) {
     if (changes.empty() || changes.Stands(asset)) standing_.push_back(asset);
   });
@@ -169,6 +196,10 @@ NearSolids::NearSolids(const Scene& scene, const SceneChanges& changes, WorldPoi
         std::abs(tree.foot_m.y() - place.y_m) < reach_m)
       lying_.push_back(&tree);
   }
+  for (const ElementBlock& block : elements_->blocks) {
+    const Vector2d off_m = ToVector(block.footprint.centre) - ToVector(place);
+    if (off_m.norm() < block.footprint.radius_m() + radius_m) blocks_.push_back(&block);
+  }
 }
 
 bool NearSolids::IsWayClear(WorldPoint from, WorldPoint to, double margin_m) const {
@@ -177,6 +208,9 @@ bool NearSolids::IsWayClear(WorldPoint from, WorldPoint to, double margin_m) con
   }
   for (const FallenTree* const tree : lying_) {
     if (BlocksWay(*tree, scene_, from, to, margin_m, height_m_)) return false;
+  }
+  for (const ElementBlock* const block : blocks_) {
+    if (BlocksWay(*block, scene_, from, to, margin_m, height_m_)) return false;
   }
   return true;
 }

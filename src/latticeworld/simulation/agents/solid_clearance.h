@@ -2,12 +2,14 @@
 #define LATTICEWORLD_SIMULATION_AGENTS_SOLID_CLEARANCE_H_
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "latticeworld/geometry/grid_geometry.h"
 #include "latticeworld/scene/asset.h"
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/scene/scene_changes.h"
+#include "latticeworld/scene/standing_elements.h"
 
 namespace latticeworld {
 
@@ -18,6 +20,10 @@ double SolidDistance(const Asset& asset, WorldPoint from, WorldPoint to);
 // ground than that is infinitely far.
 double StemDistance(const FallenTree& tree, const HeightField& ground, double trunk_radius_m,
                     WorldPoint from, WorldPoint to, double height_m);
+// The same to a crate, a stone, a post or a gate's panel; one that hangs too high is no matter
+// either.
+double BlockDistance(const ElementBlock& block, const HeightField& ground, WorldPoint from,
+                     WorldPoint to, double height_m);
 
 // Whether all that stands or lies keeps at least margin_m from the straight way. height_m: as
 // above.
@@ -38,6 +44,8 @@ class NearSolids {
   const double height_m_;
   std::vector<std::uint32_t> standing_;
   std::vector<const FallenTree*> lying_;
+  std::shared_ptr<const StandingElements> elements_;
+  std::vector<const ElementBlock*> blocks_;
 };
 
 }  // namespace latticeworld

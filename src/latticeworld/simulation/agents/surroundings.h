@@ -47,6 +47,15 @@ struct Surroundings {
     return static_cast<std::uint64_t>(seconds / step_s + 0.5);
   }
   std::uint64_t In(double seconds) const { return episode_step + StepsIn(seconds); }
+  // Of the bed and what stands on it: the water's surface, else the ground [m].
+  double SurfaceHeightAt(WorldPoint place) const {
+    return scene.terrain->ground.HeightAt(place) + WaterDepthAt(place);
+  }
+  // nullptr: there is none of that id, or it is dead.
+  const Agent* FindLiving(AgentId id) const {
+    const auto found = agents.find(id);
+    return found == agents.end() || !found->second.alive() ? nullptr : &found->second;
+  }
   void Tell(EventKind kind, const Agent& agent, const std::string& other) {
     events.push_back({step, kind, agent.name, other, agent.motion.position_m});
   }

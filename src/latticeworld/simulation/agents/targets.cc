@@ -7,8 +7,8 @@ namespace {
 
 bool FliesOverHead(const Agent& agent, const Sighting& sighting, const Surroundings& world) {
   if (agent.species->plan == BodyPlan::kFlyer) return false;
-  const auto other = world.agents.find(sighting.who);
-  if (other == world.agents.end() || other->second.species->plan != BodyPlan::kFlyer) return false;
+  const Agent* const other = world.FindLiving(sighting.who);
+  if (other == nullptr || other->species->plan != BodyPlan::kFlyer) return false;
   const double ground_m = world.scene.terrain->ground.HeightAt(PlaceOf(sighting));
   const double reach_m = agent.species->height_m + agent.species->attack_reach_m;
   return sighting.position_m.z() > ground_m + reach_m;
@@ -25,24 +25,16 @@ double AgeOf(const Sighting& sighting, const Surroundings& world) {
 }
 
 const Sighting* NearestSeenEnemy(const Agent& agent, const Surroundings& world, double distance_m) {
-  const Sighting* nearest = nullptr;
-  for (const Sighting& sighting : agent.mind.memory) {
-    if (!sighting.seen_now || !AreEnemies(agent.team, sighting.team)) continue;
-    const double range_m = (sighting.position_m - agent.motion.position_m).norm();
-    if (range_m > distance_m || FliesOverHead(agent, sighting, world)) continue;
-    distance_m = range_m;
-    nearest = &sighting;
-  }
-  return nearest;
+  return NearestOf(agent, distance_m, [&](const Sighting& sighting) {
+    return sighting.seen_now && AreEnemies(agent.team, sighting.team) &&
+           !FliesOverHead(agent, sighting, world);
+  });
 }
 
 const Sighting* Striker(const Agent& agent, const Surroundings& world) {
   constexpr double kFelt_s = 1.0;
-  const Mind& mind = agent.mind;
-  if (mind.hit_at == 0 || world.episode_step - mind.hit_at > world.StepsIn(kFelt_s)) {
-    return nullptr;
-  }
-  const Sighting* sighting = MemoryOf(agent, mind.hit_by);
+  if (!WasHit(agent, world, kFelt_s)) return nullptr;
+  const Sighting* sighting = MemoryOf(agent, agent.mind.hit_by);
   return sighting != nullptr && AreEnemies(agent.team, sighting->team) ? sighting : nullptr;
 }
 

@@ -65,14 +65,7 @@ BodySpec VehicleBody(const Species& species) {
   body.center_height_m = design.center_height_m;
   const Eigen::Vector3d half_m = 0.5 * size_m;
   const Eigen::Vector3d center_m(0.0, 0.0, design.ground_clearance_m + half_m.z());
-  body.shapes = {BoxShape(center_m, half_m)};
-  for (const double x : {half_m.x(), -half_m.x()}) {
-    for (const double y : {half_m.y(), -half_m.y()}) {
-      for (const double z : {-half_m.z(), half_m.z()}) {
-        body.ground_samples.push_back({center_m + Eigen::Vector3d(x, y, z), 0.0});
-      }
-    }
-  }
+  MakeBox(center_m, half_m, &body);
   return body;
 }
 

@@ -18,7 +18,11 @@
 
 namespace latticeworld {
 
-// ode_world.cc has what callers ask for, ode_world_step.cc how a step finds contacts.
+inline constexpr double kObstacleFriction = 0.3;  // of bodies beside trunks, walls and each other
+
+// ode_world.cc has what callers ask for, ode_world_state.cc how it is kept, ode_world_step.cc how a
+// step goes, and ode_world_ground.cc, ode_world_assets.cc and ode_world_bodies.cc how it finds
+// contacts.
 class OdeWorld : public PhysicsWorld {
  public:
   explicit OdeWorld(std::shared_ptr<const Scene> scene);

@@ -96,7 +96,8 @@ JointReading WheelJoint::Reading() const {
     reading.rate_radps = dJointGetHingeAngleRate(joint_);
     reading.effort_nm = ToEigen(feedback_.t1).dot(Axis());
   } else {
-    reading.angle_rad = dJointGetHinge2Angle2(joint_);
+    // ODE measures this angle against the sense of its rate.
+    reading.angle_rad = -dJointGetHinge2Angle2(joint_);
     reading.rate_radps = dJointGetHinge2Angle2Rate(joint_);
     reading.effort_nm = ToEigen(feedback_.t2).dot(Axis());
   }

@@ -1,0 +1,209 @@
+#include "latticeworld/navigation/tasks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "latticeworld/common/random.h"
+#include "latticeworld/common/text.h"
+#include "latticeworld/navigation/distance_field.h"
+#include "latticeworld/navigation/navigable_map.h"
+#include "latticeworld/scene/scene.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr int kStartsPerGoal = 25;
+constexpr int kGoalsPerTask = 40;
+
+// What a difficulty is made of, by name.
+struct Measure {
+  const char* name;
+  const DifficultyRange TaskWishes::*wanted;
+  double (*of)(const TaskDifficulty&);
+};
+constexpr std::array<Measure, 5> kMeasures = {
+    {{"length_m", &TaskWishes::length_m, [](const TaskDifficulty& d) { return d.length_m; }},
+     {"climb_m", &TaskWishes::climb_m, [](const TaskDifficulty& d) { return d.climb_m; }},
+     {"density", &TaskWishes::density, [](const TaskDifficulty& d) { return d.density; }},
+     {"detour", &TaskWishes::detour, [](const TaskDifficulty& d) { return d.detour; }},
+     {"agents", &TaskWishes::agents,
+      [](const TaskDifficulty& d) { return static_cast<double>(d.agents); }}}};
+
+// What came out of the ways that were tried, for those who asked for what is not there.
+struct Offer {
+  std::array<double, kMeasures.size()> low, high;
+  std::array<int, kMeasures.size()> refused{};
+  int tried = 0;
+
+  Offer() {
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+  }
+  // Whether the difficulty is wanted.
+  bool Take(const TaskDifficulty& difficulty, const TaskWishes& wishes) {
+    ++tried;
+    bool wanted = true;
+    for (std::size_t i = 0; i < kMeasures.size(); ++i) {
+      const double value = kMeasures[i].of(difficulty);
+      low[i] = std::min(low[i], value);
+      high[i] = std::max(high[i], value);
+      if ((wishes.*kMeasures[i].wanted).Contains(value)) continue;
+      ++refused[i];
+      wanted = false;
+    }
+    return wanted;
+  }
+  std::string InWords(const TaskWishes& wishes) const {
+    if (tried == 0) return "; no way of a wanted length was found at all";
+    std::string text;
+    for (std::size_t i = 0; i < kMeasures.size(); ++i) {
+      if (refused[i] == 0) continue;
+      const DifficultyRange& wanted = wishes.*kMeasures[i].wanted;
+      text += std::string("; ") + kMeasures[i].name + " was outside [" + FormatDouble(wanted.low) +
+              ", " + FormatDouble(wanted.high) + "] in " + std::to_string(refused[i]) + " of " +
+              std::to_string(tried) + " ways, which have " + FormatDouble(low[i]) + " to " +
+              FormatDouble(high[i]);
+    }
+    return text;
+  }
+};
+
+double DistanceToWay(const SurfacePath& way, const Eigen::Vector2d& place) {
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < way.points_m.size(); ++i) {
+    const Eigen::Vector2d from = way.points_m[i - 1].head<2>();
+    const Eigen::Vector2d along = way.points_m[i].head<2>() - from;
+    const double square = along.squaredNorm();
+    const double t = square > 0.0 ? std::clamp((place - from).dot(along) / square, 0.0, 1.0) : 0.0;
+    nearest_m = std::min(nearest_m, (place - from - t * along).norm());
+  }
+  return nearest_m;
+}
+
+// Share of blocked cells in discs along the way, one a reach.
+double DensityAlong(const NavigableMap& map, const SurfacePath& way) {
+  const int reach =
+      std::max(1, static_cast<int>(std::lround(kDensityReach_m / map.geometry().resolution_m())));
+  std::int64_t cells = 0, blocked = 0;
+  const auto look = [&](const Eigen::Vector2d& at) {
+    const CellIndex middle = map.geometry().CellAt({at.x(), at.y()});
+    for (int row = middle.row - reach; row <= middle.row + reach; ++row) {
+      for (int col = middle.col - reach; col <= middle.col + reach; ++col) {
+        const int dr = row - middle.row, dc = col - middle.col;
+        if (dr * dr + dc * dc > reach * reach || !map.free.Contains({row, col})) continue;
+        ++cells;
+        blocked += map.free(row, col) == 0 ? 1 : 0;
+      }
+    }
+  };
+  for (std::size_t i = 1; i < way.points_m.size(); ++i) {
+    const Eigen::Vector2d from = way.points_m[i - 1].head<2>(), to = way.points_m[i].head<2>();
+    const int pieces =
+        std::max(1, static_cast<int>(std::ceil((to - from).norm() / kDensityReach_m)));
+    for (int k = 0; k < pieces; ++k) look(from + (to - from) * k / pieces);
+  }
+  look(way.points_m.back().head<2>());
+  return static_cast<double>(blocked) / static_cast<double>(cells);
+}
+
+TaskDifficulty DifficultyOf(const Scene& scene, const NavigableMap& map, const SurfacePath& way) {
+  TaskDifficulty difficulty;
+  difficulty.length_m = way.length_m;
+  difficulty.climb_m = way.climb_m;
+  difficulty.density = DensityAlong(map, way);
+  const double straight_m = (way.points_m.back() - way.points_m.front()).norm();
+  difficulty.detour = straight_m > 0.0 ? std::max(1.0, way.length_m / straight_m) : 1.0;
+  difficulty.agents = static_cast<int>(
+      std::count_if(scene.agents.begin(), scene.agents.end(), [&](const AgentStart& agent) {
+        return !agent.controllable &&
+               DistanceToWay(way, {agent.position.x_m, agent.position.y_m}) <= kAgentReach_m;
+      }));
+  return difficulty;
+}
+
+std::vector<CellIndex> CellsOf(const DistanceField& field, const DifficultyRange& length_m) {
+  std::vector<CellIndex> cells;
+  for (int row = 0; row < field.distance_m.rows(); ++row) {
+    for (int col = 0; col < field.distance_m.cols(); ++col) {
+      const double distance_m = field.distance_m(row, col);
+      if (std::isfinite(distance_m) && length_m.Contains(distance_m)) cells.push_back({row, col});
+    }
+  }
+  return cells;
+}
+
+}  // namespace
+
+Status Validate(const TaskWishes& wishes) {
+  std::vector<Violation> violations;
+  const auto add = [&](const char* pointer, const std::string& message, double given) {
+    violations.push_back({"out_of_range", pointer, message, FormatDouble(given)});
+  };
+  if (wishes.count < 1 || wishes.count > 1000) add("count", "must be from 1 to 1000", wishes.count);
+  if (!(wishes.goal_radius_m > 0.0 && wishes.goal_radius_m <= 100.0))
+    add("goal_radius_m", "must be above 0 and at most 100", wishes.goal_radius_m);
+  for (const Measure& measure : kMeasures) {
+    const DifficultyRange& range = wishes.*measure.wanted;
+    if (!(range.low >= 0.0) || !std::isfinite(range.low))
+      add(measure.name, "must begin at a finite number of at least 0", range.low);
+    else if (!(range.high >= range.low))
+      add(measure.name, "must end at or above its begin, " + FormatDouble(range.low), range.high);
+  }
+  if (violations.empty()) return Status();
+  return Status::FromViolations("what tasks are asked for", std::move(violations));
+}
+
+Result<std::vector<NavigationTask>> SampleTasks(const Scene& scene, const TaskWishes& wishes,
+                                                const Progress& progress) {
+  LW_RETURN_IF_ERROR(Validate(wishes));
+  const NavigableMap map = BuildNavigableMap(scene, wishes.robot);
+  std::vector<CellIndex> free;
+  for (int row = 0; row < map.free.rows(); ++row) {
+    for (int col = 0; col < map.free.cols(); ++col) {
+      if (map.free(row, col) != 0) free.push_back({row, col});
+    }
+  }
+  if (free.empty())
+    return FailedPrecondition("the robot can be nowhere in this world: nothing is free for it");
+
+  RandomStream random(wishes.seed, "navigation tasks");
+  const auto draw = [&](const std::vector<CellIndex>& cells) {
+    return map.geometry().CenterOf(cells[random.NextBits() % cells.size()]);
+  };
+  Offer offer;
+  std::vector<NavigationTask> tasks;
+  const int most_goals = kGoalsPerTask * wishes.count;
+  for (int goals = 0; static_cast<int>(tasks.size()) < wishes.count && goals < most_goals;
+       ++goals) {
+    LW_RETURN_IF_ERROR(progress.CheckCancelled());
+    const WorldPoint goal = draw(free);
+    // A way that is pulled straight may be a little shorter than the field has it.
+    LW_ASSIGN_OR_RETURN(const DistanceField field,
+                        DistancesTo(map, goal, 1.02 * wishes.length_m.high));
+    const std::vector<CellIndex> starts = CellsOf(field, wishes.length_m);
+    for (int i = 0; i < kStartsPerGoal && !starts.empty(); ++i) {
+      NavigationTask task;
+      task.start = draw(starts);
+      task.start_heading_rad = random.Uniform(-M_PI, M_PI);
+      task.goal = goal;
+      task.goal_radius_m = wishes.goal_radius_m;
+      Result<SurfacePath> way = PathDown(map, field, task.start);
+      if (!way.ok()) continue;
+      task.way = std::move(way).value();
+      task.difficulty = DifficultyOf(scene, map, task.way);
+      if (!offer.Take(task.difficulty, wishes)) continue;
+      tasks.push_back(std::move(task));
+      progress.Report("tasks", static_cast<double>(tasks.size()) / wishes.count);
+      break;
+    }
+  }
+  if (static_cast<int>(tasks.size()) < wishes.count)
+    return FailedPrecondition("found " + std::to_string(tasks.size()) + " of " +
+                              std::to_string(wishes.count) + " tasks" + offer.InWords(wishes));
+  return tasks;
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,66 @@
+#ifndef LATTICEWORLD_SCENE_STANDING_ELEMENTS_H_
+#define LATTICEWORLD_SCENE_STANDING_ELEMENTS_H_
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "latticeworld/common/status.h"
+#include "latticeworld/scene/element.h"
+#include "latticeworld/scene/footprint.h"
+
+namespace latticeworld {
+
+struct Scene;
+struct SceneChanges;
+
+// What rises less than this above its place is walked and driven over, and is in nobody's way.
+inline constexpr double kLowestBlock_m = 0.1;
+
+// A crate, a stone, a post or a gate's panel, as something in the way: an upright box around it.
+struct ElementBlock {
+  Footprint footprint;
+  double bottom_m = 0.0, top_m = 0.0;  // map frame
+};
+bool operator==(const ElementBlock& a, const ElementBlock& b);
+
+// A bridge as a way over what is below it.
+struct ElementDeck {
+  Footprint footprint;
+  double bottom_m = 0.0, top_m = 0.0;  // map frame; bodies stand on the top
+  double carries_kg = 0.0;
+};
+bool operator==(const ElementDeck& a, const ElementDeck& b);
+
+// The elements of a world as maps, lines of sight and paths know them, in the order of their names.
+// Bridges that broke and posts that did are in neither list.
+struct StandingElements {
+  std::vector<ElementBlock> blocks;
+  std::vector<ElementDeck> decks;
+};
+bool operator==(const StandingElements& a, const StandingElements& b);
+
+// The upright box around an element whose frame (see Element) is at that pose, whatever side it
+// lies on.
+ElementBlock BoxAround(const Element& element, const Eigen::Vector3d& position_m,
+                       const Eigen::Quaterniond& orientation);
+// The same. None: it is a bridge, or too low to be in the way.
+std::optional<ElementBlock> BlockOf(const Element& element, const Eigen::Vector3d& position_m,
+                                    const Eigen::Quaterniond& orientation);
+// bridge: of that kind, where it begins.
+ElementDeck DeckOf(const Element& bridge);
+
+// Those elements where they begin.
+StandingElements StandingAtBegin(const std::vector<Element>& elements);
+// The elements after the changes, never null.
+std::shared_ptr<const StandingElements> ElementsIn(const Scene& scene, const SceneChanges& changes);
+
+// Everything that is wrong: numbers that are not finite or no place of any world, sizes beyond
+// those of elements, and more of them than a world holds.
+std::vector<Violation> Validate(const StandingElements& elements);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_SCENE_STANDING_ELEMENTS_H_

@@ -1,0 +1,144 @@
+#include "latticeworld/sensing/sensor_rig.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "latticeworld/sensing/rig_sensor.h"
+#include "latticeworld/sensing/rig_world.h"
+
+namespace latticeworld {
+namespace {
+
+using SuiteOf = std::function<std::shared_ptr<const SensorSuite>(const SensedAgent&)>;
+
+bool TracesRays(const SensorSpec& spec) {
+  return std::holds_alternative<LidarModel>(spec.model) ||
+         std::holds_alternative<CameraSensor>(spec.model);
+}
+
+struct MountedSensor {
+  std::shared_ptr<const SensorSpec> spec;
+  SensorClock clock;
+  std::unique_ptr<RigSensor> sensor;
+};
+
+struct Robot {
+  std::vector<MountedSensor> sensors;  // by name
+  bool traces_rays = false;
+  std::optional<SensedAgent> before;  // as the last step had it
+};
+
+class SensorRigImpl final : public SensorRig {
+ public:
+  SensorRigImpl(std::shared_ptr<const Scene> scene, const SensorRigOptions& options,
+                SuiteOf suite_of)
+      : options_(options), shared_(std::move(scene), options), suite_of_(std::move(suite_of)) {}
+
+  Result<std::vector<SensorFrame>> Step(const SensedWorld& world, double step_s,
+                                        const Wanted& wanted) override {
+    if (last_step_ && world.step != *last_step_ + 1) robots_.clear();
+    last_step_ = world.step;
+    const std::map<std::string, std::uint32_t> indices = Meet(world);
+    shared_.BeginStep(world, EyesIn(world, indices));
+
+    std::vector<SensorFrame> frames;
+    for (auto& [name, robot] : robots_) {
+      RigStep step;
+      step.shared = &shared_;
+      step.agent_index = indices.at(name);
+      step.agent = &world.agents[step.agent_index];
+      step.before = robot.before ? &*robot.before : nullptr;
+      step.step_s = step_s;
+      for (MountedSensor& mounted : robot.sensors) {
+        const Status status = mounted.sensor->Step(step, wanted(name, *mounted.spec), &frames);
+        if (!status.ok()) {
+          Restart(options_.seed);  // some have had the step, some have not
+          return status.WithContext("sensors of " + name);
+        }
+      }
+      if (!robot.sensors.empty()) robot.before = *step.agent;
+    }
+    return frames;
+  }
+
+  void Restart(std::uint64_t seed) override {
+    options_.seed = seed;
+    robots_.clear();
+    last_step_.reset();
+  }
+
+  bool NeedsStep(std::uint64_t step, double step_s, const Wanted& wanted) const override {
+    if (!last_step_) return true;
+    for (const auto& [name, robot] : robots_) {
+      for (const MountedSensor& mounted : robot.sensors) {
+        const bool matters =
+            mounted.sensor->IsCollecting() || mounted.clock.IsDue(step + 1, step_s);
+        if (matters && wanted(name, *mounted.spec).any) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  // Robots that came get their sensors, those that went lose them. Indices into the world's agents.
+  std::map<std::string, std::uint32_t> Meet(const SensedWorld& world) {
+    std::map<std::string, std::uint32_t> indices;
+    for (std::size_t i = 0; i < world.agents.size(); ++i) {
+      const SensedAgent& agent = world.agents[i];
+      if (!agent.has_sensors) continue;
+      indices[agent.name] = static_cast<std::uint32_t>(i);
+      if (robots_.count(agent.name) == 0) robots_.emplace(agent.name, Equip(agent));
+    }
+    for (auto robot = robots_.begin(); robot != robots_.end();) {
+      robot = indices.count(robot->first) == 0 ? robots_.erase(robot) : std::next(robot);
+    }
+    return indices;
+  }
+
+  Robot Equip(const SensedAgent& agent) const {
+    Robot robot;
+    const std::shared_ptr<const SensorSuite> suite = suite_of_(agent);
+    if (suite == nullptr) return robot;
+    for (const SensorSpec& sensor : suite->sensors) {
+      // Shares the suite's life.
+      std::shared_ptr<const SensorSpec> spec(suite, &sensor);
+      robot.traces_rays = robot.traces_rays || TracesRays(sensor);
+      robot.sensors.push_back(
+          {spec, SensorClock(sensor.rate_hz), MakeRigSensor(spec, agent, options_.seed, options_)});
+    }
+    std::stable_sort(
+        robot.sensors.begin(), robot.sensors.end(),
+        [](const MountedSensor& a, const MountedSensor& b) { return a.spec->name < b.spec->name; });
+    return robot;
+  }
+
+  std::vector<Eigen::Vector3d> EyesIn(const SensedWorld& world,
+                                      const std::map<std::string, std::uint32_t>& indices) const {
+    std::vector<Eigen::Vector3d> eyes_m;
+    for (const auto& [name, robot] : robots_) {
+      if (!robot.traces_rays) continue;
+      eyes_m.push_back(world.agents[indices.at(name)].map_from_base.translation());
+    }
+    return eyes_m;
+  }
+
+  SensorRigOptions options_;
+  RigWorld shared_;
+  SuiteOf suite_of_;
+  std::map<std::string, Robot> robots_;  // those in the world
+  std::optional<std::uint64_t> last_step_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<SensorRig>> SensorRig::Create(std::shared_ptr<const Scene> scene,
+                                                     const SensorRigOptions& options,
+                                                     SuiteOf suite_of) {
+  if (scene == nullptr) return InvalidArgument("a sensor rig needs a scene");
+  return std::unique_ptr<SensorRig>(
+      std::make_unique<SensorRigImpl>(std::move(scene), options, std::move(suite_of)));
+}
+
+}  // namespace latticeworld

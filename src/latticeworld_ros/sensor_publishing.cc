@@ -1,0 +1,89 @@
+#include "latticeworld_ros/sensor_publishing.h"
+
+#include <variant>
+
+#include "latticeworld_ros/agent_conversion.h"
+#include "latticeworld_ros/camera_conversion.h"
+#include "latticeworld_ros/sensor_conversion.h"
+
+namespace latticeworld {
+namespace {
+
+// Publishes a reading by its type.
+struct Publisher {
+  const SensorFrame& frame;
+  const SensorPublishers& topics;
+  ros::Time stamp;
+
+  const SensorSpec& spec() const { return *frame.sensor; }
+  std::string frame_id() const { return SensorFrameId(frame.robot, spec()); }
+  template <typename Model>
+  const Model& model() const {
+    return std::get<Model>(spec().model);
+  }
+
+  void operator()(const LidarSweep& sweep) const {
+    if (sweep.rings == 1) {
+      topics.data.publisher.publish(
+          ToLaserScan(sweep, model<LidarModel>(), spec().rate_hz, frame_id(), stamp));
+    } else {
+      topics.data.publisher.publish(ToPointCloud(sweep, frame_id(), stamp));
+    }
+  }
+  void operator()(const CameraFrame& pictures) const {
+    Picture(topics.colour, pictures.colour.empty(), ToColourImage, pictures);
+    Picture(topics.depth, pictures.depth_m.empty(), ToDepthImage, pictures);
+    Picture(topics.classes, pictures.classes.empty(), ToClassImage, pictures);
+    Picture(topics.instances, pictures.instances.empty(), ToInstanceImage, pictures);
+  }
+  void operator()(const ImuReading& reading) const {
+    topics.data.publisher.publish(
+        ToImu(reading, model<ImuModel>(), spec().rate_hz, frame_id(), stamp));
+  }
+  void operator()(const GnssReading& reading) const {
+    topics.data.publisher.publish(ToFix(reading, frame_id(), stamp));
+  }
+  void operator()(const MagnetometerReading& reading) const {
+    topics.data.publisher.publish(
+        ToMagneticField(reading, model<MagnetometerModel>(), frame_id(), stamp));
+  }
+  void operator()(const WheelOdometryReading& reading) const {
+    topics.data.publisher.publish(ToOdometry(reading, model<WheelOdometryModel>(),
+                                             OdomFrame(frame.robot), BaseFrame(frame.robot),
+                                             stamp));
+  }
+  void operator()(const BumperReading& reading) const {
+    topics.data.publisher.publish(ToBumper(reading, frame_id(), stamp));
+  }
+
+ private:
+  template <typename Convert>
+  void Picture(const PictureTopics& picture, bool is_missing, Convert convert,
+               const CameraFrame& pictures) const {
+    if (is_missing) return;
+    const CameraModel& camera = model<CameraSensor>().model;
+    const std::string optical = OpticalFrameId(frame.robot, spec());
+    if (picture.image.wanted()) {
+      picture.image.publisher.publish(convert(camera, pictures, optical, stamp));
+    }
+    if (picture.info.wanted()) {
+      picture.info.publisher.publish(ToCameraInfo(camera, optical, stamp));
+    }
+  }
+};
+
+}  // namespace
+
+const SensorPublishers* FindPublishers(const SensorPublisherMap& publishers,
+                                       const std::string& robot, const SensorSpec& sensor) {
+  const auto suite = publishers.find(robot);
+  if (suite == publishers.end()) return nullptr;
+  const auto found = suite->second->find(sensor.name);
+  return found == suite->second->end() ? nullptr : &found->second;
+}
+
+void Publish(const SensorFrame& frame, ros::Time stamp, const SensorPublishers& topics) {
+  std::visit(Publisher{frame, topics, stamp}, frame.reading);
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,22 @@
+#ifndef LATTICEWORLD_ROS_SENSOR_PUBLISHING_H_
+#define LATTICEWORLD_ROS_SENSOR_PUBLISHING_H_
+
+#include <ros/time.h>
+
+#include <string>
+
+#include "latticeworld/sensing/sensor_rig.h"
+#include "latticeworld_ros/sensor_topics.h"
+
+namespace latticeworld {
+
+// The topics of a robot's sensor; nullptr: it has none.
+const SensorPublishers* FindPublishers(const SensorPublisherMap& publishers,
+                                       const std::string& robot, const SensorSpec& sensor);
+
+// Publishes what a sensor gave on those of its topics that anybody listens to.
+void Publish(const SensorFrame& frame, ros::Time stamp, const SensorPublishers& topics);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_ROS_SENSOR_PUBLISHING_H_

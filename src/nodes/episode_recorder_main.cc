@@ -1,0 +1,48 @@
+// The episode recorder: start_episode writes what a world_server does into a rosbag.
+// Parameters: launch_cfg/episode_recorder.yaml. Services and topics: docs/episodes.md.
+
+#include <ros/ros.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <thread>
+
+#include "latticeworld_ros/episode_recorder.h"
+#include "latticeworld_ros/episode_recorder_options.h"
+
+int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow fails to be written, no more
+  // Bags are closed before ROS is: what this handler asks for is done by main.
+  static volatile std::sig_atomic_t asked_to_end = 0;
+  ros::init(argc, argv, "episode_recorder", ros::init_options::NoSigintHandler);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::signal(signal, [](int) { asked_to_end = 1; });
+  }
+  XmlRpc::XmlRpcValue parameters;
+  (void)ros::param::get(ros::this_node::getName(), parameters);  // none at all is legal
+  const auto options = latticeworld::RecorderOptionsFromParameters(parameters);
+  if (!options.ok()) {
+    ROS_FATAL_STREAM(options.status().ToString());
+    return EXIT_FAILURE;
+  }
+  try {
+    ros::NodeHandle node;
+    auto recorder = std::make_unique<latticeworld::EpisodeRecorder>(node, *options);
+    // For what roscpp itself asks: the clock, and the status that is latched.
+    ros::AsyncSpinner spinner(1);
+    spinner.start();
+    ROS_INFO("ready: call start_episode");
+    while (asked_to_end == 0 && ros::ok()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    recorder.reset();
+    ros::shutdown();
+  } catch (const std::exception& error) {
+    ROS_FATAL_STREAM("episode_recorder: " << error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,145 @@
+#include "latticeworld/navigation/tasks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "latticeworld/common/random.h"
+#include "latticeworld/navigation/distance_field.h"
+#include "latticeworld/navigation/navigable_map.h"
+#include "simulation/test_scene.h"
+
+namespace latticeworld {
+namespace {
+
+// Hills with a pond, trees and a few sheep, another for each seed.
+std::shared_ptr<const Scene> Land(std::uint64_t seed) {
+  TestScene land;
+  RandomStream random(seed, "land");
+  land.height_m = Hills(random.Uniform(0.5, 2.0), 30.0);
+  const double x_m = random.Uniform(-15.0, 15.0), y_m = random.Uniform(-15.0, 15.0);
+  land.water_depth_m = [=](double x, double y) {
+    return std::hypot(x - x_m, y - y_m) < 7.0 ? 1.0 : 0.0;
+  };
+  for (int i = 0; i < 30; ++i)
+    land.AddTree(random.Uniform(-30.0, 30.0), random.Uniform(-30.0, 30.0));
+  for (int i = 0; i < 5; ++i)
+    land.AddAgent("sheep_" + std::to_string(i), AgentCategory::kSheep, 6.0 * i - 12.0, 20.0);
+  return land.Build();
+}
+
+TaskWishes Wishes(std::uint64_t seed, int count = 5) {
+  TaskWishes wishes;
+  wishes.seed = seed;
+  wishes.count = count;
+  return wishes;
+}
+
+TEST(Tasks, AreSolvableForTheRobotAndOfTheWantedDifficulty) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const std::shared_ptr<const Scene> scene = Land(seed);
+    TaskWishes wishes = Wishes(seed);
+    wishes.length_m = {25.0, 45.0};
+    wishes.detour = {1.0, 1.5};
+    const NavigableMap map = BuildNavigableMap(*scene, wishes.robot);
+    const auto tasks = SampleTasks(*scene, wishes, Progress()).value();
+    ASSERT_EQ(tasks.size(), 5u);
+    for (const NavigationTask& task : tasks) {
+      EXPECT_TRUE(CheckPlace(map, *scene, wishes.robot, task.start, "the start").ok());
+      EXPECT_TRUE(CheckPlace(map, *scene, wishes.robot, task.goal, "the goal").ok());
+      for (std::size_t i = 1; i < task.way.points_m.size(); ++i) {
+        const Eigen::Vector3d &a = task.way.points_m[i - 1], &b = task.way.points_m[i];
+        EXPECT_TRUE(MeasureLine(map, {a.x(), a.y()}, {b.x(), b.y()}).is_free);
+      }
+      const double length_m = DistancesTo(map, task.goal).value().At(task.start);
+      EXPECT_NEAR(task.difficulty.length_m, length_m, 0.03 * length_m + 0.5);
+      EXPECT_GE(task.difficulty.length_m, 25.0);
+      EXPECT_LE(task.difficulty.length_m, 45.0);
+      EXPECT_GE(task.difficulty.detour, 1.0);
+      EXPECT_LE(task.difficulty.detour, 1.5);
+    }
+  }
+}
+
+TEST(Tasks, AreTheSameForTheSameSeedAndOthersForAnother) {
+  const std::shared_ptr<const Scene> scene = Land(3);
+  const auto first = SampleTasks(*scene, Wishes(7), Progress()).value();
+  const auto again = SampleTasks(*scene, Wishes(7), Progress()).value();
+  const auto other = SampleTasks(*scene, Wishes(8), Progress()).value();
+  bool differs = false;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].start.x_m, again[i].start.x_m);
+    EXPECT_EQ(first[i].goal.y_m, again[i].goal.y_m);
+    EXPECT_EQ(first[i].way.length_m, again[i].way.length_m);
+    differs = differs || first[i].goal.x_m != other[i].goal.x_m;
+  }
+  EXPECT_TRUE(differs);
+}
+
+TEST(Tasks, CountTheAgentsBesideTheWay) {
+  const std::shared_ptr<const Scene> scene = Land(4);
+  TaskWishes wishes = Wishes(1, 3);
+  wishes.agents = {4.0, 5.0};
+  for (const NavigationTask& task : SampleTasks(*scene, wishes, Progress()).value())
+    EXPECT_GE(task.difficulty.agents, 4);
+}
+
+TEST(Tasks, ClimbOnASlopeIsItsRise) {
+  TestScene slope;
+  slope.height_m = [](double x, double) { return 0.2 * x; };
+  TaskWishes wishes = Wishes(1, 20);
+  for (const NavigationTask& task : SampleTasks(*slope.Build(), wishes, Progress()).value()) {
+    const double rise_m = 0.2 * (task.goal.x_m - task.start.x_m);
+    EXPECT_NEAR(task.difficulty.climb_m, std::max(0.0, rise_m), 0.02);
+    EXPECT_NEAR(task.difficulty.detour, 1.0, 0.01);
+    EXPECT_EQ(task.difficulty.density, 0.0);
+  }
+}
+
+TEST(Tasks, SayWhatTheWorldOffersWhereItHasNotWhatIsWanted) {
+  const std::shared_ptr<const Scene> scene = Land(5);
+  TaskWishes wishes = Wishes(1, 1);
+  wishes.climb_m = {500.0, 600.0};
+  const Status status = SampleTasks(*scene, wishes, Progress()).status();
+  EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition);
+  EXPECT_NE(status.message().find("; climb_m was outside [500, 600] in 1000 of 1000 ways"),
+            std::string::npos)
+      << status.message();
+  wishes = Wishes(1, 1);
+  wishes.length_m = {5000.0, 6000.0};
+  EXPECT_NE(SampleTasks(*scene, wishes, Progress()).status().message().find("no way of a wanted"),
+            std::string::npos);
+}
+
+TEST(Tasks, RefuseWishesThatAreNone) {
+  TaskWishes wishes = Wishes(1, 0);
+  wishes.goal_radius_m = -1.0;
+  wishes.detour = {3.0, 2.0};
+  wishes.climb_m = {std::nan(""), 1.0};
+  const Status status = Validate(wishes);
+  EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(status.violations().size(), 4u);
+}
+
+TEST(Places, ThatAreNoGoalsSayWhy) {
+  TestScene land;
+  land.water_depth_m = [](double x, double) { return x > 20.0 ? 2.0 : 0.0; };
+  land.height_m = [](double, double y) { return y > 20.0 ? 3.0 * (y - 20.0) : 0.0; };
+  land.AddTree(0.0, 0.0);
+  const auto scene = land.Build();
+  const RobotLimits robot;
+  const NavigableMap map = BuildNavigableMap(*scene, robot);
+  const auto said = [&](double x, double y) {
+    return CheckPlace(map, *scene, robot, {x, y}, "the goal").ToString();
+  };
+  EXPECT_NE(said(25.0, 0.0).find("is in water 2 m deep; the robot fords 0.2 m"), std::string::npos)
+      << said(25.0, 0.0);
+  EXPECT_NE(said(0.0, 26.0).find("is on a slope of"), std::string::npos) << said(0.0, 26.0);
+  EXPECT_NE(said(0.0, 0.0).find("in or too near an obstacle"), std::string::npos);
+  EXPECT_NE(said(100.0, 0.0).find("is outside the world"), std::string::npos);
+  EXPECT_NE(said(std::nan(""), 0.0).find("must be finite"), std::string::npos);
+  EXPECT_TRUE(CheckPlace(map, *scene, robot, {-10.0, 0.0}, "the goal").ok());
+}
+
+}  // namespace
+}  // namespace latticeworld

@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tools/run_program.h"
+
+namespace latticeworld {
+namespace {
+
+class TasksCommandTest : public ProgramTest {
+ protected:
+  void MakeWorld() {
+    const ProgramRun run =
+        RunProgram({"generate", "--layout", "A lake in the center, forest around it.", "--seed",
+                    "5", "--size", "128", "--resolution", "1", "--out", PathOf("lake")});
+    ASSERT_EQ(run.exit_status, 0) << run.err;
+  }
+};
+
+TEST_F(TasksCommandTest, WritesTasksOfTheAskedDifficultyThatRepeat) {
+  MakeWorld();
+  const std::vector<std::string> arguments = {
+      "tasks", PathOf("lake"), "--count", "4",     "--seed",
+      "9",     "--length",     "30,60",   "--out", PathOf("tasks.json")};
+  const ProgramRun run = RunProgram(arguments);
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_NE(run.out.find("length m"), std::string::npos);
+  const std::string text = Read("tasks.json");
+  const auto json = nlohmann::json::parse(text);
+  ASSERT_EQ(json.at("tasks").size(), 4u);
+  for (const auto& task : json.at("tasks")) {
+    EXPECT_GE(task.at("length_m"), 30.0);
+    EXPECT_LE(task.at("length_m"), 60.0);
+  }
+  ASSERT_EQ(RunProgram(arguments).exit_status, 0);
+  EXPECT_EQ(Read("tasks.json"), text);
+}
+
+TEST_F(TasksCommandTest, SaysWhatIsUnusableAndWhatTheWorldHasNot) {
+  MakeWorld();
+  const ProgramRun unusable = RunProgram({"tasks", PathOf("lake"), "--robot-radius", "-1",
+                                          "--robot-mass", "1e9", "--out", PathOf("tasks.json")});
+  EXPECT_EQ(unusable.exit_status, 2);
+  for (const char* name : {"--robot-radius", "--robot-mass"})
+    EXPECT_NE(unusable.err.find(name), std::string::npos) << unusable.err;
+  const ProgramRun missing = RunProgram({"tasks", PathOf("lake"), "--climb", "900,1000", "--count",
+                                         "1", "--out", PathOf("tasks.json")});
+  EXPECT_EQ(missing.exit_status, 1);
+  EXPECT_NE(missing.err.find("climb_m was outside [900, 1000]"), std::string::npos) << missing.err;
+  EXPECT_EQ(Entries(), std::vector<std::string>{"lake"});
+}
+
+}  // namespace
+}  // namespace latticeworld
