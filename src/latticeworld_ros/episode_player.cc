@@ -23,6 +23,8 @@ constexpr std::uint32_t kQueue = 1000;
 constexpr std::chrono::milliseconds kIntroduction(200);
 constexpr std::chrono::seconds kLongestIntroduction(5);
 constexpr std::chrono::milliseconds kPollPeriod(20);
+// What was published last is on its way still when the program would end.
+constexpr std::chrono::milliseconds kFarewell(500);
 // So that a signal is heard while nothing is to be told.
 constexpr std::chrono::milliseconds kLongestSleep(50);
 
@@ -75,6 +77,7 @@ class Player {
       const auto message = instance.instantiate<topic_tools::ShapeShifter>();
       publishers_.at(instance.getTopic()).publish(*message);
     }
+    if (ros::ok()) std::this_thread::sleep_for(kFarewell);
     return Status();
   }
 

@@ -352,10 +352,12 @@ class EpisodeTest(ServerTest):
 
     def test_what_was_recorded_is_played(self):
         (bag,) = self.record(lambda: self.drive(200), name="played").paths
+        with rosbag.Bag(bag) as read:
+            recorded = [str(m) for _, m, _ in read.read_messages("/agents")]
         with OtherMaster() as env:
             script = pathlib.Path(__file__).with_name("hear_episode.py")
-            hearer = subprocess.Popen(["/usr/bin/python3", str(script)], env=env, text=True,
-                                      stdout=subprocess.PIPE)
+            hearer = subprocess.Popen(["/usr/bin/python3", str(script), str(len(recorded))],
+                                      env=env, text=True, stdout=subprocess.PIPE)
             try:
                 self.assertEqual("ready\n", hearer.stdout.readline())
                 code, said = run_tool("replay_episode", "--play", "--rate", 4, bag, env=env)
@@ -365,8 +367,6 @@ class EpisodeTest(ServerTest):
                 hearer.kill()
                 hearer.wait(TIMEOUT_S)
         self.assertTrue(heard["ended"])
-        with rosbag.Bag(bag) as read:
-            recorded = [str(m) for _, m, _ in read.read_messages("/agents")]
         # Who listens from the start on misses nothing.
         self.assertEqual(recorded, heard["states"])
         self.assertEqual(sorted(heard["clock"]), heard["clock"])

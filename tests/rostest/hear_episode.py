@@ -1,7 +1,9 @@
-"""Hears an episode that is played, to its end, and prints the words of every AgentStates and the
-stamps of the clock as JSON. The master is that of ROS_MASTER_URI."""
+"""Hears an episode that is played, until so many AgentStates and its end have come, and prints the
+words of all of them and the stamps of the clock as JSON. The master is that of ROS_MASTER_URI.
+Usage: hear_episode.py COUNT"""
 
 import json
+import sys
 import threading
 
 import rospy
@@ -11,13 +13,22 @@ from latticeworld.msg import AgentStates, EpisodeEnd
 
 
 def main():
-    states, clock, ended = [], [], threading.Event()
+    wanted = int(sys.argv[1])
+    states, clock, ended, heard = [], [], threading.Event(), threading.Event()
+
+    def on_states(message):
+        states.append(str(message))
+        if len(states) == wanted:
+            heard.set()
+
     rospy.init_node("hear_episode", disable_signals=True)
-    rospy.Subscriber("/agents", AgentStates, lambda m: states.append(str(m)), queue_size=None)
+    rospy.Subscriber("/agents", AgentStates, on_states, queue_size=None)
     rospy.Subscriber("/clock", Clock, lambda m: clock.append(m.clock.to_nsec()), queue_size=None)
     rospy.Subscriber("/episode/end", EpisodeEnd, lambda _: ended.set())
     print("ready", flush=True)
-    ended.wait(60.0)
+    # Each topic has a connection of its own: the end may come before what was told before it.
+    if heard.wait(60.0):
+        ended.wait(60.0)
     print(json.dumps({"ended": ended.is_set(), "states": states, "clock": clock}))
 
 

@@ -21,23 +21,24 @@ RTCRay IntoFrame(const MeshFrame& frame, const RTCRay& ray) {
   return local;
 }
 
-// Of all lanes, whether they have a ray or not.
-void IntoFrame(const MeshFrame& frame, const RTCRay16& ray, RTCRay16* local) {
+// Of all lanes, whether they have a ray or not. RayN: RTCRay4, RTCRay8 or RTCRay16.
+template <int kLanes, typename RayN>
+void IntoFrame(const MeshFrame& frame, const RayN& ray, RayN* local) {
   const Eigen::Matrix3f& t = frame.mesh_from_map;
   const Eigen::Vector3f& at = frame.origin_m;
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < kLanes; ++i) {
     const float x = ray.org_x[i] - at.x(), y = ray.org_y[i] - at.y(), z = ray.org_z[i] - at.z();
     local->org_x[i] = t(0, 0) * x + t(0, 1) * y + t(0, 2) * z;
     local->org_y[i] = t(1, 0) * x + t(1, 1) * y + t(1, 2) * z;
     local->org_z[i] = t(2, 0) * x + t(2, 1) * y + t(2, 2) * z;
   }
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < kLanes; ++i) {
     const float x = ray.dir_x[i], y = ray.dir_y[i], z = ray.dir_z[i];
     local->dir_x[i] = t(0, 0) * x + t(0, 1) * y + t(0, 2) * z;
     local->dir_y[i] = t(1, 0) * x + t(1, 1) * y + t(1, 2) * z;
     local->dir_z[i] = t(2, 0) * x + t(2, 1) * y + t(2, 2) * z;
   }
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < kLanes; ++i) {
     local->tnear[i] = ray.tnear[i];
     local->tfar[i] = ray.tfar[i];
     local->time[i] = 0.0f;
@@ -45,6 +46,16 @@ void IntoFrame(const MeshFrame& frame, const RTCRay16& ray, RTCRay16* local) {
     local->id[i] = ray.id[i];
     local->flags[i] = 0;
   }
+}
+
+void TraceInMesh(const int* valid, RTCScene mesh, RTCIntersectContext* context, RTCRayHit4* rays) {
+  rtcIntersect4(valid, mesh, context, rays);
+}
+void TraceInMesh(const int* valid, RTCScene mesh, RTCIntersectContext* context, RTCRayHit8* rays) {
+  rtcIntersect8(valid, mesh, context, rays);
+}
+void TraceInMesh(const int* valid, RTCScene mesh, RTCIntersectContext* context, RTCRayHit16* rays) {
+  rtcIntersect16(valid, mesh, context, rays);
 }
 
 void IntersectOne(RTCScene mesh, const MeshFrame& frame, unsigned mask,
@@ -70,16 +81,18 @@ void IntersectOne(RTCScene mesh, const MeshFrame& frame, unsigned mask,
   world.hit.instID[0] = arguments.context->instID[0];
 }
 
-void IntersectSixteen(RTCScene mesh, const MeshFrame& frame, unsigned mask,
+template <int kLanes, typename RayHitN>
+void IntersectSeveral(RTCScene mesh, const MeshFrame& frame, unsigned mask,
                       const RTCIntersectFunctionNArguments& arguments) {
-  auto& world = *reinterpret_cast<RTCRayHit16*>(arguments.rayhit);
-  alignas(64) int valid[16];
-  for (int i = 0; i < 16; ++i) valid[i] = (world.ray.mask[i] & mask) != 0 ? arguments.valid[i] : 0;
-  alignas(64) RTCRayHit16 local;
-  IntoFrame(frame, world.ray, &local.ray);
+  auto& world = *reinterpret_cast<RayHitN*>(arguments.rayhit);
+  alignas(64) int valid[kLanes];
+  for (int i = 0; i < kLanes; ++i)
+    valid[i] = (world.ray.mask[i] & mask) != 0 ? arguments.valid[i] : 0;
+  alignas(64) RayHitN local;
+  IntoFrame<kLanes>(frame, world.ray, &local.ray);
   std::fill(std::begin(local.hit.geomID), std::end(local.hit.geomID), RTC_INVALID_GEOMETRY_ID);
-  rtcIntersect16(valid, mesh, arguments.context, &local);
-  for (int i = 0; i < 16; ++i) {
+  TraceInMesh(valid, mesh, arguments.context, &local);
+  for (int i = 0; i < kLanes; ++i) {
     if (valid[i] == 0 || local.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
     world.ray.tfar[i] = local.ray.tfar[i];
     const Eigen::Vector3f normal =
@@ -100,10 +113,17 @@ void IntersectSixteen(RTCScene mesh, const MeshFrame& frame, unsigned mask,
 
 void IntersectMesh(RTCScene mesh, const MeshFrame& frame, unsigned mask,
                    const RTCIntersectFunctionNArguments& arguments) {
-  if (arguments.N == 16) {
-    IntersectSixteen(mesh, frame, mask, arguments);
-  } else if (arguments.N == 1) {
-    IntersectOne(mesh, frame, mask, arguments);
+  switch (arguments.N) {
+    case 1:
+      return IntersectOne(mesh, frame, mask, arguments);
+    case 4:
+      return IntersectSeveral<4, RTCRayHit4>(mesh, frame, mask, arguments);
+    case 8:
+      return IntersectSeveral<8, RTCRayHit8>(mesh, frame, mask, arguments);
+    case 16:
+      return IntersectSeveral<16, RTCRayHit16>(mesh, frame, mask, arguments);
+    default:
+      return;  // Embree has no other packets
   }
 }
 
