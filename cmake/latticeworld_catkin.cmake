@@ -46,6 +46,7 @@ latticeworld_compat(octomap_msgs)
 latticeworld_compat(grid_map_msgs)
 
 add_message_files(FILES
+  AgentCommand.msg
   AgentEvent.msg
   AgentState.msg
   AgentStates.msg
@@ -62,6 +63,7 @@ add_message_files(FILES
   GenerationProgress.msg
   JournalEntry.msg
   Layout.msg
+  Observation.msg
   SceneChanges.msg
   StageTime.msg
   StateHash.msg
@@ -80,6 +82,7 @@ add_service_files(FILES
   ListEpisodes.srv
   ListWorlds.srv
   LoadWorld.srv
+  Lockstep.srv
   OpenGate.srv
   QueryTerrain.srv
   RemoveAgent.srv

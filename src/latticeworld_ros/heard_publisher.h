@@ -9,9 +9,9 @@
 
 namespace latticeworld {
 
-// A publisher that knows at once whether somebody listens. roscpp itself searches its list of all
-// topics for the name in every such question and with every message, which hundreds of robots'
-// topics that nobody hears would pay for many times a second.
+// A publisher that knows at once how many listen. roscpp itself searches its list of all topics for
+// the name in every such question and with every message, which hundreds of robots' topics that
+// nobody hears would pay for many times a second.
 class HeardPublisher {
  public:
   HeardPublisher() = default;  // publishes nothing
@@ -22,6 +22,9 @@ class HeardPublisher {
 
   explicit operator bool() const { return publication_ != nullptr; }
   bool IsHeard() const { return publication_ != nullptr && publication_->hasSubscribers(); }
+  int listeners() const {
+    return publication_ == nullptr ? 0 : static_cast<int>(publication_->getNumSubscribers());
+  }
   // Publishes what make() answers, which nobody makes for nobody.
   template <typename Make>
   void Publish(const Make& make) const {

@@ -1,81 +1,18 @@
 #include "latticeworld_ros/parameters.h"
 
 #include <cstdlib>
-#include <functional>
-#include <map>
 #include <memory>
 #include <utility>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld_ros/parameter_binding.h"
 
 namespace latticeworld {
 namespace {
 
 using XmlRpc::XmlRpcValue;
 
-// Each reads one value; false: of another type. XmlRpcValue's own conversions are not const.
-bool Read(XmlRpcValue value, double* out) {
-  if (value.getType() == XmlRpcValue::TypeInt) return *out = static_cast<int>(value), true;
-  if (value.getType() == XmlRpcValue::TypeDouble) return *out = static_cast<double>(value), true;
-  return false;
-}
-bool Read(XmlRpcValue value, int* out) {
-  if (value.getType() != XmlRpcValue::TypeInt) return false;
-  *out = static_cast<int>(value);
-  return true;
-}
-bool Read(XmlRpcValue value, bool* out) {
-  if (value.getType() != XmlRpcValue::TypeBoolean) return false;
-  *out = static_cast<bool>(value);
-  return true;
-}
-bool Read(XmlRpcValue value, std::string* out) {
-  if (value.getType() != XmlRpcValue::TypeString) return false;
-  *out = static_cast<std::string>(value);
-  return true;
-}
-bool Read(XmlRpcValue value, std::vector<std::string>* out) {
-  if (value.getType() != XmlRpcValue::TypeArray) return false;
-  out->assign(static_cast<std::size_t>(value.size()), std::string());
-  for (int i = 0; i < value.size(); ++i) {
-    if (!Read(value[i], &(*out)[static_cast<std::size_t>(i)])) return false;
-  }
-  return true;
-}
-
-bool Read(XmlRpcValue value, std::size_t* out) {
-  int number = 0;
-  if (!Read(std::move(value), &number) || number < 0) return false;
-  *out = static_cast<std::size_t>(number);
-  return true;
-}
-bool Read(XmlRpcValue value, ChatDialect* out) {
-  std::string name;
-  if (!Read(std::move(value), &name)) return false;
-  const auto dialect = FromName<ChatDialect>(name);
-  if (dialect) *out = *dialect;
-  return dialect.has_value();
-}
-
-const char* TypeName(const double&) { return "a number"; }
-const char* TypeName(const int&) { return "a whole number"; }
-const char* TypeName(const bool&) { return "true or false"; }
-const char* TypeName(const std::string&) { return "a text"; }
-const char* TypeName(const std::vector<std::string>&) { return "a list of texts"; }
-const char* TypeName(const std::size_t&) { return "a whole number of at least 0"; }
-std::string TypeName(const ChatDialect&) { return "one of " + LegalNames<ChatDialect>(); }
-
-struct Parameter {
-  std::function<bool(const XmlRpcValue&)> read;
-  std::string type;
-};
-
-template <typename T>
-Parameter Bind(T* field) {
-  return {[field](const XmlRpcValue& value) { return Read(value, field); }, TypeName(*field)};
-}
-
-std::map<std::string, Parameter> BindAll(WorldServerOptions* options) {
+BoundParameters BindAll(WorldServerOptions* options) {
   return {
       {"real_time_factor", Bind(&options->real_time_factor)},
       {"start_paused", Bind(&options->start_paused)},
@@ -115,6 +52,10 @@ std::map<std::string, Parameter> BindAll(WorldServerOptions* options) {
       {"remote_layout_max_tokens", Bind(&options->remote.model.layout_max_tokens)},
       {"remote_environment_max_tokens", Bind(&options->remote.model.environment_max_tokens)},
       {"remote_fallback", Bind(&options->remote.fallback)},
+      {"local_layout_model", Bind(&options->local.layout_model)},
+      {"local_environment_model", Bind(&options->local.environment_model)},
+      {"local_temperature", Bind(&options->local.temperature)},
+      {"local_fallback", Bind(&options->local.fallback)},
       {"worlds_directory", Bind(&options->worlds_directory)},
       {"visual_directories", Bind(&options->visual_directories)},
       {"catalogue", Bind(&options->catalogue)},
@@ -133,26 +74,8 @@ std::map<std::string, Parameter> BindAll(WorldServerOptions* options) {
 
 Result<WorldServerOptions> OptionsFromParameters(const XmlRpcValue& parameters) {
   WorldServerOptions options;
-  const std::map<std::string, Parameter> known = BindAll(&options);
   std::vector<Violation> violations;
-
-  XmlRpcValue given = parameters;
-  if (given.getType() == XmlRpcValue::TypeStruct) {
-    for (const auto& [name, value] : given) {
-      const auto parameter = known.find(name);
-      if (parameter == known.end()) {
-        std::vector<std::string> names;
-        for (const auto& entry : known) names.push_back(entry.first);
-        violations.push_back({"unknown_key", name,
-                              "there is no such parameter; there are " + Join(names, ", "), name});
-      } else if (!parameter->second.read(value)) {
-        violations.push_back(
-            {"wrong_type", name, "must be " + parameter->second.type, value.toXml()});
-      }
-    }
-  } else if (given.valid()) {
-    violations.push_back({"wrong_type", "", "the parameters are no dictionary", given.toXml()});
-  }
+  ReadParameters(parameters, BindAll(&options), &violations);
 
   if (!options.species.empty()) {
     Result<std::shared_ptr<const SpeciesCatalogue>> species =

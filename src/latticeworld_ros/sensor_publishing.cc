@@ -24,10 +24,11 @@ struct Publisher {
 
   void operator()(const LidarSweep& sweep) const {
     if (sweep.rings == 1) {
-      topics.data.publisher.publish(
-          ToLaserScan(sweep, model<LidarModel>(), spec().rate_hz, frame_id(), stamp));
+      topics.data.Publish([&] {
+        return ToLaserScan(sweep, model<LidarModel>(), spec().rate_hz, frame_id(), stamp);
+      });
     } else {
-      topics.data.publisher.publish(ToPointCloud(sweep, frame_id(), stamp));
+      topics.data.Publish([&] { return ToPointCloud(sweep, frame_id(), stamp); });
     }
   }
   void operator()(const CameraFrame& pictures) const {
@@ -37,23 +38,24 @@ struct Publisher {
     Picture(topics.instances, pictures.instances.empty(), ToInstanceImage, pictures);
   }
   void operator()(const ImuReading& reading) const {
-    topics.data.publisher.publish(
-        ToImu(reading, model<ImuModel>(), spec().rate_hz, frame_id(), stamp));
+    topics.data.Publish(
+        [&] { return ToImu(reading, model<ImuModel>(), spec().rate_hz, frame_id(), stamp); });
   }
   void operator()(const GnssReading& reading) const {
-    topics.data.publisher.publish(ToFix(reading, frame_id(), stamp));
+    topics.data.Publish([&] { return ToFix(reading, frame_id(), stamp); });
   }
   void operator()(const MagnetometerReading& reading) const {
-    topics.data.publisher.publish(
-        ToMagneticField(reading, model<MagnetometerModel>(), frame_id(), stamp));
+    topics.data.Publish(
+        [&] { return ToMagneticField(reading, model<MagnetometerModel>(), frame_id(), stamp); });
   }
   void operator()(const WheelOdometryReading& reading) const {
-    topics.data.publisher.publish(ToOdometry(reading, model<WheelOdometryModel>(),
-                                             OdomFrame(frame.robot), BaseFrame(frame.robot),
-                                             stamp));
+    topics.data.Publish([&] {
+      return ToOdometry(reading, model<WheelOdometryModel>(), OdomFrame(frame.robot),
+                        BaseFrame(frame.robot), stamp);
+    });
   }
   void operator()(const BumperReading& reading) const {
-    topics.data.publisher.publish(ToBumper(reading, frame_id(), stamp));
+    topics.data.Publish([&] { return ToBumper(reading, frame_id(), stamp); });
   }
 
  private:
@@ -63,12 +65,8 @@ struct Publisher {
     if (is_missing) return;
     const CameraModel& camera = model<CameraSensor>().model;
     const std::string optical = OpticalFrameId(frame.robot, spec());
-    if (picture.image.wanted()) {
-      picture.image.publisher.publish(convert(camera, pictures, optical, stamp));
-    }
-    if (picture.info.wanted()) {
-      picture.info.publisher.publish(ToCameraInfo(camera, optical, stamp));
-    }
+    picture.image.Publish([&] { return convert(camera, pictures, optical, stamp); });
+    picture.info.Publish([&] { return ToCameraInfo(camera, optical, stamp); });
   }
 };
 

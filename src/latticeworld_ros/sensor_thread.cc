@@ -3,10 +3,13 @@
 #include <ros/console.h>
 
 #include <exception>
+#include <iterator>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/common/text.h"
 #include "latticeworld/exporting/sensor_colours.h"
 #include "latticeworld/simulation/sensed.h"
 #include "latticeworld_ros/sensor_conversion.h"
@@ -19,6 +22,15 @@ namespace {
 // Steps that may wait for the sensors.
 constexpr std::size_t kMostWaiting = 8;
 
+// nullptr: there is none.
+const SensorSpec* FindScanner(const SensorSuite& suite) {
+  for (const SensorSpec& sensor : suite.sensors) {
+    const auto* lidar = std::get_if<LidarModel>(&sensor.model);
+    if (lidar != nullptr && lidar->ring_elevations_rad.size() == 1) return &sensor;
+  }
+  return nullptr;
+}
+
 // Of worlds that lie nowhere on the earth the weather knows the latitude.
 GeoOrigin OriginOf(const World& world, const SensorThreadOptions& options) {
   if (world.geo) return *world.geo;
@@ -28,7 +40,10 @@ GeoOrigin OriginOf(const World& world, const SensorThreadOptions& options) {
 }  // namespace
 
 SensorThread::SensorThread(const SensorThreadOptions& options, SensorTopics* topics)
-    : options_(options), topics_(topics), thread_([this] { Run(); }) {}
+    : options_(options),
+      topics_(topics),
+      scanner_(FindScanner(*topics->suite())),
+      thread_([this] { Run(); }) {}
 
 SensorThread::~SensorThread() {
   Stop();
@@ -43,11 +58,41 @@ void SensorThread::Stop() {
   changed_.notify_all();
 }
 
+Status SensorThread::CheckScanner() const {
+  if (scanner_ != nullptr) return Status();
+  return FailedPrecondition("the sensor_suite " + Quote(topics_->suite()->name) +
+                            " has no 2D lidar; one that has is \"scanner\"");
+}
+
+void SensorThread::KeepScans(std::set<std::string> agents) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (*scanned_ == agents) return;
+  scanned_ = std::make_shared<const std::set<std::string>>(std::move(agents));
+}
+
+std::shared_ptr<const sensor_msgs::LaserScan> SensorThread::KeptScan(
+    const std::string& agent) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = scans_.find(agent);
+  return found == scans_.end() || scanned_->count(agent) == 0 ? nullptr : found->second;
+}
+
+void SensorThread::OnJump() {
+  jumped_ = true;
+  KeepScans({});
+}
+
 bool SensorThread::IsDue(const Tick& tick) const {
-  return tick.simulator != nullptr && topics_->listeners() > 0;
+  if (tick.simulator == nullptr) return false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (tick.paused && !scanned_->empty()) return true;
+  }
+  return topics_->has_listeners();
 }
 
 void SensorThread::Take(const Tick& tick) {
+  if (!tick.paused) KeepScans({});
   if (!IsDue(tick)) {
     jumped_ = true;  // whoever listens next finds a gap
     ForgetWorldBefore(tick);
@@ -72,6 +117,7 @@ void SensorThread::Take(const Tick& tick) {
   if (is_new) {
     changed_.wait(lock, [this] { return stopping_ || queue_.size() < kMostWaiting; });
     if (stopping_) return;
+    moment.scanned = scanned_;
     queue_.push_back(std::move(moment));
     changed_.notify_all();
   }
@@ -134,26 +180,50 @@ bool SensorThread::HasRig(const Moment& moment) {
   return true;
 }
 
+void SensorThread::ForgetScans(const Moment& moment) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (auto scan = scans_.begin(); scan != scans_.end();) {
+    const bool stays = !moment.is_beginning && moment.scanned->count(scan->first) > 0;
+    scan = stays ? std::next(scan) : scans_.erase(scan);
+  }
+}
+
+void SensorThread::Keep(const SensorFrame& frame, ros::Time stamp) {
+  const auto& sweep = std::get<LidarSweep>(frame.reading);
+  const auto& model = std::get<LidarModel>(frame.sensor->model);
+  auto scan = std::make_shared<const sensor_msgs::LaserScan>(ToLaserScan(
+      sweep, model, frame.sensor->rate_hz, SensorFrameId(frame.robot, *frame.sensor), stamp));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  scans_[frame.robot] = std::move(scan);
+}
+
 void SensorThread::Sense(const Moment& moment) {
   if (!HasRig(moment)) return;
   const Stopwatch watch;
   if (moment.is_beginning) rig_->Restart(moment.seed);
+  ForgetScans(moment);
   const std::shared_ptr<const SensorPublisherMap> publishers = topics_->publishers();
   const SensedWorld world = Sensed(*moment.state, *moment.species);
+  const auto is_kept = [&](const std::string& robot, const SensorSpec& sensor) {
+    return scanner_ != nullptr && sensor.name == scanner_->name && moment.scanned->count(robot) > 0;
+  };
   const Result<std::vector<SensorFrame>> frames =
       rig_->Step(world, moment.step_s, [&](const std::string& robot, const SensorSpec& sensor) {
         const SensorPublishers* topics = FindPublishers(*publishers, robot, sensor);
-        return topics == nullptr ? SensorWish() : topics->wish();
+        SensorWish wish = topics == nullptr ? SensorWish() : topics->wish();
+        wish.any = wish.any || is_kept(robot, sensor);
+        return wish;
       });
   if (!frames.ok()) {
     ROS_ERROR_STREAM_THROTTLE(1.0, "sensors: " << frames.status().ToString());
     return;
   }
   for (const SensorFrame& frame : *frames) {
-    const SensorPublishers* topics = FindPublishers(*publishers, frame.robot, *frame.sensor);
-    if (topics == nullptr) continue;
     // Sweeps may end between two steps.
-    Publish(frame, moment.now - DurationOf(world.time_s - frame.time_s), *topics);
+    const ros::Time stamp = moment.now - DurationOf(world.time_s - frame.time_s);
+    if (is_kept(frame.robot, *frame.sensor)) Keep(frame, stamp);
+    const SensorPublishers* topics = FindPublishers(*publishers, frame.robot, *frame.sensor);
+    if (topics != nullptr) Publish(frame, stamp, *topics);
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   ++statistics_.steps;

@@ -2,12 +2,16 @@
 #define LATTICEWORLD_ROS_SENSOR_THREAD_H_
 
 #include <ros/time.h>
+#include <sensor_msgs/LaserScan.h>
 
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <set>
+#include <string>
 #include <thread>
 
 #include "latticeworld/generation/world.h"
@@ -33,7 +37,7 @@ struct SensorStatistics {
 };
 
 // Makes and publishes what the robots of the running world sense, on a thread of its own, one
-// simulated step after the other. While nobody listens to any sensor nothing is done at all. The
+// simulated step after the other. While nobody wants anything of any sensor nothing is done. The
 // simulation hands over every step and waits while a few of them are not done yet, so that nothing
 // is ever left out: rates in simulated time are exact, and what is more than the machine can do
 // slows the simulation down. Frames carry the time of their own moment; /clock must have shown the
@@ -46,19 +50,28 @@ class SensorThread {
   SensorThread(const SensorThread&) = delete;
   SensorThread& operator=(const SensorThread&) = delete;
 
+  // Whether the suite has a 2D lidar, whose sweeps can be kept. Errors: FAILED_PRECONDITION.
+  Status CheckScanner() const;
+  // While the simulation is paused from here on, the last sweep that the first 2D lidar of each of
+  // these agents completes is kept, until a jump or until others are named.
+  void KeepScans(std::set<std::string> agents);
+  // Null: none is complete yet. Of the last step once Take has come back from a settled tick.
+  std::shared_ptr<const sensor_msgs::LaserScan> KeptScan(const std::string& agent) const;
+
   // Of the simulation loop's thread. Whether Take will hand something over.
   bool IsDue(const Tick& tick) const;
   // Hands over the step that the tick shows. Waits while the queue is full, and, where the tick is
   // settled, until all that is due has been published.
   void Take(const Tick& tick);
   // The next step is no successor of the last one.
-  void OnJump() { jumped_ = true; }
+  void OnJump();
 
   SensorStatistics statistics() const;
   // Nobody waits any longer, and nothing is published from here on.
   void Stop();
 
  private:
+  using AgentNames = std::shared_ptr<const std::set<std::string>>;
   // One step of a world.
   struct Moment {
     std::shared_ptr<const World> world;  // null: no step, but the end of what was sensed
@@ -68,6 +81,7 @@ class SensorThread {
     ros::Time now;
     std::uint64_t seed = 0;  // of noise
     bool is_beginning = false;
+    AgentNames scanned;  // whose sweeps are kept; not null
   };
 
   // Lets the thread forget a world that has ended, which takes memory.
@@ -76,9 +90,12 @@ class SensorThread {
   void Sense(const Moment& moment);
   // Makes the sensors of a moment's world, unless they are there. False: they cannot be had.
   bool HasRig(const Moment& moment);
+  void ForgetScans(const Moment& moment);
+  void Keep(const SensorFrame& frame, ros::Time stamp);
 
   const SensorThreadOptions options_;
   SensorTopics* const topics_;
+  const SensorSpec* const scanner_;  // of the suite; null: it has none
 
   // Of the loop's thread alone.
   bool jumped_ = true;
@@ -92,6 +109,8 @@ class SensorThread {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Moment> queue_;  // the first is being worked on
+  AgentNames scanned_ = std::make_shared<std::set<std::string>>();
+  std::map<std::string, std::shared_ptr<const sensor_msgs::LaserScan>> scans_;  // by agent
   SensorStatistics statistics_;
   bool stopping_ = false;
   std::thread thread_;

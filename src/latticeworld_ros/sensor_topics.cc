@@ -11,6 +11,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <variant>
 
@@ -38,9 +39,14 @@ Eigen::Isometry3d SensorFromOptical() {
 SensorWish SensorPublishers::wish() const {
   SensorWish wish;
   wish.pictures = {colour.wanted(), depth.wanted(), classes.wanted(), instances.wanted()};
-  wish.any = data.wanted() || wish.pictures.colour || wish.pictures.depth ||
+  wish.any = data.IsHeard() || wish.pictures.colour || wish.pictures.depth ||
              wish.pictures.class_labels || wish.pictures.instance_labels;
   return wish;
+}
+
+int SensorPublishers::listeners() const {
+  return data.listeners() + colour.listeners() + depth.listeners() + classes.listeners() +
+         instances.listeners();
 }
 
 SensorTopics::SensorTopics(ros::NodeHandle node, std::shared_ptr<const SensorSuite> suite,
@@ -55,12 +61,32 @@ std::shared_ptr<const SensorPublisherMap> SensorTopics::publishers() const {
   return publishers_;
 }
 
+int SensorTopics::listeners() const {
+  int count = 0;
+  for (const auto& robot : *publishers()) {
+    for (const auto& sensor : *robot.second) count += sensor.second.listeners();
+  }
+  return count;
+}
+
+bool SensorTopics::has_listeners() const {
+  for (const auto& robot : *publishers()) {
+    for (const auto& sensor : *robot.second) {
+      if (sensor.second.wish().any) return true;
+    }
+  }
+  return false;
+}
+
 const Species& SensorTopics::SpeciesOf(const RobotWish& robot) const {
   const Species* species = species_->Find(robot.species);
   return species != nullptr ? *species : species_->Of(AgentCategory::kWheeledRobot);
 }
 
-void SensorTopics::Apply(const std::vector<RobotWish>& robots) {
+void SensorTopics::Apply(const std::vector<RobotWish>& agents) {
+  std::vector<RobotWish> robots;
+  std::copy_if(agents.begin(), agents.end(), std::back_inserter(robots),
+               [](const RobotWish& agent) { return agent.controllable; });
   if (suite_->sensors.empty() || robots == robots_) return;
   const std::shared_ptr<const SensorPublisherMap> before = publishers();
   auto after = std::make_shared<SensorPublisherMap>();
@@ -83,18 +109,8 @@ void SensorTopics::Apply(const std::vector<RobotWish>& robots) {
 }
 
 template <typename Message>
-SensorTopic SensorTopics::MakeTopic(const std::string& name, int queue_size) {
-  SensorTopic topic;
-  topic.listeners = std::make_shared<ListenerCount>(listeners_);
-  const std::weak_ptr<ListenerCount> count = topic.listeners;
-  const auto add = [count](int number) {
-    return [count, number](const ros::SingleSubscriberPublisher&) {
-      if (const std::shared_ptr<ListenerCount> alive = count.lock()) alive->Add(number);
-    };
-  };
-  topic.publisher =
-      node_.advertise<Message>(name, static_cast<std::uint32_t>(queue_size), add(1), add(-1));
-  return topic;
+HeardPublisher SensorTopics::MakeTopic(const std::string& name, int queue_size) {
+  return HeardPublisher(node_.advertise<Message>(name, static_cast<std::uint32_t>(queue_size)));
 }
 
 PictureTopics SensorTopics::MakePicture(const std::string& base, const std::string& image) {
@@ -118,14 +134,14 @@ SuitePublishers SensorTopics::Advertise(const RobotWish& robot) {
       // Both have the camera_info of the labels.
       if (outputs.class_labels || outputs.instance_labels) {
         const std::string labels = name + "/labels";
-        const SensorTopic info =
+        const HeardPublisher info =
             MakeTopic<sensor_msgs::CameraInfo>(labels + "/camera_info", kLargeQueue);
         if (outputs.class_labels) {
           sensor.classes = {MakeTopic<sensor_msgs::Image>(labels + "/class", kLargeQueue), info};
         }
         if (outputs.instance_labels) {
           sensor.instances = {MakeTopic<sensor_msgs::Image>(labels + "/instance", kLargeQueue),
-                              outputs.class_labels ? SensorTopic() : info};
+                              outputs.class_labels ? HeardPublisher() : info};
         }
       }
     } else if (std::holds_alternative<ImuModel>(spec.model)) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "latticeworld/generation/world.h"
 #include "latticeworld/simulation/simulator.h"
@@ -19,6 +20,8 @@ struct Tick {
   Simulator* simulator = nullptr;      // null: no world yet, or its simulator has failed
   std::shared_ptr<const World> world;  // null: no world yet
   bool settled = false;  // the next tick may be long in coming: publish what is due later as well
+  bool paused = false;   // time goes on for this call of Step alone, or stands still
+  std::vector<Event> events;  // since the last tick
 
   std::string world_id() const { return world == nullptr ? std::string() : world->id; }
 };

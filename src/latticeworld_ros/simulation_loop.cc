@@ -109,13 +109,20 @@ Result<SimulationLoop::Moment> SimulationLoop::Reset(std::uint64_t seed) {
 }
 
 Result<SimulationLoop::Moment> SimulationLoop::Step(std::uint32_t steps, bool hash) {
-  if (steps < 1 || steps > kMaxStepsPerCall) {
-    return Status(StatusCode::kOutOfRange, std::to_string(steps) +
+  StepCall call;
+  call.steps = steps;
+  call.hash = hash;
+  return Step(call);
+}
+
+Result<SimulationLoop::Moment> SimulationLoop::Step(const StepCall& call) {
+  if (call.steps < 1 || call.steps > kMaxStepsPerCall) {
+    return Status(StatusCode::kOutOfRange, std::to_string(call.steps) +
                                                " steps are not legal; legal are 1 .. " +
                                                std::to_string(kMaxStepsPerCall));
   }
-  return tasks_.CallLater<Moment>([this, steps, hash](auto promise) {
-    const Status status = run_.Check();
+  return tasks_.CallLater<Moment>([this, call](auto promise) {
+    Status status = run_.Check();
     if (!status.ok()) {
       promise->set_value(status);
     } else if (!paused_) {
@@ -123,7 +130,18 @@ Result<SimulationLoop::Moment> SimulationLoop::Step(std::uint32_t steps, bool ha
     } else if (job_) {
       promise->set_value(ResourceExhausted("another step call is not done yet"));
     } else {
-      job_ = StepJob{steps, hash, std::move(promise)};
+      if (call.begin != nullptr) {
+        const auto begin = [&call](Simulator* simulator) -> Result<std::string> {
+          LW_RETURN_IF_ERROR(call.begin(simulator));
+          return std::string();
+        };
+        status = run_.Apply(begin).status();
+      }
+      if (status.ok()) {
+        job_ = StepJob{call.steps, call.hash, call.end, std::move(promise), {}};
+      } else {
+        promise->set_value(status);
+      }
     }
   });
 }
@@ -228,7 +246,12 @@ Status SimulationLoop::Advance(bool settled) {
 
 void SimulationLoop::ShowTick(bool settled) {
   ++tick_;
-  Tell([&] { listener_->OnTick({tick_, Now(), run_.simulator(), run_.world(), settled}); });
+  Tick tick{tick_, Now(), run_.simulator(), run_.world(), settled, paused_, {}};
+  if (tick.simulator != nullptr) tick.events = tick.simulator->TakeEvents();
+  if (job_) {
+    for (const Event& event : tick.events) job_->events.push_back({tick.now, event});
+  }
+  Tell([&] { listener_->OnTick(tick); });
 }
 
 void SimulationLoop::Tell(const std::function<void()>& tell) {
@@ -242,7 +265,10 @@ void SimulationLoop::FinishJob(const Status& status) {
   job_.reset();
   std::optional<Moment> moment;
   const std::optional<std::string> words = ExceptionOf([&] {
-    if (status.ok()) moment = Look(job.hash);
+    if (!status.ok()) return;
+    moment = Look(job.hash);
+    moment->events = job.events;
+    if (job.end != nullptr) job.end();
   });
   if (words.has_value()) {
     job.answer->set_value(Internal(*words));

@@ -84,6 +84,16 @@ class SimulationLoop {
   // RESOURCE_EXHAUSTED (another Step is not done), ABORTED (Swap, Reset, RestoreSnapshot or
   // SetPaused came between), INTERNAL (the simulator has failed meanwhile).
   Result<Moment> Step(std::uint32_t steps, bool hash);
+  // The same with what is done before and after, on the loop's thread.
+  struct StepCall {
+    std::uint32_t steps = 1;
+    bool hash = false;
+    // Before the first step. An error refuses the call; an exception fails the simulator.
+    std::function<Status(Simulator*)> begin;
+    // Once the listener has heard of the last step; of calls that succeed alone.
+    std::function<void()> end;
+  };
+  Result<Moment> Step(const StepCall& call);
   Status SetPaused(bool paused);
   // Answers the factor before. Errors: OUT_OF_RANGE.
   Result<double> SetRealTimeFactor(double factor);
@@ -99,7 +109,9 @@ class SimulationLoop {
   struct StepJob {
     std::uint32_t left = 0;
     bool hash = false;
+    std::function<void()> end;
     std::shared_ptr<std::promise<Result<Moment>>> answer;
+    std::vector<StampedEvent> events;
   };
 
   void Run();

@@ -106,6 +106,7 @@ SimulationMoment SimulationRun::Look(bool hash) const {
   moment.seed = simulator.seed();
   moment.step = state->step;
   moment.episode_step = state->episode_step;
+  moment.state = state;
   moment.atmosphere = state->atmosphere;
   if (hash) moment.state_hash = simulator.StateHash();
   moment.snapshots = SnapshotNames();

@@ -23,6 +23,11 @@ struct RunningWorld {
   std::unique_ptr<Simulator> simulator;
 };
 
+struct StampedEvent {
+  ros::Time stamp;
+  Event event;
+};
+
 // The running world, between two steps.
 struct SimulationMoment {
   std::shared_ptr<const World> world;
@@ -30,6 +35,8 @@ struct SimulationMoment {
   std::uint64_t seed = 0;  // of the simulation
   std::uint64_t step = 0;
   std::uint64_t episode_step = 0;
+  std::shared_ptr<const WorldState> state;
+  std::vector<StampedEvent> events;  // since a call of Step began; of other calls none
   bool paused = false;
   std::string state_hash;  // empty: not asked for
   Atmosphere atmosphere;

@@ -52,8 +52,7 @@ void StatePublisher::OnTick(const Tick& tick) {
   const auto due = [&](std::uint64_t ticks) { return tick.settled || tick.number % ticks == 0; };
   const bool state_due = tick.simulator != nullptr && due(ticks_per_state_);
   const bool markers_due = tick.simulator != nullptr && due(ticks_per_markers_);
-  std::vector<Event> events;
-  if (tick.simulator != nullptr) events = tick.simulator->TakeEvents();
+  const std::vector<Event>& events = tick.events;
   const bool weather_told = std::any_of(events.begin(), events.end(), [](const Event& event) {
     return event.kind == EventKind::kWeatherChanged;
   });
@@ -74,6 +73,11 @@ void StatePublisher::OnTick(const Tick& tick) {
   }
   // Last, for it may wait.
   sensors_->Take(tick);
+}
+
+const Eigen::Isometry3d* StatePublisher::MapFromOdom(const std::string& robot) const {
+  const auto found = map_from_odom_.find(robot);
+  return found == map_from_odom_.end() ? nullptr : &found->second;
 }
 
 void StatePublisher::OnStandstill(ros::Time now) { PublishClock(now); }

@@ -38,6 +38,9 @@ class StatePublisher : public SimulationListener {
   void OnRestore() override;
   void OnStatistics(const LoopStatistics& statistics) override;
 
+  // Where the odometry of a controllable robot began; nullptr: it has none.
+  const Eigen::Isometry3d* MapFromOdom(const std::string& robot) const;
+
  private:
   void PublishClock(ros::Time now);
   void PublishEvents(const Tick& tick, const std::vector<Event>& events);

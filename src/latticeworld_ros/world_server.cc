@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "latticeworld_ros/agent_services.h"
+#include "latticeworld_ros/lockstep_service.h"
 #include "latticeworld_ros/parameters.h"
 #include "latticeworld_ros/time_services.h"
 #include "latticeworld_ros/world_services.h"
@@ -95,6 +96,7 @@ WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options
   AdvertiseWorldServices(WorldsDirectory(options), &loop_, &current_, &services_);
   AdvertiseAgentServices(options.simulator, &loop_, &robots_, &services_);
   AdvertiseTimeServices(&loop_, &robots_, &services_);
+  AdvertiseLockstep(&loop_, &states_, &sensors_, &services_);
   loop_.Start();
   command_spinner_.start();
   services_.Start();

@@ -12,14 +12,13 @@ namespace latticeworld {
 
 namespace {
 
-// The violations of the core's options, under the names of the parameters.
-std::vector<Violation> ValidateRemote(const RemoteBackendOptions& options) {
-  std::vector<Violation> violations = Validate(options);
+// The violations of a back end's options, under the names of the parameters.
+std::vector<Violation> Named(const char* backend, std::vector<Violation> violations) {
   for (Violation& violation : violations) {
     std::string& name = violation.pointer;
     if (name.size() > 2 && name.compare(name.size() - 2, 2, "_s") == 0)
       name.resize(name.size() - 2);
-    name = "remote_" + name;
+    name = std::string(backend) + "_" + name;
   }
   return violations;
 }
@@ -66,14 +65,17 @@ std::vector<Violation> Validate(const WorldServerOptions& options) {
   check_range("robot_max_step", options.robot.max_step_m, 0.0, 10.0);
   check_range("robot_max_fording_depth", options.robot.max_fording_depth_m, 0.0, 10.0);
   check_range("robot_clearance", options.robot.clearance_m, 0.0, 100.0);
-  const bool remote = options.remote.is_wanted();
-  if (options.generator != "grounded" && !(remote && options.generator == "remote")) {
+  const bool remote = options.remote.is_wanted(), local = options.local.is_wanted();
+  if (options.generator != "grounded" && !(remote && options.generator == "remote") &&
+      !(local && options.generator == "local")) {
     refuse("generator", Quote(options.generator),
-           remote ? "grounded or remote" : "grounded (and remote where remote_url is set)");
+           std::string("grounded, remote") + (remote ? "" : " (where remote_url is set)") +
+               ", local" + (local ? "" : " (where local_layout_model is set)"));
   }
-  for (Violation& violation : ValidateRemote(options.remote)) {
+  for (Violation& violation : Named("remote", Validate(options.remote)))
     violations.push_back(std::move(violation));
-  }
+  for (Violation& violation : Named("local", Validate(options.local)))
+    violations.push_back(std::move(violation));
   if (options.worlds_directory.empty()) refuse("worlds_directory", "\"\"", "a directory");
   for (const std::string& directory : options.visual_directories) {
     if (directory.empty()) refuse("visual_directories", "\"\"", "directories");

@@ -43,8 +43,10 @@ struct WorldServerOptions {
   int marker_max_assets = 20000;    // [0, 500000]: assets of world/markers
 
   // Worlds.
-  std::string generator = "grounded";  // "grounded", or "remote" where remote.server.url is set
+  // "grounded", "remote" where remote.server.url is set, "local" where local.layout_model is.
+  std::string generator = "grounded";
   RemoteBackendOptions remote;
+  LocalBackendOptions local;
   std::string worlds_directory = "~/.ros/latticeworld/worlds";
   std::vector<std::string> visual_directories = {"~/.ros/latticeworld/visuals"};
   std::string catalogue;     // "": the built-in one, else a file or directory that adds to it

@@ -33,7 +33,10 @@ int main(int argc, char** argv) {
     ROS_FATAL_STREAM(options.status().ToString());
     return EXIT_FAILURE;
   }
-  auto backends = latticeworld::MakeLanguageBackends(options->remote);
+  latticeworld::LocalBackendOptions local = options->local;
+  local.layout_model = latticeworld::ExpandHome(local.layout_model).string();
+  local.environment_model = latticeworld::ExpandHome(local.environment_model).string();
+  auto backends = latticeworld::MakeLanguageBackends(options->remote, local);
   if (!backends.ok()) {
     ROS_FATAL_STREAM(backends.status().ToString());
     return EXIT_FAILURE;

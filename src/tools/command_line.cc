@@ -8,7 +8,9 @@
 #include <string>
 
 #include "tools/arguments.h"
+#include "tools/campaign_command.h"
 #include "tools/catalogue_command.h"
+#include "tools/export_command.h"
 #include "tools/generate_command.h"
 #include "tools/measure_command.h"
 #include "tools/picture_command.h"
@@ -18,6 +20,7 @@
 #include "tools/show_command.h"
 #include "tools/species_command.h"
 #include "tools/tasks_command.h"
+#include "tools/view_command.h"
 
 namespace latticeworld::tools {
 namespace {
@@ -67,13 +70,16 @@ int Run(int argc, const char* const* argv) {
   AddGenerateCommand(&app, &exit_status);
   AddShowCommand(&app, &exit_status);
   AddPictureCommand(&app, &exit_status);
+  AddExportCommand(&app, &exit_status);
   AddMeasureCommand(&app, &exit_status);
   AddScoreCommand(&app, &exit_status);
   AddRebuildCommand(&app, &exit_status);
   AddCatalogueCommand(&app, &exit_status);
   AddSpeciesCommand(&app, &exit_status);
   AddTasksCommand(&app, &exit_status);
+  AddCampaignCommand(&app, &exit_status);
   AddSensorsCommand(&app, &exit_status);
+  AddViewCommand(&app, &exit_status);
   app.footer(kFooter);  // after the commands, which would inherit it
   try {
     app.parse(argc, argv);

@@ -103,7 +103,7 @@ Status Generate(const CLI::App& command) {
   if (target.empty()) return InvalidArgument("--out: is empty; give the directory to be made");
   if (!target.has_filename()) target = target.parent_path();  // a trailing slash
   LW_ASSIGN_OR_RETURN(LanguageBackends backends, MakeLanguageBackends(command));
-  const std::string default_backend = backends.server != nullptr ? "remote" : "grounded";
+  const std::string default_backend = DefaultBackend(backends);
   auto sketches = SketchTranslator::Load(ValueOf(command, "--sketch-model").value_or(""));
   if (!sketches.ok()) return sketches.status().WithContext("--sketch-model");
   LW_ASSIGN_OR_RETURN(auto catalogue, CatalogueOf(command));

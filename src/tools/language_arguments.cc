@@ -19,21 +19,30 @@ std::vector<std::string> NamesOfDialects() {
   return names;
 }
 
-// "first_token_timeout_s" -> "--remote-first-token-timeout"
-std::string OptionOf(std::string field) {
+// "remote", "first_token_timeout_s" -> "--remote-first-token-timeout"
+std::string OptionOf(const char* backend, std::string field) {
   if (field.size() > 2 && field.compare(field.size() - 2, 2, "_s") == 0) {
     field.resize(field.size() - 2);
   }
   std::replace(field.begin(), field.end(), '_', '-');
-  return "--remote-" + field;
+  return "--" + std::string(backend) + "-" + field;
 }
 
 }  // namespace
 
 void AddLanguageOptions(CLI::App* command) {
-  AddValueOption(command, "--generator", "NAME",
-                 "Who reads the words: grounded (embedded), or remote (a model behind "
-                 "--remote-url) [remote where --remote-url is given, else grounded].");
+  AddValueOption(
+      command, "--generator", "NAME",
+      "Who reads the words: grounded (embedded), remote (a model behind --remote-url), or "
+      "local (a model in this process, --local-model) [remote where --remote-url is "
+      "given, else local where --local-model is, else grounded].");
+  AddValueOption(command, "--local-model", "FILE",
+                 "GGUF file of LLaMA's architecture (f32, f16 or q8_0) that draws layouts.");
+  AddValueOption(command, "--local-environment-model", "FILE",
+                 "The same for environments [that of --local-model].");
+  AddValueOption(command, "--local-temperature", "NUMBER", "0 to 2 [0.7].");
+  command->add_flag("--local-fallback",
+                    "Where its answer stays illegal, grounded answers, with a warning.");
   AddValueOption(command, "--remote-url", "URL",
                  "OpenAI-compatible server, such as http://127.0.0.1:8080/v1.");
   AddValueOption(command, "--remote-model", "NAME", "Its model [the first that it lists].");
@@ -82,12 +91,23 @@ Result<LanguageBackends> MakeLanguageBackends(const CLI::App& command) {
         "--remote-repair-turns", "--remote-temperature"}) {
     arguments.RequireBeside(option, "--remote-url");
   }
+  LocalBackendOptions local;
+  local.layout_model = ValueOf(command, "--local-model").value_or("");
+  local.environment_model = ValueOf(command, "--local-environment-model").value_or("");
+  local.fallback = command.count("--local-fallback") > 0;
+  local.temperature = arguments.Number("--local-temperature", local.temperature);
+  for (const char* option : {"--local-environment-model", "--local-temperature"})
+    arguments.RequireBeside(option, "--local-model");
   LW_RETURN_IF_ERROR(arguments.status());
 
   std::vector<Violation> violations = Validate(remote);
-  for (Violation& violation : violations) violation.pointer = OptionOf(violation.pointer);
+  for (Violation& violation : violations) violation.pointer = OptionOf("remote", violation.pointer);
+  for (Violation& violation : Validate(local)) {
+    violation.pointer = OptionOf("local", violation.pointer);
+    violations.push_back(std::move(violation));
+  }
   LW_RETURN_IF_ERROR(Status::FromViolations("unusable arguments", std::move(violations)));
-  return latticeworld::MakeLanguageBackends(remote);
+  return latticeworld::MakeLanguageBackends(remote, local);
 }
 
 }  // namespace latticeworld::tools

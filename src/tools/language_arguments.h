@@ -10,7 +10,8 @@ class App;
 
 namespace latticeworld::tools {
 
-// The options by which a command is told who reads the words: --generator and --remote-...
+// The options by which a command is told who reads the words: --generator, --remote-... and
+// --local-...
 void AddLanguageOptions(CLI::App* command);
 
 // Errors: INVALID_ARGUMENT naming every unusable option.

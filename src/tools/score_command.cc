@@ -57,12 +57,13 @@ Status ScoreBenchmark(const CLI::App& command) {
   const std::uint64_t seed = arguments.Unsigned("--seed", 1);
   LW_RETURN_IF_ERROR(arguments.status());
   LW_ASSIGN_OR_RETURN(LanguageBackends backends, MakeLanguageBackends(command));
-  const std::string generator =
-      ValueOf(command, "--generator").value_or(backends.server != nullptr ? "remote" : "grounded");
+  const std::string generator = ValueOf(command, "--generator").value_or(DefaultBackend(backends));
   const auto backend = backends.by_name.find(generator);
   if (backend == backends.by_name.end()) {
-    return InvalidArgument("--generator: must be grounded, or remote beside --remote-url, not " +
-                           Quote(generator));
+    return InvalidArgument(
+        "--generator: must be grounded, remote beside --remote-url, or local "
+        "beside --local-model, not " +
+        Quote(generator));
   }
   const BenchmarkPart part = *FromName<BenchmarkPart>(part_name);
   LW_ASSIGN_OR_RETURN(const FidelityBenchmark benchmark,

@@ -12,6 +12,7 @@
 
 #include "latticeworld/common/range.h"
 #include "latticeworld/generation/bundle.h"
+#include "latticeworld/navigation/task_picture.h"
 #include "latticeworld/navigation/tasks.h"
 #include "latticeworld/navigation/tasks_json.h"
 #include "tools/arguments.h"
@@ -99,7 +100,7 @@ void Print(const std::vector<NavigationTask>& tasks) {
   std::fflush(stdout);
 }
 
-Status DrawTasks(const CLI::App& command) {
+Status SampleAndWrite(const CLI::App& command) {
   LW_ASSIGN_OR_RETURN(const TaskWishes wishes, ReadWishes(command));
   LW_ASSIGN_OR_RETURN(const auto world, LoadBundle(*ValueOf(command, "DIR")));
   ProgressDisplay display;
@@ -113,7 +114,10 @@ Status DrawTasks(const CLI::App& command) {
   LW_RETURN_IF_ERROR(
       ReplaceFile(*ValueOf(command, "--out"), EncodeTasks(set)).WithContext("--out"));
   Print(set.tasks);
-  return Status();
+  const auto picture = ValueOf(command, "--picture");
+  if (!picture) return Status();
+  LW_ASSIGN_OR_RETURN(const std::string png, DrawTasks(*world->scene, set.tasks, PictureOptions()));
+  return ReplaceFile(*picture, png).WithContext("--picture");
 }
 
 }  // namespace
@@ -127,6 +131,8 @@ void AddTasksCommand(CLI::App* app, int* exit_status) {
   command->get_option("DIR")->required();
   AddValueOption(command, "--out", "FILE", "The tasks as JSON; an existing file is replaced.");
   command->get_option("--out")->required();
+  AddValueOption(command, "--picture", "FILE.png",
+                 "Their ways on the world's map; an existing file is replaced.");
   AddValueOption(command, "--count", "N", "How many, 1 to 1000 [10].");
   AddValueOption(command, "--seed", "N", "The same seed draws the same tasks [1].");
   AddValueOption(command, "--goal-radius", "M", "Of the goals, above 0 and at most 100 [0.5].");
@@ -135,7 +141,7 @@ void AddTasksCommand(CLI::App* app, int* exit_status) {
   for (const RobotOption& option : kRobot)
     AddValueOption(command, option.name, "X", option.meaning);
   command->callback([command, exit_status] {
-    const Status status = DrawTasks(*command);
+    const Status status = SampleAndWrite(*command);
     if (!status.ok()) *exit_status = ReportFailure("tasks", status);
   });
 }

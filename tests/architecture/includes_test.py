@@ -12,14 +12,15 @@ import unittest
 FLOORS = [
     ["common"],
     ["geometry"],
-    ["geomorphology", "catalogue"],
+    ["geomorphology", "catalogue", "navigator"],
     ["layout", "environment", "relief", "meshes"],
     ["language", "terrain", "species"],
     ["scene"],
     ["mapping", "sensing"],
     ["exporting"],
-    ["generation", "simulation"],
-    ["navigation", "episode"],
+    ["generation", "simulation", "interchange"],
+    ["navigation", "episode", "viewer"],
+    ["campaign"],
     ["latticeworld_ros"],
     ["nodes", "tools"],
 ]
@@ -27,6 +28,7 @@ FLOORS = [
 FORBIDDEN = {
     ("simulation", "language"),
     ("exporting", "language"),
+    ("interchange", "language"),
     ("mapping", "language"),
     ("sensing", "language"),
     ("scene", "language"),

@@ -52,7 +52,7 @@ class FakeSimulator : public Simulator {
   }
   std::vector<Event> TakeEvents() override {
     Touch();
-    return {};
+    return std::exchange(events, {});
   }
   Result<std::string> Spawn(const SpawnRequest& request) override {
     Begin("Spawn");
@@ -98,6 +98,7 @@ class FakeSimulator : public Simulator {
   std::function<void(const std::string& call)> before;
   std::function<void(const VelocityCommand&)> on_command;
   std::function<void(const std::vector<JointCommand>&)> on_joints;
+  std::vector<Event> events;  // that TakeEvents gives away; of the thread that steps
   std::atomic<int> strikes{0};
   mutable std::atomic<bool> touched_while_torn{false};
 

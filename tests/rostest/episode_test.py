@@ -168,7 +168,7 @@ class EpisodeTest(ServerTest):
 
     def foreign_reader(self, bag):
         """A reader that shares no code with ROS finds the same as rosbag."""
-        python = os.environ.get("LATTICEWORLD_ROSBAGS_PYTHON")
+        python = os.environ.get("LATTICEWORLD_PYTHON")
         if not python:
             return
         script = pathlib.Path(__file__).with_name("read_with_rosbags.py")

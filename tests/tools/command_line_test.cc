@@ -73,12 +73,15 @@ TEST_F(CommandLineTest, TellsItsVersion) {
 }
 
 TEST_F(CommandLineTest, RefusesWhatIsNoCommand) {
-  ExpectUsageError({}, {"generate, show, picture, measure, score, rebuild, catalogue, species"});
   ExpectUsageError(
-      {"grow"}, {"grow", "generate, show, picture, measure, score, rebuild, catalogue, species"});
+      {}, {"generate, show, picture, export, measure, score, rebuild, catalogue, species"});
+  ExpectUsageError(
+      {"grow"},
+      {"grow", "generate, show, picture, export, measure, score, rebuild, catalogue, species"});
   ExpectUsageError(
       {"--frobnicate"},
-      {"--frobnicate", "generate, show, picture, measure, score, rebuild, catalogue, species"});
+      {"--frobnicate",
+       "generate, show, picture, export, measure, score, rebuild, catalogue, species"});
 }
 
 TEST_F(CommandLineTest, RefusesUnusableOptions) {

@@ -38,6 +38,20 @@ TEST_F(TasksCommandTest, WritesTasksOfTheAskedDifficultyThatRepeat) {
   EXPECT_EQ(Read("tasks.json"), text);
 }
 
+TEST_F(TasksCommandTest, DrawsTheWaysOnTheMapWhereAskedTo) {
+  MakeWorld();
+  const ProgramRun run =
+      RunProgram({"tasks", PathOf("lake"), "--count", "2", "--length", "30,60", "--out",
+                  PathOf("tasks.json"), "--picture", PathOf("tasks.png")});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_EQ(Read("tasks.png").rfind("\x89PNG", 0), 0u);
+  const ProgramRun nowhere =
+      RunProgram({"tasks", PathOf("lake"), "--count", "1", "--out", PathOf("tasks.json"),
+                  "--picture", PathOf("no/such/folder.png")});
+  EXPECT_EQ(nowhere.exit_status, 1);
+  EXPECT_NE(nowhere.err.find("--picture"), std::string::npos) << nowhere.err;
+}
+
 TEST_F(TasksCommandTest, SaysWhatIsUnusableAndWhatTheWorldHasNot) {
   MakeWorld();
   const ProgramRun unusable = RunProgram({"tasks", PathOf("lake"), "--robot-radius", "-1",

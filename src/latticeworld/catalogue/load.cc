@@ -1,11 +1,10 @@
 // Catalogue::Load: the files of a user.
 
-#include <algorithm>
-#include <system_error>
 #include <utility>
 
 #include "latticeworld/catalogue/catalogue.h"
 #include "latticeworld/catalogue/limits.h"
+#include "latticeworld/common/data_files.h"
 #include "latticeworld/common/files.h"
 #include "latticeworld/common/strict_json.h"
 #include "latticeworld/common/text.h"
@@ -14,28 +13,6 @@ namespace latticeworld {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The *.json of a directory by name, or the file itself.
-Result<std::vector<fs::path>> FilesAt(const fs::path& path) {
-  std::error_code error;
-  if (!fs::is_directory(path, error)) return std::vector<fs::path>{path};
-  std::vector<fs::path> files;
-  fs::directory_iterator entries(path, error);
-  for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
-    if (entries->path().extension() != ".json") continue;
-    files.push_back(entries->path());
-    if (files.size() > kMaxCatalogueFiles) {
-      return ResourceExhausted("more than " + std::to_string(kMaxCatalogueFiles) +
-                               " files *.json in " + Quote(path.string(), 300));
-    }
-  }
-  if (error) {
-    return PermissionDenied("cannot list " + Quote(path.string(), 300) + ": " + error.message());
-  }
-  if (files.empty()) return NotFound("no file *.json in " + Quote(path.string(), 300));
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 // One failure as it is; several with the first one's code and a violation for each.
 Status AllOf(const std::vector<Status>& failures) {
@@ -56,7 +33,7 @@ Result<std::shared_ptr<const Catalogue>> Catalogue::Load(const std::vector<fs::p
   std::vector<Status> failures;
   std::size_t bytes = 0;
   for (const fs::path& path : paths) {
-    const Result<std::vector<fs::path>> found = FilesAt(path);
+    const Result<std::vector<fs::path>> found = JsonFilesAt(path, kMaxCatalogueFiles);
     if (!found.ok()) {
       failures.push_back(found.status());
       continue;

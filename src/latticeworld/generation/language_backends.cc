@@ -1,8 +1,11 @@
 #include "latticeworld/generation/language_backends.h"
 
+#include <memory>
 #include <utility>
 
+#include "latticeworld/common/range.h"
 #include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/local/local.h"
 
 namespace latticeworld {
 namespace {
@@ -11,17 +14,40 @@ LanguageBackend MakeGrounded() {
   return {MakeGroundedLayoutGenerator(), MakeGroundedEnvironmentGenerator()};
 }
 
-LanguageBackend MakeRemote(const std::shared_ptr<ChatServer>& server, const RemoteOptions& options,
-                           bool fallback) {
-  LanguageBackend remote{MakeRemoteLayoutGenerator(server, options),
-                         MakeRemoteEnvironmentGenerator(server, options)};
-  if (!fallback) return remote;
+LanguageBackend WithFallback(LanguageBackend model, bool fallback) {
+  if (!fallback) return model;
   LanguageBackend grounded = MakeGrounded();
   return {
-      MakeFallbackLayoutGenerator(std::move(remote.layout), std::move(grounded.layout)),
-      MakeFallbackEnvironmentGenerator(std::move(remote.environment),
+      MakeFallbackLayoutGenerator(std::move(model.layout), std::move(grounded.layout)),
+      MakeFallbackEnvironmentGenerator(std::move(model.environment),
                                        std::move(grounded.environment)),
   };
+}
+
+LanguageBackend MakeRemote(const std::shared_ptr<ChatServer>& server, const RemoteOptions& options,
+                           bool fallback) {
+  return WithFallback(
+      {MakeRemoteLayoutGenerator(server, options), MakeRemoteEnvironmentGenerator(server, options)},
+      fallback);
+}
+
+// An answer of a model in this process has its form by construction; it is read by the same strict
+// reader as one from afar, and what no form can say goes back to the model in the same way.
+Result<LanguageBackend> MakeLocal(const LocalBackendOptions& options) {
+  LW_ASSIGN_OR_RETURN(const std::shared_ptr<ChatServer> layout,
+                      MakeLocalChatServer(options.layout_model));
+  std::shared_ptr<ChatServer> environment = layout;
+  if (!options.environment_model.empty() && options.environment_model != options.layout_model) {
+    LW_ASSIGN_OR_RETURN(environment, MakeLocalChatServer(options.environment_model));
+  }
+  RemoteOptions model;
+  model.name = "local";
+  model.temperature = options.temperature;
+  // Every letter may be a token, and longer answers cost no more than their tokens.
+  model.environment_max_tokens = 16384;
+  return WithFallback({MakeRemoteLayoutGenerator(layout, model),
+                       MakeRemoteEnvironmentGenerator(environment, model)},
+                      options.fallback);
 }
 
 }  // namespace
@@ -33,15 +59,33 @@ std::vector<Violation> Validate(const RemoteBackendOptions& options) {
   return violations;
 }
 
-Result<LanguageBackends> MakeLanguageBackends(const RemoteBackendOptions& remote) {
+std::vector<Violation> Validate(const LocalBackendOptions& options) {
+  std::vector<Violation> violations;
+  if (!options.is_wanted()) return violations;
+  CheckRange("temperature", options.temperature, {0.0, 2.0}, "", &violations);
+  return violations;
+}
+
+Result<LanguageBackends> MakeLanguageBackends(const RemoteBackendOptions& remote,
+                                              const LocalBackendOptions& local) {
   LW_RETURN_IF_ERROR(Status::FromViolations("remote language back end", Validate(remote)));
+  LW_RETURN_IF_ERROR(Status::FromViolations("local language back end", Validate(local)));
   LanguageBackends backends;
   backends.by_name["grounded"] = MakeGrounded();
+  if (local.is_wanted()) {
+    LW_ASSIGN_OR_RETURN(backends.by_name["local"], MakeLocal(local));
+  }
   if (!remote.is_wanted()) return backends;
   LW_ASSIGN_OR_RETURN(std::shared_ptr<OpenAiClient> server, MakeOpenAiClient(remote.server));
   backends.by_name["remote"] = MakeRemote(server, remote.model, remote.fallback);
   backends.server = std::move(server);
   return backends;
+}
+
+std::string DefaultBackend(const LanguageBackends& backends) {
+  for (const char* name : {"remote", "local"})
+    if (backends.by_name.count(name) != 0) return name;
+  return "grounded";
 }
 
 LanguageBackends MakeReplayBackends(std::vector<ModelReply> replies) {
@@ -50,7 +94,9 @@ LanguageBackends MakeReplayBackends(std::vector<ModelReply> replies) {
   options.repair_turns = static_cast<int>(replies.size());
   LanguageBackends backends;
   backends.by_name["grounded"] = MakeGrounded();
-  backends.by_name["remote"] =
+  backends.by_name["remote"] = MakeRemote(MakeReplayServer(replies), options, /*fallback=*/true);
+  options.name = "local";
+  backends.by_name["local"] =
       MakeRemote(MakeReplayServer(std::move(replies)), options, /*fallback=*/true);
   return backends;
 }

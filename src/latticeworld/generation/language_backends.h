@@ -24,16 +24,33 @@ struct RemoteBackendOptions {
 // None when the back end is not wanted.
 std::vector<Violation> Validate(const RemoteBackendOptions& options);
 
+// The back end "local": models in this process (language/local/local.h).
+struct LocalBackendOptions {
+  std::string layout_model;       // GGUF file of LLM_L; "": there is no such back end
+  std::string environment_model;  // of LLM_C; "": the layout's
+  double temperature = 0.7;       // 0 .. 2
+  bool fallback = false;  // true: where an answer stays illegal the grounded back end answers
+
+  bool is_wanted() const { return !layout_model.empty(); }
+};
+// None when the back end is not wanted. Files are not looked at.
+std::vector<Violation> Validate(const LocalBackendOptions& options);
+
 struct LanguageBackends {
-  std::map<std::string, LanguageBackend> by_name;  // "grounded", and "remote" where it is wanted
-  std::shared_ptr<const OpenAiClient> server;      // of "remote"; nullptr: none
+  // "grounded", and "remote" and "local" where they are wanted.
+  std::map<std::string, LanguageBackend> by_name;
+  std::shared_ptr<const OpenAiClient> server;  // of "remote"; nullptr: none
 };
 
-// Errors: INVALID_ARGUMENT with every violation.
-Result<LanguageBackends> MakeLanguageBackends(const RemoteBackendOptions& remote);
+// Errors: INVALID_ARGUMENT with every violation; those of MakeLocalChatServer.
+Result<LanguageBackends> MakeLanguageBackends(const RemoteBackendOptions& remote,
+                                              const LocalBackendOptions& local = {});
 
-// Back ends for making a world of a bundle again: "remote" reads the recorded replies, and where
-// there are none the grounded back end answers, as it did then.
+// Who answers where nobody says who: a model, where one was named, else the grounded back end.
+std::string DefaultBackend(const LanguageBackends& backends);
+
+// Back ends for making a world of a bundle again: "remote" and "local" read the recorded replies,
+// and where there are none the grounded back end answers, as it did then.
 LanguageBackends MakeReplayBackends(std::vector<ModelReply> replies);
 
 }  // namespace latticeworld

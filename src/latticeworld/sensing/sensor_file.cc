@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "latticeworld/common/data_files.h"
 #include "latticeworld/common/strict_json.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/sensing/sensor_rules.h"
@@ -196,14 +197,6 @@ void CheckOneModel(const Json& json, const std::string& pointer,
                              Join({std::begin(kModelKeys), std::end(kModelKeys)}, ", ") + ", not " +
                              std::to_string(count),
                          std::to_string(count)});
-}
-
-// Whether no violation speaks about the value or a part of it.
-bool IsSound(const std::string& pointer, const std::vector<Violation>& violations) {
-  for (const Violation& violation : violations) {
-    if (violation.pointer == pointer || StartsWith(violation.pointer, pointer + "/")) return false;
-  }
-  return true;
 }
 
 void ReadLidars(const Json& json, const std::string& origin, SensorFile* file,

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <map>
 #include <set>
-#include <system_error>
 
 #include "latticeworld/common/check.h"
+#include "latticeworld/common/data_files.h"
 #include "latticeworld/common/files.h"
 #include "latticeworld/common/schema_check.h"
 #include "latticeworld/common/strict_json.h"
@@ -69,27 +69,6 @@ std::vector<Violation> AddFiles(const std::vector<std::pair<std::string, std::st
   return violations;
 }
 
-// The *.json of a folder by name, or the file itself.
-Result<std::vector<fs::path>> FilesAt(const fs::path& path) {
-  std::error_code error;
-  if (!fs::is_directory(path, error)) return std::vector<fs::path>{path};
-  std::vector<fs::path> files;
-  fs::directory_iterator entries(path, error);
-  for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
-    if (entries->path().extension() == ".json") files.push_back(entries->path());
-    if (files.size() > kMaxFiles) {
-      return InvalidArgument("more than " + std::to_string(kMaxFiles) + " files *.json in " +
-                             Quote(path.string(), 300));
-    }
-  }
-  if (error) {
-    return NotFound("cannot list " + Quote(path.string(), 300) + ": " + error.message());
-  }
-  if (files.empty()) return NotFound("no file *.json in " + Quote(path.string(), 300));
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 std::vector<Species> Sorted(ByName species) {
   std::vector<Species> all;
   for (auto& entry : species) all.push_back(std::move(entry.second));
@@ -123,7 +102,7 @@ Result<std::shared_ptr<const SpeciesCatalogue>> SpeciesCatalogue::Load(
     const std::vector<fs::path>& paths) {
   std::vector<std::pair<std::string, std::string>> files;
   for (const fs::path& path : paths) {
-    LW_ASSIGN_OR_RETURN(const std::vector<fs::path> found, FilesAt(path));
+    LW_ASSIGN_OR_RETURN(const std::vector<fs::path> found, JsonFilesAt(path, kMaxFiles));
     for (const fs::path& file : found) {
       LW_ASSIGN_OR_RETURN(std::string text, ReadFile(file, kMaxFileBytes));
       files.emplace_back(file.filename().string(), std::move(text));

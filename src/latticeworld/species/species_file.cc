@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "latticeworld/common/data_files.h"
 #include "latticeworld/common/strict_json.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/species/species_rules.h"
@@ -116,14 +117,6 @@ Species ReadSpecies(const Json& json) {
     ReadNumbers(json.at("quadruped"), kQuadrupedKeys, &species.quadruped.emplace());
   }
   return species;
-}
-
-// Whether no violation speaks about the value or a part of it.
-bool IsSound(const std::string& pointer, const std::vector<Violation>& violations) {
-  for (const Violation& violation : violations) {
-    if (violation.pointer == pointer || StartsWith(violation.pointer, pointer + "/")) return false;
-  }
-  return true;
 }
 
 }  // namespace

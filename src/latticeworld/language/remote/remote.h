@@ -2,6 +2,7 @@
 #define LATTICEWORLD_LANGUAGE_REMOTE_REMOTE_H_
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "latticeworld/common/status.h"
@@ -16,6 +17,7 @@ struct RemoteOptions {
   double temperature = 0.7;           // 0 .. 2
   int layout_max_tokens = 2048;       // of one answer, thinking included; 64 .. 65536
   int environment_max_tokens = 4096;  // the same
+  std::string name = "remote";        // by which the generators go
 };
 std::vector<Violation> Validate(const RemoteOptions& options);
 

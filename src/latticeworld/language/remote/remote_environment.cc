@@ -35,7 +35,7 @@ class RemoteEnvironmentGenerator final : public EnvironmentGenerator {
   RemoteEnvironmentGenerator(std::shared_ptr<ChatServer> server, const RemoteOptions& options)
       : server_(std::move(server)), options_(options) {}
 
-  std::string_view name() const override { return "remote"; }
+  std::string_view name() const override { return options_.name; }
 
   Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request,
                                      const Progress& progress) override {

@@ -47,7 +47,7 @@ class RemoteLayoutGenerator final : public LayoutGenerator {
   RemoteLayoutGenerator(std::shared_ptr<ChatServer> server, const RemoteOptions& options)
       : server_(std::move(server)), options_(options) {}
 
-  std::string_view name() const override { return "remote"; }
+  std::string_view name() const override { return options_.name; }
 
   Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress) override {
     LW_RETURN_IF_ERROR(latticeworld::Validate(request));

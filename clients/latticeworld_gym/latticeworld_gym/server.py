@@ -1,0 +1,108 @@
+"""The services of world_server that a learning loop needs, over connections that stay open."""
+
+import numpy
+import rosgraph
+import rospy
+from geometry_msgs.msg import Twist, Vector3
+from nav_msgs.srv import GetMap
+from std_srvs.srv import Trigger
+
+from latticeworld.msg import AgentCommand, Status
+from latticeworld.srv import (GetWorld, Lockstep, LockstepRequest, LockstepResponse, ResetWorld,
+                              SpawnAgent)
+
+
+class NumpyResponse(LockstepResponse):
+    """Its arrays of numbers are numpy's, which are read far quicker than tuples."""
+
+    def deserialize(self, data):
+        return self.deserialize_numpy(data, numpy)
+
+
+class NumpyLockstep(Lockstep):
+    _request_class = LockstepRequest
+    _response_class = NumpyResponse
+
+
+SERVICES = {"lockstep": NumpyLockstep, "reset_world": ResetWorld, "get_world": GetWorld,
+            "spawn_agent": SpawnAgent, "static_map": GetMap, "pause": Trigger, "unpause": Trigger}
+HOW_TO_START = ('start one with: roslaunch latticeworld world.launch generate:="Flat grassland '
+                'everywhere." environment:="A wheeled robot waits in the center."')
+
+
+class ServerError(RuntimeError):
+    """There is no server, or it refused a call; the text says what was wrong."""
+
+
+class Server:
+    """A running world_server, paused for as long as this is open.
+
+    Needs a world (generate_world or load_world). Makes the process a ROS node unless it is one.
+    timeout_s: wall time that services may take to appear. Raises ServerError.
+    """
+
+    def __init__(self, timeout_s=10.0):
+        self._closed = True
+        if not rosgraph.is_master_online():
+            raise ServerError(f"no ROS master at {rosgraph.get_master_uri()} (ROS_MASTER_URI); "
+                              + HOW_TO_START)
+        if not rospy.core.is_initialized():
+            rospy.init_node("latticeworld_gym", anonymous=True, disable_signals=True)
+        self._calls = {}
+        for name, kind in SERVICES.items():
+            try:
+                rospy.wait_for_service(name, timeout=timeout_s)
+            except rospy.ROSException as error:
+                raise ServerError(f"no service {name} within {timeout_s} s (all of "
+                                  f"{', '.join(SERVICES)} are needed): is world_server running? "
+                                  + HOW_TO_START) from error
+            self._calls[name] = rospy.ServiceProxy(name, kind, persistent=name == "lockstep")
+        world = self._call("get_world")
+        self.world_id = world.info.world_id
+        self.size_m = world.info.size
+        self._was_paused = world.paused
+        if not world.paused:
+            self._call("pause")
+        self._closed = False
+
+    def reset(self, seed):
+        """Back to the start state; seed: of behaviour and noise, 1 .. 2^64 - 1, 0: as it is."""
+        return self._call("reset_world", seed=seed)
+
+    def lockstep(self, velocities, steps, scan=False, observe=(), strikes=(), state_hash=False):
+        """velocities: {agent: (forward [m/s], yaw rate [rad/s])}. The Lockstep response."""
+        commands = [AgentCommand(agent=agent, velocity=Twist(linear=Vector3(x=float(forward)),
+                                                             angular=Vector3(z=float(yaw_rate))))
+                    for agent, (forward, yaw_rate) in velocities.items()]
+        return self._call("lockstep", commands=commands, steps=steps, scan=scan,
+                          observe=list(observe), strikes=list(strikes), hash=state_hash)
+
+    def spawn(self, name, **fields):
+        """A controllable agent; fields: of latticeworld/SpawnAgent."""
+        fields.setdefault("controllable", True)
+        return self._call("spawn_agent", name=name, **fields)
+
+    def occupancy(self):
+        """nav_msgs/OccupancyGrid of the world, frame map."""
+        return self._call("static_map").map
+
+    def close(self):
+        """Lets time run again if it ran before. Can be called again."""
+        if self._closed:
+            return
+        self._closed = True
+        self._calls["lockstep"].close()
+        if not self._was_paused:
+            self._call("unpause")
+
+    def _call(self, name, /, **fields):
+        try:
+            answer = self._calls[name](**fields)
+        except (rospy.ServiceException, rospy.ROSException) as error:
+            raise ServerError(f"{name} failed: {error}; the server may have ended") from error
+        status = getattr(answer, "status", None)
+        if status is not None and status.code != Status.OK:
+            raise ServerError(f"{name} was refused (code {status.code}): {status.message}")
+        if not getattr(answer, "success", True):
+            raise ServerError(f"{name} was refused: {answer.message}")
+        return answer

@@ -1,0 +1,246 @@
+#include "latticeworld/campaign/campaign_file.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <exception>
+#include <set>
+#include <utility>
+
+#include "latticeworld/campaign/robot_stack.h"
+#include "latticeworld/campaign/world_section.h"
+#include "latticeworld/campaign/yaml_reader.h"
+#include "latticeworld/common/text.h"
+#include "latticeworld/environment/attributes.h"
+#include "latticeworld/sensing/sensor_suite.h"
+#include "latticeworld/simulation/simulator.h"
+#include "latticeworld/species/species_catalogue.h"
+
+namespace latticeworld {
+namespace {
+
+std::vector<std::string> SpeciesNames() {
+  std::vector<std::string> names;
+  for (const Species& species : SpeciesCatalogue::BuiltIn()->all()) names.push_back(species.name);
+  return names;
+}
+
+// Of what the robot's stacks can drive: bodies on wheels and legs.
+std::vector<std::string> DrivenSpeciesNames() {
+  std::vector<std::string> names;
+  for (const Species& species : SpeciesCatalogue::BuiltIn()->all()) {
+    if (species.plan == BodyPlan::kVehicle || species.plan == BodyPlan::kQuadruped)
+      names.push_back(species.name);
+  }
+  return names;
+}
+
+std::vector<std::string> SuiteNames() {
+  std::vector<std::string> names;
+  for (const SensorSuite& suite : SensorCatalogue::BuiltIn()->suites()) names.push_back(suite.name);
+  return names;
+}
+
+void ReadLimits(const YAML::Node& node, const std::string& path, RobotLimits* limits,
+                std::vector<Violation>* violations) {
+  YamlMapping mapping(node, path, violations);
+  mapping.Number("radius_m", {0.05, 10.0}, " m", &limits->radius_m);
+  mapping.Number("max_slope_rad", {0.01, 1.5}, " rad", &limits->max_slope_rad);
+  mapping.Number("max_step_m", {0.0, 10.0}, " m", &limits->max_step_m);
+  mapping.Number("max_fording_depth_m", {0.0, 10.0}, " m", &limits->max_fording_depth_m);
+  mapping.Number("clearance_m", {0.0, 100.0}, " m", &limits->clearance_m);
+  mapping.Number("mass_kg", {0.0, 1e6}, " kg", &limits->mass_kg);
+  mapping.Finish();
+}
+
+// Of a robot whose limits the file does not say: what its body is.
+void TakeBody(CampaignRobot* robot) {
+  const Species* species = SpeciesCatalogue::BuiltIn()->Find(robot->species);
+  if (species == nullptr) return;
+  robot->limits.radius_m = species->radius_m;
+  robot->limits.max_slope_rad = std::clamp(species->max_slope_rad, 0.01, 1.5);
+  robot->limits.max_fording_depth_m = species->wade_depth_m;
+  robot->limits.clearance_m = species->height_m;
+  robot->limits.mass_kg = species->mass_kg;
+  if (species->vehicle)
+    robot->limits.max_step_m = std::min(robot->limits.max_step_m, species->vehicle->wheel_radius_m);
+}
+
+CampaignRobot ReadRobot(const YAML::Node& node, const std::string& path,
+                        std::vector<Violation>* violations) {
+  CampaignRobot robot;
+  YamlMapping mapping(node, path, violations);
+  mapping.Name("name", &robot.name);
+  mapping.Choice("species", DrivenSpeciesNames(), &robot.species);
+  mapping.Choice("suite", SuiteNames(), &robot.suite);
+  mapping.Choice("stack", StackNames(), &robot.stack);
+  TakeBody(&robot);
+  mapping.Number("top_speed_mps", {0.05, 20.0}, " m/s", &robot.top_speed_mps);
+  const YAML::Node limits = mapping.Get("limits");
+  if (mapping.Has("limits"))
+    ReadLimits(limits, mapping.PathOf("limits"), &robot.limits, violations);
+  mapping.Finish();
+  return robot;
+}
+
+void ReadRange(YamlMapping* mapping, const std::string& key, DifficultyRange* range) {
+  const YAML::Node node = mapping->Get(key);
+  if (!mapping->Has(key)) return;
+  DifficultyRange read;
+  const bool pair = node.IsSequence() && node.size() == 2;
+  if (!pair || !ReadYamlNumber(node[0], &read.low) || !ReadYamlNumber(node[1], &read.high) ||
+      read.low < 0.0 || read.high < read.low) {
+    AddYamlViolation(node, mapping->PathOf(key), "bad_range",
+                     "legal is [LOW, HIGH], 0 <= LOW <= HIGH", mapping->violations());
+    return;
+  }
+  *range = read;
+}
+
+TaskWishes ReadTasks(const YAML::Node& node, std::vector<Violation>* violations) {
+  TaskWishes wishes;
+  YamlMapping mapping(node, "/tasks", violations);
+  mapping.Whole("count", 1, 1000, &wishes.count);
+  mapping.Seed("seed", &wishes.seed);
+  mapping.Number("goal_radius_m", {0.0, 100.0, /*low_open=*/true}, " m", &wishes.goal_radius_m);
+  ReadRange(&mapping, "length_m", &wishes.length_m);
+  ReadRange(&mapping, "climb_m", &wishes.climb_m);
+  ReadRange(&mapping, "density", &wishes.density);
+  ReadRange(&mapping, "detour", &wishes.detour);
+  ReadRange(&mapping, "agents", &wishes.agents);
+  mapping.Finish();
+  return wishes;
+}
+
+void ReadOptional(YamlMapping* mapping, const std::string& key, const Range& legal,
+                  std::string_view unit, std::optional<double>* out) {
+  double value = legal.low - 1.0;
+  mapping->Number(key, legal, unit, &value);
+  if (legal.Contains(value)) *out = value;
+}
+
+WeatherChange ReadWeather(const YAML::Node& node, const std::string& path,
+                          std::vector<Violation>* violations) {
+  WeatherChange change;
+  YamlMapping mapping(node, path, violations);
+  std::string weather;
+  std::vector<std::string> names;
+  for (const auto& entry : EnumNames(Weather{})) names.emplace_back(entry.name);
+  mapping.Choice("weather", names, &weather);
+  if (!weather.empty()) change.weather = FromName<Weather>(weather);
+  ReadOptional(&mapping, "intensity", {0.0, 1.0}, "", &change.intensity);
+  ReadOptional(&mapping, "wind_speed_mps", {0.0, 60.0}, " m/s", &change.wind_speed_mps);
+  ReadOptional(&mapping, "wind_heading_rad", {-7.0, 7.0}, " rad", &change.wind_heading_rad);
+  ReadOptional(&mapping, "gust_mps", {0.0, 60.0}, " m/s", &change.gust_mps);
+  ReadOptional(&mapping, "visibility_m", {5.0, 100000.0}, " m", &change.visibility_m);
+  ReadOptional(&mapping, "ground_wetness", {0.0, 1.0}, "", &change.ground_wetness);
+  ReadOptional(&mapping, "snow_depth_m", {0.0, 2.0}, " m", &change.snow_depth_m);
+  ReadOptional(&mapping, "hour", {0.0, 24.0, false, /*high_open=*/true}, " h", &change.hour);
+  mapping.Finish();
+  return change;
+}
+
+void ReadAdversaries(const YAML::Node& node, const std::string& path,
+                     CampaignAdversaries* adversaries, std::vector<Violation>* violations) {
+  YamlMapping mapping(node, path, violations);
+  adversaries->count = 1;
+  mapping.Whole("count", 0, 50, &adversaries->count);
+  mapping.Choice("species", SpeciesNames(), &adversaries->species);
+  mapping.Choice("policy", PolicyNames(), &adversaries->policy);
+  mapping.Number("reach_m", {3.0, 200.0}, " m", &adversaries->reach_m);
+  mapping.Finish();
+}
+
+CampaignCondition ReadCondition(const YAML::Node& node, const std::string& path,
+                                std::vector<Violation>* violations) {
+  CampaignCondition condition;
+  condition.seeds = {1};
+  YamlMapping mapping(node, path, violations);
+  mapping.Name("name", &condition.name);
+  const YAML::Node seeds = mapping.Get("seeds");
+  if (mapping.Has("seeds")) condition.seeds = ReadSeeds(seeds, mapping.PathOf("seeds"), violations);
+  mapping.Seed("sensor_seed", &condition.sensor_seed);
+  mapping.Number("time_limit_factor", {1.0, 1000.0}, "", &condition.time_limit_factor);
+  mapping.Number("least_time_limit_s", {0.0, 86400.0}, " s", &condition.least_time_limit_s);
+  const YAML::Node weather = mapping.Get("weather"), adversaries = mapping.Get("adversaries");
+  if (mapping.Has("weather"))
+    condition.weather = ReadWeather(weather, mapping.PathOf("weather"), violations);
+  if (mapping.Has("adversaries")) {
+    ReadAdversaries(adversaries, mapping.PathOf("adversaries"), &condition.adversaries, violations);
+  }
+  mapping.Finish();
+  return condition;
+}
+
+// The entries of a list; one of defaults where the key is not there.
+template <typename Entry, typename Read>
+std::vector<Entry> ReadList(YamlMapping* root, const std::string& key, const Read& read) {
+  std::vector<Entry> entries;
+  const YAML::Node node = root->Get(key);
+  if (!root->Has(key)) {
+    std::vector<Violation> none;
+    return {read(YAML::Node(YAML::NodeType::Map), root->PathOf(key), &none)};
+  }
+  if (!node.IsSequence() || node.size() == 0) {
+    AddYamlViolation(node, root->PathOf(key), "wrong_type", "a list of at least one is wanted",
+                     root->violations());
+    return entries;
+  }
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    const std::string path = root->PathOf(key) + "/" + std::to_string(i);
+    entries.push_back(read(node[i], path, root->violations()));
+    if (!names.insert(entries.back().name).second) {
+      AddYamlViolation(node[i], path, "duplicate_name",
+                       "the name \"" + entries.back().name + "\" is there already; give another",
+                       root->violations());
+    }
+  }
+  return entries;
+}
+
+Result<Campaign> Parse(const std::string& text, const std::filesystem::path& folder) {
+  const YAML::Node document = YAML::Load(text);
+  std::vector<Violation> violations;
+  Campaign campaign;
+  YamlMapping root(document, "", &violations);
+  root.Require("name");
+  root.Text("name", 1, &campaign.name);
+  root.Require("worlds");
+  const YAML::Node worlds = root.Get("worlds");
+  if (root.Has("worlds")) campaign.worlds = ReadWorldSection(worlds, folder, &violations);
+  campaign.robots = ReadList<CampaignRobot>(&root, "robots", ReadRobot);
+  const YAML::Node tasks = root.Get("tasks");
+  if (root.Has("tasks")) campaign.tasks = ReadTasks(tasks, &violations);
+  campaign.conditions = ReadList<CampaignCondition>(&root, "trials", ReadCondition);
+  root.Number("step_s", {0.001, 0.05}, " s", &campaign.step_s);
+  root.Number("control_hz", {2.0, 100.0}, " Hz", &campaign.control_hz);
+  root.Finish();
+  double trials =
+      static_cast<double>(campaign.worlds.size() * campaign.robots.size()) * campaign.tasks.count;
+  std::size_t seeds = 0;
+  for (const CampaignCondition& condition : campaign.conditions) seeds += condition.seeds.size();
+  trials *= static_cast<double>(seeds);
+  if (trials > static_cast<double>(kMaxTrials)) {
+    violations.push_back({"too_many", "/", "asks for more than 1000000 trials", ""});
+  }
+  if (!violations.empty())
+    return Status::FromViolations("unusable campaign", std::move(violations));
+  return campaign;
+}
+
+}  // namespace
+
+Result<Campaign> ParseCampaign(const std::string& text, const std::filesystem::path& folder) {
+  LW_RETURN_IF_ERROR(ValidateText("the campaign", text, kMaxCampaignBytes));
+  try {
+    return Parse(text, folder);
+  } catch (const YAML::Exception& error) {
+    const std::string line =
+        error.mark.is_null() ? "" : "line " + std::to_string(error.mark.line + 1);
+    return Status::FromViolations("unusable campaign",
+                                  {{"bad_yaml", line, "is no YAML: " + error.msg, ""}});
+  }
+}
+
+}  // namespace latticeworld

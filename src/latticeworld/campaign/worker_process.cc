@@ -1,0 +1,131 @@
+#include "latticeworld/campaign/worker_process.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace latticeworld {
+namespace {
+
+void Close(int* descriptor) {
+  if (*descriptor >= 0) ::close(*descriptor);
+  *descriptor = -1;
+}
+
+// In the child: nothing but calls that are safe after fork.
+[[noreturn]] void RunProgram(char* const* arguments, int in, int out, pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(1);  // the parent was gone before it was asked for
+  // An interrupt at the terminal is for the parent, which ends its workers.
+  ::signal(SIGINT, SIG_IGN);
+  ::signal(SIGPIPE, SIG_DFL);
+  ::dup2(in, STDIN_FILENO);
+  ::dup2(out, STDOUT_FILENO);
+  ::execv(arguments[0], arguments);
+  ::_exit(127);
+}
+
+}  // namespace
+
+std::string ProcessEnd::ToString() const {
+  return exit_status >= 0 ? "ended with status " + std::to_string(exit_status)
+                          : "was ended by signal " + std::to_string(signal);
+}
+
+Result<WorkerProcess> WorkerProcess::Start(const std::vector<std::string>& command) {
+  std::vector<char*> arguments;
+  for (const std::string& part : command) arguments.push_back(const_cast<char*>(part.c_str()));
+  arguments.push_back(nullptr);
+  int to[2], from[2];
+  if (::pipe2(to, O_CLOEXEC) != 0)
+    return ResourceExhausted(std::string("cannot make a pipe: ") + std::strerror(errno));
+  if (::pipe2(from, O_CLOEXEC) != 0) {
+    Close(&to[0]), Close(&to[1]);
+    return ResourceExhausted(std::string("cannot make a pipe: ") + std::strerror(errno));
+  }
+  const pid_t parent = ::getpid();
+  const pid_t pid = ::fork();
+  if (pid == 0) RunProgram(arguments.data(), to[0], from[1], parent);
+  const int error = errno;
+  Close(&to[0]), Close(&from[1]);
+  if (pid < 0) {
+    Close(&to[1]), Close(&from[0]);
+    return ResourceExhausted(std::string("cannot start a process: ") + std::strerror(error));
+  }
+  return WorkerProcess(pid, to[1], from[0]);
+}
+
+WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
+    : pid_(std::exchange(other.pid_, 0)),
+      in_(std::exchange(other.in_, -1)),
+      out_(std::exchange(other.out_, -1)),
+      unread_(std::move(other.unread_)),
+      trial_(other.trial_),
+      since_(other.since_) {}
+
+WorkerProcess& WorkerProcess::operator=(WorkerProcess&& other) noexcept {
+  if (this == &other) return *this;
+  End();
+  pid_ = std::exchange(other.pid_, 0);
+  in_ = std::exchange(other.in_, -1);
+  out_ = std::exchange(other.out_, -1);
+  unread_ = std::move(other.unread_);
+  trial_ = other.trial_;
+  since_ = other.since_;
+  return *this;
+}
+
+WorkerProcess::~WorkerProcess() { End(); }
+
+bool WorkerProcess::Give(std::size_t index) {
+  trial_ = index;
+  since_ = std::chrono::steady_clock::now();
+  const std::string line = std::to_string(index) + "\n";
+  // SIGPIPE is blocked for the one call: a worker that is gone is no reason to end.
+  sigset_t pipe_set, before;
+  sigemptyset(&pipe_set);
+  sigaddset(&pipe_set, SIGPIPE);
+  ::pthread_sigmask(SIG_BLOCK, &pipe_set, &before);
+  const bool written = ::write(in_, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  const timespec no_time = {0, 0};
+  if (!written) ::sigtimedwait(&pipe_set, nullptr, &no_time);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return written;
+}
+
+bool WorkerProcess::Read(std::vector<std::string>* lines) {
+  char buffer[4096];
+  const ssize_t count = ::read(out_, buffer, sizeof(buffer));
+  if (count < 0) return errno == EINTR || errno == EAGAIN;
+  if (count == 0) return false;
+  unread_.append(buffer, static_cast<std::size_t>(count));
+  std::size_t end;
+  while ((end = unread_.find('\n')) != std::string::npos) {
+    lines->push_back(unread_.substr(0, end));
+    unread_.erase(0, end + 1);
+  }
+  return true;
+}
+
+ProcessEnd WorkerProcess::End() {
+  ProcessEnd end;
+  Close(&in_), Close(&out_);
+  if (pid_ == 0) return end;
+  int status = 0;
+  // One that has ended already keeps its own status.
+  ::kill(pid_, SIGKILL);
+  while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = 0;
+  if (WIFEXITED(status)) end.exit_status = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
+  return end;
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,24 @@
+#ifndef LATTICEWORLD_INTERCHANGE_BODY_MESHES_H_
+#define LATTICEWORLD_INTERCHANGE_BODY_MESHES_H_
+
+#include <string>
+
+#include "latticeworld/environment/attributes.h"
+#include "latticeworld/interchange/glb_document.h"
+#include "latticeworld/scene/element.h"
+
+namespace latticeworld {
+
+struct Species;
+
+// The body of a species in metres, its front along x of base_link and its lowest point at the
+// origin, in the colours of that style; gives the number of the mesh "agent/<species>".
+int AddBody(const Species& species, ArtisticStyle style, GlbDocument* document);
+
+// An element of that kind and of size 1 in its own frame (scene/element.h), so that scaling it by
+// an element's size gives the element; gives the number of the mesh "element/<kind>".
+int AddElement(ElementKind kind, ArtisticStyle style, GlbDocument* document);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_INTERCHANGE_BODY_MESHES_H_

@@ -1,0 +1,33 @@
+#ifndef LATTICEWORLD_INTERCHANGE_CHOSEN_ASSETS_H_
+#define LATTICEWORLD_INTERCHANGE_CHOSEN_ASSETS_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "latticeworld/catalogue/asset_kind.h"
+#include "latticeworld/interchange/export_region.h"
+
+namespace latticeworld {
+
+struct Scene;
+
+bool IsSmallPlant(AssetKind kind);  // grass, reed, flowers, crops
+
+// Numbers of the scene's assets in a region, in order.
+std::vector<std::uint32_t> ChooseAssets(const Scene& scene, const ExportRegion& region,
+                                        bool small_plants);
+
+// Things of one mesh and one look.
+struct LookGroup {
+  std::string model;                   // ModelNameOf
+  std::string name;                    // "<model>/<material>/<shade>"
+  std::vector<std::uint32_t> members;  // numbers in scene.assets, increasing
+};
+// By model, material and, where there are more than a few, thirds from dark to light of what
+// decides their colour; sorted by name, every asset in one group.
+std::vector<LookGroup> GroupAssets(const Scene& scene, const std::vector<std::uint32_t>& assets);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_INTERCHANGE_CHOSEN_ASSETS_H_

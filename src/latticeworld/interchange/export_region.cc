@@ -1,0 +1,38 @@
+#include "latticeworld/interchange/export_region.h"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace latticeworld {
+namespace {
+
+std::string Metres(double value_m) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value_m);
+  return text;
+}
+
+}  // namespace
+
+ExportRegion WholeWorld(const GridGeometry& geometry) {
+  const double half_m = geometry.half_size_m();
+  return {-half_m, -half_m, half_m, half_m};
+}
+
+Status Validate(const ExportRegion& region, const GridGeometry& geometry) {
+  const double half_m = geometry.half_size_m();
+  const std::string given = Metres(region.west_m) + "," + Metres(region.south_m) + "," +
+                            Metres(region.east_m) + "," + Metres(region.north_m);
+  const std::string legal = "legal are west,south,east,north within " + Metres(-half_m) + " to " +
+                            Metres(half_m) + " m, at least " + Metres(kMinExport_m) + " m a side";
+  // Written so that NaN fails.
+  const bool ordered = region.width_m() >= kMinExport_m && region.depth_m() >= kMinExport_m;
+  const bool inside = geometry.Contains({region.west_m, region.south_m}) &&
+                      geometry.Contains({region.east_m, region.north_m});
+  if (ordered && inside) return Status();
+  return InvalidArgument("the region " + given +
+                         (inside ? " is too small" : " is not in the world") + "; " + legal);
+}
+
+}  // namespace latticeworld

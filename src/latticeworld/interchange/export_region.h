@@ -1,0 +1,32 @@
+#ifndef LATTICEWORLD_INTERCHANGE_EXPORT_REGION_H_
+#define LATTICEWORLD_INTERCHANGE_EXPORT_REGION_H_
+
+#include "latticeworld/common/status.h"
+#include "latticeworld/geometry/grid_geometry.h"
+
+namespace latticeworld {
+
+// A rectangle of the frame map that an export is cut to [m].
+struct ExportRegion {
+  double west_m = 0.0, south_m = 0.0, east_m = 0.0, north_m = 0.0;
+
+  double width_m() const { return east_m - west_m; }
+  double depth_m() const { return north_m - south_m; }
+  WorldPoint center() const { return {0.5 * (west_m + east_m), 0.5 * (south_m + north_m)}; }
+  // Things stand where their middle is; who stands on the border belongs to it.
+  bool Holds(WorldPoint point) const {
+    return point.x_m >= west_m && point.x_m <= east_m && point.y_m >= south_m &&
+           point.y_m <= north_m;
+  }
+};
+
+inline constexpr double kMinExport_m = 2.0;  // a side
+
+ExportRegion WholeWorld(const GridGeometry& geometry);
+// INVALID_ARGUMENT saying what is legal: not finite, smaller than kMinExport_m a side, outside of
+// the world.
+Status Validate(const ExportRegion& region, const GridGeometry& geometry);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_INTERCHANGE_EXPORT_REGION_H_

@@ -1,0 +1,77 @@
+#include "latticeworld/interchange/obj_mesh.h"
+
+#include <cstdio>
+
+#include "latticeworld/exporting/ray_sky.h"
+#include "latticeworld/interchange/ground_mesh.h"
+
+namespace latticeworld {
+namespace {
+
+void AppendLine(const char* keyword, const Eigen::Vector3f& v, std::string* text) {
+  char line[96];
+  std::snprintf(line, sizeof line, "%s %.6g %.6g %.6g\n", keyword, static_cast<double>(v.x()),
+                static_cast<double>(v.y()), static_cast<double>(v.z()));
+  *text += line;
+}
+
+}  // namespace
+
+std::string ToObj(const Mesh& mesh, const std::string& material_file) {
+  std::string text = "mtllib " + material_file + "\n";
+  for (const Eigen::Vector3f& vertex : mesh.vertices) AppendLine("v", vertex, &text);
+  std::string faces;
+  std::size_t normals = 0;
+  for (int part = 0; part < kMeshPartCount; ++part) {
+    bool named = false;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      if (mesh.parts[i] != static_cast<MeshPart>(part)) continue;
+      if (!named) faces += std::string("usemtl ") + NameOf(mesh.parts[i]) + "\n";
+      named = true;
+      const auto& triangle = mesh.triangles[i];
+      const Eigen::Vector3f& a = mesh.vertices[triangle[0]];
+      const Eigen::Vector3f normal =
+          (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a).normalized();
+      AppendLine("vn", normal, &text);
+      ++normals;
+      faces += "f";
+      for (const std::uint32_t corner : triangle)
+        faces += " " + std::to_string(corner + 1) + "//" + std::to_string(normals);
+      faces += "\n";
+    }
+  }
+  return text + faces;
+}
+
+std::string ToMtl(const ModelColors& colors) {
+  std::string text;
+  for (int part = 0; part < kMeshPartCount; ++part) {
+    text += std::string("newmtl ") + NameOf(static_cast<MeshPart>(part)) + "\n";
+    const Eigen::Vector3f shown = colors[part].unaryExpr([](float c) { return FromLinear(c); });
+    AppendLine("Ka", shown, &text);
+    AppendLine("Kd", shown, &text);
+    AppendLine("Ks", Eigen::Vector3f::Zero(), &text);
+    text += "d 1\n";
+  }
+  return text;
+}
+
+std::string ToObj(const SurfaceMesh& mesh, const Eigen::Vector3f& offset_m) {
+  std::string text;
+  for (const Eigen::Vector3f& position : mesh.positions_m) {
+    const Eigen::Vector3f moved = position + offset_m;
+    AppendLine("v", moved, &text);
+  }
+  for (const Eigen::Vector3f& normal : mesh.normals) AppendLine("vn", normal, &text);
+  for (std::size_t i = 0; i < mesh.corners.size(); i += 3) {
+    text += "f";
+    for (std::size_t k = i; k < i + 3; ++k) {
+      const std::string number = std::to_string(mesh.corners[k] + 1);
+      text += " " + number + "//" + number;
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace latticeworld

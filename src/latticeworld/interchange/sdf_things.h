@@ -1,0 +1,24 @@
+#ifndef LATTICEWORLD_INTERCHANGE_SDF_THINGS_H_
+#define LATTICEWORLD_INTERCHANGE_SDF_THINGS_H_
+
+#include <Eigen/Core>
+#include <string>
+
+#include "latticeworld/catalogue/catalogue.h"
+
+namespace latticeworld {
+
+class SdfText;
+struct Asset;
+struct Element;
+
+// A <collision> of that name with what bodies bump into; base_m: where the asset stands.
+void AddSdfCollision(const Asset& asset, Collision form, const Eigen::Vector3d& base_m,
+                     const std::string& name, SdfText* world);
+
+// A <model> of an element at a place: crates and loose stones can be moved, others are static.
+void AddSdfElement(const Element& element, const Eigen::Vector3d& place_m, SdfText* world);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_INTERCHANGE_SDF_THINGS_H_

@@ -1,0 +1,281 @@
+#include "latticeworld/interchange/world_glb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "latticeworld/common/range.h"
+#include "latticeworld/exporting/ray_sky.h"
+#include "latticeworld/interchange/body_meshes.h"
+#include "latticeworld/interchange/chosen_assets.h"
+#include "latticeworld/interchange/ground_mesh.h"
+#include "latticeworld/interchange/model_library.h"
+#include "latticeworld/interchange/model_mesh.h"
+#include "latticeworld/scene/scene.h"
+#include "latticeworld/sensing/ray_scene.h"
+#include "latticeworld/species/species_catalogue.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr char kStage[] = "glb";
+constexpr float kThinnest_m = 1e-3f;  // nothing is flat
+const Eigen::Vector4f kWaterColor(0.03f, 0.09f, 0.11f, 0.72f);
+constexpr float kWaterRoughness = 0.08f;
+
+Eigen::Quaternionf Turned(double yaw_rad) {
+  return Eigen::Quaternionf(
+      Eigen::AngleAxisf(static_cast<float>(yaw_rad), Eigen::Vector3f::UnitY()));
+}
+
+Eigen::Vector3f PlaceOf(const Asset& asset) {
+  return YUp(Eigen::Vector3f(asset.x_m, asset.y_m, asset.z_m));
+}
+
+// In the axes of glTF.
+Eigen::Vector3f SizeOf(const Asset& asset) {
+  return Eigen::Vector3f(asset.half_length_m, asset.height_m, asset.half_width_m)
+      .cwiseMax(kThinnest_m);
+}
+
+// Builds the nodes of one file.
+class WorldGlbBuilder {
+ public:
+  WorldGlbBuilder(const Scene& scene, const SpeciesCatalogue& species,
+                  const WorldGlbOptions& options, const Progress& progress)
+      : scene_(scene), species_(species), options_(options), progress_(progress) {
+    region_ = options.region.value_or(WholeWorld(scene.geometry()));
+  }
+
+  Result<std::string> Build() {
+    LW_RETURN_IF_ERROR(AddLand());
+    AddSunlight();
+    LW_RETURN_IF_ERROR(AddAssets());
+    AddElements();
+    if (options_.agents) AddAgents();
+    LW_RETURN_IF_ERROR(Advance(0.9));
+    return document_.Finish(roots_, "world");
+  }
+
+ private:
+  Status Advance(double fraction) const {
+    progress_.Report(kStage, fraction);
+    return progress_.CheckCancelled();
+  }
+
+  int AddSurface(const SurfaceMesh& mesh, const std::string& name, const GlbMaterial& material,
+                 bool textured) {
+    std::vector<Eigen::Vector3f> positions, normals;
+    positions.reserve(mesh.positions_m.size());
+    normals.reserve(mesh.normals.size());
+    for (const Eigen::Vector3f& position : mesh.positions_m) positions.push_back(YUp(position));
+    for (const Eigen::Vector3f& normal : mesh.normals) normals.push_back(YUp(normal));
+    GlbPrimitive primitive;
+    primitive.positions = document_.AddPositions(positions);
+    primitive.normals = document_.AddNormals(normals);
+    if (textured)
+      primitive.texture_coordinates = document_.AddTextureCoordinates(mesh.texture_coordinates);
+    primitive.indices = document_.AddIndices(mesh.corners, positions.size());
+    primitive.material = document_.AddMaterial(material);
+    GlbNode node;
+    node.name = name;
+    node.mesh = document_.AddMesh(name, {primitive});
+    return document_.AddNode(node);
+  }
+
+  Status AddLand() {
+    LW_RETURN_IF_ERROR(Advance(0.0));
+    const SurfaceLattice lattice =
+        MakeLattice(region_, options_.ground_step_m.value_or(scene_.geometry().resolution_m()),
+                    kMostGroundVertices);
+    LW_ASSIGN_OR_RETURN(const std::string jpeg,
+                        GroundTexture(scene_, region_, options_.texture_px));
+    LW_RETURN_IF_ERROR(Advance(0.2));
+    GlbMaterial earth;
+    earth.name = "ground";
+    earth.texture = document_.AddTexture(jpeg, "ground");
+    roots_.push_back(AddSurface(GroundMesh(*scene_.terrain, lattice), "ground", earth, true));
+    LW_RETURN_IF_ERROR(Advance(0.3));
+    const SurfaceMesh water = WaterMesh(*scene_.terrain, lattice);
+    if (!water.corners.empty()) {
+      GlbMaterial look;
+      look.name = "water";
+      look.base_color = kWaterColor;
+      look.roughness = kWaterRoughness;
+      roots_.push_back(AddSurface(water, "water", look, false));
+    }
+    return Advance(0.4);
+  }
+
+  void AddSunlight() {
+    const RaySky sky(scene_);
+    Eigen::Vector3f color = sky.sunlight().matrix();
+    color = color.maxCoeff() > 0.0f ? Eigen::Vector3f(color / color.maxCoeff())
+                                    : Eigen::Vector3f(Eigen::Vector3f::Ones());
+    GlbNode node;
+    node.name = "sun";
+    node.light = document_.AddSun(
+        "sun", color, kSunIlluminance_lux * std::max(0.0, scene_.atmosphere.sun_intensity));
+    node.rotation = Eigen::Quaternionf::FromTwoVectors(Eigen::Vector3f::UnitZ(),
+                                                       YUp(sky.sun_direction()).normalized());
+    roots_.push_back(document_.AddNode(node));
+  }
+
+  int ModelOf(const LookGroup& group) {
+    const Asset& example = scene_.assets[group.members.front()];
+    auto found = geometries_.find(group.model);
+    if (found == geometries_.end()) {
+      const auto& variants = scene_.catalogue->season_variants(TypeOf(example.kind));
+      const Mesh mesh = BuildMesh(scene_.catalogue->models()[example.model],
+                                  variants[example.season_variant].foliage, options_.detail,
+                                  MeshVariationOf(example));
+      found = geometries_.emplace(group.model, AddGeometry(mesh, /*quantized=*/false, &document_))
+                  .first;
+    }
+    const ModelGeometry& geometry = found->second;
+    const auto materials =
+        AddMaterials(group.name, MeanColors(scene_, group.members), geometry, &document_);
+    return AddModel(group.name, geometry, materials, &document_);
+  }
+
+  int AddInstances(const LookGroup& group, int mesh) {
+    std::vector<Eigen::Vector3f> places, sizes;
+    std::vector<Eigen::Quaternionf> turns;
+    for (const std::uint32_t number : group.members) {
+      const Asset& asset = scene_.assets[number];
+      places.push_back(PlaceOf(asset));
+      turns.push_back(Turned(asset.yaw_rad));
+      sizes.push_back(SizeOf(asset));
+    }
+    GlbNode node;
+    node.name = group.name;
+    node.mesh = mesh;
+    node.instances = GlbInstances{document_.AddVectors(places), document_.AddRotations(turns),
+                                  document_.AddVectors(sizes)};
+    return document_.AddNode(node);
+  }
+
+  int AddThing(std::uint32_t number, int mesh) {
+    const Asset& asset = scene_.assets[number];
+    GlbNode node;
+    node.name = scene_.catalogue->models()[asset.model].name + "/" + std::to_string(number);
+    node.mesh = mesh;
+    node.translation_m = PlaceOf(asset);
+    node.rotation = Turned(asset.yaw_rad);
+    node.scale = SizeOf(asset);
+    return document_.AddNode(node);
+  }
+
+  Status AddAssets() {
+    const auto chosen = ChooseAssets(scene_, region_, options_.small_plants);
+    if (options_.expand && chosen.size() > kMostNodes) {
+      return InvalidArgument(std::to_string(chosen.size()) +
+                             " things are too many to be expanded; legal are " +
+                             std::to_string(kMostNodes) + ": take a region, or no small plants");
+    }
+    const auto groups = GroupAssets(scene_, chosen);
+    std::vector<int> children;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      LW_RETURN_IF_ERROR(Advance(0.4 + 0.5 * static_cast<double>(i) / groups.size()));
+      const int mesh = ModelOf(groups[i]);
+      if (!options_.expand) {
+        children.push_back(AddInstances(groups[i], mesh));
+        continue;
+      }
+      for (const std::uint32_t number : groups[i].members)
+        children.push_back(AddThing(number, mesh));
+    }
+    AddParent("assets", std::move(children));
+    return Status();
+  }
+
+  void AddElements() {
+    std::map<ElementKind, int> meshes;
+    std::vector<int> children;
+    for (const Element& element : scene_.elements) {
+      if (!region_.Holds(element.position)) continue;
+      auto found = meshes.find(element.kind);
+      if (found == meshes.end()) {
+        const int mesh =
+            AddElement(element.kind, scene_.environment.coarse.artistic_style, &document_);
+        found = meshes.emplace(element.kind, mesh).first;
+      }
+      GlbNode node;
+      node.name = element.name;
+      node.mesh = found->second;
+      node.translation_m = YUp(
+          Eigen::Vector3d(element.position.x_m, element.position.y_m, element.z_m).cast<float>());
+      node.rotation = Turned(element.yaw_rad);
+      const Eigen::Vector3f size = element.size_m.cast<float>();
+      node.scale = Eigen::Vector3f(size.x(), size.z(), size.y());
+      children.push_back(document_.AddNode(node));
+    }
+    AddParent("elements", std::move(children));
+  }
+
+  void AddAgents() {
+    std::map<std::string, int> meshes;
+    std::vector<int> children;
+    for (const AgentStart& agent : scene_.agents) {
+      if (!region_.Holds(agent.position)) continue;
+      const Species& species = species_.Of(agent.category);
+      auto found = meshes.find(species.name);
+      if (found == meshes.end()) {
+        const int mesh = AddBody(species, scene_.environment.coarse.artistic_style, &document_);
+        found = meshes.emplace(species.name, mesh).first;
+      }
+      GlbNode node;
+      node.name = agent.name;
+      node.mesh = found->second;
+      const double z_m =
+          scene_.terrain->ground.HeightAt(agent.position) + agent.height_above_ground_m;
+      node.translation_m =
+          YUp(Eigen::Vector3d(agent.position.x_m, agent.position.y_m, z_m).cast<float>());
+      node.rotation = Turned(agent.heading_rad);
+      children.push_back(document_.AddNode(node));
+    }
+    AddParent("agents", std::move(children));
+  }
+
+  // Nothing where it would be childless: glTF has no empty lists.
+  void AddParent(const char* name, std::vector<int> children) {
+    if (children.empty()) return;
+    GlbNode parent;
+    parent.name = name;
+    parent.children = std::move(children);
+    roots_.push_back(document_.AddNode(parent));
+  }
+
+  const Scene& scene_;
+  const SpeciesCatalogue& species_;
+  const WorldGlbOptions& options_;
+  const Progress& progress_;
+  ExportRegion region_;
+  GlbDocument document_;
+  std::vector<int> roots_;
+  std::map<std::string, ModelGeometry> geometries_;  // by model
+};
+
+}  // namespace
+
+Status Validate(const WorldGlbOptions& options, const Scene& scene) {
+  std::vector<Violation> violations;
+  if (options.region) {
+    const Status region = Validate(*options.region, scene.geometry());
+    if (!region.ok()) return region;
+  }
+  if (options.ground_step_m)
+    CheckRange("ground_step_m", *options.ground_step_m, {0.05, 100.0}, " m", &violations);
+  CheckRange("texture_px", options.texture_px, {16, 8192}, " px", &violations);
+  CheckRange("detail", options.detail, {0, kMeshDetails - 1}, "", &violations);
+  return Status::FromViolations("glTF", std::move(violations));
+}
+
+Result<std::string> WorldGlb(const Scene& scene, const SpeciesCatalogue& species,
+                             const WorldGlbOptions& options, const Progress& progress) {
+  LW_RETURN_IF_ERROR(Validate(options, scene));
+  return WorldGlbBuilder(scene, species, options, progress).Build();
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,35 @@
+#ifndef LATTICEWORLD_LANGUAGE_LOCAL_BYTE_ROWS_H_
+#define LATTICEWORLD_LANGUAGE_LOCAL_BYTE_ROWS_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace latticeworld {
+
+// Activations (count x columns) in int8, with a scale for each block of 32.
+struct ByteRows {
+  std::size_t count = 0;
+  std::size_t columns = 0;  // a multiple of 32
+  std::vector<std::int8_t> bytes;
+  std::vector<float> scales;  // (count x columns / 32)
+};
+
+// Each block by its largest magnitude, which becomes 127; scales are rounded to float16, as
+// llama.cpp stores them.
+ByteRows RoundToBytes(const float* in, std::size_t count, std::size_t columns);
+
+// Weights of the same form (rows x columns of what they are multiplied with).
+struct ByteWeights {
+  const std::int8_t* bytes = nullptr;
+  const float* scales = nullptr;
+  std::size_t rows = 0;
+};
+
+// out (count x rows) = in times the transposed weights. Sums within a block are exact, and blocks
+// are added in eight lanes in one order, so that every processor gives the same bits.
+void MultiplyBytes(const ByteWeights& weights, const ByteRows& in, float* out);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_LOCAL_BYTE_ROWS_H_

@@ -1,0 +1,32 @@
+#ifndef LATTICEWORLD_LANGUAGE_LOCAL_LOCAL_H_
+#define LATTICEWORLD_LANGUAGE_LOCAL_LOCAL_H_
+
+#include <memory>
+#include <string>
+
+#include "latticeworld/common/result.h"
+#include "latticeworld/language/chat/chat_server.h"
+
+namespace latticeworld {
+
+// A language model in this process instead of behind a server: a GGUF file of
+// LLaMA's architecture with weights in f32, f16 or q8_0 and a SentencePiece
+// tokenizer. Answers keep to the form that is asked for (its GBNF grammar, else
+// its JSON schema) by construction: only tokens that the form allows are ever
+// drawn. The same file, request and seed: the same answer, on every processor.
+// What an earlier request's messages have in common with the next one's is not
+// computed again.
+//
+// Safe to use from several threads; requests wait for each other. Errors of
+// Complete: INVALID_ARGUMENT (a form that cannot be read, pictures, temperature
+// below 0), RESOURCE_EXHAUSTED (messages longer than the model's context; an
+// answer that reaches the context's end is cut, with the reason "length"),
+// CANCELLED between two tokens.
+//
+// Errors: those of GgufFile::Open; DATA_LOSS: a model or tokenizer that is not
+// read here.
+Result<std::shared_ptr<ChatServer>> MakeLocalChatServer(const std::string& model_file);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_LOCAL_LOCAL_H_

@@ -1,0 +1,28 @@
+#include "latticeworld/language/local/token_choice.h"
+
+#include <cmath>
+#include <limits>
+
+namespace latticeworld {
+
+TokenId ChooseToken(const std::vector<float>& logits, const std::vector<TokenId>& allowed,
+                    double temperature, RandomStream* random) {
+  constexpr float kLowest = std::numeric_limits<float>::lowest();
+  TokenId best = allowed.front();
+  float highest = kLowest;
+  for (const TokenId token : allowed) {
+    if (!(logits[token] > highest)) continue;
+    highest = logits[token];
+    best = token;
+  }
+  if (temperature <= 0.0 || allowed.size() == 1 || !std::isfinite(highest)) return best;
+  std::vector<double> weights;
+  weights.reserve(allowed.size());
+  for (const TokenId token : allowed) {
+    const double below = (double{logits[token]} - highest) / temperature;
+    weights.push_back(below <= 0.0 ? std::exp(below) : 0.0);
+  }
+  return allowed[random->Weighted(weights)];
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,20 @@
+#ifndef LATTICEWORLD_LANGUAGE_LOCAL_TOKEN_CHOICE_H_
+#define LATTICEWORLD_LANGUAGE_LOCAL_TOKEN_CHOICE_H_
+
+#include <vector>
+
+#include "latticeworld/common/random.h"
+#include "latticeworld/language/local/llama_decoder.h"
+
+namespace latticeworld {
+
+// One of the allowed tokens (at least one, increasing): at temperature 0 the
+// one of the highest logit, the first of equals; else drawn by the softmax of
+// logits / temperature over the allowed. Logits that are no numbers count as
+// the lowest.
+TokenId ChooseToken(const std::vector<float>& logits, const std::vector<TokenId>& allowed,
+                    double temperature, RandomStream* random);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_LOCAL_TOKEN_CHOICE_H_

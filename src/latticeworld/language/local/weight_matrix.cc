@@ -1,0 +1,96 @@
+#include "latticeworld/language/local/weight_matrix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "latticeworld/language/local/byte_rows.h"
+#include "latticeworld/language/local/lane_math.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr std::size_t kBlock = kQ8BlockValues;
+constexpr int kTogether = 4;  // activations that share one reading of a row
+
+LATTICEWORLD_LANE_CLONES
+void FloatRows(const float* weights, std::size_t rows, std::size_t columns, const float* in,
+               std::size_t count, float* out) {
+  for (std::size_t r = 0; r < rows; ++r) {
+    const float* row = weights + r * columns;
+    std::size_t t = 0;
+    for (; t + kTogether <= count; t += kTogether) {
+      float dots[kTogether];
+      DotProducts<kTogether>(row, in + t * columns, columns, columns, dots);
+      for (int k = 0; k < kTogether; ++k) out[(t + k) * rows + r] = dots[k];
+    }
+    for (; t < count; ++t)
+      DotProducts<1>(row, in + t * columns, columns, columns, out + t * rows + r);
+  }
+}
+
+}  // namespace
+
+float FromHalf(std::uint16_t bits) {
+  const std::uint32_t sign = static_cast<std::uint32_t>(bits & 0x8000u) << 16;
+  const std::uint32_t exponent = (bits >> 10) & 0x1Fu;
+  const std::uint32_t fraction = bits & 0x3FFu;
+  if (exponent == 0) {  // zero and what is below the least normal number
+    const float magnitude = std::ldexp(static_cast<float>(fraction), -24);
+    return sign != 0 ? -magnitude : magnitude;
+  }
+  const std::uint32_t wide = exponent == 31 ? sign | 0x7F800000u | (fraction << 13)
+                                            : sign | ((exponent + 112) << 23) | (fraction << 13);
+  float value;
+  std::memcpy(&value, &wide, sizeof(value));
+  return value;
+}
+
+WeightMatrix::WeightMatrix(const GgufTensor& tensor)
+    : rows_(tensor.rows), columns_(tensor.columns) {
+  const std::size_t size = rows_ * columns_;
+  if (tensor.type == GgufType::kQ8_0) {
+    bytes_.resize(size);
+    scales_.resize(size / kBlock);
+    for (std::size_t block = 0; block < scales_.size(); ++block) {
+      const std::byte* from = tensor.data + block * kQ8BlockBytes;
+      std::uint16_t scale;
+      std::memcpy(&scale, from, sizeof(scale));
+      scales_[block] = FromHalf(scale);
+      std::memcpy(bytes_.data() + block * kBlock, from + sizeof(scale), kBlock);
+    }
+    return;
+  }
+  floats_.resize(size);
+  if (tensor.type == GgufType::kFloat32) {
+    std::memcpy(floats_.data(), tensor.data, size * sizeof(float));
+    return;
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    std::uint16_t half;
+    std::memcpy(&half, tensor.data + i * sizeof(half), sizeof(half));
+    floats_[i] = FromHalf(half);
+  }
+}
+
+void WeightMatrix::Row(std::size_t row, float* out) const {
+  if (!floats_.empty()) {
+    std::copy_n(floats_.data() + row * columns_, columns_, out);
+    return;
+  }
+  for (std::size_t i = 0; i < columns_; ++i) {
+    const std::size_t at = row * columns_ + i;
+    out[i] = static_cast<float>(bytes_[at]) * scales_[at / kBlock];
+  }
+}
+
+void WeightMatrix::Multiply(const float* in, std::size_t count, float* out) const {
+  if (!floats_.empty()) {
+    FloatRows(floats_.data(), rows_, columns_, in, count, out);
+    return;
+  }
+  const ByteRows rounded = RoundToBytes(in, count, columns_);
+  MultiplyBytes({bytes_.data(), scales_.data(), rows_}, rounded, out);
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,46 @@
+#ifndef LATTICEWORLD_LANGUAGE_LOCAL_WEIGHT_MATRIX_H_
+#define LATTICEWORLD_LANGUAGE_LOCAL_WEIGHT_MATRIX_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "latticeworld/language/local/gguf_file.h"
+
+namespace latticeworld {
+
+// Weights (rows x columns) that activations are multiplied with: float32, or
+// int8 in blocks of 32 with a scale each. float16 weights are widened when they
+// are read.
+class WeightMatrix {
+ public:
+  WeightMatrix() = default;
+  // Copies the tensor's values.
+  explicit WeightMatrix(const GgufTensor& tensor);
+
+  std::size_t rows() const { return rows_; }
+  std::size_t columns() const { return columns_; }
+
+  // The values of one row; out: `columns` of them.
+  void Row(std::size_t row, float* out) const;
+
+  // out (count x rows) = in (count x columns) times the transposed weights;
+  // both row-major, apart from each other. With int8 weights the activations
+  // are rounded to int8 too, in blocks of 32, as llama.cpp does. The same in
+  // any split of `count`.
+  void Multiply(const float* in, std::size_t count, float* out) const;
+
+ private:
+  std::size_t rows_ = 0;
+  std::size_t columns_ = 0;
+  std::vector<float> floats_;       // (rows x columns), or empty
+  std::vector<std::int8_t> bytes_;  // the same, or empty
+  std::vector<float> scales_;       // (rows x columns / 32) of bytes_
+};
+
+// The value of a float16 by its bits.
+float FromHalf(std::uint16_t bits);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_LOCAL_WEIGHT_MATRIX_H_

@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "language/local/tiny_model.h"
+#include "latticeworld/generation/language_backends.h"
+#include "latticeworld/generation/rebuild.h"
+#include "latticeworld/generation/world_generator.h"
+
+namespace latticeworld {
+namespace {
+
+TinyModel Noise(std::uint64_t seed) {
+  TinyModel model;
+  model.layers = 1;
+  model.width = 32;
+  model.hidden = 32;
+  model.context = 5000;  // a layout and what is said before it, but no environment
+  model.seed = seed;
+  return model;
+}
+
+GenerationRequest Request() {
+  GenerationRequest request;
+  request.layout_instruction = "A lake in the north.";
+  request.environment_instruction = "Two sheep graze.";
+  request.vocabulary = "suburb";
+  request.generator = "local";
+  request.seed = 7;
+  request.size_m = 64.0;
+  request.resolution_m = 1.0;
+  return request;
+}
+
+Result<std::shared_ptr<const World>> Generate(const LocalBackendOptions& options) {
+  LW_ASSIGN_OR_RETURN(LanguageBackends backends, MakeLanguageBackends({}, options));
+  EXPECT_EQ(DefaultBackend(backends), "local");
+  return WorldGenerator(std::move(backends.by_name), "grounded").Generate(Request(), Progress());
+}
+
+TEST(LocalBackendTest, AWorldOfAModelInThisProcessIsMadeAgainWithoutIt) {
+  LocalBackendOptions options;
+  options.fallback = true;
+  std::string id;
+  {
+    const ModelFile file(TinyGguf(Noise(1)));
+    options.layout_model = file.path();
+    const auto world = Generate(options);
+    ASSERT_TRUE(world.ok()) << world.status().ToString();
+    ASSERT_FALSE((*world)->replies.empty());
+    EXPECT_EQ((*world)->replies[0].purpose, "layout");
+    EXPECT_EQ((*world)->replies[0].model, "tiny");
+    const auto rebuilt = RebuildWorld(**world, Progress());
+    ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
+    EXPECT_EQ(ToText((*rebuilt)->layout), ToText((*world)->layout));
+    EXPECT_EQ((*rebuilt)->id, (*world)->id);
+    id = (*world)->id;
+  }
+  const ModelFile other(TinyGguf(Noise(2)));
+  options.layout_model = other.path();
+  const auto world = Generate(options);
+  ASSERT_TRUE(world.ok()) << world.status().ToString();
+  EXPECT_NE((*world)->id, id);
+}
+
+TEST(LocalBackendTest, WhatTheModelCannotWriteIsAnErrorOrTheGroundedBackEnds) {
+  const ModelFile file(TinyGguf(Noise(1)));
+  LocalBackendOptions options;
+  options.layout_model = file.path();
+  const auto refused = Generate(options);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().code(), StatusCode::kResourceExhausted) << refused.status().ToString();
+  options.fallback = true;
+  const auto world = Generate(options);
+  ASSERT_TRUE(world.ok()) << world.status().ToString();
+  EXPECT_EQ((*world)->replies.size(), 1u);
+  ASSERT_FALSE((*world)->warnings.empty());
+  EXPECT_NE((*world)->warnings[0].find("grounded back end answered"), std::string::npos);
+}
+
+TEST(LocalBackendTest, SaysWhatIsWrongWithItsOptionsAndFiles) {
+  LocalBackendOptions options;
+  options.layout_model = "/nowhere/layout.gguf";
+  EXPECT_EQ(MakeLanguageBackends({}, options).status().code(), StatusCode::kNotFound);
+  options.temperature = 3.0;
+  EXPECT_EQ(MakeLanguageBackends({}, options).status().code(), StatusCode::kInvalidArgument);
+  const ModelFile file(TinyGguf(Noise(1)));
+  options.temperature = 0.5;
+  options.layout_model = file.path();
+  options.environment_model = "/tmp";
+  EXPECT_EQ(MakeLanguageBackends({}, options).status().code(), StatusCode::kInvalidArgument);
+}
+
+}  // namespace
+}  // namespace latticeworld

@@ -1,0 +1,142 @@
+#include "latticeworld/interchange/geotiff.h"
+
+#include <cpl_vsi.h>
+#include <gdal.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "generation/test_world.h"
+#include "latticeworld/mapping/traversability.h"
+#include "latticeworld/scene/scene.h"
+
+namespace latticeworld {
+namespace {
+
+// A GeoTIFF as GDAL reads it again.
+class Raster {
+ public:
+  Raster(const std::vector<ExportFile>& files, const std::string& name) {
+    GDALAllRegister();
+    for (const ExportFile& file : files) {
+      if (file.name == name) bytes_ = file.content;
+    }
+    VSIFCloseL(
+        VSIFileFromMemBuffer(kPath, reinterpret_cast<GByte*>(bytes_.data()), bytes_.size(), FALSE));
+    dataset_ = GDALOpen(kPath, GA_ReadOnly);
+    EXPECT_NE(dataset_, nullptr) << name;
+    GDALGetGeoTransform(dataset_, transform_);
+  }
+  ~Raster() {
+    GDALClose(dataset_);
+    VSIUnlink(kPath);
+  }
+
+  int cols() const { return GDALGetRasterXSize(dataset_); }
+  int rows() const { return GDALGetRasterYSize(dataset_); }
+  std::string projection() const { return GDALGetProjectionRef(dataset_); }
+  std::string Metadata(const char* key) const {
+    const char* text = GDALGetMetadataItem(dataset_, key, nullptr);
+    return text == nullptr ? "" : text;
+  }
+  // Of the pixel that covers a place.
+  float At(WorldPoint point) const {
+    float value = 0.0f;
+    const int col = static_cast<int>(std::floor((point.x_m - transform_[0]) / transform_[1]));
+    const int row = static_cast<int>(std::floor((point.y_m - transform_[3]) / transform_[5]));
+    EXPECT_EQ(GDALRasterIO(GDALGetRasterBand(dataset_, 1), GF_Read, col, row, 1, 1, &value, 1, 1,
+                           GDT_Float32, 0, 0),
+              CE_None);
+    return value;
+  }
+
+ private:
+  static constexpr char kPath[] = "/vsimem/geotiff_test.tif";
+  std::string bytes_;
+  GDALDatasetH dataset_ = nullptr;
+  double transform_[6] = {};
+};
+
+class GeoTiffTest : public ::testing::Test {
+ protected:
+  const std::shared_ptr<World> world_ = MakeTestWorld();
+  const Scene& scene_ = *world_->scene;
+
+  std::vector<ExportFile> Make(const std::optional<GeoOrigin>& origin,
+                               const GeoTiffOptions& options = {}) const {
+    auto files = GeoTiffFiles(scene_, origin, options, Progress());
+    EXPECT_TRUE(files.ok()) << files.status().ToString();
+    return *files;
+  }
+};
+
+TEST_F(GeoTiffTest, LayersAreThoseOfTheWorldAtEveryPlace) {
+  const auto files = Make(GeoOrigin{47.0, 8.0, 431.5});
+  const Grid<float> traversability = BuildTraversability(scene_, RobotLimits());
+  const GridGeometry& geometry = scene_.geometry();
+  const Terrain& terrain = *scene_.terrain;
+  int wet = 0;
+  {
+    const Raster elevation(files, "elevation.tif");
+    ASSERT_EQ(elevation.cols(), geometry.cols());
+    ASSERT_EQ(elevation.rows(), geometry.rows());
+    EXPECT_EQ(elevation.Metadata("ZERO_ALTITUDE_M"), "431.500000");
+    for (int row = 0; row < geometry.rows(); row += 5) {
+      for (int col = 0; col < geometry.cols(); col += 7) {
+        const WorldPoint point = geometry.CenterOf({row, col});
+        EXPECT_NEAR(elevation.At(point), terrain.ground.HeightAt(point), 1e-5);
+      }
+    }
+  }
+  {
+    const Raster water(files, "water.tif");
+    for (int row = 0; row < geometry.rows(); ++row) {
+      const WorldPoint point = geometry.CenterOf({row, row});
+      const float level = terrain.water_level_m(row, row);
+      wet += std::isnan(level) ? 0 : 1;
+      EXPECT_EQ(std::isnan(water.At(point)), std::isnan(level));
+      if (!std::isnan(level)) {
+        EXPECT_EQ(water.At(point), level);
+      }
+    }
+  }
+  EXPECT_GT(wet, 0);
+  {
+    const Raster classes(files, "classes.tif");
+    EXPECT_EQ(classes.Metadata("CLASS_8"), "water bed");
+    for (int row = 0; row < geometry.rows(); ++row) {
+      EXPECT_EQ(classes.At(geometry.CenterOf({row, row})),
+                static_cast<float>(terrain.surface(row, row)));
+    }
+  }
+  const Raster free(files, "traversability.tif");
+  for (int row = 0; row < geometry.rows(); ++row)
+    EXPECT_EQ(free.At(geometry.CenterOf({row, row})), traversability(row, row));
+}
+
+TEST_F(GeoTiffTest, TheProjectionIsAroundTheOriginOrLocal) {
+  EXPECT_NE(Raster(Make(GeoOrigin{47.25, 8.5, 0.0}), "elevation.tif").projection().find("47.25"),
+            std::string::npos);
+  EXPECT_EQ(Raster(Make(std::nullopt), "elevation.tif").projection().find("WGS"),
+            std::string::npos);
+}
+
+TEST_F(GeoTiffTest, ARegionHoldsTheCellsWhoseCentresAreInIt) {
+  GeoTiffOptions options;
+  options.region = ExportRegion{-4.0, -2.0, 6.0, 3.0};
+  const Raster elevation(Make(std::nullopt, options), "elevation.tif");
+  EXPECT_EQ(elevation.cols(), 20);
+  EXPECT_EQ(elevation.rows(), 10);
+  const WorldPoint point = {-3.75, 2.75};
+  EXPECT_NEAR(elevation.At(point), scene_.terrain->ground.HeightAt(point), 1e-5);
+}
+
+TEST_F(GeoTiffTest, TheSameWorldGivesTheSameBytes) {
+  const auto once = Make(GeoOrigin{1.0, 2.0, 3.0}), again = Make(GeoOrigin{1.0, 2.0, 3.0});
+  ASSERT_EQ(once.size(), 4u);
+  for (std::size_t i = 0; i < once.size(); ++i) EXPECT_EQ(once[i].content, again[i].content);
+}
+
+}  // namespace
+}  // namespace latticeworld

@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tools/run_program.h"
+
+namespace latticeworld {
+namespace {
+
+class ExportCommandTest : public ProgramTest {
+ protected:
+  ExportCommandTest() {
+    const ProgramRun run =
+        RunProgram({"generate", "--layout", "A wood in the north, a lake in the south.", "--seed",
+                    "3", "--size", "32", "--resolution", "1", "--out", PathOf("world")});
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+  }
+
+  ProgramRun Export(const std::string& format, const std::string& out,
+                    const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> arguments = {"export", PathOf("world"), "--to",
+                                          format,   "--out",         PathOf(out)};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return RunProgram(arguments);
+  }
+};
+
+TEST_F(ExportCommandTest, EveryFormatIsWrittenAndTheSameTwice) {
+  for (const std::string format : {"glb", "octomap", "ply", "las"}) {
+    const ProgramRun run = Export(format, "a");
+    ASSERT_EQ(run.exit_status, 0) << run.err;
+    EXPECT_NE(run.out.find(" as " + format + ", "), std::string::npos) << run.out;
+    const std::string once = Read("a");
+    ASSERT_EQ(Export(format, "a").exit_status, 0);
+    EXPECT_EQ(Read("a"), once) << format;
+  }
+  for (const std::string format : {"sdf", "geotiff", "map"}) {
+    ASSERT_EQ(Export(format, format).exit_status, 0);
+    EXPECT_TRUE(std::filesystem::is_directory(PathOf(format)));
+  }
+  EXPECT_EQ(Read("map/map.pgm"), Read("world/map.pgm"));
+  EXPECT_EQ(Read("map/map.yaml"), Read("world/map.yaml"));
+}
+
+TEST_F(ExportCommandTest, WhatCannotBeExportedIsNamedAndNothingIsWritten) {
+  struct Case {
+    std::string format, out;
+    std::vector<std::string> options;
+    int exit_status;
+    std::vector<std::string> words;
+  };
+  const std::vector<Case> cases = {
+      {"stl", "a", {}, 2, {"--to", "stl", "glb", "las"}},
+      {"glb", "a", {"--region", "0,0,10"}, 2, {"--region", "0,0,10", "four numbers"}},
+      {"glb", "a", {"--region=-50,0,10,10"}, 2, {"-50,0,10,10", "-16 to 16"}},
+      {"ply", "a", {"--region", "0,0,nan,10"}, 2, {"0,0,nan,10"}},
+      {"map", "a", {"--spacing", "1"}, 2, {"--spacing", "ply, las"}},
+      {"glb", "a", {"--detail", "7"}, 2, {"--detail", "7", "0 to 2"}},
+      {"sdf", "a", {"--heightmap-size", "100"}, 2, {"100", "2^n + 1"}},
+      {"las", "a", {"--spacing", "1e-9"}, 2, {"spacing_m", "0.02"}},
+      {"octomap", "a", {"--resolution", "99"}, 2, {"99", "16"}},
+      {"glb", "no/such/folder/a", {}, 1, {"--out", "No such file"}},
+      {"sdf", "no/such/folder/a", {}, 1, {"--out", "a"}},
+      {"map", "world", {}, 1, {"--out", "already exists"}}};
+  for (const Case& asked : cases) {
+    const ProgramRun run = Export(asked.format, asked.out, asked.options);
+    EXPECT_EQ(run.exit_status, asked.exit_status) << asked.format << " | " << run.err;
+    for (const std::string& word : asked.words)
+      EXPECT_NE(run.err.find(word), std::string::npos) << word << " | " << run.err;
+    EXPECT_EQ(Entries(), std::vector<std::string>{"world"});
+  }
+}
+
+TEST_F(ExportCommandTest, WithoutABundleThereIsNothingToExport) {
+  const ProgramRun run =
+      RunProgram({"export", PathOf("nothing"), "--to", "glb", "--out", PathOf("a")});
+  EXPECT_EQ(run.exit_status, 1);
+  EXPECT_NE(run.err.find("nothing"), std::string::npos) << run.err;
+}
+
+}  // namespace
+}  // namespace latticeworld

@@ -1,0 +1,81 @@
+// What the page decides without a browser: heights, payloads, quality, waiting, keys.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { wayOfKeys } from '../../web/src/control/driving.js';
+import { backoff_ms } from '../../web/src/protocol/connection.js';
+import { HeightField, decodeAssets, decodeWater } from '../../web/src/protocol/payloads.js';
+import { QualityGovernor, kQualitySteps } from '../../web/src/view/quality.js';
+
+const kGrid = { rows: 2, cols: 2, spacing_m: 2, west_m: -1, north_m: 1, low_m: 10, step_m: 0.5 };
+
+test('heights are those of the triangles, split from north-west to south-east', () => {
+  const field = new HeightField(kGrid, Uint16Array.of(0, 8, 4, 2).buffer);  // NW 10, NE 14, SW 12, SE 11
+  assert.equal(field.at(-1, 1), 10);
+  assert.equal(field.at(1, 1), 14);
+  assert.equal(field.at(-1, -1), 12);
+  assert.equal(field.at(1, -1), 11);
+  assert.equal(field.at(0, 0), 10.5);          // on the diagonal
+  assert.equal(field.at(0.5, 0.5), 12.25);
+  assert.equal(field.at(100, 100), 14);        // flat beyond the edge
+});
+
+test('a payload of another size is refused', () => {
+  assert.throws(() => new HeightField(kGrid, new Uint16Array(3).buffer), RangeError);
+  assert.throws(() => decodeWater(kGrid, new Uint16Array(5).buffer), RangeError);
+  assert.throws(() => decodeAssets({ count: 2, bytes_each: 28 }, new ArrayBuffer(28)), RangeError);
+});
+
+test('water is a level or nothing', () => {
+  const levels = decodeWater(kGrid, Uint16Array.of(0, 1, 3, 0).buffer);
+  assert.ok(Number.isNaN(levels[0]));
+  assert.equal(levels[1], 10);
+  assert.equal(levels[2], 11);
+});
+
+test('an asset has its place, size and colour', () => {
+  const bytes = new DataView(new ArrayBuffer(28));
+  [1.5, -2.5, 3].forEach((value, i) => bytes.setFloat32(4 * i, value, true));
+  bytes.setUint32(12, 77, true);
+  bytes.setUint16(16, 16384, true);
+  [120, 110, 900].forEach((value, i) => bytes.setUint16(18 + 2 * i, value, true));
+  [10, 20, 30].forEach((value, i) => bytes.setUint8(24 + i, value));
+  const assets = decodeAssets({ count: 1, bytes_each: 28 }, bytes.buffer);
+  assert.deepEqual([...assets.place.subarray(0, 3)], [1.5, -2.5, 3]);
+  assert.ok(Math.abs(assets.place[3] - Math.PI / 2) < 1e-6);
+  assert.ok(Math.abs(assets.size[0] - 1.2) < 1e-6 && assets.size[2] === 9);
+  assert.deepEqual([...assets.color], [10, 20, 30, 255]);
+  assert.equal(assets.number[0], 77);
+});
+
+test('slow frames lower the quality, fast ones raise it, and it does not swing', () => {
+  const governor = new QualityGovernor(0);
+  for (let i = 0; i < 60; i++) governor.frame(60);
+  const low = governor.step;
+  assert.ok(low > 0);
+  for (let i = 0; i < 2000; i++) governor.frame(16);
+  assert.equal(governor.step, low, 'a step that proved too slow is not tried again');
+  const fast = new QualityGovernor(2);
+  for (let i = 0; i < 2000; i++) fast.frame(10);
+  assert.equal(fast.step, 0);
+});
+
+test('one long frame alone decides nothing, and a choice of the user stays', () => {
+  const governor = new QualityGovernor(1);
+  governor.frame(5000);
+  assert.equal(governor.step, 1);
+  governor.choose('least');
+  for (let i = 0; i < 3000; i++) governor.frame(5);
+  assert.equal(governor.settings, kQualitySteps.at(-1));
+});
+
+test('attempts to connect come less and less often, up to ten seconds', () => {
+  const middle = () => 0.5;
+  const waits = [0, 1, 2, 3, 10].map((attempt) => backoff_ms(attempt, middle));
+  assert.deepEqual(waits, [500, 1000, 2000, 4000, 10000]);
+});
+
+test('keys that contradict each other cancel', () => {
+  assert.deepEqual(wayOfKeys(new Set(['KeyW', 'ArrowLeft'])), { forward: 1, left: 1, up: 0 });
+  assert.deepEqual(wayOfKeys(new Set(['KeyW', 'KeyS', 'KeyE'])), { forward: 0, left: 0, up: 1 });
+});
