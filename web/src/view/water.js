@@ -53,8 +53,8 @@ void main() {
   vec3 color = mix(body, sky, fresnel);
   vec3 halfway = normalize(view + sunDirection);
   color += sunColor * pow(max(dot(n, halfway), 0.0), 420.0) * 2.5 * step(0.0, sunDirection.z) * light;
-  float lap = 0.05 + 0.05 * noised(vPlace.xy * 2.2 + time * 0.25).x;
-  float foam = smoothstep(lap, 0.0, vDepth) * smoothstep(-0.02, 0.01, vDepth) * 0.4;
+  float lap = 0.02 + 0.02 * noised(vPlace.xy * 2.2 + time * 0.25).x;
+  float foam = smoothstep(lap, 0.0, vDepth) * smoothstep(-0.02, 0.01, vDepth) * 0.2;
   color = mix(color, vec3(0.9) * light, foam);
   float alpha = clamp(0.18 + 0.82 * clear + fresnel * 0.5 + foam, 0.0, 0.96) * smoothstep(-0.04, 0.02, vDepth);
   gl_FragColor = vec4(color, alpha);
