@@ -122,10 +122,10 @@ class Cluster:
                 process.wait()
 
 
-@unittest.skipIf([name for name in NEEDED if shutil.which(name, path=PATH) is None],
-                 "Slurm is not installed (scripts/install_dependencies.sh)")
 class SlurmTest(unittest.TestCase):
     def setUp(self):
+        missing = [name for name in NEEDED if shutil.which(name, path=PATH) is None]
+        self.assertEqual(missing, [], "scripts/install_dependencies.sh installs them")
         self.temporary = tempfile.TemporaryDirectory()
         self.folder = pathlib.Path(self.temporary.name)
         (self.folder / "cluster").mkdir()

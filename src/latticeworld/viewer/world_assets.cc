@@ -9,6 +9,7 @@
 #include "latticeworld/exporting/asset_looks.h"
 #include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/interchange/model_library.h"
+#include "latticeworld/interchange/model_mesh.h"
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/viewer/little_endian.h"
 
@@ -17,22 +18,6 @@ namespace {
 
 constexpr double kTwoPi = 6.28318530717958647692;
 constexpr double kCentimetresPerMetre = 100.0;
-
-// What decides the colour of most of a thing.
-MeshPart MainPartOf(AssetKind kind) {
-  switch (kind) {
-    case AssetKind::kStone:
-      return MeshPart::kStone;
-    case AssetKind::kBuilding:
-      return MeshPart::kWall;
-    case AssetKind::kDeadBranch:
-      return MeshPart::kBark;
-    case AssetKind::kFlower:
-      return MeshPart::kBlossom;
-    default:
-      return MeshPart::kLeaves;
-  }
-}
 
 std::uint16_t YawSteps(float yaw_rad) {
   const double turns = yaw_rad / kTwoPi;
