@@ -1,4 +1,5 @@
-// How fast a sketch becomes land, and how well land survives being drawn and made again.
+// How fast a sketch becomes land, and how well land survives being drawn and made again. With the
+// file that LATTICEWORLD_SKETCH_MODEL names, by that learned model too.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -8,7 +9,9 @@
 #include <filesystem>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "latticeworld/common/files.h"
@@ -17,6 +20,7 @@
 #include "latticeworld/geomorphology/resample.h"
 #include "latticeworld/relief/elevation_survey.h"
 #include "latticeworld/relief/sketch.h"
+#include "latticeworld/relief/sketch_model.h"
 
 namespace latticeworld {
 namespace {
@@ -171,29 +175,99 @@ double Correlation(const Grid<float>& a, const Grid<float>& b) {
   return ab / std::sqrt(aa * bb);
 }
 
-// Land, drawn, and made again from its sketch: Pearson correlation of the heights. Argument: of a
-// thousand cells, how many become strokes of each kind.
-void BM_RoundTrip(benchmark::State& state) {
+// Of the strokes of `kind` in a, the share that lie within two cells of such a stroke in b.
+double ShareNear(const Sketch& a, const Sketch& b, Stroke kind) {
+  constexpr int kReach = 2;
+  int all = 0;
+  int near = 0;
+  for (int r = 0; r < a.rows(); ++r) {
+    for (int c = 0; c < a.cols(); ++c) {
+      if (a(r, c) != kind) continue;
+      ++all;
+      bool found = false;
+      for (int y = r - kReach; y <= r + kReach && !found; ++y) {
+        for (int x = c - kReach; x <= c + kReach && !found; ++x) {
+          found = b.Contains({y, x}) && b(y, x) == kind;
+        }
+      }
+      near += found ? 1 : 0;
+    }
+  }
+  return all == 0 ? 1.0 : static_cast<double>(near) / all;
+}
+
+// How well two sketches of the same land agree, [0, 1]: of both kinds and ways, the mean share of
+// strokes that have a like one beside them.
+double Agreement(const Sketch& a, const Sketch& b) {
+  double sum = 0.0;
+  for (const Stroke kind : {Stroke::kValley, Stroke::kRidge}) {
+    sum += ShareNear(a, b, kind) + ShareNear(b, a, kind);
+  }
+  return sum / 4.0;
+}
+
+// The model that LATTICEWORLD_SKETCH_MODEL names; none, with a word in the results, without.
+std::optional<SketchModel> LearnedModel(benchmark::State& state) {
+  const char* const file = std::getenv("LATTICEWORLD_SKETCH_MODEL");
+  if (file == nullptr) {
+    state.SkipWithError("LATTICEWORLD_SKETCH_MODEL names no ONNX file");
+    return std::nullopt;
+  }
+  Result<SketchModel> model = SketchModel::Load(file);
+  if (model.ok()) return std::move(model).value();
+  state.SkipWithError(model.status().ToString().c_str());
+  return std::nullopt;
+}
+
+// Land, drawn, and made again from its sketch: Pearson correlation of the heights, and how well the
+// sketch of what was made agrees with the sketch that it was made from. Argument: of a thousand
+// cells, how many become strokes of each kind. model: null for the solver.
+void RoundTrip(benchmark::State& state, const SketchModel* model) {
   constexpr int kSamples = 256;
   const std::vector<Grid<float>> lands = Lands();
+  const double share = 0.001 * static_cast<double>(state.range(0));
   double sum = 0.0;
   double worst = 1.0;
+  double agreement = 0.0;
   for (auto _ : state) {
     sum = 0.0;
+    agreement = 0.0;
     for (std::size_t i = 0; i < lands.size(); ++i) {
       SketchOptions options;
       options.samples = kSamples;
       options.seed = i;
-      const Sketch sketch = DrawSketch(lands[i], 0.001 * static_cast<double>(state.range(0)));
-      const Grid<float> made = SketchToHeight(sketch, options, Progress()).value();
+      const Sketch sketch = DrawSketch(lands[i], share);
+      const Grid<float> made = model == nullptr
+                                   ? SketchToHeight(sketch, options, Progress()).value()
+                                   : SketchToHeight(sketch, *model, options).value();
       const double correlation = Correlation(Resample(lands[i], kSamples, kSamples), made);
       sum += correlation;
       worst = std::min(worst, correlation);
+      agreement +=
+          Agreement(sketch, DrawSketch(Resample(made, sketch.rows(), sketch.cols()), share));
       state.counters["land_" + std::to_string(i)] = correlation;
     }
   }
   state.counters["mean"] = sum / static_cast<double>(lands.size());
   state.counters["worst"] = worst;
+  state.counters["agreement"] = agreement / static_cast<double>(lands.size());
+}
+
+void BM_RoundTrip(benchmark::State& state) { RoundTrip(state, nullptr); }
+
+void BM_LearnedRoundTrip(benchmark::State& state) {
+  const std::optional<SketchModel> model = LearnedModel(state);
+  if (model) RoundTrip(state, &*model);
+}
+
+// The network alone, at its own size.
+void BM_LearnedModel(benchmark::State& state) {
+  const std::optional<SketchModel> model = LearnedModel(state);
+  if (!model) return;
+  const Sketch sketch = ExampleSketch(1024);
+  for (auto _ : state) benchmark::DoNotOptimize(model->Run(sketch));
+  state.counters["side"] = model->side();
+  state.SetItemsProcessed(state.iterations() * model->side() * model->side());
 }
 
 void Sizes(benchmark::internal::Benchmark* benchmark) {
@@ -207,6 +281,8 @@ BENCHMARK(BM_ReadSketch)->Apply(Sizes);
 BENCHMARK(BM_SketchToHeight)->Apply(Sizes);
 BENCHMARK(BM_SketchToRelief)->Apply(Sizes);
 BENCHMARK(BM_RoundTrip)->Arg(10)->Arg(30)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_LearnedRoundTrip)->Arg(10)->Arg(30)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_LearnedModel)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace latticeworld

@@ -7,6 +7,12 @@ if(NOT PYTHON_EXECUTABLE AND EXISTS /usr/bin/python3)
   set(PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The python that ROS is installed for")
 endif()
 
+# Debian's rosrun overlooks every program below a package's own build/ folder: the programs of such a
+# build go to devel/ beside it, where those of a catkin workspace are too.
+if(NOT CATKIN_DEVEL_PREFIX AND CMAKE_BINARY_DIR STREQUAL "${PROJECT_SOURCE_DIR}/build")
+  set(CATKIN_DEVEL_PREFIX ${PROJECT_SOURCE_DIR}/devel)
+endif()
+
 set(LATTICEWORLD_ROS_PACKAGES actionlib actionlib_msgs diagnostic_msgs geometry_msgs nav_msgs roscpp
     rosgraph_msgs sensor_msgs std_msgs std_srvs tf2_msgs visualization_msgs)
 find_package(catkin REQUIRED COMPONENTS message_generation ${LATTICEWORLD_ROS_PACKAGES})

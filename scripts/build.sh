@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing and builds LatticeWorld (Release, Ninja, ccache).
 # Usage: scripts/build.sh [further arguments for cmake, as -DLATTICEWORLD_BUILD_BENCHMARKS=ON]
-# The build goes to build/, or to $LATTICEWORLD_BUILD_DIR.
+# The build goes to build/ and devel/, or to $LATTICEWORLD_BUILD_DIR and devel/ in it.
 set -euo pipefail
 export PATH="/usr/bin:${PATH}"  # Debian's python before any other: ROS is installed for it
 

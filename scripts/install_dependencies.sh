@@ -14,8 +14,10 @@ packages=(
   zlib1g-dev
   # testing against real peers
   blender gdal-bin libsdformat-dev
-  octomap-tools openssl python3-numpy python3-onnx python3-venv python3-yaml
+  octomap-tools openssl python3-numpy python3-onnx python3-pandas python3-venv python3-yaml
   chromium
+  # training models
+  python3-pil python3-torch
   # campaigns on a cluster of one machine
   munge slurm-client slurmctld slurmd
   # ROS: building

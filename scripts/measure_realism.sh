@@ -9,7 +9,7 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${LATTICEWORLD_BUILD_DIR:-$root/build}
-program=$build/devel/lib/latticeworld/latticeworld
+program=${LATTICEWORLD_BUILD_DIR:-$root}/devel/lib/latticeworld/latticeworld
 [ -x "$program" ] || program=$build/src/tools/latticeworld  # built without ROS
 
 seeds=20

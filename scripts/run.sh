@@ -6,7 +6,7 @@ set -euo pipefail
 export PATH="/usr/bin:${PATH}"
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-build=${LATTICEWORLD_BUILD_DIR:-$root/build}
+devel=${LATTICEWORLD_BUILD_DIR:-$root}/devel
 
 layout=${1:-"A river winds from the north to the south between dense forest in the upper left and\
  farmland on the right. A road runs from the west to the east, with a small village in the center."}
@@ -19,7 +19,7 @@ seed=${3:-$([ $# -eq 0 ] && echo 37 || echo 0)}  # 37: the README's picture; 0: 
 
 set +u  # catkin's setup files read variables that may be unset
 # shellcheck disable=SC1091
-source "$build/devel/setup.bash"
+source "$devel/setup.bash"
 set -u
 if [ -z "${ROS_IP:-}" ] && [ -z "${ROS_HOSTNAME:-}" ]; then export ROS_IP=127.0.0.1; fi
 export ROS_MASTER_URI=${ROS_MASTER_URI:-http://127.0.0.1:11311}

@@ -7,7 +7,7 @@ real time and as fast as possible; peak memory of the server; the cost of publis
 real-time factor with 100 driving four-wheel robots, of which nothing, states and frames, or odometry
 as well is recorded.
 
-Usage: world_server_benchmark.py BUILD_DIRECTORY   (with BUILD_DIRECTORY/devel/setup.bash sourced)
+Usage: world_server_benchmark.py DEVEL_DIRECTORY   (with DEVEL_DIRECTORY/setup.bash sourced)
 """
 
 import contextlib
@@ -98,7 +98,7 @@ def factor_over(watch, wall_s):
 
 
 def main():
-    build = pathlib.Path(sys.argv[1])
+    devel = pathlib.Path(sys.argv[1])
     environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{free_port()}",
                        ROS_IP="127.0.0.1", ROS_HOME=tempfile.mkdtemp(prefix="latticeworld_bench_"))
     os.environ.update(environment)
@@ -140,13 +140,13 @@ def main():
               f"{100 * share:.0f} % of a core with publishing")
         print(f"peak memory of world_server: {peak_memory_mib(pid):.0f} MiB")
         rospy.Subscriber("/tf", rospy.AnyMsg, lambda message: None, queue_size=100)
-        tf = subprocess.run([build / "devel/lib/latticeworld/tf_benchmark"], env=environment,
+        tf = subprocess.run([devel / "lib/latticeworld/tf_benchmark"], env=environment,
                             check=True, capture_output=True, text=True)
         print(tf.stdout.strip())
         rospy.signal_shutdown("done")
 
     for part in ("--fast", "--robots"):
-        child = subprocess.run([sys.executable, __file__, part, str(build)], check=True,
+        child = subprocess.run([sys.executable, __file__, part, str(devel)], check=True,
                                capture_output=True, text=True)
         print(child.stdout.strip())
 

@@ -10,6 +10,7 @@
 #include "tools/arguments.h"
 #include "tools/campaign_command.h"
 #include "tools/catalogue_command.h"
+#include "tools/dataset_command.h"
 #include "tools/export_command.h"
 #include "tools/generate_command.h"
 #include "tools/measure_command.h"
@@ -18,6 +19,7 @@
 #include "tools/score_command.h"
 #include "tools/sensors_command.h"
 #include "tools/show_command.h"
+#include "tools/sketch_pairs_command.h"
 #include "tools/species_command.h"
 #include "tools/tasks_command.h"
 #include "tools/view_command.h"
@@ -78,6 +80,8 @@ int Run(int argc, const char* const* argv) {
   AddSpeciesCommand(&app, &exit_status);
   AddTasksCommand(&app, &exit_status);
   AddCampaignCommand(&app, &exit_status);
+  AddDatasetCommand(&app, &exit_status);
+  AddSketchPairsCommand(&app, &exit_status);
   AddSensorsCommand(&app, &exit_status);
   AddViewCommand(&app, &exit_status);
   app.footer(kFooter);  // after the commands, which would inherit it

@@ -39,7 +39,8 @@ void AddLanguageOptions(CLI::App* command) {
   AddValueOption(command, "--local-model", "FILE",
                  "GGUF file of LLaMA's architecture (f32, f16 or q8_0) that draws layouts.");
   AddValueOption(command, "--local-environment-model", "FILE",
-                 "The same for environments [that of --local-model].");
+                 "The same for environments, or grounded for the embedded back end "
+                 "[that of --local-model].");
   AddValueOption(command, "--local-temperature", "NUMBER", "0 to 2 [0.7].");
   command->add_flag("--local-fallback",
                     "Where its answer stays illegal, grounded answers, with a warning.");

@@ -19,7 +19,7 @@ FLOORS = [
     ["mapping", "sensing"],
     ["exporting"],
     ["generation", "simulation", "interchange"],
-    ["navigation", "episode", "viewer"],
+    ["navigation", "episode", "viewer", "dataset"],
     ["campaign"],
     ["latticeworld_ros"],
     ["nodes", "tools"],

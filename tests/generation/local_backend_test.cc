@@ -79,6 +79,21 @@ TEST(LocalBackendTest, WhatTheModelCannotWriteIsAnErrorOrTheGroundedBackEnds) {
   EXPECT_NE((*world)->warnings[0].find("grounded back end answered"), std::string::npos);
 }
 
+TEST(LocalBackendTest, AModelOfLayoutsGoesWithTheGroundedBackEndsEnvironments) {
+  const ModelFile file(TinyGguf(Noise(1)));
+  LocalBackendOptions options;
+  options.layout_model = file.path();
+  options.environment_model = "grounded";
+  const auto world = Generate(options);
+  ASSERT_TRUE(world.ok()) << world.status().ToString();
+  ASSERT_EQ((*world)->replies.size(), 1u);
+  EXPECT_EQ((*world)->replies[0].purpose, "layout");
+  EXPECT_EQ((*world)->environment.agents.size(), 1u);
+  const auto rebuilt = RebuildWorld(**world, Progress());
+  ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
+  EXPECT_EQ((*rebuilt)->id, (*world)->id);
+}
+
 TEST(LocalBackendTest, SaysWhatIsWrongWithItsOptionsAndFiles) {
   LocalBackendOptions options;
   options.layout_model = "/nowhere/layout.gguf";

@@ -104,8 +104,14 @@ TEST_F(SdfWorldTest, UnusableOptionsAreRefused) {
   EXPECT_EQ(status.violations().size(), 3u);
 }
 
-TEST_F(SdfWorldTest, ControlCharactersAreNoPartOfXml) {
-  EXPECT_EQ(XmlEscaped("a\x01<\"&>"), "a?&lt;&quot;&amp;&gt;");
+TEST_F(SdfWorldTest, NamesAndTextsAreNoMarkup) {
+  SdfText text;
+  text.Open("model", "a\"b");
+  text.Leaf("uri", "x<y\x01");
+  text.Close("model");
+  const std::string sdf = text.Take();
+  EXPECT_NE(sdf.find("<model name=\"a&quot;b\">"), std::string::npos) << sdf;
+  EXPECT_NE(sdf.find("<uri>x&lt;y?</uri>"), std::string::npos) << sdf;
 }
 
 }  // namespace

@@ -25,16 +25,16 @@ void ExpectShare(std::string_view text, double least, double most, std::size_t t
 }
 
 TEST(ShareTest, Fractions) {
-  ExpectShare("half of the map", 0.4, 0.6, 2);
+  ExpectShare("half of the map", 0.42, 0.58, 2);
   ExpectShare("a quarter of", 0.17, 0.33, 3);
   ExpectShare("a third of the map", 0.25, 0.41, 3);
-  ExpectShare("two thirds", 0.57, 0.77, 2);
-  ExpectShare("three-quarters of it", 0.65, 0.85, 3);
+  ExpectShare("two thirds", 0.587, 0.747, 2);
+  ExpectShare("three-quarters of it", 0.67, 0.83, 3);
   ExpectShare("30 %", 0.22, 0.38, 2);
   ExpectShare("thirty per cent of", 0.22, 0.38, 4);
   ExpectShare("one in five cells", 0.12, 0.28, 3);
-  ExpectShare("2 out of 3", 0.57, 0.77, 4);
-  ExpectShare("\xC2\xBD of", 0.4, 0.6, 3);
+  ExpectShare("2 out of 3", 0.587, 0.747, 4);
+  ExpectShare("\xC2\xBD of", 0.42, 0.58, 3);
   ExpectShare("1/3", 0.25, 0.41, 2);
   ExpectShare("a tenth of", 0.035, 0.165, 3);
 }
@@ -43,7 +43,7 @@ TEST(ShareTest, BendsAndRanges) {
   ExpectShare("at least a third of", 0.333, 1.0, 5);
   ExpectShare("up to 20 %", 0.002, 0.2, 4);
   ExpectShare("about a quarter", 0.17, 0.33, 3);
-  ExpectShare("almost half", 0.4, 0.52, 2);
+  ExpectShare("almost half", 0.42, 0.52, 2);
   ExpectShare("20 to 30 percent", 0.16, 0.34, 4);
   ExpectShare("20-30%", 0.16, 0.34, 3);
   ExpectShare("between 20 and 30 percent", 0.16, 0.34, 5);

@@ -29,6 +29,7 @@ class LockstepCallTest : public LoopTest {
     call.steps = steps;
     call.begin = [this](Simulator*) {
       begun_at_.push_back(fake_->episode_step());
+      shown_at_begin_ = recorder_.times().size();
       return Status();
     };
     call.end = [this] {
@@ -39,16 +40,16 @@ class LockstepCallTest : public LoopTest {
   }
 
   std::vector<std::uint64_t> begun_at_, ended_at_;
-  std::size_t shown_at_end_ = 0;
+  // Moments that listeners were told; a standing loop goes on telling them between two calls.
+  std::size_t shown_at_begin_ = 0, shown_at_end_ = 0;
 };
 
 TEST_F(LockstepCallTest, BeginsBeforeTheFirstStepAndEndsOnceTheLastOneIsShown) {
-  const std::size_t shown = recorder_.times().size();
   const auto moment = loop_.Step(Call(3));
   ASSERT_TRUE(moment.ok());
   EXPECT_EQ(begun_at_, std::vector<std::uint64_t>{0});
   EXPECT_EQ(ended_at_, std::vector<std::uint64_t>{3});
-  EXPECT_EQ(shown_at_end_, shown + 3);
+  EXPECT_EQ(shown_at_end_, shown_at_begin_ + 3);
 }
 
 TEST_F(LockstepCallTest, AnswersTheStateOfItsLastStep) {

@@ -41,10 +41,16 @@ async function openPage(inBrowser) {
 const stateOf = (which) => which.evaluate(() => globalThis.latticeworld?.state ?? null);
 
 async function ready(which, check = () => true) {
-  return until('the page shows a world', async () => {
-    const state = await stateOf(which);
-    return state?.ready && state.connection === 'open' && check(state) ? state : null;
-  }, 180);
+  let state = null;
+  try {
+    return await nodes.untilServed('the page shows a world', async () => {
+      state = await stateOf(which);
+      return state?.ready && state.connection === 'open' && check(state) ? state : null;
+    }, 180);
+  } catch (error) {
+    error.message += `--- page\n${JSON.stringify(state)}\n${complaints.join('\n')}\n`;
+    throw error;
+  }
 }
 
 /** Place of the robot by its odometry [m]. */
@@ -59,16 +65,16 @@ before(async () => {
   nodes.startServer(kLayout, kEnvironment, 5);
   nodes.startViewer();
   browser = await launch();
-  await until('the viewer answers', async () => {
+  await nodes.untilServed('the viewer answers', async () => {
     try {
-      return (await fetch(`${nodes.address}api/world.json`)).ok;
+      return (await fetch(`${nodes.address}api/world.json`, { signal: AbortSignal.timeout(5000) })).ok;
     } catch {
-      return false;
+      return false;  // it does not listen yet, or takes its time
     }
-  }, 90);
+  }, 180);
   page = await openPage(browser);
   page.setDefaultTimeout(60000);
-}, { timeout: 240000 });
+}, { timeout: 420000 });
 
 after(async () => {
   await browser?.close();

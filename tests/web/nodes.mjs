@@ -7,14 +7,20 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 const kEnvScript = process.env.LATTICEWORLD_ENV_SCRIPT;
+// What of the surroundings would lead the nodes elsewhere than to the master and the package of the test.
+const kForeign = /^(ROS|ROSLISP|PYTHONPATH|CMAKE_PREFIX_PATH|LD_LIBRARY_PATH|NODE_|LATTICEWORLD_VIEWER_TOKEN|https?_proxy$)/i;
+const kKept_bytes = 8000;
 
-/** A port that nobody listens at. */
-export async function freePort() {
-  const server = createServer();
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-  const { port } = server.address();
-  await new Promise((resolve) => server.close(resolve));
-  return port;
+/** Ports that nobody listens at, all different. */
+export async function freePorts(count) {
+  const servers = Array.from({ length: count }, () => createServer());
+  await Promise.all(servers.map((server) => new Promise((resolve, reject) => {
+    server.on('error', reject);
+    server.listen(0, '127.0.0.1', resolve);
+  })));
+  const ports = servers.map((server) => server.address().port);
+  await Promise.all(servers.map((server) => new Promise((resolve) => server.close(resolve))));
+  return ports;
 }
 
 /** Waits until `check` gives something; fails after that many seconds, saying what was waited for. */
@@ -32,18 +38,23 @@ export async function until(what, check, seconds = 60) {
 export class Nodes {
   #running = new Map();
 
+  /** A master that answers; what was started of it is ended where it does not. */
   static async start() {
     const nodes = new Nodes();
     nodes.home = mkdtempSync(join(tmpdir(), 'latticeworld_browser_'));
-    nodes.masterPort = await freePort();
-    nodes.viewerPort = await freePort();
-    nodes.env = Object.fromEntries(Object.entries(process.env).filter(([name]) => !/^(ROS|PYTHONPATH|CMAKE_PREFIX_PATH|LD_LIBRARY_PATH)/.test(name)));
+    [nodes.masterPort, nodes.viewerPort] = await freePorts(2);
+    nodes.env = Object.fromEntries(Object.entries(process.env).filter(([name]) => !kForeign.test(name)));
     Object.assign(nodes.env, {
       PATH: `/usr/bin:${process.env.PATH}`, HOME: nodes.home, ROS_HOME: nodes.home, ROS_IP: '127.0.0.1',
       ROS_LOG_DIR: join(nodes.home, 'log'), ROS_MASTER_URI: `http://127.0.0.1:${nodes.masterPort}`,
     });
     nodes.#spawn('master', ['roscore', '-p', String(nodes.masterPort)]);
-    await until('a ROS master', () => nodes.call('rosparam', 'list').status === 0, 30);
+    try {
+      await nodes.untilServed('a ROS master', () => nodes.call('rosparam', 'list').status === 0);
+    } catch (error) {
+      await nodes.end();
+      throw error;
+    }
     return nodes;
   }
 
@@ -53,9 +64,39 @@ export class Nodes {
 
   #spawn(name, command) {
     const child = spawn(kEnvScript, command, { env: this.env, stdio: ['ignore', 'pipe', 'pipe'], detached: true });
-    const entry = { child, output: '', ended: new Promise((resolve) => child.on('close', resolve)) };
-    for (const stream of [child.stdout, child.stderr]) stream.on('data', (data) => { entry.output = (entry.output + data).slice(-8000); });
+    const entry = { child, output: '', end: null };
+    const keep = (data) => { entry.output = (entry.output + data).slice(-kKept_bytes); };
+    for (const stream of [child.stdout, child.stderr]) stream.on('data', keep);
+    entry.ended = new Promise((resolve) => {
+      const end = (how) => {
+        entry.end = how;
+        keep(`[${how}]\n`);
+        resolve();
+      };
+      child.on('error', (error) => end(`not started: ${error.message}`));
+      child.on('close', (code, signal) => end(`ended with ${signal ?? code}`));
+    });
     this.#running.set(name, entry);
+  }
+
+  /** What every program has said lately, for who has to find out why a test failed. */
+  said() {
+    return [...this.#running].map(([name, { output }]) => `--- ${name} (${this.home})\n${output.trim()}\n`).join('');
+  }
+
+  /** As `until`, and at once where one of the programs has ended; tells what they said when it fails. */
+  async untilServed(what, check, seconds = 120) {
+    try {
+      return await until(what, async () => {
+        const done = await check();
+        const ended = [...this.#running].find(([, { end }]) => end !== null);
+        if (!done && ended) throw new Error(`${what}: ${ended[0]} has ${ended[1].end}`);
+        return done;
+      }, seconds);
+    } catch (error) {
+      error.message += `\n${this.said()}`;
+      throw error;
+    }
   }
 
   /** Runs a command line program of ROS. */
@@ -72,17 +113,13 @@ export class Nodes {
     this.#spawn('viewer', ['rosrun', 'latticeworld', 'world_viewer', `_port:=${this.viewerPort}`]);
   }
 
-  output(name) {
-    return this.#running.get(name)?.output ?? '';
-  }
-
   async stop(name) {
     const entry = this.#running.get(name);
     if (!entry) return;
     this.#running.delete(name);
     const signal = (which) => {
       try {
-        process.kill(-entry.child.pid, which);  // its own group: rosrun and roslaunch have children
+        process.kill(-entry.child.pid, which);  // its own group: roslaunch has children
       } catch {
         // it has ended
       }

@@ -5,6 +5,8 @@ import test from 'node:test';
 import { wayOfKeys } from '../../web/src/control/driving.js';
 import { backoff_ms } from '../../web/src/protocol/connection.js';
 import { HeightField, decodeAssets, decodeWater } from '../../web/src/protocol/payloads.js';
+import { chooseLabels } from '../../web/src/view/label_places.js';
+import { levelAt, sightOf } from '../../web/src/view/levels.js';
 import { QualityGovernor, kQualitySteps } from '../../web/src/view/quality.js';
 
 const kGrid = { rows: 2, cols: 2, spacing_m: 2, west_m: -1, north_m: 1, low_m: 10, step_m: 0.5 };
@@ -78,4 +80,23 @@ test('attempts to connect come less and less often, up to ten seconds', () => {
 test('keys that contradict each other cancel', () => {
   assert.deepEqual(wayOfKeys(new Set(['KeyW', 'ArrowLeft'])), { forward: 1, left: 1, up: 0 });
   assert.deepEqual(wayOfKeys(new Set(['KeyW', 'KeyS', 'KeyE'])), { forward: 0, left: 0, up: 1 });
+});
+
+test('a thing is drawn the coarser the farther away and the lower it is', () => {
+  const levels = [1, 40, 200, 1000].map((distance_m) => levelAt(distance_m, 12, 1, 4));
+  assert.deepEqual(levels, [0, 1, 2, 3]);
+  assert.equal(levelAt(1000, 12, 1, 3), 2, 'the coarsest that there is');
+  assert.ok(levelAt(40, 0.5, 1, 4) > levelAt(40, 12, 1, 4), 'a flower before a tree');
+  assert.ok(levelAt(40, 12, 0.3, 4) > levelAt(40, 12, 1, 4), 'at less quality');
+  assert.ok(sightOf(12, 1) > sightOf(12, 0.5) && sightOf(12, 1) > sightOf(0.5, 1));
+});
+
+test('a label that would hide one before it is left out', () => {
+  const first = { x: 100, y: 100 };
+  const behind = { x: 110, y: 104 };
+  const beside = { x: 200, y: 100 };
+  const below = { x: 105, y: 150 };
+  assert.deepEqual(chooseLabels([first, behind, beside, below], 10), [first, beside, below]);
+  assert.deepEqual(chooseLabels([behind, first, beside], 10), [behind, beside], 'the order decides');
+  assert.deepEqual(chooseLabels([first, beside, below], 2), [first, beside], 'at most so many');
 });

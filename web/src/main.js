@@ -5,7 +5,7 @@ import { makeJoystick } from './control/joystick.js';
 import { listenToKeys } from './keyboard.js';
 import { Connection } from './protocol/connection.js';
 import { MessageKind, StateDecoder, decodePoints } from './protocol/state_frames.js';
-import { readWorld } from './protocol/world_source.js';
+import { readModels, readWorld } from './protocol/world_source.js';
 import { makeTestHooks } from './test_hooks.js';
 import { AgentList, showEvent } from './ui/agent_list.js';
 import { byId, clockText, toast } from './ui/dom.js';
@@ -146,6 +146,7 @@ class Page {
       weather: () => {
         this.state.weather = message;
         this.viewer.setWeather(message);
+        this.panel.showWeather(message);
       },
       event: () => showEvent(message),
       path: () => this.viewer.paths?.set(message.topic, byId('layer-paths').checked ? message.points_m : []),
@@ -199,7 +200,7 @@ class Page {
 
   /** Shows the world of that key; null: none runs. */
   async #load(key) {
-    if (key === this.state.key && this.viewer.world) return;
+    if (key === this.state.key && this.viewer.furnished) return;
     this.loading?.abort();
     if (!key) {
       byId('loading').classList.remove('done');
@@ -215,6 +216,7 @@ class Page {
       if (abort.signal.aborted) return;
       await this.viewer.setWorld(world, true);
       this.#shown(world);
+      await this.#furnish(world, abort.signal);
     } catch (error) {
       if (error.name === 'AbortError') return;
       console.warn('the world cannot be shown', error);
@@ -226,20 +228,39 @@ class Page {
     }
   }
 
-  #shown({ description }) {
-    if (!this.viewer.world || this.viewer.world.description !== description) return;
-    this.state.key = description.key;
-    this.leaveRobot();
+  /** The models, most of a world's bytes, come when its land is in sight already. */
+  async #furnish(world, signal) {
+    const { id } = world.description;
+    const tell = (fraction) => { byId('world-name').textContent = `${id} · plants, buildings, bodies ${Math.round(100 * fraction)} %`; };
+    tell(0);
+    const models = await readModels(world.description, tell, signal);
+    if (signal.aborted) return;
+    await this.viewer.furnish(world, models);
+    if (this.viewer.world !== world) return;
+    byId('world-name').textContent = id;
+    this.#fill();
+  }
+
+  /** Tells the view what is known of all that moves. */
+  #fill() {
     for (const name of ['agents', 'elements']) {
       if (this.tables[name]) this.viewer[name].setTable(this.tables[name].version, this.tables[name][name]);
       const frame = this.lastFrames?.[MessageKind[name]];
       if (frame) this.viewer[name].push(frame, performance.now());
     }
     if (this.felledTrees) this.viewer.felled.set(this.felledTrees);
+    const { cameras } = this.viewer;
+    if (cameras.mode === 'follow') cameras.target = this.viewer.agents.find(cameras.target.name) ?? cameras.target;
+    this.panel.applyLayers();
+  }
+
+  #shown({ description }) {
+    if (!this.viewer.world || this.viewer.world.description !== description) return;
+    this.state.key = description.key;
+    this.leaveRobot();
+    this.#fill();
     if (this.state.weather) this.viewer.setWeather(this.state.weather);
     this.inset.setWorld(this.viewer.world);
-    this.panel.applyLayers();
-    byId('world-name').textContent = description.id;
     document.title = `LatticeWorld · ${description.id}`;
     if (!byId('layout-text').value) {
       byId('layout-text').value = description.request.layout;

@@ -10,7 +10,7 @@ export function makeTestHooks(page) {
     get state() {
       const entries = viewer.agents?.entries.filter((entry) => entry.placed) ?? [];
       return {
-        connection: page.connection.state, role: page.state.role, key: page.state.key, ready: Boolean(viewer.world) && page.state.key !== null,
+        connection: page.connection.state, role: page.state.role, key: page.state.key, ready: viewer.furnished && page.state.key !== null,
         world: viewer.world?.description.id ?? null, stats: { ...viewer.stats }, quality: viewer.quality.settings.name,
         clock: page.state.clock, weather: viewer.atmosphere.weather, precipitation: viewer.precipitation.kind,
         agents: entries.map((entry) => ({ name: entry.name, species: entry.row.species, position: vector(entry.position), health: entry.thing.health / 255,

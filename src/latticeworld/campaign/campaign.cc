@@ -11,7 +11,7 @@ std::vector<PlannedTrial> PlanOf(const Campaign& campaign) {
       for (std::size_t task = 0; task < static_cast<std::size_t>(campaign.tasks.count); ++task) {
         for (std::size_t condition = 0; condition < campaign.conditions.size(); ++condition) {
           for (const std::uint64_t seed : campaign.conditions[condition].seeds) {
-            char number[16];
+            char number[24];
             std::snprintf(number, sizeof(number), "%02zu", task);
             plan.push_back({campaign.worlds[world].name + "." + campaign.robots[robot].name + ".t" +
                                 number + "." + campaign.conditions[condition].name + ".s" +

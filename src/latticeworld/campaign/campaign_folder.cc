@@ -33,6 +33,18 @@ void RemoveParts(const fs::path& directory) {
   }
 }
 
+// Whether something is in the folder that no campaign has put there. The copy of the campaign's
+// file comes before all else, so that several shards may begin at the same time.
+bool HoldsForeignThings(const fs::path& out, const fs::path& kept) {
+  std::error_code error;
+  if (!fs::is_directory(out, error)) return true;
+  for (const auto& entry : fs::directory_iterator(out, error)) {
+    const bool is_copy = StartsWith(entry.path().filename().string(), kept.filename().string());
+    if (!is_copy && !fs::exists(kept, error)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Result<CampaignFolder> OpenCampaign(const fs::path& file, const fs::path& out) {
@@ -61,16 +73,19 @@ Status PrepareFolder(const CampaignFolder& folder, bool resume) {
         return Status(StatusCode::kAlreadyExists,
                       folder.out.string() + " has results of this campaign; --resume goes on");
       }
-    } else if (!fs::is_directory(folder.out, error) || !fs::is_empty(folder.out, error)) {
+    } else if (HoldsForeignThings(folder.out, kept)) {
       return FailedPrecondition(folder.out.string() +
                                 " is there and is no campaign's folder; give a new one");
     }
   }
+  fs::create_directories(folder.out, error);
+  if (error) return FailureOf("cannot make " + folder.out.string(), error);
+  if (!fs::exists(kept, error)) LW_RETURN_IF_ERROR(WriteWhole(kept, folder.text));
   for (const char* name : {"worlds", "tasks", "trials"}) {
     fs::create_directories(folder.out / name, error);
     if (error) return FailureOf("cannot make " + (folder.out / name).string(), error);
   }
-  return fs::exists(kept, error) ? Status() : WriteWhole(kept, folder.text);
+  return Status();
 }
 
 Result<std::vector<std::size_t>> MissingTrials(const CampaignFolder& folder, int shard,

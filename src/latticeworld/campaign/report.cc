@@ -7,6 +7,7 @@
 #include "latticeworld/campaign/result_files.h"
 #include "latticeworld/campaign/world_picture.h"
 #include "latticeworld/campaign/world_source.h"
+#include "latticeworld/common/markup.h"
 
 namespace latticeworld {
 namespace {
@@ -42,9 +43,9 @@ std::string CaptionOf(const CampaignWorld& world, const TrialGroup& group) {
   std::string words = world.bundle.empty() ? world.layout + " " + world.environment
                                            : "bundle " + world.bundle.filename().string();
   if (words.size() > 240) words = words.substr(0, 240) + "...";
-  return "<b>" + EscapeHtml(world.name) + "</b>: success " +
+  return "<b>" + EscapeMarkup(world.name) + "</b>: success " +
          FigureText(100.0 * group.summary.success_share) + " %, SPL " +
-         FigureText(group.summary.mean_spl) + ". " + EscapeHtml(words);
+         FigureText(group.summary.mean_spl) + ". " + EscapeMarkup(words);
 }
 
 Result<std::string> WorldFigures(const CampaignFolder& folder,
@@ -87,7 +88,7 @@ Result<std::string> ReportHtml(const CampaignFolder& folder,
   const Campaign& campaign = folder.campaign;
   LW_ASSIGN_OR_RETURN(const std::string figures, WorldFigures(folder, trials, groups, progress));
   const std::string failures = FailureList(trials, command);
-  const std::string title = EscapeHtml(campaign.name);
+  const std::string title = EscapeMarkup(campaign.name);
   std::string robots;
   for (const CampaignRobot& robot : campaign.robots) {
     robots += (robots.empty() ? "" : "; ") + robot.name + ": " + robot.species + ", sensors \"" +
@@ -97,7 +98,7 @@ Result<std::string> ReportHtml(const CampaignFolder& folder,
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title +
          "</title>\n" + StyleSheet() + "</head><body>\n<h1>" + title + "</h1>\n<p>" +
          std::to_string(trials.size()) + " trials in " + std::to_string(campaign.worlds.size()) +
-         " worlds. Robots: " + EscapeHtml(robots) +
+         " worlds. Robots: " + EscapeMarkup(robots) +
          ". Time, path, energy and way of groups are means over the successful trials.</p>\n" +
          "<h2>Results</h2>\n<div class=\"wide\">" + GroupTable(groups) + "</div>\n" +
          "<h2>Distributions</h2>\n" + Histograms(trials) +

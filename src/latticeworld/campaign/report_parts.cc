@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "latticeworld/campaign/metric_fields.h"
+#include "latticeworld/common/markup.h"
 
 namespace latticeworld {
 namespace {
@@ -27,7 +28,7 @@ std::string Row(const std::vector<std::string>& cells, const char* kind = "td") 
 
 std::string NameOfGroup(const TrialGroup& group) {
   if (group.by == "all") return "<b>all</b>";
-  return EscapeHtml(group.by) + " <b>" + EscapeHtml(group.name) + "</b>";
+  return EscapeMarkup(group.by) + " <b>" + EscapeMarkup(group.name) + "</b>";
 }
 
 // Text of that class with its middle, or its begin, at a place.
@@ -35,33 +36,10 @@ std::string Label(double x_px, double y_px, const std::string& text, const char*
   char begin[96];
   std::snprintf(begin, sizeof(begin), "<text x=\"%.0f\" y=\"%.0f\" text-anchor=\"%s\">", x_px, y_px,
                 anchor);
-  return begin + EscapeHtml(text) + "</text>";
+  return begin + EscapeMarkup(text) + "</text>";
 }
 
 }  // namespace
-
-std::string EscapeHtml(const std::string& text) {
-  std::string escaped;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += letter;
-    }
-  }
-  return escaped;
-}
 
 std::string FigureText(double value) {
   if (!std::isfinite(value)) return "-";
@@ -140,7 +118,7 @@ std::string Definitions() {
   std::string list = "<dl id=\"definitions\">\n";
   const auto add = [&list](const char* name, const char* meaning) {
     if (*meaning == '\0') return;
-    list += std::string("<dt id=\"") + name + "\">" + name + "</dt><dd>" + EscapeHtml(meaning) +
+    list += std::string("<dt id=\"") + name + "\">" + name + "</dt><dd>" + EscapeMarkup(meaning) +
             "</dd>\n";
   };
   for (const DifficultyField& field : kDifficultyFields) add(field.name, field.meaning);
@@ -153,10 +131,10 @@ std::string FailureList(const std::vector<FinishedTrial>& trials, const std::str
   for (const FinishedTrial& trial : trials) {
     const TrialResult& result = trial.result;
     if (result.error.empty() && result.metrics.success) continue;
-    rows += Row({EscapeHtml(trial.plan.id), EscapeHtml(result.Outcome()),
-                 EscapeHtml(result.error.empty() ? result.why : result.error),
+    rows += Row({EscapeMarkup(trial.plan.id), EscapeMarkup(result.Outcome()),
+                 EscapeMarkup(result.error.empty() ? result.why : result.error),
                  result.error.empty() ? FigureText(result.metrics.goal_distance_m) : "",
-                 "<code>" + EscapeHtml(command + " --only " + trial.plan.id) + "</code>"});
+                 "<code>" + EscapeMarkup(command + " --only " + trial.plan.id) + "</code>"});
   }
   if (rows.empty()) return "";
   return "<table>\n" + Row({"trial", "outcome", "reason", "from goal m", "shows it again"}, "th") +
@@ -173,8 +151,8 @@ std::string TrialTable(const std::vector<FinishedTrial>& trials) {
   }
   std::string table = "<table class=\"figures\">\n" + Row(head, "th");
   for (const FinishedTrial& trial : trials) {
-    std::vector<std::string> cells = {EscapeHtml(trial.plan.id),
-                                      EscapeHtml(trial.result.Outcome())};
+    std::vector<std::string> cells = {EscapeMarkup(trial.plan.id),
+                                      EscapeMarkup(trial.result.Outcome())};
     if (trial.result.error.empty()) {
       for (const DifficultyField& field : kDifficultyFields)
         cells.push_back(FigureText(field.get(trial.result.difficulty)));

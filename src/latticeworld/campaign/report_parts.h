@@ -10,8 +10,6 @@ namespace latticeworld {
 
 // Parts of a report's page, each a piece of HTML.
 
-std::string EscapeHtml(const std::string& text);
-
 // Three figures, or two of the fraction; "-" for what is infinite.
 std::string FigureText(double value);
 

@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <set>
 
-#include "latticeworld/campaign/report_parts.h"
+#include "latticeworld/common/markup.h"
 #include "latticeworld/exporting/footer.h"
 #include "latticeworld/exporting/furniture.h"
 #include "latticeworld/exporting/ground_colors.h"
@@ -109,7 +109,7 @@ Result<std::string> WorldFigure(const Scene& scene, const std::vector<FinishedTr
     const std::string points = Polyline(trial.result.driven_m, placement);
     figure += "<polyline class=\"halo\" points=\"" + points + "\"/><polyline class=\"" +
               (trial.result.metrics.success ? "driven" : "driven lost") + "\" points=\"" + points +
-              "\"><title>" + EscapeHtml(trial.plan.id + ": " + trial.result.Outcome()) +
+              "\"><title>" + EscapeMarkup(trial.plan.id + ": " + trial.result.Outcome()) +
               "</title></polyline>\n";
   }
   drawn.clear();

@@ -36,15 +36,20 @@ LanguageBackend MakeRemote(const std::shared_ptr<ChatServer>& server, const Remo
 Result<LanguageBackend> MakeLocal(const LocalBackendOptions& options) {
   LW_ASSIGN_OR_RETURN(const std::shared_ptr<ChatServer> layout,
                       MakeLocalChatServer(options.layout_model));
-  std::shared_ptr<ChatServer> environment = layout;
-  if (!options.environment_model.empty() && options.environment_model != options.layout_model) {
-    LW_ASSIGN_OR_RETURN(environment, MakeLocalChatServer(options.environment_model));
-  }
   RemoteOptions model;
   model.name = "local";
   model.temperature = options.temperature;
   // Every letter may be a token, and longer answers cost no more than their tokens.
   model.environment_max_tokens = 16384;
+  if (options.environment_model == "grounded") {
+    return WithFallback(
+        {MakeRemoteLayoutGenerator(layout, model), MakeGroundedEnvironmentGenerator()},
+        options.fallback);
+  }
+  std::shared_ptr<ChatServer> environment = layout;
+  if (!options.environment_model.empty() && options.environment_model != options.layout_model) {
+    LW_ASSIGN_OR_RETURN(environment, MakeLocalChatServer(options.environment_model));
+  }
   return WithFallback({MakeRemoteLayoutGenerator(layout, model),
                        MakeRemoteEnvironmentGenerator(environment, model)},
                       options.fallback);

@@ -27,7 +27,7 @@ std::vector<Violation> Validate(const RemoteBackendOptions& options);
 // The back end "local": models in this process (language/local/local.h).
 struct LocalBackendOptions {
   std::string layout_model;       // GGUF file of LLM_L; "": there is no such back end
-  std::string environment_model;  // of LLM_C; "": the layout's
+  std::string environment_model;  // of LLM_C; "": the layout's; "grounded": that back end answers
   double temperature = 0.7;       // 0 .. 2
   bool fallback = false;  // true: where an answer stays illegal the grounded back end answers
 

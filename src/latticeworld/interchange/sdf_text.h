@@ -28,10 +28,6 @@ class SdfText {
   int depth_ = 0;
 };
 
-// Text as XML holds it: markup is escaped, and control characters, which XML does not know, become
-// '?'.
-std::string XmlEscaped(std::string_view text);
-
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_INTERCHANGE_SDF_TEXT_H_

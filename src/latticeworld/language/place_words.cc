@@ -304,7 +304,8 @@ bool IsMapWord(std::string_view word) {
        "valley",      "site",    "square",  "frame",    "canvas",      "board",       "plot",
        "page",        "screen",  "sheet",   "tile",     "level",       "territory",   "view",
        "environment", "arena",   "drawing", "painting", "composition", "countryside", "plan",
-       "whole",       "zone",    "setting", "space",    "sector",      "property"});
+       "whole",       "zone",    "setting", "space",    "sector",      "property",    "wild",
+       "wilderness",  "wilds",   "parcel",  "biome"});
 }
 
 bool TakeWholeMap(PlaceCursor* cursor) {

@@ -313,7 +313,7 @@ Fraction MatchParts(const std::vector<Token>& tokens, std::size_t at) {
 
 // How far a reader lets a layout stray from a fraction that is said.
 double ToleranceOf(double share) {
-  if (share >= 0.4) return 0.1;
+  if (share >= 0.4) return 0.08;
   return std::max(0.05, 0.08 - std::max(0.0, 0.15 - share) * 0.3);
 }
 

@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t kMinLength = 4;        // by a swap or for a letter left out
 constexpr std::size_t kMinEditLength = 5;    // by any edit
 constexpr std::size_t kMinDoubleLength = 9;  // by two edits
+constexpr std::size_t kMinLeftOut = 7;       // by two letters left out
 constexpr std::size_t kMaxLength = 24;
 
 std::size_t StartKey(char first, std::size_t length) {
@@ -148,7 +149,8 @@ std::optional<std::string_view> SpellingDictionary::Correct(std::string_view wor
   // "forrest" is no superlative of "for".
   if (const auto undoubled = Undoubled(word); undoubled.has_value()) return undoubled;
   if (word.size() < kMinLength || word.size() > kMaxLength || Knows(word)) return std::nullopt;
-  const int limit = word.size() >= kMinDoubleLength ? 2 : 1;
+  const bool long_word = word.size() >= kMinDoubleLength;
+  const int limit = word.size() >= kMinLeftOut ? 2 : 1;
   // The distance, and among words one edit away the rank of that edit.
   constexpr int kRanks = 4;
   int best = (limit + 1) * kRanks;
@@ -169,6 +171,7 @@ std::optional<std::string_view> SpellingDictionary::Correct(std::string_view wor
         if (first != word[0] && !IsSwap(word, candidate)) continue;
         const int distance = DistanceUpTo(word, candidate, std::min(best / kRanks, limit));
         if (distance > limit) continue;
+        if (distance == 2 && !long_word && candidate.size() != word.size() + 2) continue;
         const int cost = distance * kRanks + (distance == 1 ? RankOfEdit(word, candidate) : 0);
         if (cost > best) continue;
         if (cost < best) closest.clear();

@@ -284,7 +284,9 @@ class Tokenizer {
     if (word.size() > 2 || !IsCompassLetter(word.front()) || !IsCompassLetter(word.back())) {
       return false;
     }
-    return At(at_ + 1) == ' ' && At(at_ + 2) >= 'a' && At(at_ + 2) <= 'z';
+    if (At(at_ + 1) != ' ' || At(at_ + 2) < 'a' || At(at_ + 2) > 'z') return false;
+    // "villages: SE. lake: W": a key and its value follow.
+    return At(EndOfLetters(at_ + 2)) != ':';
   }
 
   // "N.W.", "e.g.", "a.m.": single letters with stops between them are one word.
@@ -390,7 +392,11 @@ class Tokenizer {
     const bool doubled = end > at_ + bytes;
     const bool spaced = at_ > 0 && text_[at_ - 1] == ' ' && end < text_.size() && text_[end] == ' ';
     at_ = end;
-    if (doubled || spaced) Add(TokenKind::kComma, "-", begin, at_);
+    // "left half town / right half woods": two lines of a poem.
+    const bool line = spaced && text_[begin] == '/';
+    if (doubled || spaced) {
+      Add(line ? TokenKind::kStop : TokenKind::kComma, line ? "/" : "-", begin, at_);
+    }
   }
 
   std::string_view text_;

@@ -39,8 +39,10 @@ std::string Places(const std::vector<int>& ninths) {
   const std::size_t named = std::min(ninths.size(), kMostPlacesNamed);
   for (std::size_t i = 0; i < named; ++i) {
     if (i > 0) text += i + 1 == named ? " and " : ", ";
+    const auto place = static_cast<Region>(ninths[i]);
     text += "the ";
-    text += NameOf(static_cast<Region>(ninths[i]));
+    text += NameOf(place);
+    if (place == Region::kUpper || place == Region::kLower) text += " middle";
   }
   return text;
 }

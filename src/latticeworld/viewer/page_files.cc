@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "latticeworld/common/files.h"
+#include "latticeworld/common/markup.h"
 
 namespace latticeworld {
 namespace {
@@ -15,26 +16,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostFiles = 2000;
 constexpr std::size_t kMostBytes = 64u << 20;
 constexpr char kIndex[] = "/index.html";
-
-std::string Escaped(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      default:
-        html += c;
-    }
-  }
-  return html;
-}
 
 }  // namespace
 
@@ -91,7 +72,7 @@ PayloadMap PageMissing(const std::string& reason) {
   const std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<title>LatticeWorld</title></head>\n<body><h1>The page is not here</h1>\n<p>" +
-      Escaped(reason) +
+      EscapeMarkup(reason) +
       "</p>\n<p>The data are served all the same: docs/viewer.md.</p>"
       "</body></html>\n";
   PayloadMap page;

@@ -42,6 +42,8 @@ TEST(ChatTextTest, LaysOutEachStyle) {
   EXPECT_EQ(Shown(ChatStyle::kChatMl, false),
             "{1}{3}system\nDraw.{4}\n{3}user\nA lake </s>{4}\n{3}assistant\nWW{4}\n"
             "{3}user\nMore{4}\n{3}assistant\n");
+  EXPECT_EQ(Shown(ChatStyle::kChatMlWithoutSystem, false),
+            "{1}{3}user\nA lake </s>{4}\n{3}assistant\nWW{4}\n{3}user\nMore{4}\n{3}assistant\n");
 }
 
 TEST(ChatTextTest, BeginsWithTheSpaceThatAModelWants) {
@@ -50,6 +52,8 @@ TEST(ChatTextTest, BeginsWithTheSpaceThatAModelWants) {
 
 TEST(ChatTextTest, KnowsAStyleByItsMarks) {
   EXPECT_EQ(ChatStyleOf("{% for m in messages %}<|im_start|>..."), ChatStyle::kChatMl);
+  EXPECT_EQ(ChatStyleOf("{% if m['role'] != 'system' %}<|im_start|>..."),
+            ChatStyle::kChatMlWithoutSystem);
   EXPECT_EQ(ChatStyleOf("{{ '[INST] ' + m }}"), ChatStyle::kLlama2);
   EXPECT_EQ(ChatStyleOf(""), ChatStyle::kPlain);
 }

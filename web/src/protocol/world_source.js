@@ -2,7 +2,7 @@
 
 import { HeightField, decodeAssets, decodeWater } from './payloads.js';
 
-const kBinary = ['height', 'water', 'weights', 'surface', 'assets', 'models'];
+const kBinary = ['height', 'water', 'weights', 'surface', 'assets'];
 
 async function fetchOk(url, options) {
   const response = await fetch(url, options);
@@ -44,10 +44,9 @@ async function readImage(url, signal) {
 }
 
 /**
- * Reads the running world. onProgress: fraction in [0, 1].
+ * Reads the running world but its models, which are most of its bytes. onProgress: fraction in [0, 1].
  * Errors: with `status` 404 where no world runs; AbortError.
- * @returns {Promise<object>} {description, height, water_m, weights, surface, assets, models, ground,
- *     layout}; images have row 0 south, as textures do
+ * @returns {Promise<object>} {description, height, water_m, weights, surface, assets, ground, layout}; images have row 0 south, as textures do
  */
 export async function readWorld(onProgress, signal) {
   const description = await (await fetchOk('/api/world.json', { signal, cache: 'no-cache' })).json();
@@ -76,7 +75,16 @@ export async function readWorld(onProgress, signal) {
     weights: new Uint8Array(binary.weights),
     surface: new Uint8Array(binary.surface),
     assets: decodeAssets(description.assets, binary.assets),
-    models: binary.models ?? null,
     ...images,
   };
+}
+
+/** Reads the models of a world; null where it has none. Errors as of readWorld(). */
+export async function readModels({ payloads }, onProgress, signal) {
+  if (!payloads.models) return null;
+  let read = 0;
+  return readBytes(payloads.models.url, (count) => {
+    read += count;
+    onProgress(Math.min(read / payloads.models.bytes, 1));
+  }, signal);
 }

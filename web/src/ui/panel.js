@@ -3,6 +3,7 @@
 import { byId, etaText, make, toast } from './dom.js';
 
 const kTabs = ['create', 'worlds', 'agents', 'view'];
+const kProgressSilence_ms = 10000;  // who hears nothing more for so long takes a generation as over
 
 function showTab(name) {
   for (const tab of kTabs) {
@@ -65,12 +66,13 @@ export class Panel {
       this.generate();
     });
     byId('cancel').addEventListener('click', () => this.ask({ type: 'cancel' }));
-    byId('weather-hour').addEventListener('input', ({ target }) => {
-      const minutes = Math.round(target.value * 60) % 1440;
-      byId('hour-text').textContent = `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, '0')}`;
+    byId('weather').addEventListener('input', () => {
+      this.weatherTouched = true;
+      this.#showHour();
     });
     byId('weather').addEventListener('submit', (event) => {
       event.preventDefault();
+      this.weatherTouched = false;
       this.ask({
         type: 'set_weather', weather: byId('weather-kind').value, intensity: Number(byId('weather-intensity').value),
         hour: Number(byId('weather-hour').value) % 24, transition_s: 3,
@@ -92,15 +94,31 @@ export class Panel {
     });
   }
 
+  #showHour() {
+    const minutes = Math.round(byId('weather-hour').value * 60) % 1440;
+    byId('hour-text').textContent = `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, '0')}`;
+  }
+
+  /** The form begins with the weather that there is, and leaves alone what somebody has begun to choose. */
+  showWeather({ weather, intensity, hour }) {
+    if (this.weatherTouched || byId('weather').contains(document.activeElement)) return;
+    if ([...byId('weather-kind').options].some(({ value }) => value === weather)) byId('weather-kind').value = weather;
+    byId('weather-intensity').value = intensity;
+    byId('weather-hour').value = hour;
+    this.#showHour();
+  }
+
   async generate() {
     const message = { type: 'generate', layout: byId('layout-text').value.trim(), environment: byId('environment-text').value.trim() };
     const seed = byId('seed').value.trim();
     if (seed) message.seed = seed;
     if (byId('size').value) message.size_m = Number(byId('size').value);
     if (byId('vocabulary').value) message.vocabulary = byId('vocabulary').value;
-    this.showProgress({ stage: 'starting', fraction: 0, eta_s: -1 });
+    this.generating = true;
     byId('generate').querySelector('.primary').disabled = true;
+    this.showProgress({ stage: 'starting', fraction: 0, eta_s: -1 });
     await this.ask(message);
+    this.generating = false;
     byId('generate').querySelector('.primary').disabled = false;
     byId('progress').hidden = true;
   }
@@ -110,7 +128,11 @@ export class Panel {
     byId('progress-stage').textContent = `${stage} · ${Math.round(100 * fraction)} %`;
     byId('progress-bar').value = fraction;
     byId('progress-eta').textContent = etaText(eta_s);
+    clearTimeout(this.progressTimer);
     if (fraction >= 1 && stage === 'viewer') byId('progress').hidden = true;
+    else if (!this.generating) {
+      this.progressTimer = setTimeout(() => { byId('progress').hidden = true; }, kProgressSilence_ms);
+    }
   }
 
   async listWorlds() {

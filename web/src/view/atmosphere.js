@@ -4,6 +4,7 @@ import * as THREE from 'three';
 import { clamp } from '../protocol/payloads.js';
 
 const kLeastVisibility_m = 12;
+const kVeiled_m = [60, 500];  // nothing of the sky is seen, all of it
 const kFarthestSight_m = 3000;  // on a clear day, so that the land ends in haze
 
 /** Colours by the sun's elevation: [sine of it, zenith, horizon, sun]; in between they blend. */
@@ -34,7 +35,7 @@ export class Atmosphere {
       time: { value: 0 }, wind: { value: new THREE.Vector3() }, wetness: { value: 0 }, snowCover: { value: 0 },
       sunDirection: { value: new THREE.Vector3(0, 0, 1) }, sunColor: { value: new THREE.Color() },
       zenith: { value: new THREE.Color() }, horizon: { value: new THREE.Color() },
-      clouds: { value: 0 }, night: { value: 0 },
+      clouds: { value: 0 }, night: { value: 0 }, veil: { value: 0 },
     };
     this.sun = new THREE.DirectionalLight(0xffffff, 3);
     this.sky = new THREE.HemisphereLight(0xffffff, 0x806a50, 1);
@@ -77,11 +78,12 @@ export class Atmosphere {
     // The sky's light has the sky's tint, and a brightness of its own: skies look dark where eyes adapt.
     const tint = (color) => color.multiplyScalar(1 / Math.max(color.r, color.g, color.b, 0.001)).lerp(new THREE.Color(0xffffff), 0.4);
     this.sky.color.copy(tint(u.zenith.value.clone().lerp(u.horizon.value, 0.4)));
-    this.sky.groundColor.copy(tint(u.horizon.value.clone())).multiplyScalar(0.4).lerp(new THREE.Color(0x6b5a44), 0.35);
+    this.sky.groundColor.copy(tint(u.horizon.value.clone())).multiplyScalar(0.6).lerp(new THREE.Color(0x8a7558), 0.35);
     this.sky.intensity = 0.45 + 2.4 * (0.45 + 0.55 * clamp(w.ambient_intensity ?? 0.4, 0, 1)) * day;
 
     this.fog.color.copy(u.horizon.value);
     const sight_m = clamp(w.visibility_m ?? kFarthestSight_m, kLeastVisibility_m, kFarthestSight_m);
+    u.veil.value = 1 - clamp((sight_m - kVeiled_m[0]) / (kVeiled_m[1] - kVeiled_m[0]), 0, 1);
     this.fog.density = 1.978 / sight_m;  // 2 % of the contrast is left at the visibility
   }
 

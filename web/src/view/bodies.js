@@ -54,7 +54,7 @@ function bodyMaterial() {
 
 /** Bodies of one table (agents, or elements). */
 export class Bodies {
-  /** @param geometryOf (row of the table) -> {key, geometry, scale: number[3], lift_m} */
+  /** @param geometryOf (row of the table) -> {key, geometry, scale: number[3], height_m} */
   constructor(name, geometryOf) {
     this.group = new THREE.Group();
     this.group.name = name;
@@ -106,16 +106,14 @@ export class Bodies {
   update(now_ms) {
     const counts = new Map([...this.meshes.keys()].map((key) => [key, 0]));
     const matrix = new THREE.Matrix4();
-    const place = new THREE.Vector3();
     const scale = new THREE.Vector3();
     for (const entry of this.entries) {
       if (!entry.placed) continue;
       entry.track.at(now_ms - kDelay_ms, entry.position, entry.rotation);
-      const { key, scale: [x, y, z], lift_m } = entry.shape;
+      const { key, scale: [x, y, z] } = entry.shape;
       const count = counts.get(key);
       if (count >= kMostBodies) continue;
-      place.set(0, 0, lift_m).applyQuaternion(entry.rotation).add(entry.position);
-      matrix.compose(place, entry.rotation, scale.set(x, y, z));
+      matrix.compose(entry.position, entry.rotation, scale.set(x, y, z));
       this.meshes.get(key).setMatrixAt(count, matrix);
       counts.set(key, count + 1);
     }

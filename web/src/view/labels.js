@@ -1,9 +1,11 @@
 // Names, states and health of agents, as text over the picture.
 
 import * as THREE from 'three';
+import { chooseLabels } from './label_places.js';
 
 const kMostLabels = 28;
 const kFurthest_m = 130;
+const kKeep = 0.85;  // whose label is shown counts as that much nearer, so that labels do not flicker
 const kTeamColors = ['#9fb3c8', '#4cc9f0', '#f4845f', '#80ed99', '#ffd166', '#c77dff'];
 
 export class Labels {
@@ -12,28 +14,28 @@ export class Labels {
     this.enabled = true;
     this.pool = [];
     this.shown = 0;
+    this.named = new Set();  // whose labels are shown
   }
 
   update(entries, behaviours, camera, width, height) {
     const place = new THREE.Vector3();
-    const near = [];
-    if (this.enabled) {
-      for (const entry of entries) {
-        if (!entry.placed) continue;
-        const distance = entry.position.distanceTo(camera.position);
-        if (distance < kFurthest_m) near.push({ entry, distance });
-      }
-      near.sort((a, b) => a.distance - b.distance);
-    }
-    let used = 0;
-    for (const { entry, distance } of near) {
-      if (used === kMostLabels) break;
+    const wanted = [];
+    for (const entry of this.enabled ? entries : []) {
+      if (!entry.placed) continue;
+      const distance = entry.position.distanceTo(camera.position);
+      if (distance >= kFurthest_m) continue;
       place.copy(entry.position);
       place.z += entry.shape.height_m + 0.35;
       place.project(camera);
       if (place.z > 1 || Math.abs(place.x) > 1.05 || Math.abs(place.y) > 1.05) continue;
-      this.#show(used++, entry, behaviours, ((place.x + 1) / 2) * width, ((1 - place.y) / 2) * height, distance);
+      const rank = distance * (this.named.has(entry.name) ? kKeep : 1);
+      wanted.push({ entry, distance, rank, x: ((place.x + 1) / 2) * width, y: ((1 - place.y) / 2) * height });
     }
+    wanted.sort((a, b) => a.rank - b.rank);
+    const chosen = chooseLabels(wanted, kMostLabels);
+    chosen.forEach(({ entry, x, y, distance }, index) => this.#show(index, entry, behaviours, x, y, distance));
+    this.named = new Set(chosen.map(({ entry }) => entry.name));
+    const used = chosen.length;
     for (let i = used; i < this.pool.length; i++) this.pool[i].root.hidden = true;
     this.shown = used;
   }

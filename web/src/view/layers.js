@@ -50,6 +50,7 @@ export class PathLayer {
     this.group = new THREE.Group();
     this.group.name = 'paths';
     this.paths = new Map();
+    this.colors = new Map();  // a topic keeps its colour from one path to the next
   }
 
   set(topic, points_m) {
@@ -61,6 +62,7 @@ export class PathLayer {
       this.paths.delete(topic);
     }
     if (points_m.length < 2) return;
+    if (!this.colors.has(topic)) this.colors.set(topic, kPathColors[this.colors.size % kPathColors.length]);
     const corners = [];
     const index = [];
     points_m.forEach(([x, y, z], i) => {
@@ -75,7 +77,7 @@ export class PathLayer {
     geometry.setAttribute('position', new THREE.Float32BufferAttribute(corners, 3));
     geometry.setIndex(index);
     const material = new THREE.MeshBasicMaterial({
-      color: kPathColors[this.paths.size % kPathColors.length], side: THREE.DoubleSide, transparent: true, opacity: 0.85,
+      color: this.colors.get(topic), side: THREE.DoubleSide, transparent: true, opacity: 0.85,
       depthWrite: false, polygonOffset: true, polygonOffsetFactor: -4,
     });
     const ribbon = new THREE.Mesh(geometry, material);

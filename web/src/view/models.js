@@ -193,6 +193,7 @@ export class ModelLibrary {
   /** The body of a species or an element, true size; a capsule or box of its size where there is none. */
   bodyOf(node, height_m, radius_m) {
     return this.find(node) ?? this.find(`${node}/0`) ??
-        plain(new THREE.CapsuleGeometry(radius_m, Math.max(height_m - 2 * radius_m, 0.05), 3, 8).rotateX(Math.PI / 2), 0xb08850, 'body');
+        plain(new THREE.CapsuleGeometry(radius_m, Math.max(height_m - 2 * radius_m, 0.05), 3, 8).rotateX(Math.PI / 2).translate(0, 0, 0.5 * height_m),
+              0xb08850, 'body');
   }
 }

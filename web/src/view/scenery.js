@@ -3,13 +3,14 @@
 
 import * as THREE from 'three';
 import { instancedMaterials } from './instanced_material.js';
+import { levelAt, sightOf } from './levels.js';
 import { farHull, mainPartOf, tinted } from './models.js';
 
 const kChunk_m = 48;
-// A level is drawn up to this many heights of its things away (the last level: kSightHeights).
-const kLevelHeights = [2.5, 8, 24];
-const kSightHeights = 260;
-const kFinerOf = { building: 6, stone: 2 };  // few facets, and seen at once where some are missing
+const kShadowReach_m = 30;  // what is nearer throws its shadow into the view, wherever it stands
+const kMargin_m = 8;
+// Those of few facets, in which it is seen at once that some are missing.
+const kFinerOf = { building: 6, stone: 2, bush: 3, crop: 3, grass_tuft: 6, flower: 6 };
 const kSwayOf = { tree: 1, bush: 0.8, crop: 1.2, grass_tuft: 1.5, flower: 1.4 };
 const kWithHull = new Set(['tree', 'bush']);
 
@@ -46,6 +47,15 @@ class Batch {
     this.count += count;
   }
 
+  appendOne({ place, size, color }, index) {
+    const at = 4 * this.count++;
+    for (let k = 0, from = 4 * index; k < 4; k++, from++) {
+      this.place.array[at + k] = place[from];
+      this.size.array[at + k] = size[from];
+      this.color.array[at + k] = color[from];
+    }
+  }
+
   finish() {
     this.geometry.instanceCount = this.count;
     this.mesh.visible = this.count > 0;
@@ -75,12 +85,14 @@ function sortIntoChunks(assets, group, size_m) {
   for (const numbers of members.values()) {
     const box = new THREE.Box3();
     let height_m = 0;
+    let reach_m = 0;
     for (const i of numbers) {
       box.expandByPoint(new THREE.Vector3().fromArray(assets.place, 4 * i));
       height_m = Math.max(height_m, assets.size[4 * i + 2]);
+      reach_m = Math.max(reach_m, assets.size[4 * i] + assets.size[4 * i + 1]);
     }
     box.max.z += height_m;
-    box.expandByScalar(0.5 * height_m + 1);
+    box.expandByScalar(Math.max(0.5 * height_m, reach_m) + 1);
     chunks.push({ first: order.length, count: numbers.length, sphere: box.getBoundingSphere(new THREE.Sphere()), height_m });
     order.push(...numbers);
   }
@@ -180,18 +192,32 @@ export class Scenery {
     for (const { batches, chunks, finer } of this.groups) {
       for (const chunk of chunks) {
         const { sphere, height_m } = chunk;
-        const distance = Math.max(camera.position.distanceTo(sphere.center) - sphere.radius, 0);
-        if (distance > Math.min(kSightHeights * height_m * quality, sight_m)) continue;
+        const middle_m = camera.position.distanceTo(sphere.center);
+        const distance = Math.max(middle_m - sphere.radius, 0);
+        if (distance > Math.min(sightOf(height_m, quality), sight_m)) continue;
         padded.center.copy(sphere.center);
-        padded.radius = sphere.radius + 8;
-        // What is behind a near camera still throws its shadow into the view.
-        if (distance > 30 && !frustum.intersectsSphere(padded)) continue;
-        let level = 0;
-        while (level < batches.length - 1 && distance > kLevelHeights[level] * height_m * finer * quality) level++;
-        batches[level].append(this.things, chunk.first, chunk.count);
+        padded.radius = sphere.radius + kMargin_m;
+        if (distance > kShadowReach_m && !frustum.intersectsSphere(padded)) continue;
+        const level = levelAt(distance, height_m, finer * quality, batches.length);
+        const coarsest = levelAt(middle_m + sphere.radius, height_m, finer * quality, batches.length);
+        if (level === coarsest && distance > kShadowReach_m) batches[level].append(this.things, chunk.first, chunk.count);
+        else this.#chooseEach(batches, chunk, camera, frustum, finer * quality);
       }
     }
     for (const batch of this.batches) batch.finish();
+  }
+
+  /** For a chunk that is near: its things one by one, each as finely as its own distance asks for. */
+  #chooseEach(batches, { first, count, height_m }, { position }, frustum, scale) {
+    const { place, size } = this.things;
+    const ball = new THREE.Sphere();
+    for (let i = first; i < first + count; i++) {
+      ball.center.fromArray(place, 4 * i);
+      ball.radius = size[4 * i] + size[4 * i + 1] + height_m + kMargin_m;
+      const distance = position.distanceTo(ball.center);
+      if (distance > kShadowReach_m && !frustum.intersectsSphere(ball)) continue;
+      batches[levelAt(distance, height_m, scale, batches.length)].appendOne(this.things, i);
+    }
   }
 
   get drawn() {

@@ -6,25 +6,20 @@ export function agentShapes(description, models) {
   return ({ species: name }) => {
     const entry = species.get(name) ?? { node: `agent/${name}`, height_m: 1, radius_m: 0.4 };
     return {
-      key: entry.node, geometry: models.bodyOf(entry.node, entry.height_m, entry.radius_m), scale: [1, 1, 1], lift_m: 0,
+      key: entry.node, geometry: models.bodyOf(entry.node, entry.height_m, entry.radius_m), scale: [1, 1, 1],
       height_m: entry.height_m,
     };
   };
 }
 
-/** Row of the table `elements` -> shape. Their meshes fill a box of one metre around their middle. */
+/**
+ * Row of the table `elements` -> shape. Their meshes are of size 1 about the origin that poses tell of: the
+ * middle of the base, of a gate the base of its hinge.
+ */
 export function elementShapes(description, models) {
   const nodes = new Map(description.elements.map((entry) => [entry.kind, entry.node]));
-  const boxes = new Map();
   return ({ kind, size_m }) => {
     const node = nodes.get(kind) ?? `element/${kind}`;
-    const geometry = models.bodyOf(node, 1, 0.5);
-    if (!boxes.has(node)) {
-      geometry.computeBoundingBox();
-      boxes.set(node, geometry.boundingBox);
-    }
-    const { min, max } = boxes.get(node);
-    const scale = ['x', 'y', 'z'].map((axis, i) => size_m[i] / Math.max(max[axis] - min[axis], 0.01));
-    return { key: node, geometry, scale, lift_m: -(0.5 * (min.z + max.z)) * scale[2], height_m: size_m[2] };
+    return { key: node, geometry: models.bodyOf(node, 1, 0.5), scale: size_m, height_m: size_m[2] };
   };
 }

@@ -12,7 +12,7 @@ void main() {
 
 const kFragment = /* glsl */ `
 uniform vec3 zenith, horizon, sunColor, sunDirection, wind;
-uniform float clouds, night, time;
+uniform float clouds, night, time, veil;
 varying vec3 vDirection;
 
 float hash(vec2 p) { return fract(sin(dot(p, vec2(127.1, 311.7))) * 43758.5453); }
@@ -48,15 +48,17 @@ void main() {
     color = mix(color, lit, cover * smoothstep(0.01, 0.16, d.z) * 0.92);
   }
   color = mix(color, horizon, smoothstep(0.03, -0.01, d.z));
+  // Lower down there is more air before the sky: at the horizon it ends in the haze that the land ends in.
+  color = mix(color, horizon, 1.0 - pow(1.0 - veil, 0.6 / max(up, 0.02)));
   gl_FragColor = vec4(color, 1.0);
   #include <tonemapping_fragment>
   #include <colorspace_fragment>
 }`;
 
 export function makeSky(uniforms) {
-  const { zenith, horizon, sunColor, sunDirection, wind, clouds, night, time } = uniforms;
+  const { zenith, horizon, sunColor, sunDirection, wind, clouds, night, time, veil } = uniforms;
   const material = new THREE.ShaderMaterial({
-    uniforms: { zenith, horizon, sunColor, sunDirection, wind, clouds, night, time },
+    uniforms: { zenith, horizon, sunColor, sunDirection, wind, clouds, night, time, veil },
     vertexShader: kVertex, fragmentShader: kFragment, side: THREE.BackSide, depthWrite: false,
   });
   const sky = new THREE.Mesh(new THREE.SphereGeometry(1, 32, 24).rotateX(Math.PI / 2), material);

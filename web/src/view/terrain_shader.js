@@ -52,14 +52,18 @@ const kFragmentColor = /* glsl */ `
 {
   vec2 mapUv = vPlace.xy / worldSize + 0.5;
   float outside = smoothstep(0.0, 0.06, max(abs(mapUv.x - 0.5), abs(mapUv.y - 0.5)) - 0.5);
+  // Beyond the edge the land goes on as its mirror image, softer and softer, and ends in its mean colour.
+  vec2 mirrored = abs(mod(mapUv + 1.0, 2.0) - 1.0);
+  float beyond = max(max(abs(mapUv.x - 0.5), abs(mapUv.y - 0.5)) - 0.5, 0.0);
   vec3 ground = texture2D(groundMap, clamp(mapUv, 0.002, 0.998)).rgb;
-  ground = mix(ground, textureLod(groundMap, vec2(0.5), 6.0).rgb * 0.6 + 0.4 * textureLod(groundMap, clamp(mapUv, 0.05, 0.95), 6.0).rgb, outside);
+  vec3 softly = textureLod(groundMap, clamp(mirrored, 0.03, 0.97), clamp(1.0 + 3.0 * beyond, 0.0, 5.0)).rgb;
+  ground = mix(ground, mix(softly, textureLod(groundMap, vec2(0.5), 6.0).rgb, smoothstep(0.3, 6.0, beyond)), outside);
 
   vec2 slopes = (texture2D(normalMap2, vec2((vPlace.x - gridOrigin.x) / gridOrigin.z + 0.5,
       (gridOrigin.y - vPlace.y) / gridOrigin.z + 0.5) / gridSize).rg * 2.0 - 1.0) * (1.0 - outside);
   groundNormal = vec3(slopes, sqrt(max(1.0 - dot(slopes, slopes), 0.05)));
 
-  vec4 a = texture2D(layersA, mapUv), b = texture2D(layersB, mapUv);
+  vec4 a = texture2D(layersA, mirrored), b = texture2D(layersB, mirrored);
   float far = length(vViewPosition);
   vec2 uv = vPlace.xy / 3.2, uvDx = dFdx(uv), uvDy = dFdy(uv);
   vec3 tone = vec3(0.0);

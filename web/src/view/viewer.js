@@ -57,6 +57,7 @@ export class Viewer extends EventTarget {
     this.leastFrame_ms = software ? 80 : 0;  // leaves the processor something for the page
     this.override = null;  // a camera of tests and pictures
     this.world = null;
+    this.furnished = false;
     this.stats = { fps: 0, frames: 0, draw_calls: 0, triangles: 0 };
     this.lastFrame_ms = performance.now();
     this.#applyQuality();
@@ -68,25 +69,24 @@ export class Viewer extends EventTarget {
     this.renderer.setAnimationLoop((now_ms) => this.#frame(now_ms));
   }
 
-  /** Shows a world that readWorld() read. keepCamera: where it has the size of the one before. */
+  /**
+   * Shows the land of a world that readWorld() read, and who moves in it as plain bodies; furnish() puts the
+   * rest there. keepCamera: where it has the size of the one before.
+   */
   async setWorld(world, keepCamera) {
-    const models = await ModelLibrary.read(world.models);
+    const nothing = await ModelLibrary.read(null);
     const size_m = world.description.size_m;
     const sameSize = this.world?.description.size_m === size_m;
     this.#clear();
     const shared = this.atmosphere.uniforms;
     const anisotropy = this.software ? 1 : Math.min(this.renderer.capabilities.getMaxAnisotropy(), 8);
     this.world = world;
-    this.models = models;
     this.terrain = new Terrain(world, shared, { anisotropy });
     this.water = new Water(world, shared);
-    this.scenery = new Scenery(world, models, shared);
-    this.felled = new FelledTrees(this.scenery);
-    this.agents = new Bodies('agents', agentShapes(world.description, models));
-    this.elements = new Bodies('elements', elementShapes(world.description, models));
     this.paths = new PathLayer((x, y) => world.height.at(x, y));
-    this.parts = [this.terrain, this.water, this.scenery, this.felled, this.agents, this.elements];
-    for (const part of [...this.parts, this.paths]) this.scene.add(part.group ?? part.mesh);
+    for (const part of [this.terrain, this.water, this.paths]) this.scene.add(part.group ?? part.mesh);
+    const { description } = world;
+    this.#fill({ ...world, description: { ...description, assets: { ...description.assets, groups: [] } } }, nothing);
     this.setWeather(world.description.atmosphere);
     const heightAt = (x, y) => world.height.at(x, y);
     if (keepCamera && sameSize) this.cameras.set('orbit');
@@ -95,12 +95,41 @@ export class Viewer extends EventTarget {
     this.#applyQuality();
   }
 
+  /** Puts plants, buildings and bodies into the world that is shown. bytes: of readModels(). */
+  async furnish(world, bytes) {
+    const models = await ModelLibrary.read(bytes);
+    if (this.world !== world) return;  // another came meanwhile
+    this.#empty();
+    this.#fill(world, models);
+    this.furnished = true;
+    this.#applyQuality();
+  }
+
+  /** What is made of models. */
+  #fill(world, models) {
+    this.scenery = new Scenery(world, models, this.atmosphere.uniforms);
+    this.felled = new FelledTrees(this.scenery);
+    this.agents = new Bodies('agents', agentShapes(world.description, models));
+    this.elements = new Bodies('elements', elementShapes(world.description, models));
+    this.movables = [this.felled, this.scenery, this.agents, this.elements];
+    for (const part of this.movables) this.scene.add(part.group);
+  }
+
+  #empty() {
+    for (const part of this.movables) {
+      this.scene.remove(part.group);
+      part.dispose();
+    }
+  }
+
   #clear() {
     if (!this.world) return;
+    this.furnished = false;
     this.cameras.set('orbit');
     this.paths.clear();
-    for (const part of [...this.parts, this.paths]) this.scene.remove(part.group ?? part.mesh);
-    for (const part of this.parts) part.dispose();
+    this.#empty();
+    for (const part of [this.terrain, this.water, this.paths]) this.scene.remove(part.group ?? part.mesh);
+    for (const part of [this.terrain, this.water]) part.dispose();
     this.lidar.set(null);
     this.world = null;
   }

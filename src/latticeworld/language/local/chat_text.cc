@@ -8,6 +8,10 @@ namespace {
 
 constexpr std::string_view kTurnBegin = "<|im_start|>", kTurnEnd = "<|im_end|>";
 
+bool IsChatMl(ChatStyle style) {
+  return style == ChatStyle::kChatMl || style == ChatStyle::kChatMlWithoutSystem;
+}
+
 std::string_view NameOf(ChatRole role) {
   switch (role) {
     case ChatRole::kSystem:
@@ -73,8 +77,13 @@ void WriteLlama2(const Tokenizer& tokenizer, const std::vector<ChatMessage>& mes
 }  // namespace
 
 ChatStyle ChatStyleOf(std::string_view chat_template) {
-  if (chat_template.find(kTurnBegin) != std::string_view::npos) return ChatStyle::kChatMl;
-  if (chat_template.find("[INST]") != std::string_view::npos) return ChatStyle::kLlama2;
+  const auto says = [&](std::string_view mark) {
+    return chat_template.find(mark) != std::string_view::npos;
+  };
+  if (says(kTurnBegin)) {
+    return says("!= 'system'") ? ChatStyle::kChatMlWithoutSystem : ChatStyle::kChatMl;
+  }
+  if (says("[INST]")) return ChatStyle::kLlama2;
   return ChatStyle::kPlain;
 }
 
@@ -85,9 +94,11 @@ std::vector<TokenId> ChatTokens(const Tokenizer& tokenizer, ChatStyle style,
     WriteLlama2(tokenizer, messages, &writer);
     return writer.Take();
   }
+  const bool chat_ml = IsChatMl(style);
   for (const ChatMessage& message : messages) {
+    if (style == ChatStyle::kChatMlWithoutSystem && message.role == ChatRole::kSystem) continue;
     const std::string name(NameOf(message.role));
-    if (style == ChatStyle::kChatMl) {
+    if (chat_ml) {
       writer.Mark(kTurnBegin);
       writer.Text(name + "\n" + message.text);
       writer.Mark(kTurnEnd);
@@ -96,7 +107,7 @@ std::vector<TokenId> ChatTokens(const Tokenizer& tokenizer, ChatStyle style,
       writer.Text(name + ": " + message.text + "\n");
     }
   }
-  if (style == ChatStyle::kChatMl) {
+  if (chat_ml) {
     writer.Mark(kTurnBegin);
     writer.Text("assistant\n");
   } else {
@@ -106,7 +117,7 @@ std::vector<TokenId> ChatTokens(const Tokenizer& tokenizer, ChatStyle style,
 }
 
 TokenId AnswerEnd(const Tokenizer& tokenizer, ChatStyle style) {
-  if (style != ChatStyle::kChatMl) return tokenizer.end();
+  if (!IsChatMl(style)) return tokenizer.end();
   return tokenizer.Control(kTurnEnd).value_or(tokenizer.end());
 }
 

@@ -12,13 +12,16 @@ namespace latticeworld {
 
 // How a conversation is laid out for a model.
 enum class ChatStyle : std::uint8_t {
-  kPlain,   // "user: ...\n", and "assistant: " before the answer
-  kLlama2,  // [INST] <<SYS>> ... <</SYS>> ... [/INST]
-  kChatMl,  // <|im_start|>user ... <|im_end|>
+  kPlain,                // "user: ...\n", and "assistant: " before the answer
+  kLlama2,               // [INST] <<SYS>> ... <</SYS>> ... [/INST]
+  kChatMl,               // <|im_start|>user ... <|im_end|>
+  kChatMlWithoutSystem,  // the same, and system messages are left out: small models
+                         // that know one task are not told what it is
 };
 
-// The style that a model file's `tokenizer.chat_template` is written for: the
-// two that are known by their marks, else plain.
+// The style that a model file's `tokenizer.chat_template` is written for: those
+// that are known by their marks (a ChatML one that says `!= 'system'` leaves
+// system messages out), else plain.
 ChatStyle ChatStyleOf(std::string_view chat_template);
 
 // The tokens of the messages, up to where the answer begins. Marks come from

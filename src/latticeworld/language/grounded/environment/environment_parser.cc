@@ -5,6 +5,8 @@
 #include "latticeworld/language/grounded/environment/environment_parser.h"
 
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "latticeworld/common/text.h"
@@ -22,11 +24,32 @@
 namespace latticeworld {
 namespace {
 
+// Mistakes in words too short, or too near to other words, for the dictionary to tell.
+std::string_view ShortMistake(std::string_view word) {
+  constexpr std::pair<std::string_view, std::string_view> kMistakes[] = {
+      {"teh", "the"},    {"hte", "the"},     {"adn", "and"},     {"wiht", "with"},
+      {"lft", "left"},   {"rigth", "right"}, {"rihgt", "right"}, {"suny", "sunny"},
+      {"flys", "flies"}, {"obove", "above"}, {"abov", "above"},  {"wheet", "wheat"},
+      {"nite", "night"}, {"rian", "rain"},   {"fogy", "foggy"},  {"rode", "road"}};
+  for (const auto& [mistake, meant] : kMistakes) {
+    if (word == mistake) return meant;
+  }
+  return {};
+}
+
 void MendSpelling(const AddedValueWords& added, std::vector<Token>* tokens,
                   std::vector<std::string>* warnings) {
-  for (Token& token : *tokens) {
+  for (std::size_t at = 0; at < tokens->size(); ++at) {
+    Token& token = (*tokens)[at];
     if (token.kind != TokenKind::kWord || added.known.count(token.text) > 0) continue;
-    const std::string_view mended = MendedWord(token.text);
+    std::string_view mended = ShortMistake(token.text);
+    // "six warriors rode", but "by the rode", "a drown flying".
+    const std::string_view before =
+        at > 0 ? std::string_view((*tokens)[at - 1].text) : std::string_view();
+    const bool noun = before == "the" || before == "a" || before == "one";
+    if (token.text == "rode" && !noun) mended = {};
+    if (token.text == "drown" && noun) mended = "drone";
+    if (mended.empty()) mended = MendedWord(token.text);
     if (mended.empty()) continue;
     warnings->push_back("read " + Quote(token.text) + " as " + Quote(mended));
     token.text = std::string(mended);
@@ -44,7 +67,7 @@ void MendPlaces(std::vector<Token>* tokens) {
       return true;
     }
     for (const std::string_view end :
-         {"corner", "side", "part", "zone", "area", "and", "quarter"}) {
+         {"corner", "side", "part", "zone", "area", "and", "quarter", "by", "near"}) {
       if (word(at) == end) return true;
     }
     return false;
@@ -53,6 +76,20 @@ void MendPlaces(std::vector<Token>* tokens) {
     return said == "up" ? "upper" : said == "down" ? "lower" : "";
   };
   const auto is_side = [](std::string_view said) { return said == "left" || said == "right"; };
+  // "the left-hand corner" is the left one.
+  for (std::size_t at = 1; at < tokens->size(); ++at) {
+    if (word(at) == "hand" && is_side(word(at - 1))) {
+      tokens->erase(tokens->begin() + static_cast<std::ptrdiff_t>(at));
+    }
+  }
+  // "up at left"
+  for (std::size_t at = 0; at + 2 < tokens->size(); ++at) {
+    const bool apart = !level(word(at)).empty() && (word(at + 1) == "at" || word(at + 1) == "to") &&
+                       is_side(word(at + 2)) && is_end(at + 3);
+    if (apart) (*tokens)[at + 1].text = "the";
+    if (apart) std::swap((*tokens)[at].text, (*tokens)[at + 1].text);
+    if (apart) (*tokens)[at + 1].text = std::string(level(word(at + 1)));
+  }
   for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
     // "up to the left", "down on the right"
     const bool apart = (word(at + 1) == "to" || word(at + 1) == "on" || word(at + 1) == "in") &&
@@ -78,6 +115,34 @@ void MendPlaces(std::vector<Token>* tokens) {
       std::swap((*tokens)[at - 1].text, (*tokens)[at].text);
       std::swap((*tokens)[at].text, (*tokens)[at + 1].text);
     }
+  }
+}
+
+// "Twelve deer, take horses if you have no deer": the nearest there is stands in by itself.
+void DropSubstitutes(std::vector<Token>* tokens) {
+  constexpr std::size_t kReach = 5;
+  const auto word = [&](std::size_t at) -> std::string_view {
+    return at < tokens->size() ? std::string_view((*tokens)[at].text) : std::string_view();
+  };
+  const auto is_pause = [&](std::size_t at) {
+    return at >= tokens->size() || (*tokens)[at].kind != TokenKind::kWord;
+  };
+  for (std::size_t at = 0; at < tokens->size(); ++at) {
+    const bool takes = word(at) == "take" || word(at) == "use" || word(at) == "or" ||
+                       word(at) == "else" || word(at) == "otherwise";
+    if (!takes) continue;
+    std::size_t condition = at + 1;
+    while (condition < at + kReach && !is_pause(condition) && word(condition) != "if") ++condition;
+    if (word(condition) != "if") continue;
+    std::size_t end = condition;
+    bool none = false;
+    for (; !is_pause(end); ++end) {
+      none = none || word(end) == "no" || word(end) == "without" || word(end) == "not" ||
+             word(end) == "lack" || word(end) == "unavailable";
+    }
+    if (!none) continue;
+    tokens->erase(tokens->begin() + static_cast<std::ptrdiff_t>(at),
+                  tokens->begin() + static_cast<std::ptrdiff_t>(end));
   }
 }
 
@@ -124,6 +189,7 @@ HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction,
   std::vector<Token> tokens = Tokenize(instruction);
   MendSpelling(added, &tokens, &heard.warnings);
   MendPlaces(&tokens);
+  DropSubstitutes(&tokens);
   NotedTokens noted = NoteScopes(instruction, std::move(tokens), words);
   std::vector<HeardMeasure> measures = ReadMeasures(&noted);
   ReadAgents(words, &noted, &heard);

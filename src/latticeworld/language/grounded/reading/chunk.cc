@@ -169,8 +169,9 @@ class Chunker {
   // "to the upper lake": the last word of the place can stand before nouns only.
   bool IsAttributive(const Lexeme& place) const {
     const std::string_view word = tokens_[place.last - 1].text;
-    return word == "upper" || word == "lower" || word == "top" || word == "bottom" ||
-           word == "central" || (word.size() > 6 && word.substr(word.size() - 3) == "ern");
+    return word.size() <= 2 || word == "upper" || word == "lower" || word == "top" ||
+           word == "bottom" || word == "central" ||
+           (word.size() > 6 && word.substr(word.size() - 3) == "ern");
   }
   // "upper left lake upper right village": a row that begins with a place has them before nouns.
   bool FollowsPlace(std::size_t noun) const {

@@ -79,7 +79,9 @@ class ClaimMaker {
     if (feature.texture == Texture::kClustered && IsAlone(feature)) {
       Add(Of(ClaimKind::kClustered, feature.letter, feature.words));
     }
-    if (feature.shape.has_value() && IsAlone(feature) && feature.pieces <= 1) {
+    const bool whole = feature.shape == ClaimShape::kRing || feature.shape == ClaimShape::kGridded;
+    if (feature.shape.has_value() && (IsAlone(feature) || (whole && IsLine(feature))) &&
+        feature.pieces <= 1) {
       Claim claim = Of(ClaimKind::kShape, feature.letter, feature.words);
       claim.shape = *feature.shape;
       Add(std::move(claim));
@@ -148,7 +150,13 @@ class ClaimMaker {
     claim.zone = of_map || zones.size() > 1 ? Zone() : zones.front();
     if (feature.share_least.has_value()) claim.least = *feature.share_least;
     if (feature.share_most.has_value() && *feature.share_most < 1.0) {
-      if (FeaturesOf(feature.letter) == 1) claim.most = *feature.share_most;
+      const bool total = std::all_of(
+          plan_.features.begin(), plan_.features.end(), [&](const PlannedFeature& other) {
+            return &other == &feature || other.letter != feature.letter ||
+                   (other.zones.empty() && other.pieces_least == 0 && !IsLine(other) &&
+                    !other.share.has_value() && feature.zones.empty());
+          });
+      if (total) claim.most = *feature.share_most;
     }
     if (claim.least != Claim::kUnsaid || claim.most != Claim::kUnsaid) Add(std::move(claim));
   }

@@ -69,6 +69,40 @@ bool ClauseReader::SplitsMap(const std::vector<Zone>& zones, const std::string& 
   return true;
 }
 
+// "to the north edge, the south edge and the eastern edge": a line to each of them.
+void ClauseReader::TakeMoreEnds(int line) {
+  const auto is_edge = [&](std::size_t at) {
+    if (!IsKind(at, ChunkKind::kPlace) || chunks_[at].lexeme.places.size() != 1) return false;
+    const std::string words = ToLowerAscii(d_.Words(chunks_[at].begin, chunks_[at].end));
+    return EndsWithWord(words, "edge") || EndsWithWord(words, "border") ||
+           EndsWithWord(words, "side");
+  };
+  if (!is_edge(at_)) return;
+  std::vector<std::size_t> more;
+  for (std::size_t at = at_ + 1; more.size() < 3;) {
+    std::size_t next = at;
+    if (IsKind(next, ChunkKind::kComma)) ++next;
+    if (IsSense(next, Sense::kAnd)) ++next;
+    if (next == at || !is_edge(next)) break;
+    more.push_back(next);
+    at = next + 1;
+  }
+  if (more.empty() || !(EndsAt(more.back() + 1) || IsKind(more.back() + 1, ChunkKind::kComma) ||
+                        IsSense(more.back() + 1, Sense::kAnd))) {
+    return;
+  }
+  if (d_.feature(line).pieces > 1) return;
+  for (const std::size_t at : more) {
+    const int twin = d_.Twin(line);
+    if (twin == line) return;
+    Waypoint to;
+    to.zone = EndZoneOf(chunks_[at].lexeme.places.front().zone,
+                        d_.Words(chunks_[at].begin, chunks_[at].end));
+    d_.feature(twin).to = to;
+    at_ = at;
+  }
+}
+
 // Ends and turning points of a line.
 bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
   if (TakeOtherEnd(zones) || TakeHeading(zones)) return true;
@@ -109,6 +143,31 @@ bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
       frame_.reset();
       return true;
     }
+    if (zones.size() == 4 || zones.front().name == "edges") {
+      // "roads to every side of the map"; the arms of a crossroads go there anyway.
+      const std::string_view noun = d_.thing(line).noun->phrase;
+      const bool crossing = noun.find("cross") != std::string_view::npos ||
+                            noun == "intersection" || noun == "junction";
+      const bool all = crossing || zones.size() == 4;
+      if (all && !d_.feature(line).from.has_value() && !d_.feature(line).to.has_value()) {
+        if (!crossing) ReachAllSides(line);
+        d_.Extend(line, chunk.end);
+        frame_.reset();
+        return true;
+      }
+    }
+    // "making a big loop to the right": there it passes, on its way.
+    const bool bends = sense == Sense::kTo && at_ >= 2 && IsKind(at_ - 2, ChunkKind::kQualities) &&
+                       (chunks_[at_ - 2].qualities.shape == ClaimShape::kBent ||
+                        chunks_[at_ - 2].qualities.shape == ClaimShape::kWinding);
+    if (bends) {
+      Waypoint via;
+      via.zone = ZoneOf(HeadingOf(RegionOf(zones.front())));
+      d_.feature(line).via.push_back(std::move(via));
+      d_.Extend(line, chunk.end);
+      frame_.reset();
+      return true;
+    }
     for (const int index : frame_->subjects) {
       if (!IsLine(index)) continue;
       PlannedFeature& feature = d_.feature(index);
@@ -118,11 +177,36 @@ bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
       const bool any_edge = waypoint.zone.name == "edges" && !first && feature.to.has_value() &&
                             feature.to->feature < 0;
       if (any_edge) continue;
-      (first ? feature.from : feature.to) = waypoint;
+      // "from the town to the north edge and to the south edge": another line from there.
+      const bool again = !first && feature.to.has_value() && feature.to->feature < 0 &&
+                         sense == Sense::kTo && feature.from.has_value() && at_ >= 2 &&
+                         (IsSense(at_ - 2, Sense::kAnd) || IsKind(at_ - 2, ChunkKind::kComma));
+      if (again && feature.pieces <= 1 &&
+          EndsWithWord(EndZoneOf(zones.front(), words).name, "edge")) {
+        const int twin = d_.Twin(index);
+        if (twin != index) {
+          d_.feature(twin).to = waypoint;
+          d_.feature(twin).via.clear();
+          continue;
+        }
+      }
+      (first ? d_.feature(index).from : d_.feature(index).to) = waypoint;
       d_.Extend(index, chunk.end);
+      if (!first) TakeMoreEnds(index);
     }
     if (sense == Sense::kConnects && !d_.feature(line).to.has_value()) return true;
     frame_.reset();
+    return true;
+  }
+  // "From the lake we walked east, through forest ...": the lake is the first of them.
+  if (sense == Sense::kTo && traveling_ && !ordering_ && from_.has_value() && from_->feature >= 0 &&
+      frame_->subjects.empty()) {
+    const Heading way = HeadingOf(RegionOf(zones.front()));
+    const int first = from_->feature;
+    from_.reset();
+    frame_.reset();
+    BeginOrder(way);
+    order_ = {first};
     return true;
   }
   if (end && (frame_->fronted || frame_->subjects.empty())) {
@@ -289,9 +373,14 @@ void ClauseReader::ReadAxis(const Chunk& chunk) {
     const int index = subjects_.back();
     d_.feature(index).from = from;
     d_.feature(index).to = to;
-    if (d_.feature(index).form == FeatureForm::kSpread) {
+    // "a long lake stretches from north to south": as a wide river does.
+    const bool lake = d_.feature(index).letter == 'W' && !d_.thing(index).plural &&
+                      d_.feature(index).pieces <= 1 && !d_.feature(index).share.has_value() &&
+                      !d_.feature(index).share_least.has_value();
+    if (d_.feature(index).form == FeatureForm::kSpread || lake) {
       d_.feature(index).form = FeatureForm::kLine;
       d_.feature(index).wide = true;
+      if (d_.feature(index).shape == ClaimShape::kElongated) d_.feature(index).shape.reset();
     }
     return;
   }

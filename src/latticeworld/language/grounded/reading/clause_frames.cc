@@ -359,6 +359,12 @@ void ClauseReader::CloseFrame() {
   if (!MayLackObject(frame.sense) || frame.subjects.empty()) return;
   if (frame.sense == Sense::kBetween) {
     frame.objects = d_.LastTwo(frame.subjects);
+    // "snow N, snow S, forest between"
+    if (frame.objects.size() == 1 && d_.feature(frame.objects[0]).zones.size() == 2 &&
+        !IsLine(frame.objects[0])) {
+      for (const int subject : frame.subjects) Assert(frame, subject, &d_);
+      return;
+    }
     if (frame.objects.size() < 2) {
       // "grid streets in the east. Houses between."
       if (frame.objects.size() == 1 && IsLine(frame.objects[0])) {
@@ -380,6 +386,12 @@ void ClauseReader::CloseFrame() {
   for (const int subject : frame.subjects) {
     // "desert all around"
     PlannedFeature& feature = d_.feature(subject);
+    // "it wraps around the lake on three sides": said already.
+    const std::vector<PlannedRelation>& relations = d_.plan().relations;
+    const bool said = frame.sense == Sense::kSurrounds && !relations.empty() &&
+                      relations.back().kind == RelationKind::kSurrounds &&
+                      relations.back().subject == subject;
+    if (said) continue;
     if (frame.sense == Sense::kSurrounds && feature.form == FeatureForm::kSpread &&
         feature.zones.empty()) {
       feature.dominant = true;

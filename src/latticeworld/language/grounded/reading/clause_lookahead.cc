@@ -83,7 +83,11 @@ bool ClauseReader::Fronts(std::size_t at) const {
   const bool aside = at >= 2 && IsKind(at - 1, ChunkKind::kComma) && IsSense(at - 2, Sense::kAnd);
   const bool preposition = at > 0 && at - 1 == sentence_start_ &&
                            (IsSense(at - 1, Sense::kIn) || IsSense(at - 1, Sense::kTo));
-  return ThingFollows(next, at == sentence_start_ || aside || preposition);
+  // "..., and behind the town, on the right, begin the fields"
+  const bool placed = at > 0 && IsSense(at - 1, Sense::kAnd) && IsKind(next, ChunkKind::kComma) &&
+                      (IsKind(next + 1, ChunkKind::kPlace) ||
+                       (IsSense(next + 1, Sense::kIn) && IsKind(next + 2, ChunkKind::kPlace)));
+  return ThingFollows(next, at == sentence_start_ || aside || preposition || placed);
 }
 
 // How many things stand in the list that begins at `at`; 1: no list.

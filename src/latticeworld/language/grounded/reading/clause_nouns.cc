@@ -64,6 +64,7 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
       return;
     }
   }
+  if (ReadLeftOut(chunk)) return;
   if (denied && phrase.noun != nullptr) {
     not_next_ = false;
     // "not a lake but a river"
@@ -208,7 +209,9 @@ void ClauseReader::ReadMap(const Chunk& chunk) {
     return;
   }
   // "forest on two fifths of the map"
-  if (frame_.has_value() && frame_->sense == Sense::kIn && frame_->objects.empty() &&
+  const bool over =
+      frame_.has_value() && frame_->sense == Sense::kCrosses && LineOf(frame_->subjects) < 0;
+  if (frame_.has_value() && (frame_->sense == Sense::kIn || over) && frame_->objects.empty() &&
       !frame_->fronted && said.share.has_value()) {
     for (const int index : frame_->subjects) d_.Describe(said, index);
     frame_.reset();
@@ -225,7 +228,11 @@ void ClauseReader::ReadMap(const Chunk& chunk) {
       }
       d_.Extend(index, chunk.end);
     }
-    if (!IsCourse(frame_->sense)) frame_.reset();
+    if (!IsCourse(frame_->sense)) {
+      frame_.reset();
+    } else if (frame_->sense == Sense::kCrosses) {
+      frame_->sense = Sense::kThrough;  // "two roads cross the map": not each other
+    }
     return;
   }
   // "away from it the ground is stone"

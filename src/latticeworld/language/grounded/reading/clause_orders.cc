@@ -43,6 +43,18 @@ void ClauseReader::FinishOrder() {
   order.words = d_.Words(std::min(order_begin_, d_.thing(features.front()).begin),
                          d_.thing(features.back()).end);
   d_.plan().orders.push_back(std::move(order));
+  // "in five stripes: ..., houses": each of them fills its own.
+  const std::string said = ToLowerAscii(order.words);
+  if (features.size() >= 3 &&
+      (said.find("stripe") != std::string::npos || said.find("bands") != std::string::npos ||
+       said.find("strips") != std::string::npos)) {
+    for (const int index : features) {
+      PlannedFeature& feature = d_.feature(index);
+      if (feature.form != FeatureForm::kPatch || feature.pieces_least > 0) continue;
+      feature.form = FeatureForm::kSpread;
+      feature.pieces = 0;
+    }
+  }
   // A line needs less room than land.
   constexpr double kLineRoom = 0.4;
   double room = 0.0;
@@ -212,6 +224,11 @@ void ClauseReader::ResolveBehind(Frame* frame) const {
       frame->sense == Sense::kBehind) {
     const Heading there = HeadingOf(RegionOf(zones.front()));
     if (there.south == 0) heading = {-there.east, 0};
+  }
+  // "to the south lay the fields, and a village beyond them": on from where one looks.
+  if (heading.east == 0 && heading.south == 0 && zones.size() == 1 &&
+      frame->sense == Sense::kBeyond && !IsLine(object)) {
+    heading = HeadingOf(RegionOf(zones.front()));
   }
   if (heading.east == 0 && heading.south == 0) return;
   frame->is_direction = true;

@@ -40,6 +40,9 @@ std::vector<int> ClauseReader::Arm(const Chunk& chunk) {
     return {};
   }
   const int river = d_.Latest('W', FeatureForm::kLine);
+  // "a crossroads; each arm goes to the border"
+  const int road = d_.Latest('R', FeatureForm::kLine);
+  if (river < 0 && road >= 0 && noun == "arm") return {road};
   if (river < 0 || phrase.plural) return {};
   if (fork_ != river && !d_.feature(river).to.has_value()) {
     fork_ = first_ = river;

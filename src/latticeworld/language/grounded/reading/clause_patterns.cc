@@ -230,6 +230,16 @@ void ClauseReader::ReadInsideBend() {
     } else {
       for (const int subject : subjects_) Assert(frame, subject, &d_);
     }
+    // Where the bend bulges to is known: what is inside it lies on the other side.
+    const PlannedFeature& line = d_.feature(i);
+    const Heading bulge = line.via.empty() ? Heading{0, 0} : HeadingOf(RegionOf(line.via[0].zone));
+    if (IsLine(i) && (bulge.east != 0) != (bulge.south != 0) && !frame_.has_value()) {
+      Frame side;
+      side.is_direction = true;
+      side.heading = {-bulge.east, -bulge.south};
+      side.objects = {i};
+      for (const int subject : subjects_) Assert(side, subject, &d_);
+    }
     return;
   }
 }

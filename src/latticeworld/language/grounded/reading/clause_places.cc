@@ -11,6 +11,7 @@ namespace latticeworld {
 namespace {
 
 constexpr double kCoveringShare = 0.5;  // "forest covers the northern half": at least
+constexpr double kWholeShare = 0.75;    // "the whole northern half"
 constexpr int kCityCells = 60;          // what is so large may lie everywhere
 
 }  // namespace
@@ -166,8 +167,11 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
       if (covers && !IsLine(index)) {
         d_.feature(index).dominant = true;
         if (extent && d_.feature(index).form != FeatureForm::kLine) {
-          d_.feature(index).share_least =
-              std::max(d_.feature(index).share_least.value_or(0.0), kCoveringShare);
+          const std::string lower = ToLowerAscii(words);
+          const bool whole = chunk.lexeme.whole || lower.find("whole") != std::string::npos ||
+                             lower.find("entire") != std::string::npos;
+          d_.feature(index).share_least = std::max(d_.feature(index).share_least.value_or(0.0),
+                                                   whole ? kWholeShare : kCoveringShare);
         }
       }
       if (away) Deny(d_.feature(index).letter, zones, chunk);
@@ -310,8 +314,12 @@ void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chu
     return;
   }
   std::vector<int> owners = subjects_;
+  // "town, grid streets, centre": the streets are the town's.
+  const bool streets = owners.size() == 2 && IsKind(at_ - 1, ChunkKind::kComma) &&
+                       d_.feature(owners[0]).letter == 'B' &&
+                       d_.feature(owners[1]).shape == ClaimShape::kGridded;
   // "a forest and a lake in the north" share the place; "a lake, a village in the center" do not.
-  if (owners.size() > 1 && !list_has_and_) owners = {owners.back()};
+  if (owners.size() > 1 && !list_has_and_ && !streets) owners = {owners.back()};
   // "a village next to a lake in the east": the lake is there, and so is the village by it.
   const std::size_t before = at_ > 0 && IsSense(at_ - 1, Sense::kIn) ? at_ - 1 : at_;
   const bool of_pronoun =
@@ -349,6 +357,13 @@ void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chu
     owners.erase(std::remove_if(owners.begin(), owners.end(),
                                 [&](int index) { return d_.feature(index).fills_rest; }),
                  owners.end());
+  }
+  // "roads reaching every side of the map"
+  const bool all_sides = zones.size() == 4 || (zones.size() == 1 && zones.front().name == "edges");
+  if (all_sides && owners.size() == 1 && IsLine(owners[0]) && SaysReach()) {
+    ReachAllSides(owners[0]);
+    d_.Extend(owners[0], chunk.end);
+    return;
   }
   for (const int index : owners) {
     PlannedFeature& feature = d_.feature(index);

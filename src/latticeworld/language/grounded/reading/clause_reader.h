@@ -112,6 +112,13 @@ class ClauseReader {
   bool ClotheIsland(int host);
   bool OppositePlace(const std::string& words, std::vector<Zone>* zones) const;
   void ReadMeeting();
+  void ReadSwap();
+  bool ReadLeftOut(const Chunk& chunk);
+  bool ReadAcross();
+  void ReachAllSides(int line);
+  bool SaysReach() const;
+  void TakeMoreEnds(int line);
+  void RunLikewise();
   void DenyAround(char letter, const Chunk& chunk);
 
   // Frames.
@@ -230,11 +237,13 @@ class ClauseReader {
   std::vector<int> order_;
   std::size_t order_begin_ = 0;
   bool traveling_ = false;
-  int first_ = -1;    // "the first lake", which no words before it named
-  int fork_ = -1;     // a river that forks; its first arm is the river itself
-  int split_ = -1;    // what is left of it is "the other"
-  int host_ = -1;     // "a forest with ..."
-  int side_of_ = -1;  // "a village with fields to the west, a lake to the east": the village
+  int it_ = -1;           // what "it" meant last
+  int it_sentence_ = -1;  // in this sentence
+  int first_ = -1;        // "the first lake", which no words before it named
+  int fork_ = -1;         // a river that forks; its first arm is the river itself
+  int split_ = -1;        // what is left of it is "the other"
+  int host_ = -1;         // "a forest with ..."
+  int side_of_ = -1;      // "a village with fields to the west, a lake to the east": the village
   int hosted_ = -1;
   std::size_t host_relations_ = 0;
   std::size_t sentence_start_ = 0;  // chunk

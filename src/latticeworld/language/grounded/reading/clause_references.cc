@@ -17,7 +17,19 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
     switch (phrase.head) {
       case Head::kIt: {
         if (const int same = SameObject(); same >= 0) return {same};
+        const std::string words = ToLowerAscii(d_.Words(chunk.begin, chunk.end));
+        // "Three ponds, all but one in the north; that one is in the south"
+        if (words == "that one" && split_ >= 0) return {std::exchange(split_, -1)};
+        // "Trees along it, and no house near it": the same both times.
+        const bool again = it_ >= 0 && it_sentence_ == d_.sentence() && !d_.thing(it_).dropped &&
+                           frame_.has_value() && frame_->expecting &&
+                           std::find(about.begin(), about.end(), it_) == about.end() && IsLine(it_);
+        if (again) return {it_};
         const std::vector<int> found = d_.Antecedent(about, /*many=*/false);
+        if (found.size() == 1) {
+          it_ = found[0];
+          it_sentence_ = d_.sentence();
+        }
         // "a bridge crosses it": a line.
         if (frame_.has_value() && frame_->sense == Sense::kCrosses && LineOf(about) >= 0 &&
             LineOf(found) < 0) {
@@ -79,6 +91,15 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
             (phrase.qualities.axis.has_value() || IsKind(at_ + 1, ChunkKind::kAxis))) {
           if (const std::vector<int> line = OneLine(chunk); !line.empty()) return line;
         }
+        // "On the left is the old town, on the right the new one": another.
+        const int model_one = d_.LastMentioned();
+        const bool elsewhere =
+            phrase.head == Head::kOne && phrase.definite && phrase.places.empty() &&
+            !lead_.empty() && !lead_.used && model_one >= 0 && !frame_.has_value() &&
+            d_.feature(model_one).pieces <= 1 && d_.feature(model_one).zones.size() == 1 &&
+            d_.thing(model_one).sentence == d_.sentence() &&
+            RegionOf(d_.feature(model_one).zones.front()) != RegionOf(lead_.zones.front());
+        if (elsewhere) return OneMore(chunk);
         // "a copse in the west and a bigger one in the east"
         if (phrase.head == Head::kOne && phrase.indefinite) return OneMore(chunk);
         const int model = OneOfSeveral();
@@ -157,6 +178,15 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
   }
   if (const std::vector<int> arm = Arm(chunk); !arm.empty()) return arm;
   if (const std::vector<int> island = IslandOf(phrase); !island.empty()) return island;
+  // "two islands, both wooded"
+  const int lately = d_.LastMentioned();
+  const char clothed = phrase.noun->LetterIn(d_.plan().vocabulary);
+  if ((phrase.head == Head::kBoth || phrase.each) && lately >= 0 && d_.thing(lately).is_island &&
+      !d_.thing(lately).dropped && phrase.noun->shape == WordShape::kMass && clothed != '\0' &&
+      clothed != 'W' && !phrase.qualities.count.has_value()) {
+    d_.feature(lately).letter = clothed;
+    return {lately};
+  }
   const bool counted = phrase.qualities.count.has_value();
   // "rocks: three separate fields", in the wild: fields of rock.
   if (counted && !phrase.noun->IsExactIn(d_.plan().vocabulary) && LastSubject() >= 0 && at_ > 0 &&
@@ -191,8 +221,24 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
     }
     // "that is the only road": the one there is.
     const std::string words = ToLowerAscii(d_.Words(chunk.begin, chunk.end));
-    if (single && known.size() == 1 && words.find("only ") != std::string::npos &&
-        phrase.places.empty() && d_.feature(last).pieces_least == 0) {
+    const bool sole = words.find("only ") != std::string::npos ||
+                      (phrase.definite && words.find("the one ") != std::string::npos);
+    // "parallel tracks: three straight roads"
+    const bool explained = counted && IsLine(last) && d_.feature(last).pieces_least == 0 &&
+                           d_.thing(last).plural && at_ > 0 && IsKind(at_ - 1, ChunkKind::kComma) &&
+                           d_.instruction()[chunks_[at_ - 1].begin] == ':' &&
+                           d_.thing(last).sentence == d_.sentence() && phrase.plural;
+    if (explained) {
+      d_.Describe(phrase.qualities, last);
+      return {last};
+    }
+    if (single && known.size() == 1 && sole && phrase.places.empty() &&
+        d_.feature(last).pieces_least == 0) {
+      d_.Describe(phrase.qualities, last);
+      return {last};
+    }
+    // "six separate woods, total tree cover below 30 %": of all that there is of it.
+    if (words.substr(0, 6) == "total ") {
       d_.Describe(phrase.qualities, last);
       return {last};
     }
@@ -232,8 +278,10 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
     if (told && as_object && same_name && !phrase.places.empty()) return {last};
     // "Forest in the west. ... Forest also ...", "1 pond, pond not at the edge": the same word
     // without an article takes up what was said before.
-    const bool bare_name = !phrase.indefinite && !counted && phrase.places.empty() && same_name &&
-                           lead_.empty() && !ordering_;
+    const bool settlement = at_ == sentence_start_ && phrase.noun->phrase == "building" &&
+                            !phrase.plural && d_.feature(last).letter == 'B';
+    const bool bare_name = !phrase.indefinite && !counted && phrase.places.empty() &&
+                           (same_name || settlement) && lead_.empty() && !ordering_;
     const bool same_share = !phrase.qualities.share.has_value() ||
                             (d_.feature(last).share.has_value() &&
                              *d_.feature(last).share == phrase.qualities.share->value);

@@ -76,6 +76,12 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
           !frame_->subjects.empty() && IsKind(at_ + 1, ChunkKind::kPlace)) {
         break;  // "connects the north with the south"
       }
+      // "connects the village with the eastern edge"
+      if (sense == Sense::kWith && frame_.has_value() && frame_->sense == Sense::kConnects &&
+          !frame_->fronted && frame_->objects.size() == 1 && IsKind(at_ + 1, ChunkKind::kPlace)) {
+        OpenSense(Sense::kTo, false);
+        break;
+      }
       // "A village holds the middle."
       if (sense == Sense::kHas && !subjects_.empty() && IsKind(at_ + 1, ChunkKind::kPlace) &&
           EndsAt(at_ + 2)) {
@@ -362,6 +368,12 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     case Sense::kMeets:
       ReadMeeting();
       break;
+    case Sense::kSwap:
+      ReadSwap();
+      break;
+    case Sense::kLikewise:
+      RunLikewise();
+      break;
     case Sense::kToThere:
       ReadToThere();
       break;
@@ -441,8 +453,12 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
         rest_next_ = true;
         FrontRing();
       } else {
-        for (const int index : subjects_) {
-          if (!IsLine(index)) d_.feature(index).fills_rest = true;
+        // "four fields outside it" are only these.
+        const std::vector<int> about =
+            list_has_and_ || subjects_.empty() ? subjects_ : std::vector<int>{subjects_.back()};
+        for (const int index : about) {
+          const bool counted = d_.feature(index).pieces_least > 0;
+          if (!IsLine(index) && !counted) d_.feature(index).fills_rest = true;
         }
       }
       break;
@@ -469,6 +485,8 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     case Sense::kLand:
     case Sense::kNoOther:
       if (sense == Sense::kNoOther) {
+        const std::string said = ToLowerAscii(d_.Words(chunk.begin, chunk.end));
+        if (IsThing(at_ + 1) && EndsWithWord(said, "all")) break;  // "that's all fields"
         if (IsThing(at_ + 1)) {
           skip_next_ = true;
         } else {
@@ -501,6 +519,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       break;
     }
     default:
+      if (sense == Sense::kCrosses && ReadAcross()) break;
       if (sense == Sense::kTo && ReadHalves()) break;
       if (sense == Sense::kTo && (IsInfinitive(at_) || IsSense(at_ + 1, Sense::kBothSides))) break;
       if (sense == Sense::kTo && IsKind(at_ + 1, ChunkKind::kDirection)) break;  // "to its south"

@@ -128,7 +128,9 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
     if (only_next_ && IsLine(index) && ListLength(at_) > 1 && lead_.empty()) d_.AllIsSaid();
     if (only_next_ && !IsLine(index)) {
       const Heading side = fronted ? HeadingOfFrame(*frame_) : Heading{0, 0};
-      if (side.east == 0 && side.south == 0) {
+      if (fronted && frame_->sense == Sense::kBetween) {
+        feature.form = FeatureForm::kSpread;  // "in between there is only rock"
+      } else if (side.east == 0 && side.south == 0) {
         OnlyThis(index, is_new);
       } else if (feature.zones.empty() && feature.form == FeatureForm::kSpread) {
         // "below it nothing but trees"

@@ -104,6 +104,15 @@ int Discourse::Create(const NounPhrase& phrase, std::size_t begin, std::size_t e
   }
   feature.form = FormOf(phrase.noun->shape);
   feature.cells = std::max(1, phrase.noun->cells);
+  // "five separate farms, spread out": the homesteads.
+  const bool homestead = letter == 'A' && plan_.vocabulary == Vocabulary::kSuburb &&
+                         EndsWith(phrase.noun->phrase, "farm") &&
+                         phrase.qualities.count.has_value() &&
+                         phrase.qualities.texture == Texture::kScattered;
+  if (homestead) {
+    feature.letter = 'B';
+    feature.cells = kSmallCells;
+  }
   // "water in the east", as "forest in the east"
   const bool mass = phrase.noun->phrase == "water" && !phrase.indefinite && !phrase.plural &&
                     !phrase.qualities.any && !phrase.definite;
@@ -124,10 +133,33 @@ int Discourse::Create(const NounPhrase& phrase, std::size_t begin, std::size_t e
   if (phrase.noun->phrase.find("grid") != std::string_view::npos) {
     this->feature(index).shape = ClaimShape::kGridded;
   }
+  if (phrase.noun->phrase == "loop road" || phrase.noun->phrase == "circular road") {
+    this->feature(index).shape = ClaimShape::kRing;
+  }
   Describe(phrase.qualities, index);
   std::vector<Zone> zones;
   for (const Place& place : phrase.places) zones.push_back(place.zone);
   AddZones(index, zones);
+  // "grid city": its streets are.
+  if (letter == 'B' && this->feature(index).shape == ClaimShape::kGridded) {
+    this->feature(index).shape.reset();
+    const std::vector<Token> words = Tokenize("street grid");
+    NounPhrase streets;
+    streets.noun = MatchClassWord(words, 0).word;
+    const bool known = Latest('R', FeatureForm::kLine) >= 0;
+    if (streets.noun != nullptr && !known && plan_.vocabulary == Vocabulary::kSuburb) {
+      const int grid = Create(streets, begin, end);
+      if (grid >= 0) {
+        PlannedRelation near;
+        near.kind = RelationKind::kNear;
+        near.subject = grid;
+        near.object = index;
+        near.steps = 4.0;
+        Relate(std::move(near));
+        mentioned_.pop_back();
+      }
+    }
+  }
   Mention(index);
   return index;
 }

@@ -74,7 +74,7 @@ class Discourse {
   int size() const { return static_cast<int>(things_.size()); }
   LayoutPlan& plan() { return plan_; }
   std::string Words(std::size_t begin, std::size_t end) const {
-    return std::string(instruction_.substr(begin, end - begin));
+    return end > begin ? std::string(instruction_.substr(begin, end - begin)) : std::string();
   }
   std::string_view instruction() const { return instruction_; }
 
@@ -90,6 +90,8 @@ class Discourse {
   void SettleCrossroads();
   void SettleChains();
   void SettleAlong();
+  void SettleFollowing();
+  void SettleApproaches();
   void PlaceContained();
   void SettleOpenEnds();
   bool Matches(const NounPhrase& phrase, int index) const;

@@ -82,8 +82,10 @@ class Asserter {
                frame_.steps > 0.0 ? frame_.steps : kTouchingSteps);
         break;
       case Sense::kBorderedBy:
-      case Sense::kGivesWay:
         Relate(RelationKind::kAdjacent, object_, subject_, kTouchingSteps);
+        break;
+      case Sense::kGivesWay:
+        AssertGivesWay();
         break;
       case Sense::kNear:
       case Sense::kPast:
@@ -120,6 +122,10 @@ class Asserter {
         break;
       case Sense::kBetween:
         AssertTwo(RelationKind::kBetween, subject_, frame_.objects);
+        // "a motorway between the two towns" joins them.
+        if (IsLine(subject()) && subject().letter == 'R' && AreSettlements(frame_.objects)) {
+          AssertTwo(RelationKind::kConnects, subject_, frame_.objects);
+        }
         break;
       case Sense::kConnects:
         AssertTwo(RelationKind::kConnects, subject_, frame_.objects);
@@ -169,6 +175,11 @@ class Asserter {
       case Sense::kAbove:
       case Sense::kBehind:
         AssertDirection({0, -1});
+        // "the pond behind our house"
+        if (frame_.sense == Sense::kBehind && object().letter == 'B' &&
+            subject().form == FeatureForm::kPatch) {
+          Relate(RelationKind::kNear, subject_, object_, kNearSteps);
+        }
         break;
       case Sense::kBelow:
       case Sense::kInFront:
@@ -189,6 +200,28 @@ class Asserter {
       default:
         break;
     }
+  }
+
+  // "the southern edge is beach, then come houses": on from there.
+  void AssertGivesWay() {
+    const std::vector<Zone>& zones = subject().zones;
+    const Heading there = zones.size() == 1 ? HeadingOf(RegionOf(zones.front())) : Heading{0, 0};
+    if ((there.east != 0) != (there.south != 0) && object().zones.empty() && !IsLine(subject())) {
+      PlannedRelation relation;
+      relation.kind = RelationKind::kDirection;
+      relation.subject = object_;
+      relation.object = subject_;
+      relation.heading = {-there.east, -there.south};
+      d_.Relate(std::move(relation));
+    }
+    Relate(RelationKind::kAdjacent, object_, subject_, kTouchingSteps);
+  }
+
+  bool AreSettlements(const std::vector<int>& indices) const {
+    return d_.plan().vocabulary == Vocabulary::kSuburb &&
+           std::all_of(indices.begin(), indices.end(), [&](int index) {
+             return d_.feature(index).letter == 'B' && !IsLine(d_.feature(index));
+           });
   }
 
   // "fields north and south of the village": the sides are named.

@@ -14,6 +14,8 @@
 #include "latticeworld/language/grounded/reading/clause_reader.h"
 #include "latticeworld/language/grounded/reading/discourse.h"
 #include "latticeworld/language/grounded/reading/elided_words.h"
+#include "latticeworld/language/grounded/reading/named_places.h"
+#include "latticeworld/language/grounded/reading/plain_words.h"
 #include "latticeworld/language/grounded/reading/sense.h"
 #include "latticeworld/language/grounded/reading/settle_plan.h"
 #include "latticeworld/language/spelling.h"
@@ -85,7 +87,8 @@ std::optional<std::string_view> ShortMistake(std::string_view word) {
       {"feilds", "fields"},    {"smal", "small"},       {"larg", "large"},
       {"midle", "middle"},     {"litle", "little"},     {"hous", "house"},
       {"betwen", "between"},   {"mosty", "mostly"},     {"arond", "around"},
-      {"ned", "need"},
+      {"ned", "need"},         {"inbetwen", "between"}, {"inbetween", "between"},
+      {"wal", "wall"},         {"lefft", "left"},       {"surounded", "surrounded"},
   };
   for (const auto& [mistake, meant] : kMistakes) {
     if (word == mistake) return meant;
@@ -152,7 +155,7 @@ LayoutPlan ParseLayoutInstruction(std::string_view instruction, Vocabulary vocab
   std::vector<Token> tokens =
       WithoutRepeats(instruction, Tokenize(instruction), &discourse.plan().warnings);
   CorrectSpelling(instruction, &tokens, &discourse.plan().warnings);
-  tokens = WithElidedWords(std::move(tokens));
+  tokens = WithElidedWords(WithPlainWords(WithNamedPlaces(std::move(tokens))));
   const Chunks chunks = ChunkLayout(tokens);
   ClauseReader(chunks.chunks, &discourse).Read();
   LayoutPlan plan = discourse.Finish();

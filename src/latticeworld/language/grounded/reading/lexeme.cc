@@ -55,10 +55,16 @@ bool LexDirection(const std::vector<Token>& tokens, std::size_t at, Lexeme* lexe
       return false;
     }
     // "separates the fields in the north from the town"
-    if (IsWord(tokens, next, {"from"}) && after_in) return false;
+    const bool placed =
+        after_in || (at > 0 && IsWord(tokens, at - 1, {"on"})) ||
+        (at > 1 && IsWord(tokens, at - 1, {"the"}) && IsWord(tokens, at - 2, {"in", "on"}));
+    if (IsWord(tokens, next, {"from"}) && placed) return false;
     const std::size_t object =
         next + 1 + (IsWord(tokens, next + 1, {"the", "this", "that"}) ? 1 : 0);
     if (MatchPlace(tokens, object).tokens > 0) return false;
+    // "from the top of the picture"
+    const PlaceMatch whole = MatchPlace(tokens, at);
+    if (!whole.of_other && at + whole.tokens > next) return false;
     ++next;
     lexeme->use = at_side    ? DirectionUse::kAtSide
                   : after_in ? DirectionUse::kInside
@@ -112,6 +118,7 @@ std::string_view ClassOfAdjective(std::string_view word) {
       {"farmed", "farmland"},
       {"cultivated", "farmland"},
       {"barren", "barren land"},
+      {"bare", "barren land"},
       {"bushy", "bush"},
       {"arable", "farmland"},
       {"flooded", "water"},
@@ -339,6 +346,8 @@ class Lexer {
   void ReadAdjective(Lexeme* lexeme) {
     const std::string_view phrase = ClassOfAdjective(tokens_[lexeme->first].text);
     if (phrase.empty()) return;
+    // "the bare one" tells which.
+    if (phrase == "barren land" && IsWord(tokens_, lexeme->first + 1, {"one", "ones"})) return;
     const std::vector<Token> words = Tokenize(phrase);
     const ClassWordMatch match = MatchClassWord(words, 0);
     if (match.word == nullptr) return;

@@ -157,9 +157,11 @@ enum class Sense : std::uint8_t {
   kInsideBend,
   kOptional,
   kAtBothEnds,
+  kSwap,
+  kLikewise,
 };
 
-constexpr std::array<EnumName<Sense>, 140> EnumNames(Sense) {
+constexpr std::array<EnumName<Sense>, 142> EnumNames(Sense) {
   return {{
       {Sense::kFunction, "function"},
       {Sense::kDefinite, "definite"},
@@ -301,6 +303,8 @@ constexpr std::array<EnumName<Sense>, 140> EnumNames(Sense) {
       {Sense::kInsideBend, "inside_bend"},
       {Sense::kOptional, "optional"},
       {Sense::kAtBothEnds, "at_both_ends"},
+      {Sense::kSwap, "swap"},
+      {Sense::kLikewise, "likewise"},
   }};
 }
 

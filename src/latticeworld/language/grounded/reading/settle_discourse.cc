@@ -207,17 +207,83 @@ void Discourse::SettleCrossroads() {
 void Discourse::SettleAlong() {
   for (int i = 0; i < size(); ++i) {
     PlannedFeature& line = feature(i);
+    // Its ends at the edges that it runs between are at the corners.
+    const auto at_edge = [](const std::optional<Waypoint>& end) {
+      return !end.has_value() || (end->feature < 0 && EndsWith(end->zone.name, " edge"));
+    };
     const bool open = line.form == FeatureForm::kLine && line.along.has_value() &&
-                      !line.from.has_value() && !line.to.has_value() && line.pieces <= 1;
+                      at_edge(line.from) && at_edge(line.to) && line.pieces <= 1 &&
+                      line.from.has_value() == line.to.has_value();
     if (!open || !EndsWith(line.along->name, " edge")) continue;
     const Heading side = HeadingOf(RegionOf(*line.along));
     const Heading way = {side.south != 0 ? 1 : 0, side.east != 0 ? 1 : 0};
+    const auto across = [&](const std::optional<Waypoint>& end) {
+      if (!end.has_value()) return false;
+      const Heading at = HeadingOf(RegionOf(end->zone));
+      return at.east * way.east + at.south * way.south == 0;
+    };
+    if (across(line.from) || across(line.to)) continue;
     Waypoint from;
     from.zone = RimZoneOf({side.east - way.east, side.south - way.south});
     Waypoint to;
     to.zone = RimZoneOf({side.east + way.east, side.south + way.south});
     line.from = from;
     line.to = to;
+  }
+}
+
+// "a road follows the river from the west to the east": so the river runs there too.
+void Discourse::SettleFollowing() {
+  for (const PlannedRelation& relation : plan_.relations) {
+    if (relation.kind != RelationKind::kAlong && relation.kind != RelationKind::kParallel) continue;
+    const auto has_no_course = [&](const PlannedFeature& line) {
+      return line.form == FeatureForm::kLine && !line.from.has_value() && !line.to.has_value() &&
+             !line.along.has_value() && line.pieces <= 1 && line.zones.empty();
+    };
+    PlannedFeature& a = feature(relation.subject);
+    PlannedFeature& b = feature(relation.object);
+    if (a.form != FeatureForm::kLine || b.form != FeatureForm::kLine) continue;
+    const auto runs = [](const PlannedFeature& line) {
+      return line.from.has_value() && line.to.has_value() && line.from->feature < 0 &&
+             line.to->feature < 0;
+    };
+    if (has_no_course(a) && runs(b)) {
+      a.from = b.from;
+      a.to = b.to;
+    } else if (has_no_course(b) && runs(a)) {
+      b.from = a.from;
+      b.to = a.to;
+    }
+  }
+}
+
+// "a town in the middle, a single road from the south": it leads to the town.
+void Discourse::SettleApproaches() {
+  int town = -1;
+  int towns = 0;
+  for (int i = 0; i < size(); ++i) {
+    const PlannedFeature& feature = this->feature(i);
+    if (thing(i).dropped || feature.letter != 'B' || feature.form == FeatureForm::kLine) continue;
+    town = i;
+    ++towns;
+  }
+  if (towns != 1 || plan_.vocabulary != Vocabulary::kSuburb || thing(town).plural ||
+      feature(town).pieces > 1) {
+    return;
+  }
+  for (int i = 0; i < size(); ++i) {
+    PlannedFeature& road = feature(i);
+    const bool open = !thing(i).dropped && road.letter == 'R' && road.form == FeatureForm::kLine &&
+                      road.from.has_value() && !road.to.has_value() && road.via.empty() &&
+                      road.from->feature < 0 && road.pieces <= 1;
+    const bool tied = std::any_of(plan_.relations.begin(), plan_.relations.end(),
+                                  [&](const PlannedRelation& relation) {
+                                    return relation.subject == i || relation.object == i;
+                                  });
+    if (!open || tied) continue;
+    Waypoint to;
+    to.feature = town;
+    road.to = to;
   }
 }
 
@@ -284,6 +350,8 @@ void Discourse::SettleOpenEnds() {
 LayoutPlan Discourse::Finish() {
   SettleOpenEnds();
   SettleAlong();
+  SettleFollowing();
+  SettleApproaches();
   SettleCrossroads();
   SettleDenials();
   SettleIslands();

@@ -48,6 +48,30 @@ char Host(const LayoutPlan& plan) {
   return host;
 }
 
+// "round the ice stone, and round the stone the forest": the outermost of rings.
+char Outermost(const LayoutPlan& plan) {
+  const auto surrounds = [&](int outer) {
+    return std::find_if(
+        plan.relations.begin(), plan.relations.end(), [&](const PlannedRelation& relation) {
+          return relation.kind == RelationKind::kSurrounds && relation.subject == outer;
+        });
+  };
+  for (const PlannedRelation& relation : plan.relations) {
+    if (relation.kind != RelationKind::kSurrounds) continue;
+    const PlannedFeature& outer = plan.features[static_cast<std::size_t>(relation.subject)];
+    const bool open = outer.form == FeatureForm::kSpread && outer.zones.empty() &&
+                      !outer.shape.has_value() && !outer.share.has_value() &&
+                      outer.texture == Texture::kUnsaid;
+    const bool chain = surrounds(relation.object) != plan.relations.end();
+    const bool last = std::none_of(
+        plan.relations.begin(), plan.relations.end(), [&](const PlannedRelation& other) {
+          return other.kind == RelationKind::kSurrounds && other.object == relation.subject;
+        });
+    if (open && chain && last) return outer.letter;
+  }
+  return '\0';
+}
+
 char Background(const LayoutPlan& plan) {
   for (const PlannedFeature& feature : plan.features) {
     if (feature.fills_rest && feature.form != FeatureForm::kLine) return feature.letter;
@@ -59,6 +83,7 @@ char Background(const LayoutPlan& plan) {
     }
   }
   if (const char host = Host(plan); host != '\0') return host;
+  if (const char ring = Outermost(plan); ring != '\0') return ring;
   const char usual = OpenGround(plan);
   for (const PlannedRelation& relation : plan.relations) {
     if (relation.kind != RelationKind::kMoreThan) continue;

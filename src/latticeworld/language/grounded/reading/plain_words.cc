@@ -1,0 +1,28 @@
+#include "latticeworld/language/grounded/reading/plain_words.h"
+
+#include <utility>
+
+#include "latticeworld/language/grounded/reading/plain_turns.h"
+
+namespace latticeworld {
+
+// Each step reads what the steps before it have left.
+std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
+  TurnSlips(&tokens);
+  TurnPossessives(&tokens);
+  TurnComparisons(&tokens);
+  TurnCompany(&tokens);
+  TurnLikenesses(&tokens);
+  TurnBounds(&tokens);
+  TurnComparatives(&tokens);
+  TurnReached(&tokens);
+  TurnNegations(&tokens);
+  TurnMatrix(&tokens);
+  TurnExceptions(&tokens);
+  TurnExclusions(&tokens);
+  TurnOthers(&tokens);
+  TurnBeyond(&tokens);
+  return WithOtherPlaces(std::move(tokens));
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,152 @@
+#include "tools/dataset_sources.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "latticeworld/dataset/generated_source.h"
+#include "latticeworld/dataset/loveda_source.h"
+#include "latticeworld/dataset/remote_annotator.h"
+#include "latticeworld/dataset/scenes_source.h"
+#include "latticeworld/dataset/written_annotator.h"
+#include "latticeworld/language/chat/openai_client.h"
+#include "tools/arguments.h"
+
+namespace latticeworld::tools {
+namespace {
+
+constexpr std::int64_t kMostGenerated = 10'000'000;
+
+template <typename Enum>
+std::vector<std::string> NamesOf() {
+  std::vector<std::string> names;
+  for (const auto& entry : EnumNames(Enum{})) names.emplace_back(entry.name);
+  return names;
+}
+
+// "first_token_timeout_s" -> "--remote-first-token-timeout", where `prefix` is "--remote-"
+std::string OptionOf(const std::string& prefix, std::string field) {
+  if (field.size() > 2 && field.compare(field.size() - 2, 2, "_s") == 0)
+    field.resize(field.size() - 2);
+  std::replace(field.begin(), field.end(), '_', '-');
+  return prefix + field;
+}
+
+// The violations of options whose fields are called as arguments are, as those of the arguments.
+Status Unusable(std::vector<Violation> violations, const std::string& prefix = "--") {
+  for (Violation& violation : violations)
+    violation.pointer = OptionOf(prefix, std::move(violation.pointer));
+  return Status::FromViolations("unusable arguments", std::move(violations));
+}
+
+Result<std::unique_ptr<Annotator>> MakeRemote(const CLI::App& command, double size_m) {
+  ArgumentReader reader(&command);
+  OpenAiOptions server;
+  server.url = ValueOf(command, "--remote-url").value_or("");
+  server.model = ValueOf(command, "--remote-model").value_or("");
+  server.api_key_variable = ValueOf(command, "--remote-api-key-variable").value_or("");
+  server.ca_file = ValueOf(command, "--remote-ca-file").value_or("");
+  server.sees = command.count("--remote-sees") > 0;
+  server.dialect =
+      *FromName<ChatDialect>(reader.Choice("--remote-dialect", NamesOf<ChatDialect>(), "openai"));
+  server.first_token_timeout_s =
+      reader.Number("--remote-first-token-timeout", server.first_token_timeout_s);
+  server.total_timeout_s = reader.Number("--remote-total-timeout", server.total_timeout_s);
+  RemoteAnnotatorOptions options;
+  options.repair_turns =
+      static_cast<int>(reader.Integer("--remote-repair-turns", 0, 8, options.repair_turns));
+  options.temperature = reader.Number("--remote-temperature", options.temperature);
+  options.size_m = size_m;
+  options.name = server.model.empty() ? "remote" : server.model;
+  LW_RETURN_IF_ERROR(reader.status());
+  std::vector<Violation> violations = Validate(server);
+  for (Violation& violation : Validate(options)) violations.push_back(std::move(violation));
+  LW_RETURN_IF_ERROR(Unusable(std::move(violations), "--remote-"));
+  LW_ASSIGN_OR_RETURN(std::shared_ptr<OpenAiClient> client, MakeOpenAiClient(server));
+  return MakeRemoteAnnotator(std::move(client), options);
+}
+
+}  // namespace
+
+void AddDatasetSourceOptions(CLI::App* command) {
+  AddValueOption(command, "--generate", "N", "N places of LatticeWorld's own generator.");
+  AddValueOption(command, "--loveda", "DIR", "The images of a LoveDA folder as published.");
+  AddValueOption(command, "--scenes", "DIR",
+                 "Tiles of scenes with segmentation.png and elevation.tif (docs/datasets.md).");
+  AddValueOption(command, "--relief-share", "SHARE",
+                 "With --generate: of the places that have a relief, 0 to 1 [0.5].");
+  AddValueOption(command, "--loveda-scenes", "WHICH", "rural, urban or all [rural].");
+  AddValueOption(command, "--erosion", "SHARE",
+                 "With --scenes: how far rivers cut back into the land, 0 to 0.5 [0.05].");
+  AddValueOption(command, "--annotator", "NAME",
+                 "Who writes: written (embedded) or remote (a model behind --remote-url) "
+                 "[written].");
+  AddValueOption(command, "--remote-url", "URL",
+                 "OpenAI-compatible server, such as http://127.0.0.1:8080/v1.");
+  AddValueOption(command, "--remote-model", "NAME", "Its model [the first that it lists].");
+  AddValueOption(command, "--remote-dialect", "NAME",
+                 "llama.cpp, vllm, ollama, openai or none [openai].");
+  AddValueOption(command, "--remote-api-key-variable", "NAME",
+                 "Environment variable with the key [no key].");
+  AddValueOption(command, "--remote-ca-file", "FILE",
+                 "PEM of certificate authorities [the system's].");
+  AddValueOption(command, "--remote-first-token-timeout", "SECONDS", "0.01 to 3600 [60].");
+  AddValueOption(command, "--remote-total-timeout", "SECONDS",
+                 "Of one answer with all retries, 0.01 to 7200 [180].");
+  AddValueOption(command, "--remote-repair-turns", "N",
+                 "Times that what is wrong with an answer goes back to the model, 0 to 8 [3].");
+  AddValueOption(command, "--remote-temperature", "NUMBER", "0 to 2 [0.8].");
+  command->add_flag("--remote-sees", "The model looks at images: it gets the layout as one.");
+}
+
+Result<std::unique_ptr<InstanceSource>> MakeDatasetSource(const CLI::App& command) {
+  ArgumentReader reader(&command);
+  GeneratedSourceOptions generated;
+  generated.groups = static_cast<std::size_t>(reader.Integer("--generate", 1, kMostGenerated, 1));
+  generated.seed = reader.Unsigned("--seed", 0);
+  generated.relief_share = reader.Number("--relief-share", generated.relief_share);
+  LoveDaOptions loveda;
+  loveda.folder = ValueOf(command, "--loveda").value_or("");
+  loveda.scenes =
+      *FromName<LoveDaScenes>(reader.Choice("--loveda-scenes", NamesOf<LoveDaScenes>(), "rural"));
+  ScenesOptions scenes;
+  scenes.folder = ValueOf(command, "--scenes").value_or("");
+  scenes.erosion = reader.Number("--erosion", scenes.erosion);
+  reader.AllowOneOf({"--generate", "--loveda", "--scenes"});
+  reader.RequireBeside("--relief-share", "--generate");
+  reader.RequireBeside("--loveda-scenes", "--loveda");
+  reader.RequireBeside("--erosion", "--scenes");
+  LW_RETURN_IF_ERROR(reader.status());
+  LW_RETURN_IF_ERROR(Unusable(Validate(generated)));
+  LW_RETURN_IF_ERROR(Unusable(Validate(scenes)));
+  if (command.count("--loveda") > 0) return MakeLoveDaSource(loveda);
+  if (command.count("--scenes") > 0) return MakeScenesSource(scenes);
+  if (command.count("--generate") > 0) return MakeGeneratedSource(generated);
+  return InvalidArgument("a source is missing; legal is --generate N, --loveda DIR, --scenes DIR");
+}
+
+Result<std::unique_ptr<Annotator>> MakeDatasetAnnotator(const CLI::App& command, double size_m) {
+  ArgumentReader reader(&command);
+  const std::string name = reader.Choice("--annotator", {"written", "remote"}, "written");
+  for (const char* option :
+       {"--remote-model", "--remote-dialect", "--remote-api-key-variable", "--remote-ca-file",
+        "--remote-first-token-timeout", "--remote-total-timeout", "--remote-repair-turns",
+        "--remote-temperature"}) {
+    reader.RequireBeside(option, "--remote-url");
+  }
+  LW_RETURN_IF_ERROR(reader.status());
+  const bool has_url = command.count("--remote-url") > 0;
+  if ((name == "remote") != has_url)
+    return InvalidArgument("--annotator remote and --remote-url belong together: one is missing");
+  if (has_url) return MakeRemote(command, size_m);
+  WrittenOptions written;
+  written.size_m = size_m;
+  LW_RETURN_IF_ERROR(Unusable(Validate(written)));
+  return MakeWrittenAnnotator(written);
+}
+
+}  // namespace latticeworld::tools

@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+"""Runs `latticeworld dataset` as a person does, and reads what it writes with other people's tools."""
+
+import hashlib
+import json
+import os
+import pathlib
+import re
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+
+import numpy
+import pandas
+import PIL.Image
+import yaml
+
+SERVER = pathlib.Path(__file__).with_name("answering_server.py")
+PLACES = 120  # of the data sets of generated places: three parts
+
+
+def files_of(folder):
+    """SHA-256 of every file, by path."""
+    return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
+            for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def instruction_of(record):
+    """What a person would have said, out of a layout record's user message."""
+    return record["messages"][-2]["content"].split("Description of the place:\n")[1].split("\n\n")[0]
+
+
+class DatasetProgramTest(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.temporary.name)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def command(self, out, *arguments):
+        return [PROGRAM, "dataset", "--out", str(self.folder / out), *map(str, arguments)]
+
+    def run_dataset(self, out, *arguments, **options):
+        return subprocess.run(self.command(out, *arguments), capture_output=True, text=True,
+                              check=False, **options)
+
+    def must_run(self, out, *arguments):
+        run = self.run_dataset(out, *arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return run
+
+    def records(self, out, task, split="train"):
+        lines = (self.folder / out / task / f"{split}.jsonl").read_text().splitlines()
+        return [json.loads(line) for line in lines]
+
+    def test_pandas_and_a_hub_read_it(self):
+        run = self.must_run("set", "--generate", PLACES, "--seed", 3)
+        self.assertIn(f"{PLACES} instances, {PLACES} records for layout", run.stdout)
+        self.assertRegex(run.stderr, r"120 of 120 groups, \d+ a second, 0:00:00 left")
+        manifest = json.loads((self.folder / "set/dataset.json").read_text())
+        card = (self.folder / "set/README.md").read_text().split("---\n")
+        front = yaml.safe_load(card[1])
+        self.assertEqual(front["license"], "bsd-3-clause")
+        told = {file["path"]: file for file in manifest["files"]}
+        listed = {file["path"] for config in front["configs"] for file in config["data_files"]}
+        self.assertEqual(listed, set(told))
+        names = {}
+        for path, file in told.items():
+            table = pandas.read_json(self.folder / "set" / path, lines=True)
+            self.assertEqual(len(table), file["records"])
+            self.assertFalse(table[["id", "group", "vocabulary", "messages"]].isna().any(axis=None))
+            for record in table.itertuples():
+                self.assertEqual([message["role"] for message in record.messages][-2:],
+                                 ["user", "assistant"])
+                names.setdefault(record.group, set()).add(file["split"])
+                if file["task"] == "layout":
+                    rows = record.messages[-1]["content"].split("\n")
+                    self.assertEqual([len(row) for row in rows], [32] * 32)
+                elif file["task"] == "environment":
+                    self.assertIn("coarse", json.loads(record.messages[-1]["content"]))
+                for image in record.images:
+                    with PIL.Image.open(self.folder / "set" / image) as picture:
+                        self.assertEqual(picture.size, (129, 129))
+        self.assertTrue(all(len(splits) == 1 for splits in names.values()))
+        subprocess.run(["sha256sum", "--quiet", "-c", "images.sha256"], cwd=self.folder / "set",
+                       check=True)
+
+    def test_killed_again_and_again_it_ends_with_the_same_bytes(self):
+        arguments = ("--generate", PLACES, "--threads", 1)
+        self.must_run("whole", *arguments)
+        parts = self.folder / "killed/parts"
+        for kill in range(2):
+            process = subprocess.Popen(
+                self.command("killed", *arguments, *(["--resume"] if kill else [])),
+                stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+            while process.poll() is None and not (parts / f"{kill:06}").exists():
+                os.sched_yield()
+            process.send_signal(signal.SIGKILL)
+            self.assertEqual(process.wait(), -signal.SIGKILL, "it was not killed in the middle")
+            self.assertFalse((self.folder / "killed/dataset.json").exists())
+        run = self.run_dataset("killed", *arguments)
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("--resume goes on with it", run.stderr)
+        run = self.must_run("killed", *arguments, "--resume")
+        self.assertRegex(run.stderr, r"(?m)^\W*(50|100) of 120 groups")
+        self.assertEqual(files_of(self.folder / "killed"), files_of(self.folder / "whole"))
+
+    def test_on_a_full_disk_it_says_so_and_goes_on_later(self):
+        arguments = ("--generate", 60, "--no-images")
+        self.must_run("whole", *arguments)
+
+        def fill():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, 300_000))
+
+        run = self.run_dataset("full", *arguments, preexec_fn=fill)
+        self.assertNotEqual(run.returncode, 0)
+        self.assertRegex(run.stderr, r"cannot write .*/full/parts/00000.: File too large")
+        self.assertEqual([], [path for path in (self.folder / "full").rglob("*")
+                              if path.is_file() and path.stat().st_size >= 300_000])
+        self.assertFalse((self.folder / "full/dataset.json").exists())
+        self.must_run("full", *arguments, "--resume")
+        self.assertEqual(files_of(self.folder / "full"), files_of(self.folder / "whole"))
+
+    def test_loveda_is_turned_and_what_is_broken_is_told(self):
+        base = self.folder / "loveda/Train/Rural"
+        (base / "images_png").mkdir(parents=True)
+        (base / "masks_png").mkdir()
+        for number in range(6):
+            random = numpy.random.default_rng(number)
+            mask = random.integers(1, 8, (8, 8), dtype=numpy.uint8).repeat(32, 0).repeat(32, 1)
+            if number == 3:
+                mask[5, 7] = 9
+            PIL.Image.new("RGB", (256, 256)).save(base / f"images_png/{number}.png")
+            PIL.Image.fromarray(mask).save(base / f"masks_png/{number}.png")
+        (base / "masks_png/4.png").write_bytes(b"no picture")
+        (base / "masks_png/5.png").unlink()
+        run = self.must_run("set", "--loveda", self.folder / "loveda", "--split", "1,0")
+        self.assertIn("12 instances", run.stdout)
+        self.assertIn("3 left out", run.stdout)
+        reasons = {entry["group"]: entry["reason"] for entry in
+                   json.loads((self.folder / "set/dataset.json").read_text())["failed"]}
+        self.assertEqual(len(reasons), 3)
+        for number in (3, 4, 5):
+            self.assertTrue(any(f"{number}.png" in reason for reason in reasons.values()), reasons)
+        turns = {}
+        for record in self.records("set", "layout"):
+            rows = record["messages"][-1]["content"].split("\n")
+            turns.setdefault(record["group"], []).append(numpy.array([list(row) for row in rows]))
+        self.assertEqual(len(turns), 3)
+        for layouts in turns.values():
+            for quarter, layout in enumerate(layouts):
+                self.assertTrue((numpy.rot90(layouts[0], quarter) == layout).all())
+        card = (self.folder / "set/README.md").read_text()
+        self.assertIn("CC-BY-NC-SA-4.0", card)
+        self.assertIn("## Left out", card)
+
+    def test_scenes_are_cut_into_tiles(self):
+        scene = self.folder / "scenes/scenes/valley"
+        scene.mkdir(parents=True)
+        across, down = numpy.meshgrid(numpy.arange(1030), numpy.arange(520))
+        heights = (1000 + across + 60 * numpy.sin(down / 40)).astype(numpy.uint16)
+        PIL.Image.fromarray(heights).save(scene / "heights.png")
+        subprocess.run(["gdal_translate", "-q", "-ot", "Float32", "-a_srs", "EPSG:32613", "-a_ullr",
+                        "0", "1040", "2060", "0", scene / "heights.png", scene / "elevation.tif"],
+                       check=True)
+        classes = numpy.where(across > 500 + 200 * numpy.sin(down / 90), 2, 1).astype(numpy.uint8)
+        PIL.Image.fromarray(classes).save(scene / "segmentation.png")
+        (self.folder / "scenes/classes.json").write_text(json.dumps(
+            {"vocabulary": "wild", "values": {"1": "F", "2": "R"}}))
+        run = self.must_run("set", "--scenes", self.folder / "scenes", "--split", "1,0")
+        self.assertIn("2 instances", run.stdout)
+        self.assertIn("2 records for relief", run.stdout)
+        for record in self.records("set", "layout"):
+            with PIL.Image.open(self.folder / "set" / record["images"][0]) as picture:
+                self.assertEqual(picture.size, (512, 512))
+
+    def test_a_models_untrue_words_go_back_to_it(self):
+        self.must_run("written", "--generate", 1, "--layout", "--split", "1,0")
+        written = self.records("written", "layout")[0]
+        largest = max(written["messages"][-1]["content"].replace("\n", ""),
+                      key=written["messages"][-1]["content"].count)
+        names = {"A": "farmland", "B": "buildings", "D": "barren land", "F": "forest",
+                 "G": "grassland", "R": "roads", "W": "water", "S": "snow"}
+        if written["vocabulary"] == "wild":
+            names.update({"B": "low bushes", "R": "rocky land"})
+        false = f"There is no {names[largest]} anywhere. {instruction_of(written)}"
+        answers = self.folder / "answers.json"
+        answers.write_text(json.dumps([false, instruction_of(written)]))
+        asked = self.folder / "asked.jsonl"
+        with subprocess.Popen([sys.executable, SERVER, answers, asked], stdin=subprocess.PIPE,
+                              stdout=subprocess.PIPE, text=True) as server:
+            watch = threading.Timer(60, server.kill)
+            watch.start()
+            url = f"http://127.0.0.1:{server.stdout.readline().strip()}/v1"
+            run = self.must_run("remote", "--generate", 1, "--layout", "--split", "1,0",
+                                "--annotator", "remote", "--remote-url", url)
+            server.stdin.close()
+            server.wait()
+            watch.cancel()
+        self.assertIn("1 instances", run.stdout)
+        self.assertEqual(instruction_of(self.records("remote", "layout")[0]),
+                         instruction_of(written))
+        requests = [json.loads(line) for line in asked.read_text().splitlines()]
+        self.assertEqual(len(requests), 2)
+        self.assertIn("you wrote", requests[1]["messages"][-1]["content"])
+        # Nobody answers any more: nothing counts, and the work can be gone on with.
+        run = self.run_dataset("gone", "--generate", 1, "--annotator", "remote", "--remote-url", url)
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("no connection", run.stderr)
+        self.assertFalse((self.folder / "gone/dataset.json").exists())
+
+    def test_what_cannot_be_asked_for_is_named(self):
+        for arguments, words in [
+                ((), "a source is missing"),
+                (("--generate", 0), "--generate"),
+                (("--generate", 2, "--loveda", "x"), "--loveda"),
+                (("--generate", 2, "--erosion", 0.1), "--scenes"),
+                (("--generate", 2, "--relief-share", 2), "--relief-share: must be from 0 to 1"),
+                (("--scenes", "x", "--erosion", 3), "--erosion: must be from 0 to 0.5"),
+                (("--generate", 2, "--layout", "--environment"), "--environment"),
+                (("--generate", 2, "--split", "0.9,0.2"), "--split"),
+                (("--generate", 2, "--annotator", "remote"), "--remote-url"),
+                (("--generate", 2, "--prompts", "long"), "full, short"),
+                (("--loveda", self.folder / "nowhere"), "nowhere"),
+                (("--scenes", self.folder), str(self.folder))]:
+            with self.subTest(arguments=arguments):
+                run = self.run_dataset("bad", *arguments)
+                self.assertNotEqual(run.returncode, 0)
+                self.assertIn(words, run.stderr)
+                self.assertFalse((self.folder / "bad").exists())
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv.pop(1)
+    unittest.main()

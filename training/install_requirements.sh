@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Puts the PyPI packages that fine-tuning a Hugging Face checkpoint needs (requirements.txt) into a virtual environment
+# that sees Debian's PyTorch too. Quick when all is there. Usage: training/install_requirements.sh DIRECTORY
+set -euo pipefail
+export PATH="/usr/bin:${PATH}"
+
+requirements=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/requirements.txt
+directory=${1:?usage: install_requirements.sh DIRECTORY}
+
+if cmp -s "$requirements" "$directory/installed" && [ -x "$directory/bin/python" ]; then
+  echo "all of $requirements is there"
+  exit 0
+fi
+/usr/bin/python3 -m venv --clear --system-site-packages "$directory"
+"$directory/bin/python" -m pip install --quiet --disable-pip-version-check -r "$requirements"
+cp "$requirements" "$directory/installed"
+echo "all of $requirements is installed"

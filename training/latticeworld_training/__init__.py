@@ -1,0 +1,1 @@
+"""Training of LatticeWorld's models. Every module that has a `main` is a command of its own."""

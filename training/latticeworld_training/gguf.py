@@ -1,0 +1,75 @@
+"""Writes GGUF files, version 3 (https://github.com/ggml-org/ggml/blob/master/docs/gguf.md)."""
+
+import os
+import struct
+
+import numpy
+
+ALIGNMENT = 32
+# The format's numbers of the kinds of values and of tensors.
+UINT32, INT32, FLOAT32, BOOL, STRING, ARRAY = 4, 5, 6, 7, 8, 9
+F32, F16, Q8_0 = 0, 1, 8
+TENSOR_TYPES = {"f32": F32, "f16": F16, "q8_0": Q8_0}
+Q8_BLOCK = 32
+
+
+def _string(text):
+    raw = text.encode("utf-8")
+    return struct.pack("<Q", len(raw)) + raw
+
+
+def _scalar(kind, value):
+    if kind == STRING:
+        return _string(value)
+    return struct.pack({UINT32: "<I", INT32: "<i", FLOAT32: "<f", BOOL: "<?"}[kind], value)
+
+
+def quantized(values):
+    """Bytes in q8_0: blocks of 32 along the last axis, each a float16 scale and 32 int8."""
+    if values.shape[-1] % Q8_BLOCK:
+        raise ValueError(f"rows of {values.shape[-1]} values do not divide into blocks of {Q8_BLOCK}")
+    blocks = values.astype(numpy.float32).reshape(-1, Q8_BLOCK)
+    scale = numpy.abs(blocks).max(1) / 127.0
+    inverse = numpy.divide(1.0, scale, out=numpy.zeros_like(scale), where=scale > 0)
+    scaled = blocks * inverse[:, None]
+    rounded = numpy.trunc(scaled + numpy.copysign(0.5, scaled)).astype(numpy.int8)
+    packed = numpy.zeros(len(blocks), dtype=[("scale", "<f2"), ("values", "i1", Q8_BLOCK)])
+    packed["scale"], packed["values"] = scale, rounded
+    return packed.tobytes()
+
+
+class GgufWriter:
+    """Collects metadata and tensors; `write` makes the file."""
+
+    def __init__(self):
+        self._entries = []
+        self._infos = []
+        self._data = bytearray()
+
+    def add(self, key, kind, value):
+        self._entries.append(_string(key) + struct.pack("<I", kind) + _scalar(kind, value))
+
+    def add_array(self, key, kind, values):
+        head = struct.pack("<IIQ", ARRAY, kind, len(values))
+        self._entries.append(_string(key) + head + b"".join(_scalar(kind, value) for value in values))
+
+    def add_tensor(self, name, values, kind):
+        """values: a numpy array of one or two dimensions, the last of which runs fastest."""
+        self._data += b"\0" * (-len(self._data) % ALIGNMENT)
+        shape = struct.pack(f"<I{values.ndim}Q", values.ndim, *reversed(values.shape))
+        self._infos.append(_string(name) + shape + struct.pack("<IQ", kind, len(self._data)))
+        if kind == Q8_0:
+            self._data += quantized(values)
+        else:
+            self._data += numpy.ascontiguousarray(values, "<f2" if kind == F16 else "<f4").tobytes()
+
+    def write(self, path):
+        """The file is whole or is the one before."""
+        head = b"GGUF" + struct.pack("<IQQ", 3, len(self._infos), len(self._entries))
+        head += b"".join(self._entries) + b"".join(self._infos)
+        head += b"\0" * (-len(head) % ALIGNMENT)
+        unfinished = f"{path}.unfinished"
+        with open(unfinished, "wb") as file:
+            file.write(head)
+            file.write(self._data)
+        os.replace(unfinished, path)

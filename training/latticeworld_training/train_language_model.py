@@ -1,0 +1,81 @@
+"""Trains a language model from scratch on a data set of conversations (`latticeworld dataset`).
+
+    python3 -m latticeworld_training.train_language_model --data set/layout.train.jsonl \\
+        --validation set/layout.validation.jsonl --out run --rate 2e-3 --decay cosine --warmup-steps 100
+
+The folder `run` gets tokenizer.json, model.json, checkpoint.pt, loss.csv and loss.png. The same command again goes on
+where it was interrupted. `export_gguf` makes a model file of it.
+"""
+
+import argparse
+import dataclasses
+import json
+import os
+
+import torch
+
+from .chat_data import encode_all, read_conversations
+from .fitting import FitOptions, fit
+from .llama import Llama, LlamaSizes
+from .tokenizer import Tokenizer, train_tokenizer
+
+
+def add_fields(parser, options):
+    """An option a field of a dataclass with defaults of plain types."""
+    for field in dataclasses.fields(options):
+        value = getattr(options, field.name)
+        if isinstance(value, (int, float, str)):
+            flag = "--" + field.name.replace("_", "-")
+            parser.add_argument(flag, type=type(value), default=value, help=f"[{value}]")
+
+
+def filled(options, arguments):
+    """The dataclass with what the arguments say."""
+    given = {f.name: getattr(arguments, f.name) for f in dataclasses.fields(options) if hasattr(arguments, f.name)}
+    return dataclasses.replace(options, **given)
+
+
+def read_or_train_tokenizer(directory, conversations, most_fours, most_words):
+    path = os.path.join(directory, "tokenizer.json")
+    if not os.path.exists(path):
+        texts = [content for messages in conversations for role, content in messages if role != "system"]
+        train_tokenizer(texts, most_fours, most_words).save(path)
+    return Tokenizer.load(path)
+
+
+def main(arguments=None):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--data", nargs="+", required=True, help="JSON Lines")
+    parser.add_argument("--validation", nargs="*", default=[], help="JSON Lines that are not trained on")
+    parser.add_argument("--out", required=True, help="folder of the run")
+    parser.add_argument("--most-fours", type=int, default=1000, help="pieces of maps in the vocabulary [1000]")
+    parser.add_argument("--most-words", type=int, default=1000, help="pieces of words in the vocabulary [1000]")
+    parser.add_argument("--threads", type=int, default=1, help="of the processor [1]")
+    parser.add_argument("--device", default="cpu", help="cpu or cuda [cpu]")
+    sizes, options = LlamaSizes(), FitOptions()
+    add_fields(parser, sizes)
+    add_fields(parser, options)
+    parser.set_defaults(tokens=0)
+    given = parser.parse_args(arguments)
+
+    torch.set_num_threads(given.threads)
+    torch.manual_seed(given.seed)
+    os.makedirs(given.out, exist_ok=True)
+    conversations = read_conversations(given.data)
+    tokenizer = read_or_train_tokenizer(given.out, conversations, given.most_fours, given.most_words)
+    sizes = dataclasses.replace(filled(sizes, given), tokens=len(tokenizer))
+    model = Llama(sizes)
+    with open(os.path.join(given.out, "model.json"), "w", encoding="utf-8") as file:
+        json.dump(dataclasses.asdict(sizes), file, indent=2)
+    examples, longer = encode_all(tokenizer, conversations, sizes.context)
+    validation, _ = encode_all(tokenizer, read_conversations(given.validation), sizes.context)
+    weights = sum(weight.numel() for weight in model.parameters())
+    length = sum(len(example.tokens) for example in examples) / max(len(examples), 1)
+    print(f"{weights} weights, a vocabulary of {len(tokenizer)}, {len(examples)} examples of {length:.0f} tokens")
+    if longer:
+        print(f"{longer} conversations are longer than the context of {sizes.context} tokens and left out")
+    fit(model, examples, validation, given.out, filled(options, given), given.device)
+
+
+if __name__ == "__main__":
+    main()
