@@ -112,7 +112,8 @@ Status Generate(const CLI::App& command) {
   LW_RETURN_IF_ERROR(generator.Validate(request));
   LW_RETURN_IF_ERROR(CheckTarget(target));
 
-  ProgressDisplay display;
+  // Of the time of a default world; how long a language model reads is its own affair.
+  ProgressDisplay display({{"terrain", 0.36}, {"scene", 0.19}, {"save", 0.45}});
   Progress progress(
       [&display](std::string_view stage, double fraction) { display.Show(stage, fraction); });
   const CancelOnInterrupt cancel_on_interrupt(&progress);

@@ -3,18 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <vector>
 
+#include "dataset/scratch_dataset.h"
 #include "dataset/test_source.h"
 #include "latticeworld/common/digest.h"
-#include "latticeworld/common/files.h"
-#include "latticeworld/dataset/whole_file.h"
-#include "latticeworld/dataset/written_annotator.h"
 #include "latticeworld/language/remote/prompts.h"
 #include "latticeworld/layout/claims_json.h"
 #include "latticeworld/relief/sketch.h"
@@ -25,8 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-std::string ReadAll(const fs::path& path) { return ReadFile(path, 1u << 30).value(); }
-
 std::vector<Json> RecordsOf(const fs::path& path) {
   std::vector<Json> records;
   std::istringstream lines(ReadAll(path));
@@ -34,38 +30,7 @@ std::vector<Json> RecordsOf(const fs::path& path) {
   return records;
 }
 
-class DatasetWriterTest : public testing::Test {
- protected:
-  DatasetWriterTest() : annotator_(MakeWrittenAnnotator()) {
-    std::string name = (fs::temp_directory_path() / "lw_dataset_XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~DatasetWriterTest() override { fs::remove_all(folder_); }
-
-  DatasetJob JobOf(const InstanceSource& source, const std::string& out) {
-    DatasetJob job;
-    job.source = &source;
-    job.annotator = annotator_.get();
-    job.out = folder_ / out;
-    job.options.groups_per_part = 3;
-    job.options.threads = 2;
-    job.version = "test";
-    return job;
-  }
-
-  // All that a data set consists of, by path.
-  std::map<std::string, std::string> FilesOf(const std::string& out) {
-    std::map<std::string, std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder_ / out)) {
-      if (entry.is_regular_file())
-        files[fs::relative(entry.path(), folder_ / out).string()] = ReadAll(entry.path());
-    }
-    return files;
-  }
-
-  std::unique_ptr<Annotator> annotator_;
-  fs::path folder_;
-};
+class DatasetWriterTest : public ScratchDatasetTest {};
 
 TEST_F(DatasetWriterTest, NothingOfOneImageIsInTwoSplits) {
   const FourEachSource source(60);
@@ -207,62 +172,6 @@ TEST_F(DatasetWriterTest, ImagesAreTheReliefAsAUserCouldGiveIt) {
   EXPECT_GT(RecordsOf(folder_ / "out/relief/train.jsonl").size(), 0u);
 }
 
-TEST_F(DatasetWriterTest, BytesDoNotDependOnThreadsNorOnBreaks) {
-  const FourEachSource source(20);
-  DatasetJob job = JobOf(source, "whole");
-  ASSERT_TRUE(WriteDataset(job, Progress(), {}).ok());
-  const auto whole = FilesOf("whole");
-
-  job.out = folder_ / "single";
-  job.options.threads = 1;
-  ASSERT_TRUE(WriteDataset(job, Progress(), {}).ok());
-  EXPECT_EQ(FilesOf("single"), whole);
-
-  job.out = folder_ / "broken";
-  job.resume = true;
-  int breaks = 0;
-  for (const int answers : {0, 17, 5, 30, 1000}) {
-    FailingAnnotator failing(annotator_.get(), answers);
-    job.annotator = &failing;
-    job.options.threads = 1 + breaks % 3;
-    source.reads = 0;
-    const auto written = WriteDataset(job, Progress(), {});
-    if (answers == 1000) {
-      ASSERT_TRUE(written.ok()) << written.status().ToString();
-      EXPECT_LT(source.reads, 20) << "what is whole is not made again";
-    } else {
-      ++breaks;
-      EXPECT_EQ(written.status().code(), StatusCode::kUnavailable);
-      EXPECT_FALSE(fs::exists(folder_ / "broken/dataset.json"));
-    }
-  }
-  EXPECT_EQ(FilesOf("broken"), whole);
-}
-
-TEST_F(DatasetWriterTest, WhatWasHalfWrittenAndWhatIsDamagedIsMadeAgain) {
-  const FourEachSource source(9);
-  DatasetJob job = JobOf(source, "whole");
-  ASSERT_TRUE(WriteDataset(job, Progress(), {}).ok());
-  FailingAnnotator failing(annotator_.get(), 25);
-  job.annotator = &failing;
-  job.out = folder_ / "broken";
-  job.options.threads = 1;
-  ASSERT_FALSE(WriteDataset(job, Progress(), {}).ok());
-  const fs::path parts = folder_ / "broken/parts";
-  ASSERT_TRUE(fs::exists(parts / "000001"));
-  const std::string bytes = ReadAll(parts / "000000");
-  std::ofstream(parts / "000000") << bytes.substr(0, bytes.size() / 2);
-  std::ofstream(parts / "000002.unfinished") << "half of a";
-  fs::create_directories(folder_ / "broken/images/.000002.abcdef");
-  fs::create_directories(folder_ / "broken/images/000002");
-  std::ofstream(folder_ / "broken/images/000002/left.png") << "half of a";
-  job.annotator = annotator_.get();
-  job.resume = true;
-  const auto written = WriteDataset(job, Progress(), {});
-  ASSERT_TRUE(written.ok()) << written.status().ToString();
-  EXPECT_EQ(FilesOf("broken"), FilesOf("whole"));
-}
-
 TEST_F(DatasetWriterTest, WhatCannotBeReadOrDescribedIsToldAndTheRestGoesOn) {
   FourEachSource source(12);
   source.broken = {3, 7};
@@ -305,59 +214,6 @@ TEST_F(DatasetWriterTest, ManifestHoldsForEveryFile) {
   std::set<std::string> there;
   for (const auto& [path, bytes] : FilesOf("out")) there.insert(path);
   EXPECT_EQ(there, told) << "nothing else lies there";
-}
-
-TEST_F(DatasetWriterTest, AFolderOfSomethingElseIsRefused) {
-  const FourEachSource source(2);
-  DatasetJob job = JobOf(source, "other");
-  job.resume = true;
-  fs::create_directories(folder_ / "other");
-  std::ofstream(folder_ / "other/thesis.tex") << "mine";
-  EXPECT_EQ(WriteDataset(job, Progress(), {}).status().code(), StatusCode::kFailedPrecondition);
-  EXPECT_EQ(FilesOf("other").size(), 1u);
-
-  job.out = folder_ / "other/thesis.tex";
-  EXPECT_EQ(WriteDataset(job, Progress(), {}).status().code(), StatusCode::kFailedPrecondition);
-  EXPECT_EQ(ReadAll(folder_ / "other/thesis.tex"), "mine");
-}
-
-TEST_F(DatasetWriterTest, OnlyTheSameWorkIsGoneOnWithAndByOneProcess) {
-  const FourEachSource source(4);
-  DatasetJob job = JobOf(source, "out");
-  ASSERT_TRUE(WriteDataset(job, Progress(), {}).ok());
-  const auto whole = FilesOf("out");
-  EXPECT_EQ(WriteDataset(job, Progress(), {}).status().code(), StatusCode::kAlreadyExists);
-  job.resume = true;
-  const auto again = WriteDataset(job, Progress(), {});
-  ASSERT_TRUE(again.ok()) << again.status().ToString();
-  EXPECT_EQ(again->instances, 16u);
-  job.options.seed = 2;
-  EXPECT_EQ(WriteDataset(job, Progress(), {}).status().code(), StatusCode::kFailedPrecondition);
-  EXPECT_EQ(FilesOf("out"), whole);
-
-  job = JobOf(source, "held");
-  fs::create_directories(folder_ / "held");
-  const auto hold = FolderHold::Take(folder_ / "held/.lock");
-  ASSERT_TRUE(hold.ok());
-  EXPECT_EQ(WriteDataset(job, Progress(), {}).status().code(), StatusCode::kFailedPrecondition);
-}
-
-TEST_F(DatasetWriterTest, CancellingLeavesWhatCanBeGoneOnWith) {
-  const FourEachSource source(12);
-  DatasetJob job = JobOf(source, "out");
-  job.options.threads = 1;
-  Progress progress;
-  const auto cancelled = WriteDataset(job, progress, [&](const DatasetProgress& where) {
-    if (where.groups_here == 7) progress.Cancel();
-  });
-  EXPECT_EQ(cancelled.status().code(), StatusCode::kCancelled);
-  job.resume = true;
-  std::size_t known = 0;
-  const auto written = WriteDataset(job, Progress(), [&](const DatasetProgress& where) {
-    if (where.groups_here == 0) known = where.groups_done;
-  });
-  ASSERT_TRUE(written.ok());
-  EXPECT_EQ(known, 6u) << "two whole parts of three groups";
 }
 
 TEST_F(DatasetWriterTest, EveryUnusableOptionIsNamed) {

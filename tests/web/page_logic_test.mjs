@@ -7,6 +7,7 @@ import { backoff_ms } from '../../web/src/protocol/connection.js';
 import { HeightField, decodeAssets, decodeWater } from '../../web/src/protocol/payloads.js';
 import { chooseLabels } from '../../web/src/view/label_places.js';
 import { levelAt, sightOf } from '../../web/src/view/levels.js';
+import { elementShapes } from '../../web/src/view/shapes.js';
 import { QualityGovernor, kQualitySteps } from '../../web/src/view/quality.js';
 
 const kGrid = { rows: 2, cols: 2, spacing_m: 2, west_m: -1, north_m: 1, low_m: 10, step_m: 0.5 };
@@ -99,4 +100,10 @@ test('a label that would hide one before it is left out', () => {
   assert.deepEqual(chooseLabels([first, behind, beside, below], 10), [first, beside, below]);
   assert.deepEqual(chooseLabels([behind, first, beside], 10), [behind, beside], 'the order decides');
   assert.deepEqual(chooseLabels([first, beside, below], 2), [first, beside], 'at most so many');
+});
+
+test('an element is drawn as large as it is, about the origin that its pose tells of', () => {
+  const shapeOf = elementShapes({ elements: [{ kind: 'gate', node: 'element/gate' }] }, { bodyOf: (node) => `mesh of ${node}` });
+  const shape = shapeOf({ kind: 'gate', size_m: [2, 0.1, 1.1] });
+  assert.deepEqual(shape, { key: 'element/gate', geometry: 'mesh of element/gate', scale: [2, 0.1, 1.1], height_m: 1.1 });
 });

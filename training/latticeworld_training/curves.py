@@ -1,9 +1,17 @@
 """Loss curves: a CSV with a line a measurement, and a picture of it."""
 
 import csv
+import math
 import os
 
 COLORS = [(31, 119, 180), (214, 39, 40), (44, 160, 44), (148, 103, 189)]
+
+
+def ticks(most):
+    """Round numbers from 0 to `most`, four to ten of them."""
+    step = 10.0 ** math.floor(math.log10(most))
+    step *= next(part for part in (1, 0.5, 0.2, 0.1) if most / (step * part) >= 4)
+    return [i * step for i in range(int(most / step * (1 + 1e-9)) + 1)]
 
 
 class LossCurve:
@@ -58,17 +66,18 @@ class LossCurve:
         image = Image.new("RGB", (width, height), "white")
         draw = ImageDraw.Draw(image)
         draw.text((left, 12), title, fill="black")
-        for i in range(6):
-            y = bottom - (bottom - top) * i / 5
-            x = left + (right - left) * i / 5
+        for value in ticks(high) if high > 0 else []:
+            y = bottom - (bottom - top) * value / high
             draw.line([(left, y), (right, y)], fill=(225, 225, 225))
-            draw.text((12, y - 6), f"{high * i / 5:.3g}", fill="black")
-            draw.text((x - 14, bottom + 8), f"{last * i / 5:.0f}", fill="black")
+            draw.text((12, y - 6), f"{value:g}", fill="black")
+        for value in ticks(last):
+            draw.text((left + (right - left) * value / last - 14, bottom + 8), f"{value:g}", fill="black")
         draw.text(((left + right) / 2, bottom + 26), "step", fill="black")
         for i, (name, some) in enumerate(points.items()):
             color = COLORS[i % len(COLORS)]
             line = [(left + (right - left) * x / last, bottom - (bottom - top) * y / high) for x, y in some]
             draw.line(line, fill=color, width=2)
-            draw.line([(right - 170, top + 14 + 18 * i), (right - 145, top + 14 + 18 * i)], fill=color, width=3)
-            draw.text((right - 138, top + 8 + 18 * i), name, fill="black")
+            label = right - 130 * (len(points) - i)
+            draw.line([(label, 18), (label + 25, 18)], fill=color, width=3)
+            draw.text((label + 32, 12), name, fill="black")
         image.save(path)

@@ -1,7 +1,7 @@
 """Fine-tunes a checkpoint of Hugging Face's format, such as LLaMA-2-7B, on conversations (`latticeworld dataset`).
 
     python3 -m latticeworld_training.finetune_hugging_face --checkpoint meta-llama/Llama-2-7b-hf \\
-        --data set/layout.train.jsonl --out run --device cuda --precision bf16
+        --data set/layout/train.jsonl --out run --device cuda --precision bf16
 
 The defaults are the method's: AdamW, rate 5e-5, betas 0.9 and 0.999, weight decay 0.001, 4 epochs, batches of 32 (for
 environments 5 epochs, batches of 64). --at-once says how many conversations of a batch fit into memory. The folder

@@ -1,7 +1,7 @@
 """Trains a language model from scratch on a data set of conversations (`latticeworld dataset`).
 
-    python3 -m latticeworld_training.train_language_model --data set/layout.train.jsonl \\
-        --validation set/layout.validation.jsonl --out run --rate 2e-3 --decay cosine --warmup-steps 100
+    python3 -m latticeworld_training.train_language_model --data set/layout/train.jsonl \\
+        --validation set/layout/validation.jsonl --out run --rate 2e-3 --decay cosine --warmup-steps 100
 
 The folder `run` gets tokenizer.json, model.json, checkpoint.pt, loss.csv and loss.png. The same command again goes on
 where it was interrupted. `export_gguf` makes a model file of it.

@@ -89,8 +89,12 @@ class Page {
 
   follow(name) {
     const entry = name && this.viewer.agents?.find(name);
-    if (entry) this.viewer.cameras.set('follow', entry);
-    else toast('There is nobody to follow.');
+    if (entry) {
+      this.viewer.cameras.set('follow', entry);
+      this.panel.makeRoom();
+    } else {
+      toast('There is nobody to follow.');
+    }
   }
 
   drive(name) {
@@ -202,6 +206,7 @@ class Page {
   async #load(key) {
     if (key === this.state.key && this.viewer.furnished) return;
     this.loading?.abort();
+    document.body.classList.toggle('idle', !key);  // the panel stays within reach: it can make a world
     if (!key) {
       byId('loading').classList.remove('done');
       byId('loading-text').textContent = 'No world runs. One appears here as soon as it does.';

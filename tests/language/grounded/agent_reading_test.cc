@@ -29,20 +29,22 @@ TEST_P(AgentVoices, AreReadAsMeant) {
   EXPECT_EQ(text, GetParam().expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Counts, AgentVoices,
-                         testing::ValuesIn(std::vector<Sample>{
-                             {"half a dozen sheep", "6 sheep grazing anywhere; "},
-                             {"a score of horses", "20 horse grazing anywhere; "},
-                             {"between five and nine goblins", "7 goblin patrolling anywhere; "},
-                             {"no more than four eagles", "4 eagle flying anywhere; "},
-                             {"two flocks of ten sheep", "20 sheep grazing anywhere; "},
-                             {"a herd of thirty horses", "30 horse grazing anywhere; "},
-                             {"six hundred sheep",
-                              "500 sheep grazing anywhere; 100 sheep grazing anywhere; "},
-                             {"a goblin warband of 25", "25 goblin patrolling anywhere; "},
-                             {"a trio of drones", "3 aerial robot flying anywhere; "},
-                             {"3-5 goblins", "4 goblin patrolling anywhere; "},
-                         }));
+INSTANTIATE_TEST_SUITE_P(
+    Counts, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"half a dozen sheep", "6 sheep grazing anywhere; "},
+        {"a score of horses", "20 horse grazing anywhere; "},
+        {"between five and nine goblins", "7 goblin patrolling anywhere; "},
+        {"no more than four eagles", "4 eagle flying anywhere; "},
+        {"two flocks of ten sheep", "20 sheep grazing anywhere; "},
+        {"a herd of thirty horses", "30 horse grazing anywhere; "},
+        {"six hundred sheep", "500 sheep grazing anywhere; 100 sheep grazing anywhere; "},
+        {"a goblin warband of 25", "25 goblin patrolling anywhere; "},
+        {"a trio of drones", "3 aerial robot flying anywhere; "},
+        {"3-5 goblins", "4 goblin patrolling anywhere; "},
+        {"The only living thing is an eagle.", "1 eagle flying anywhere; "},
+        {"One eagle. That is all there is in the way of agents.", "1 eagle flying anywhere; "},
+    }));
 
 INSTANTIATE_TEST_SUITE_P(
     References, AgentVoices,

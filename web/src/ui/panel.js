@@ -3,6 +3,7 @@
 import { byId, etaText, make, toast } from './dom.js';
 
 const kTabs = ['create', 'worlds', 'agents', 'view'];
+const kNarrow_px = 760;           // as in style.css
 const kProgressSilence_ms = 10000;  // who hears nothing more for so long takes a generation as over
 
 function showTab(name) {
@@ -40,7 +41,7 @@ export class Panel {
       if (name === 'worlds') this.listWorlds();
     });
     byId('panel-toggle').addEventListener('click', () => this.toggle());
-    if (innerWidth <= 760) this.toggle();
+    this.makeRoom();
     this.#makeForms();
     this.#makeLayers(subscribe);
   }
@@ -48,6 +49,11 @@ export class Panel {
   toggle() {
     const closed = byId('panel').classList.toggle('closed');
     byId('panel-toggle').setAttribute('aria-expanded', String(!closed));
+  }
+
+  /** Closes where the screen is so narrow that it lies over the view. */
+  makeRoom() {
+    if (innerWidth <= kNarrow_px && !byId('panel').classList.contains('closed')) this.toggle();
   }
 
   /** Sends a request; what fails is shown. */

@@ -18,3 +18,8 @@ export function levelAt(distance_m, height_m, scale, count) {
   while (level < count - 1 && distance_m > (kLevelHeights[level] ?? Infinity) * height_m * scale) level++;
   return level;
 }
+
+/** Where that level begins [m]. */
+export function beginOf(level, height_m, scale) {
+  return level === 0 ? 0 : (kLevelHeights[level - 1] ?? Infinity) * height_m * scale;
+}

@@ -3,14 +3,16 @@
 
 import * as THREE from 'three';
 import { instancedMaterials } from './instanced_material.js';
-import { levelAt, sightOf } from './levels.js';
+import { beginOf, levelAt, sightOf } from './levels.js';
 import { farHull, mainPartOf, tinted } from './models.js';
 
 const kChunk_m = 48;
 const kShadowReach_m = 30;  // what is nearer throws its shadow into the view, wherever it stands
 const kMargin_m = 8;
+const kShadowLevel = 2;       // as finely as what is seen of its shadow alone is drawn
+const kShadowPart = 0.7;      // a level that begins farther away, of the reach of shadows, throws none
 // Those of few facets, in which it is seen at once that some are missing.
-const kFinerOf = { building: 6, stone: 2, bush: 3, crop: 3, grass_tuft: 6, flower: 6 };
+const kFinerOf = { building: 6, stone: 2, bush: 3, crop: 3, grass_tuft: 12, flower: 12 };
 const kSwayOf = { tree: 1, bush: 0.8, crop: 1.2, grass_tuft: 1.5, flower: 1.4 };
 const kWithHull = new Set(['tree', 'bush']);
 
@@ -26,7 +28,8 @@ class Batch {
     this.mesh = new THREE.Mesh(this.geometry, material);
     this.mesh.customDepthMaterial = depth;
     this.mesh.frustumCulled = false;
-    this.mesh.castShadow = castShadow;
+    this.mesh.castShadow = this.casts = castShadow;
+    this.height_m = 0;  // of the highest thing
     this.mesh.receiveShadow = true;
     this.triangles = (geometry.index?.count ?? geometry.attributes.position.count) / 3;
     this.count = 0;
@@ -126,6 +129,7 @@ export class Scenery {
       order.forEach((from, k) => this.#copy(assets, from, filled + k, group.stretch));
       for (const chunk of chunks) chunk.first += filled;
       filled += order.length;
+      for (const batch of batchesOf.get(group.node)) batch.height_m = Math.max(batch.height_m, ...chunks.map(({ height_m }) => height_m));
       this.groups.push({ finer: kFinerOf[group.kind] ?? 1, batches: batchesOf.get(group.node), chunks });
     }
     this.materials = [...materials.values()];
@@ -177,19 +181,24 @@ export class Scenery {
     return { place: part(this.things.place), size, color: part(this.things.color), batch: group.batches[0] };
   }
 
-  /** Chooses what is drawn where the view has changed. quality: 1 all, less is coarser and nearer. */
-  update(camera, frustum, quality, sight_m) {
+  /**
+   * Chooses what is drawn where the view has changed. quality: 1 all, less is coarser and nearer; shadow_m: how
+   * far shadows reach.
+   */
+  update(camera, frustum, quality, sight_m, shadow_m) {
     const view = camera.matrixWorld;
-    const moved = !this.dirty && this.quality === quality && this.sight_m === sight_m &&
+    const moved = !this.dirty && this.quality === quality && this.sight_m === sight_m && this.shadow_m === shadow_m &&
         view.elements.every((value, i) => Math.abs(value - this.lastView.elements[i]) < (i < 12 ? 0.02 : 0.5));
     if (moved) return;
     this.lastView.copy(view);
     this.dirty = false;
     this.quality = quality;
     this.sight_m = sight_m;
+    this.shadow_m = shadow_m;
     for (const batch of this.batches) batch.count = 0;
     const padded = new THREE.Sphere();
     for (const { batches, chunks, finer } of this.groups) {
+      batches.forEach(({ mesh, casts, height_m }, level) => { mesh.castShadow = casts && beginOf(level, height_m, finer * quality) < kShadowPart * shadow_m; });
       for (const chunk of chunks) {
         const { sphere, height_m } = chunk;
         const middle_m = camera.position.distanceTo(sphere.center);
@@ -213,10 +222,13 @@ export class Scenery {
     const ball = new THREE.Sphere();
     for (let i = first; i < first + count; i++) {
       ball.center.fromArray(place, 4 * i);
-      ball.radius = size[4 * i] + size[4 * i + 1] + height_m + kMargin_m;
       const distance = position.distanceTo(ball.center);
-      if (distance > kShadowReach_m && !frustum.intersectsSphere(ball)) continue;
-      batches[levelAt(distance, height_m, scale, batches.length)].appendOne(this.things, i);
+      ball.center.z += 0.5 * size[4 * i + 2];
+      ball.radius = Math.hypot(size[4 * i], size[4 * i + 1], 0.5 * size[4 * i + 2]) + 1;
+      const seen = frustum.intersectsSphere(ball);
+      if (!seen && distance > kShadowReach_m) continue;
+      const level = levelAt(distance, height_m, scale, batches.length);
+      batches[seen ? level : Math.max(level, Math.min(kShadowLevel, batches.length - 1))].appendOne(this.things, i);
     }
   }
 

@@ -47,12 +47,13 @@ void main() {
     vec3 lit = mix(horizon, vec3(dot(zenith, vec3(0.333))), 0.3) * (1.12 - 0.42 * smoothstep(0.4, 1.0, density)) + sunColor * 0.2 * clear;
     color = mix(color, lit, cover * smoothstep(0.01, 0.16, d.z) * 0.92);
   }
-  color = mix(color, horizon, smoothstep(0.03, -0.01, d.z));
-  // Lower down there is more air before the sky: at the horizon it ends in the haze that the land ends in.
-  color = mix(color, horizon, 1.0 - pow(1.0 - veil, 0.6 / max(up, 0.02)));
   gl_FragColor = vec4(color, 1.0);
   #include <tonemapping_fragment>
   #include <colorspace_fragment>
+  // Lower down there is more air before the sky: at the horizon it ends in the haze that the land ends in, which
+  // is of that colour as it is seen, without tone mapping.
+  float haze = max(smoothstep(0.03, -0.01, d.z), 1.0 - pow(1.0 - veil, 0.6 / max(up, 0.02)));
+  gl_FragColor.rgb = mix(gl_FragColor.rgb, linearToOutputTexel(vec4(horizon, 1.0)).rgb, haze);
 }`;
 
 export function makeSky(uniforms) {

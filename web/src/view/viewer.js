@@ -211,10 +211,10 @@ export class Viewer extends EventTarget {
     const frustum = new THREE.Frustum().setFromProjectionMatrix(new THREE.Matrix4().multiplyMatrices(eye.projectionMatrix, eye.matrixWorldInverse));
     this.terrain.update(eye, frustum, Math.min(1, 1.5 * settings.plants));
     const sight_m = 1.15 * 1.978 / this.atmosphere.fog.density;
-    this.scenery.update(eye, frustum, settings.plants, this.override ? Infinity : sight_m);
-    this.precipitation.update(eye, settings.particles);
     const high_m = eye.position.z - this.world.height.at(eye.position.x, eye.position.y);
     const radius_m = Math.round(clamp(settings.shadowRadius_m * Math.max(1, high_m / 30), 20, 400) / 20) * 20;
+    this.scenery.update(eye, frustum, settings.plants, this.override ? Infinity : sight_m, radius_m);
+    this.precipitation.update(eye, settings.particles);
     const focus = this.cameras.mode === 'orbit' ? this.cameras.orbit.target.clone()
         : eye.position.clone().addScaledVector(eye.getWorldDirection(new THREE.Vector3()), 0.5 * radius_m);
     if (this.atmosphere.sun.castShadow) this.atmosphere.placeShadows(focus, radius_m);

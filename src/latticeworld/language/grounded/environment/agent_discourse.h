@@ -387,6 +387,12 @@ class AgentReader {
   // "Ten creatures: four sheep and six goblins": the first is the sum of the others.
   void DropAnnouncedTotal();
 
+  // "The only living thing is an eagle": agents of any kind are no group beside those named.
+  void SumUpAnyAgents();
+
+  // Exactly, at least or at most as many agents of all kinds as the group says.
+  EnvironmentClaim TotalClaim(const Group& total) const;
+
   // Whether those named after the group are a list of who is in it.
   bool IsListed(std::size_t index) const;
 

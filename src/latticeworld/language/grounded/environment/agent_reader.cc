@@ -237,14 +237,18 @@ void AgentReader::DropAnnouncedTotal() {
       part.more_land = total.wish.more_land;
     }
     if (total.wish.counted && total.wish.categories.size() == EnumNames(AgentCategory{}).size()) {
-      EnvironmentClaim claim;
-      claim.kind = EnvironmentClaimKind::kTotalAgents;
-      claim.least_quantity = std::min(total.wish.least, kMaxAgents);
-      claim.most_quantity = std::max(claim.least_quantity, std::min(total.wish.most, kMaxAgents));
-      claim.words = WordsOf(total);
-      heard_.absences.push_back(std::move(claim));
+      heard_.absences.push_back(TotalClaim(total));
     }
   }
+}
+
+EnvironmentClaim AgentReader::TotalClaim(const Group& total) const {
+  EnvironmentClaim claim;
+  claim.kind = EnvironmentClaimKind::kTotalAgents;
+  claim.least_quantity = std::min(total.wish.least, kMaxAgents);
+  claim.most_quantity = std::max(claim.least_quantity, std::min(total.wish.most, kMaxAgents));
+  claim.words = WordsOf(total);
+  return claim;
 }
 
 void AgentReader::Extend(std::size_t index, std::size_t end) {
@@ -281,8 +285,28 @@ void AgentReader::JoinCompany() {
   }
 }
 
+// "The only living thing is an eagle", "agents: 10": beside groups that are named, agents of any
+// kind are no group of their own but all of them together.
+void AgentReader::SumUpAnyAgents() {
+  const std::size_t kinds = EnumNames(AgentCategory{}).size();
+  int sum = 0;
+  for (const Group& group : groups_) {
+    if (group.removed || group.purpose || group.wish.categories.size() == kinds) continue;
+    sum += group.wish.quantity;
+  }
+  if (sum == 0) return;
+  for (Group& group : groups_) {
+    const AgentWish& wish = group.wish;
+    if (group.removed || wish.categories.size() != kinds || wish.IsPlaced()) continue;
+    if (wish.counted && wish.quantity > 1 && wish.quantity < sum) continue;
+    group.removed = true;
+    if (wish.counted && wish.quantity > 1) heard_.absences.push_back(TotalClaim(group));
+  }
+}
+
 void AgentReader::Finish() {
   JoinCompany();
+  SumUpAnyAgents();
   const bool asked = std::any_of(groups_.begin(), groups_.end(), [](const Group& group) {
     return !group.purpose && !group.removed;
   });

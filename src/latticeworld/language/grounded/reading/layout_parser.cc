@@ -89,6 +89,10 @@ std::optional<std::string_view> ShortMistake(std::string_view word) {
       {"betwen", "between"},   {"mosty", "mostly"},     {"arond", "around"},
       {"ned", "need"},         {"inbetwen", "between"}, {"inbetween", "between"},
       {"wal", "wall"},         {"lefft", "left"},       {"surounded", "surrounded"},
+      {"wod", "wood"},         {"wods", "woods"},       {"rok", "rock"},
+      {"roks", "rocks"},       {"rivr", "river"},       {"tres", "trees"},
+      {"rt", "right"},         {"lft", "left"},         {"btm", "bottom"},
+      {"ctr", "center"},       {"rd", "road"},          {"btwn", "between"},
   };
   for (const auto& [mistake, meant] : kMistakes) {
     if (word == mistake) return meant;

@@ -18,7 +18,7 @@ void TurnComparisons(std::vector<Token>* tokens) {
     std::size_t as = at;
     bool more = false;
     bool less = false;
-    const std::string_view word = WordAt(*tokens, at);
+    const std::string word(WordAt(*tokens, at));
     if (IsOneOf(word, {"twice", "double", "thrice"})) {
       more = true;
       ++as;
@@ -71,7 +71,7 @@ void TurnComparatives(std::vector<Token>* tokens) {
 void TurnNegations(std::vector<Token>* tokens) {
   constexpr std::size_t kReach = 14;
   for (std::size_t at = 0; at < tokens->size(); ++at) {
-    const std::string_view word = WordAt(*tokens, at);
+    const std::string word(WordAt(*tokens, at));
     if (word == "neither") {
       std::size_t nor = at + 1;
       while (nor < at + kReach && !IsPauseAt(*tokens, nor) && WordAt(*tokens, nor) != "nor") ++nor;
@@ -116,7 +116,7 @@ void TurnExceptions(std::vector<Token>* tokens) {
   bool middle = false;
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     if ((*tokens)[at].kind == TokenKind::kStop) middle = false;
-    const std::string_view word = WordAt(*tokens, at);
+    const std::string word(WordAt(*tokens, at));
     const auto is_relation = [&](std::size_t next) {
       return IsOneOf(WordAt(*tokens, next), {"along", "near", "by", "beside", "around", "next",
                                              "close", "alongside", "between"});
@@ -183,10 +183,10 @@ void TurnExceptions(std::vector<Token>* tokens) {
 void TurnExclusions(std::vector<Token>* tokens) {
   constexpr std::size_t kReach = 14;
   for (std::size_t at = 0; at < tokens->size(); ++at) {
-    const std::string_view word = WordAt(*tokens, at);
+    const std::string word(WordAt(*tokens, at));
     const bool goes = IsOneOf(word, {"going", "moving", "walking", "travelling", "traveling",
                                      "reading", "heading", "driving", "looking"});
-    const std::string_view way = WordAt(*tokens, at + 1);
+    const std::string way(WordAt(*tokens, at + 1));
     if (goes && IsOneOf(way, {"up", "upward", "upwards", "down", "downward", "downwards"})) {
       std::size_t end = at + 2;
       if (WordAt(*tokens, end) == "the") ++end;

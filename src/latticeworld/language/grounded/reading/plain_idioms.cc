@@ -16,7 +16,7 @@ namespace latticeworld {
 // no. "Second road ...": a second one.
 void TurnSlips(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at < tokens->size(); ++at) {
-    const std::string_view word = WordAt(*tokens, at);
+    const std::string word(WordAt(*tokens, at));
     if (word == "form" || word == "too") {
       PlaceCursor cursor(*tokens, at + (WordAt(*tokens, at + 1) == "the" ? 2 : 1));
       if (TakeDirection(&cursor).found) (*tokens)[at].text = word == "form" ? "from" : "to";
@@ -116,7 +116,7 @@ void TurnMatrix(std::vector<Token>* tokens) {
                                                                       {"rocky", "rock"},
                                                                       {"built", "town"}};
   for (std::size_t at = 0; at < tokens->size(); ++at) {
-    const std::string_view word = WordAt(*tokens, at);
+    const std::string word(WordAt(*tokens, at));
     if (word == "surroundings" && !IsOneOf(WordAt(*tokens, at - 1), {"in", "its", "of"})) {
       (*tokens)[at].text = "elsewhere";
     }
@@ -133,7 +133,7 @@ void TurnOthers(std::vector<Token>* tokens) {
   constexpr std::size_t kReach = 6;
   std::string participle;
   for (std::size_t at = 0; at < tokens->size(); ++at) {
-    const std::string_view word = WordAt(*tokens, at);
+    const std::string word(WordAt(*tokens, at));
     if (word == "no") {
       const ClassWordMatch noun = MatchClassWord(*tokens, at + 1);
       std::size_t next = at + 1 + noun.tokens;

@@ -29,6 +29,41 @@ void TurnReached(std::vector<Token>* tokens);
 void TurnMatrix(std::vector<Token>* tokens);
 void TurnOthers(std::vector<Token>* tokens);
 
+// plain_relations.cc: relations and measures told in a roundabout way.
+// "Except for a lake, the map is forest": "the map is forest except for a lake".
+void TurnLeadingExceptions(std::vector<Token>* tokens);
+// "the town is separated from the road by a wood": "a wood lies between the town and the road".
+void TurnSeparations(std::vector<Token>* tokens);
+// "the river splits the town into two halves": the town lies on both sides of it.
+void TurnParts(std::vector<Token>* tokens);
+// "no trees within 3 cells of a house", "as far from the road as possible", "the wood ends where
+// the meadow begins", "the river bends round the town".
+void TurnDistances(std::vector<Token>* tokens);
+// "covers more than 40 percent", "covers more than everything else together", "lots of forest, less
+// grassland", "fill whatever is left with grass".
+void TurnMeasures(std::vector<Token>* tokens);
+// "on the coast": by the sea, where no water is named.
+void TurnCoasts(std::vector<Token>* tokens);
+
+// plain_orders.cc: rows of things, sides of things, what may not stand near.
+// "First comes the town, then a wood, from left to right": "from left to right, the town, then
+// ...".
+void TurnOrders(std::vector<Token>* tokens);
+// "to the left and to the right of the road": "on both sides of the road". "On one side of the
+// river fields, on the other a wood": the river lies between them. "Around the village on the
+// east": "to the east of the village".
+void TurnOpposites(std::vector<Token>* tokens);
+// "no houses next to the river": "the houses not next to the river". "Closer to the lake than to
+// the wood": "near the lake".
+void TurnRefusals(std::vector<Token>* tokens);
+
+// plain_gaps.cc: what is said once and meant twice, parts of what was counted.
+// "The lake is round and the forest long", "around the town fields", "surrounded by fields, those
+// by forest", "the two lakes are separated by a wood".
+void TurnGaps(std::vector<Token>* tokens);
+// "Five ponds, three of them in the north", "at right angles".
+void TurnShares(std::vector<Token>* tokens);
+
 // other_places.cc: places told by those that are taken.
 std::vector<Token> WithOtherPlaces(std::vector<Token> tokens);
 

@@ -10,6 +10,17 @@ namespace latticeworld {
 std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnSlips(&tokens);
   TurnPossessives(&tokens);
+  TurnLeadingExceptions(&tokens);
+  TurnSeparations(&tokens);
+  TurnParts(&tokens);
+  TurnDistances(&tokens);
+  TurnMeasures(&tokens);
+  TurnCoasts(&tokens);
+  TurnOrders(&tokens);
+  TurnOpposites(&tokens);
+  TurnRefusals(&tokens);
+  TurnGaps(&tokens);
+  TurnShares(&tokens);
   TurnComparisons(&tokens);
   TurnCompany(&tokens);
   TurnLikenesses(&tokens);

@@ -1,0 +1,268 @@
+#include "latticeworld/language/grounded/environment/mend_measures.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "latticeworld/language/numbers.h"
+
+namespace latticeworld {
+namespace {
+
+std::string_view WordAt(const std::vector<Token>& tokens, std::size_t at) {
+  return at < tokens.size() && tokens[at].kind == TokenKind::kWord
+             ? std::string_view(tokens[at].text)
+             : std::string_view();
+}
+
+bool IsAny(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+void Erase(std::vector<Token>* tokens, std::size_t first, std::size_t count) {
+  const auto begin = tokens->begin() + static_cast<std::ptrdiff_t>(first);
+  tokens->erase(begin, begin + static_cast<std::ptrdiff_t>(count));
+}
+
+// "half", "one third", "two thirds"; `tokens` 0: no fraction.
+struct FractionWord {
+  std::string_view decimal;
+  std::size_t tokens = 0;
+};
+
+FractionWord FractionAt(const std::vector<Token>& tokens, std::size_t at) {
+  const std::string_view word = WordAt(tokens, at);
+  const std::size_t more = word == "a" || word == "one" || word == "1" ? 1 : 0;
+  const std::string_view part = WordAt(tokens, at + more);
+  if (part == "half") return {"0.5", more + 1};
+  if (part == "third") return {"0.33", more + 1};
+  if (part == "quarter") return {"0.25", more + 1};
+  if (word == "two" && WordAt(tokens, at + 1) == "thirds") return {"0.67", 2};
+  if (word == "three" && WordAt(tokens, at + 1) == "quarters") return {"0.75", 2};
+  return {};
+}
+
+bool IsDensity(std::string_view word) { return word == "density" || word == "densities"; }
+
+// "density 0.5" in the place of `count` tokens.
+void PutDensity(std::vector<Token>* tokens, std::size_t first, std::size_t count,
+                std::string_view decimal) {
+  const std::size_t begin = (*tokens)[first].begin;
+  const std::size_t end = (*tokens)[first + count - 1].end;
+  Erase(tokens, first + 2, count - 2);
+  (*tokens)[first] = {TokenKind::kWord, "density", begin, end};
+  (*tokens)[first + 1] = {TokenKind::kNumber, std::string(decimal), begin, end};
+}
+
+void MendFractions(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at < tokens->size(); ++at) {
+    const FractionWord before = FractionAt(*tokens, at);
+    if (before.tokens > 0) {
+      std::size_t next = at + before.tokens;
+      if (IsAny(WordAt(*tokens, next), {"the", "of", "its"})) ++next;
+      if (IsDensity(WordAt(*tokens, next))) {
+        PutDensity(tokens, at, next + 1 - at, before.decimal);
+        continue;
+      }
+    }
+    if (!IsDensity(WordAt(*tokens, at))) continue;
+    std::size_t next = at + 1;
+    if (IsAny(WordAt(*tokens, next), {"of", "is", "about", "around", "at"})) ++next;
+    const FractionWord after = FractionAt(*tokens, next);
+    const bool ends = after.tokens > 0 && WordAt(*tokens, next + after.tokens) != "of";
+    if (ends) PutDensity(tokens, at, next + after.tokens - at, after.decimal);
+  }
+}
+
+// "forest.density": nothing stands between the words and the stop.
+void MendDottedNames(std::vector<Token>* tokens) {
+  for (std::size_t at = 1; at + 1 < tokens->size(); ++at) {
+    const Token& stop = (*tokens)[at];
+    const bool inside = stop.kind == TokenKind::kStop && stop.text == "." &&
+                        (*tokens)[at - 1].kind == TokenKind::kWord &&
+                        (*tokens)[at + 1].kind == TokenKind::kWord &&
+                        (*tokens)[at - 1].end == stop.begin && (*tokens)[at + 1].begin == stop.end;
+    if (inside) Erase(tokens, at, 1);
+  }
+}
+
+void MendTotals(std::vector<Token>* tokens) {
+  constexpr std::size_t kReach = 8;
+  for (std::size_t at = 0; at + 2 < tokens->size(); ++at) {
+    if (WordAt(*tokens, at) != "how" || WordAt(*tokens, at + 1) != "many") continue;
+    std::size_t stop = at + 2;
+    while (stop < tokens->size() && stop < at + kReach &&
+           (*tokens)[stop].kind != TokenKind::kStop) {
+      ++stop;
+    }
+    if (stop >= tokens->size() || (*tokens)[stop].kind != TokenKind::kStop) continue;
+    const std::size_t number = MatchNumber(*tokens, stop + 1).tokens;
+    const std::size_t end = stop + 1 + number;
+    const bool answered =
+        number > 0 && (end >= tokens->size() || (*tokens)[end].kind != TokenKind::kWord);
+    if (!answered) continue;
+    const Token beside = (*tokens)[end - 1];
+    std::vector<Token> total;
+    for (const std::string_view word : {"agents", "in", "total"}) {
+      total.push_back({TokenKind::kWord, std::string(word), beside.begin, beside.end});
+    }
+    tokens->insert(tokens->begin() + static_cast<std::ptrdiff_t>(end), total.begin(), total.end());
+    Erase(tokens, at, stop + 1 - at);
+  }
+}
+
+// "low by one metre"
+void MendLevels(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
+    const std::string word(WordAt(*tokens, at));
+    if (!IsAny(word, {"low", "lower", "high", "higher", "down", "up"})) continue;
+    if (WordAt(*tokens, at + 1) != "by") continue;
+    const std::size_t number = MatchNumber(*tokens, at + 2).tokens;
+    const std::size_t unit = at + 2 + number;
+    if (number == 0 || !IsAny(WordAt(*tokens, unit), {"metre", "metres", "meter", "meters", "m"})) {
+      continue;
+    }
+    const bool low = word == "low" || word == "lower" || word == "down";
+    const Token beside = (*tokens)[at];
+    tokens->insert(tokens->begin() + static_cast<std::ptrdiff_t>(unit + 1),
+                   {TokenKind::kWord, low ? "lower" : "higher", beside.begin, beside.end});
+    Erase(tokens, at, 2);
+  }
+}
+
+void Insert(std::vector<Token>* tokens, std::size_t at,
+            std::initializer_list<std::string_view> words, const Token& beside) {
+  std::vector<Token> added;
+  for (const std::string_view word : words) {
+    added.push_back({TokenKind::kWord, std::string(word), beside.begin, beside.end});
+  }
+  tokens->insert(tokens->begin() + static_cast<std::ptrdiff_t>(at), added.begin(), added.end());
+}
+
+// "ten of each kind of robot": of each kind by its name.
+void MendKinds(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 4 < tokens->size(); ++at) {
+    const std::size_t number = MatchNumber(*tokens, at).tokens;
+    std::size_t of = at + number;
+    const bool each = number == 1 && WordAt(*tokens, of) == "of" &&
+                      IsAny(WordAt(*tokens, of + 1), {"each", "every"}) &&
+                      IsAny(WordAt(*tokens, of + 2), {"kind", "type", "sort"}) &&
+                      WordAt(*tokens, of + 3) == "of" &&
+                      IsAny(WordAt(*tokens, of + 4), {"robot", "robots"});
+    if (!each) continue;
+    const Token count = (*tokens)[at];
+    Erase(tokens, of, 5);
+    std::size_t next = of;
+    for (const auto kind : {"wheeled", "humanoid", "dogs", "drones"}) {
+      const std::string_view name(kind);
+      const bool robots = name == "wheeled" || name == "humanoid";
+      if (next > of) {
+        tokens->insert(tokens->begin() + static_cast<std::ptrdiff_t>(next),
+                       {{TokenKind::kComma, ",", count.begin, count.begin}, count});
+        next += 2;
+      }
+      if (robots) {
+        Insert(tokens, next, {name, "robots"}, count);
+        next += 2;
+      } else if (name == "dogs") {
+        Insert(tokens, next, {"robotic", "dogs"}, count);
+        next += 2;
+      } else {
+        Insert(tokens, next, {name}, count);
+        ++next;
+      }
+    }
+    at = next;
+  }
+}
+
+// "twice as many sheep as horses; there are four horses": eight sheep.
+void MendMultiples(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 5 < tokens->size(); ++at) {
+    std::size_t as = at + 1;
+    int times = 0;
+    if (WordAt(*tokens, at) == "twice") times = 2;
+    if (WordAt(*tokens, at) == "three" && WordAt(*tokens, at + 1) == "times") times = 3;
+    if (times == 3) ++as;
+    if (times == 0 || WordAt(*tokens, as) != "as" || WordAt(*tokens, as + 1) != "many") continue;
+    const std::string owner(WordAt(*tokens, as + 4));
+    if (WordAt(*tokens, as + 3) != "as" || owner.empty()) continue;
+    // The number that is said later, once.
+    for (std::size_t next = as + 5; next < tokens->size(); ++next) {
+      const NumberMatch said = MatchNumber(*tokens, next);
+      if (said.tokens == 0) continue;
+      const bool counts = WordAt(*tokens, next + said.tokens) == owner ||
+                          (next > 0 && IsAny(WordAt(*tokens, next - 1), {"are", "is"}));
+      if (!counts || said.value < 1 || said.value > 100) break;
+      const Token beside = (*tokens)[at];
+      Erase(tokens, at, as + 2 - at);
+      tokens->insert(tokens->begin() + static_cast<std::ptrdiff_t>(at),
+                     {TokenKind::kNumber, std::to_string(times * static_cast<int>(said.value)),
+                      beside.begin, beside.end});
+      // "as horses" would compare again.
+      (*tokens)[at + 2].text = "beside";
+      break;
+    }
+  }
+}
+
+// "cancel the rain": no rain.
+void MendCancels(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
+    if (WordAt(*tokens, at) != "cancel" || WordAt(*tokens, at + 1) != "the") continue;
+    (*tokens)[at].text = "no";
+    Erase(tokens, at + 1, 1);
+  }
+}
+
+// "up north": in the north; "chase one another": each other; "three, no, four"; "two more like
+// him"; "perched, not one of them in the air".
+void MendPhrases(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
+    const std::string word(WordAt(*tokens, at));
+    const std::string next(WordAt(*tokens, at + 1));
+    const Token beside = (*tokens)[at];
+    const bool compass = ((word == "up" || word == "back") && next == "north") ||
+                         (word == "down" && next == "south") ||
+                         (word == "out" && (next == "west" || next == "east"));
+    if (compass) {
+      Erase(tokens, at, 1);
+      Insert(tokens, at, {"in", "the"}, beside);
+    }
+    if (word == "one" && next == "another") {
+      (*tokens)[at].text = "each";
+      (*tokens)[at + 1].text = "other";
+    }
+    if (word == "like" && IsAny(next, {"him", "her", "it", "them"})) Erase(tokens, at, 2);
+    // A number that takes the place of the one before it.
+    const bool corrected = next == "no" && MatchNumber(*tokens, at).tokens == 1 &&
+                           MatchNumber(*tokens, at + 2).tokens > 0;
+    if (corrected) Erase(tokens, at, 2);
+    if (word == "not" && next == "one" && WordAt(*tokens, at + 2) == "of" && at > 0 &&
+        (*tokens)[at - 1].kind == TokenKind::kComma) {
+      std::size_t end = at;
+      while (end < tokens->size() && (*tokens)[end].kind != TokenKind::kComma &&
+             (*tokens)[end].kind != TokenKind::kStop) {
+        ++end;
+      }
+      Erase(tokens, at, end - at);
+    }
+  }
+}
+
+}  // namespace
+
+void MendMeasures(std::vector<Token>* tokens) {
+  MendPhrases(tokens);
+  MendDottedNames(tokens);
+  MendFractions(tokens);
+  MendTotals(tokens);
+  MendLevels(tokens);
+  MendKinds(tokens);
+  MendMultiples(tokens);
+  MendCancels(tokens);
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,55 @@
+#include "latticeworld/language/grounded/environment/mend_measures.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace latticeworld {
+namespace {
+
+std::string Mended(std::string_view text) {
+  std::vector<Token> tokens = Tokenize(text);
+  MendMeasures(&tokens);
+  return JoinWords(tokens, 0, tokens.size());
+}
+
+TEST(MendMeasuresTest, FractionsBesideADensityAreNumbers) {
+  EXPECT_EQ(Mended("oaks at half density"), "oaks at density 0.5");
+  EXPECT_EQ(Mended("flowers at a density of one third"), "flowers at a density 0.33");
+  EXPECT_EQ(Mended("half of the sheep"), "half of the sheep");
+}
+
+TEST(MendMeasuresTest, AFullStopWithinANameEndsNoSentence) {
+  EXPECT_EQ(Mended("forest.density"), "forest density");
+  EXPECT_EQ(Mended("forest. density"), "forest . density");
+}
+
+TEST(MendMeasuresTest, TheAnswerToHowManyIsATotal) {
+  EXPECT_EQ(Mended("How many are there? Ten!"), "ten agents in total !");
+  EXPECT_EQ(Mended("How many are there? Ten goblins."), "how many are there ? ten goblins .");
+}
+
+TEST(MendMeasuresTest, LevelsAreSaidAfterTheirMeasure) {
+  EXPECT_EQ(Mended("low by one metre"), "one metre lower");
+  EXPECT_EQ(Mended("low by the houses"), "low by the houses");
+}
+
+TEST(MendMeasuresTest, ComparedCountsAreCounted) {
+  EXPECT_EQ(Mended("twice as many sheep as horses; there are four horses"),
+            "8 sheep beside horses ; there are four horses");
+  EXPECT_EQ(Mended("ten of each kind of robot"),
+            "ten wheeled robots , ten humanoid robots , ten robotic dogs , ten drones");
+}
+
+TEST(MendMeasuresTest, TurnsOfPhraseAreSaidPlainly) {
+  EXPECT_EQ(Mended("four up north"), "four in the north");
+  EXPECT_EQ(Mended("three no four drones"), "four drones");
+  EXPECT_EQ(Mended("no four drones"), "no four drones");
+  EXPECT_EQ(Mended("they chase one another"), "they chase each other");
+  EXPECT_EQ(Mended("cancel the rain"), "no rain");
+}
+
+}  // namespace
+}  // namespace latticeworld

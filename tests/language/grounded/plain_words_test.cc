@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "latticeworld/layout/vocabulary.h"
+#include "reading_sample.h"
+
+// Turns of phrase that are put in plainer words before they are read.
+namespace latticeworld {
+namespace {
+
+const Vocabulary kSuburb = Vocabulary::kSuburb;
+const Vocabulary kWild = Vocabulary::kWild;
+
+std::vector<Sample> Relations() {
+  return {
+      {"Apart from a pond in the south, the whole map is forest.",
+       kSuburb,
+       {"dominant F", "present W@southern third"},
+       {"scattered W"}},
+      {"The hamlet is separated from the sea by a belt of trees.", kSuburb, {"between F B W"}},
+      {"The two hamlets are separated by a wood.", kSuburb, {"between F B B", "count B 2..2"}},
+      {"The river splits the town into a northern and a southern half.",
+       kSuburb,
+       {"both_sides B W"},
+       {"present W@northern edge", "count W 2..2"}},
+      {"No trees within 3 cells of a barn.", kSuburb, {"apart F B"}, {"absent B", "absent F"}},
+      {"The woods are as far from the lake as possible.", kSuburb, {"apart F W"}},
+      {"The forest stops where the meadow begins.", kSuburb, {"adjacent F G"}},
+      {"The river bends round the town.", kSuburb, {"adjacent W B"}, {"surrounds W B"}},
+      {"The town hugs the coast, which runs down the eastern side.",
+       kSuburb,
+       {"adjacent B W", "present W@eastern third"}},
+      {"On one side of the river there are fields, on the other side a wood.",
+       kSuburb,
+       {"between W A F"}},
+      {"Fields to the left and to the right of the road.", kSuburb, {"both_sides A R"}},
+      {"A river from west to east with a hamlet on each bank.", kSuburb, {"both_sides B W"}},
+      {"A brook runs past the hamlet on the east.", kSuburb, {"direction W B E"}},
+  };
+}
+
+std::vector<Sample> Amounts() {
+  return {
+      {"Water covers more than 40 percent.", kSuburb, {"amount W"}},
+      {"Fields cover more than the forest.", kSuburb, {"more_than A F"}},
+      {"Lots of forest, less grassland.", kSuburb, {"more_than F G"}},
+      {"The fields cover more ground than everything else together.", kSuburb, {"dominant A"}},
+      {"A pond. Fill whatever is left over with grass.", kSuburb, {"rest G"}},
+      {"There are five ponds, three of them in the north.",
+       kSuburb,
+       {"count W 5..5"},
+       {"count W 3..3"}},
+      {"A pond in every quarter of the map.",
+       kSuburb,
+       {"present W@north-western quarter", "present W@south-eastern quarter"}},
+  };
+}
+
+std::vector<Sample> Refusals() {
+  return {
+      {"A wood, a lake and a town, but no houses in the wood.",
+       kSuburb,
+       {"present F", "present B", "apart B F"},
+       {"absent B", "absent F"}},
+      {"Do not put houses near the lake.", kSuburb, {"apart B W"}, {"absent B", "absent W"}},
+      {"Houses on both sides of the road but none near the river.",
+       kSuburb,
+       {"both_sides B R", "apart B W"},
+       {"adjacent B W"}},
+      {"Neither the barn nor the lake touches the road.",
+       kSuburb,
+       {"apart B R", "apart W R"},
+       {"absent B", "absent W"}},
+      {"Not much water, maybe 5 percent, woods 40, fields 40.",
+       kSuburb,
+       {"amount W", "amount F", "amount A"},
+       {"absent W"}},
+      {"No road reaches the eastern edge.", kSuburb, {"absent R@eastern edge"}},
+      {"The barn is nearer to the lake than the wood.",
+       kSuburb,
+       {"adjacent B W"},
+       {"more_than B F"}},
+  };
+}
+
+std::vector<Sample> Rows() {
+  return {
+      {"First comes the town, then a meadow, then the woods, from left to right.",
+       kSuburb,
+       {"order BGF>E"}},
+      {"From top to bottom you see ice, then rock, then heath.", kWild, {"order SRB>S"}},
+      {"The lake is round and the wood long and thin.",
+       kSuburb,
+       {"shape W round", "shape F elongated"}},
+      {"Around the town fields, around the fields forest.",
+       kSuburb,
+       {"surrounds A B", "surrounds F A"}},
+      {"The town is surrounded by fields on all sides and those by forest.",
+       kSuburb,
+       {"surrounds A B", "surrounds F A"},
+       {"present B@northern edge"}},
+      {"Two parallel roads cross a river at right angles.",
+       kSuburb,
+       {"crosses R W"},
+       {"present R@eastern third"}},
+      {"Three of the four quarters are wooded; in the fourth, top right, lies a town.",
+       kSuburb,
+       {"present F@south-eastern quarter", "present B@north-eastern quarter"},
+       {"present F@north-eastern quarter"}},
+      {"Ice in two of the corners: top left and top right.",
+       kWild,
+       {"present S@upper left", "present S@upper right"},
+       {"present S@south-west corner"}},
+  };
+}
+
+class PlainWords : public testing::TestWithParam<Sample> {};
+
+TEST_P(PlainWords, AreReadAsMeant) { ExpectRead(GetParam()); }
+TEST_P(PlainWords, InCapitalsToo) { ExpectReadInCapitals(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(Relations, PlainWords, testing::ValuesIn(Relations()));
+INSTANTIATE_TEST_SUITE_P(Amounts, PlainWords, testing::ValuesIn(Amounts()));
+INSTANTIATE_TEST_SUITE_P(Refusals, PlainWords, testing::ValuesIn(Refusals()));
+INSTANTIATE_TEST_SUITE_P(Rows, PlainWords, testing::ValuesIn(Rows()));
+
+}  // namespace
+}  // namespace latticeworld
