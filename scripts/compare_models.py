@@ -62,7 +62,7 @@ def table_of(kind, scores):
 
     add("valid answers", lambda table: share(table.get("valid answers")))
     add("**claims satisfied**", lambda table: f"**{share(table.get('all claims'))}**")
-    add("median time of an answer", lambda table: f"{table['time']:.0f} ms")
+    add("median time of an answer", lambda table: f"{table['time']:.{0 if table['time'] >= 10 else 1}f} ms")
     kinds = sorted({row for table in tables.values() for row in table} - {"all claims", "valid answers", "time"})
     for row in kinds:
         add(row, lambda table, row=row: share(table.get(row)))
@@ -76,7 +76,7 @@ def best_of(scores):
     return max(sums, key=sums.get) if sums else None
 
 
-def page(scores, given, version):
+def page(scores, given, options, version):
     memory = "\n".join(f"| {name} | {found['memory']:.0f} MB |" for name, found in scores.items())
     best = best_of(scores)
     local = ""
@@ -85,7 +85,9 @@ def page(scores, given, version):
         local = f"\n`local`: `{os.path.basename(file)}`, {os.path.getsize(file) / 1e6:.1f} MB"
         if given.local_environment_model:
             local += f"; environments by `{os.path.basename(given.local_environment_model)}`"
-        local += ".\n"
+        if options.get("local"):
+            local += f"; `{' '.join(options['local'])}`"
+        local += ". How it came about: [training](training.md).\n"
     return f"""# Back ends compared
 
 Written by `scripts/compare_models.py` on {datetime.date.today().isoformat()}, {version}: the {given.part} part of
@@ -123,11 +125,12 @@ def main():
     parser.add_argument("--local-environment-model", metavar="FILE", help="the same for environments, or grounded")
     given, more = parser.parse_known_args()
 
-    backends = {"grounded": []}
+    backends, models = {"grounded": []}, []
     if given.local_model:
-        backends["local"] = ["--local-model", given.local_model]
+        backends["local"] = []
+        models = ["--local-model", given.local_model]
         if given.local_environment_model:
-            backends["local"] += ["--local-environment-model", given.local_environment_model]
+            models += ["--local-environment-model", given.local_environment_model]
     name = None
     for word in more:
         if word.startswith("--"):
@@ -140,10 +143,13 @@ def main():
     if "local" in backends and not given.local_model:
         parser.error("options of a local model without --local-model")
 
-    scores = {name: score(given.program, given.benchmark, given.part, name, o) for name, o in backends.items()}
+    scores = {
+        name: score(given.program, given.benchmark, given.part, name, (models if name == "local" else []) + some)
+        for name, some in backends.items()
+    }
     version = subprocess.run([given.program, "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
     with open(given.out, "w", encoding="utf-8") as file:
-        file.write(page(scores, given, version))
+        file.write(page(scores, given, backends, version))
     print(given.out)
 
 
