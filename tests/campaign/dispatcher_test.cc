@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "generation/test_world.h"
-#include "latticeworld/campaign/result_files.h"
 #include "latticeworld/campaign/slurm_job.h"
 #include "latticeworld/common/files.h"
 
@@ -114,15 +113,6 @@ TEST_F(DispatcherTest, WhoeverCancelsIsHeard) {
   options.command = {"/bin/cat"};
   EXPECT_EQ(Dispatch(folder_, all_, options, progress, [](std::size_t) {}).code(),
             StatusCode::kCancelled);
-}
-
-TEST_F(DispatcherTest, OnlyOneProcessWorksOnAFolder) {
-  auto first = FolderLock::Take(folder_.out / ".lock");
-  ASSERT_TRUE(first.ok());
-  EXPECT_EQ(FolderLock::Take(folder_.out / ".lock").status().code(),
-            StatusCode::kFailedPrecondition);
-  { const FolderLock gone = *std::move(first); }
-  EXPECT_TRUE(FolderLock::Take(folder_.out / ".lock").ok());
 }
 
 TEST_F(DispatcherTest, ShardsShareTheTrialsOut) {

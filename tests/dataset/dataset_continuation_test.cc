@@ -5,8 +5,8 @@
 
 #include "dataset/scratch_dataset.h"
 #include "dataset/test_source.h"
+#include "latticeworld/common/folder_lock.h"
 #include "latticeworld/dataset/dataset_writer.h"
-#include "latticeworld/dataset/whole_file.h"
 
 // Data sets that are broken off and gone on with, and folders that are not theirs.
 namespace latticeworld {
@@ -102,8 +102,8 @@ TEST_F(DatasetContinuationTest, OnlyTheSameWorkIsGoneOnWithAndByOneProcess) {
 
   job = JobOf(source, "held");
   fs::create_directories(folder_ / "held");
-  const auto hold = FolderHold::Take(folder_ / "held/.lock");
-  ASSERT_TRUE(hold.ok());
+  const auto lock = FolderLock::Take(folder_ / "held/.lock");
+  ASSERT_TRUE(lock.ok());
   EXPECT_EQ(WriteDataset(job, Progress(), {}).status().code(), StatusCode::kFailedPrecondition);
 }
 

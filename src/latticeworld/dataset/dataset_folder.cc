@@ -8,6 +8,7 @@
 #include "latticeworld/common/files.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/dataset/dataset_part.h"
+#include "latticeworld/dataset/whole_file.h"
 
 namespace latticeworld {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostFingerprintBytes = 1 << 20;
-constexpr char kHoldName[] = ".lock";
+constexpr char kLockName[] = ".lock";
 constexpr char kOptionsName[] = "options.json";
 
 std::string NameOfPart(std::size_t part) {
@@ -29,7 +30,7 @@ Result<bool> IsUnused(const fs::path& root) {
   std::error_code error;
   for (fs::directory_iterator it(root, error), end; !error && it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();
-    if (name != kHoldName && name != std::string(kOptionsName) + std::string(kUnfinished))
+    if (name != kLockName && name != std::string(kOptionsName) + std::string(kUnfinished))
       return false;
   }
   if (error) return PermissionDenied("cannot list " + root.string() + ": " + error.message());
@@ -45,8 +46,8 @@ Status Remove(const fs::path& path) {
 
 }  // namespace
 
-DatasetFolder::DatasetFolder(fs::path root, FolderHold hold)
-    : root_(std::move(root)), hold_(std::move(hold)) {}
+DatasetFolder::DatasetFolder(fs::path root, FolderLock lock)
+    : root_(std::move(root)), lock_(std::move(lock)) {}
 
 Result<DatasetFolder> DatasetFolder::Open(const fs::path& root, const std::string& fingerprint,
                                           bool resume) {
@@ -75,9 +76,9 @@ Result<DatasetFolder> DatasetFolder::Open(const fs::path& root, const std::strin
                     root.string() + " has this data set or a part of it; --resume goes on with it");
   }
   LW_RETURN_IF_ERROR(MakeDirectories(root));
-  LW_ASSIGN_OR_RETURN(FolderHold hold, FolderHold::Take(root / kHoldName));
+  LW_ASSIGN_OR_RETURN(FolderLock lock, FolderLock::Take(root / kLockName));
   if (!begun) LW_RETURN_IF_ERROR(WriteWholeFile(options, fingerprint));
-  DatasetFolder folder(root, std::move(hold));
+  DatasetFolder folder(root, std::move(lock));
   if (!folder.IsWhole()) {
     LW_RETURN_IF_ERROR(MakeDirectories(root / "parts"));
     LW_RETURN_IF_ERROR(MakeDirectories(root / "images"));
@@ -120,7 +121,7 @@ void DatasetFolder::RemoveParts() const {
   std::error_code ignored;
   fs::remove_all(root_ / "parts", ignored);
   fs::remove(root_ / "images", ignored);  // where there are none
-  fs::remove(root_ / kHoldName, ignored);
+  fs::remove(root_ / kLockName, ignored);
 }
 
 }  // namespace latticeworld

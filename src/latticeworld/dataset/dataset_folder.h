@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "latticeworld/common/folder_lock.h"
 #include "latticeworld/common/result.h"
-#include "latticeworld/dataset/whole_file.h"
 
 namespace latticeworld {
 
@@ -37,10 +37,10 @@ class DatasetFolder {
   void RemoveParts() const;
 
  private:
-  DatasetFolder(std::filesystem::path root, FolderHold hold);
+  DatasetFolder(std::filesystem::path root, FolderLock lock);
 
   std::filesystem::path root_;
-  FolderHold hold_;
+  FolderLock lock_;
 };
 
 }  // namespace latticeworld

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "latticeworld/common/files.h"
+#include "latticeworld/common/folder_lock.h"
 #include "latticeworld/common/parallel.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/range.h"
@@ -25,7 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr char kStage[] = "pairs";
 constexpr char kManifest[] = "pairs.json";
-constexpr char kHold[] = "pairs.lock";
+constexpr char kLockName[] = "pairs.lock";
 constexpr double kFewestStrokes = 0.005;  // share of the cells
 constexpr double kMostStrokes = 0.04;
 constexpr int kAtATime = 64;  // pairs between two looks at whether somebody cancelled
@@ -56,7 +57,7 @@ Status CheckFolder(const SketchPairOptions& options, const fs::path& out) {
   if (error) return FailedPrecondition(Quote(out.string()) + ": " + error.message());
   for (const fs::directory_entry& entry : entries) {
     const std::string name = entry.path().filename().string();
-    if (name == kHold || name == kManifest + std::string(kUnfinished)) continue;
+    if (name == kLockName || name == kManifest + std::string(kUnfinished)) continue;
     return FailedPrecondition(Quote(out.string()) + " holds " + Quote(name) +
                               " and no pairs.json; legal is an empty folder or one of pairs");
   }
@@ -89,7 +90,7 @@ Result<std::size_t> WriteSketchPairs(const SketchPairOptions& options, const fs:
   LW_RETURN_IF_ERROR(Status::FromViolations("illegal sketch pair options", Validate(options)));
   LW_RETURN_IF_ERROR(CheckFolder(options, out));
   LW_RETURN_IF_ERROR(MakeDirectories(out));
-  LW_ASSIGN_OR_RETURN(const FolderHold hold, FolderHold::Take(out / kHold));
+  LW_ASSIGN_OR_RETURN(const FolderLock folder_lock, FolderLock::Take(out / kLockName));
   LW_RETURN_IF_ERROR(CheckFolder(options, out));  // another process may have begun it meanwhile
   LW_RETURN_IF_ERROR(WriteWholeFile(out / kManifest, ManifestOf(options)));
   std::atomic<std::size_t> made{0};

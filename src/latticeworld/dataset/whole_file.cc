@@ -1,7 +1,6 @@
 #include "latticeworld/dataset/whole_file.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -83,22 +82,6 @@ Status MakeDirectories(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);
   return error ? FailureOf("cannot make the folder", path, error.value()) : Status();
-}
-
-Result<FolderHold> FolderHold::Take(const fs::path& file) {
-  const int fd = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (fd < 0) return FailureOf("cannot open", file, errno);
-  FolderHold hold(fd);
-  if (::flock(fd, LOCK_EX | LOCK_NB) == 0) return hold;
-  if (errno == EWOULDBLOCK)
-    return FailedPrecondition("another process works on " + file.parent_path().string());
-  return FailureOf("cannot lock", file, errno);
-}
-
-FolderHold::FolderHold(FolderHold&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-
-FolderHold::~FolderHold() {
-  if (fd_ >= 0) ::close(fd_);
 }
 
 }  // namespace latticeworld

@@ -49,21 +49,6 @@ Status WriteWholeFile(const std::filesystem::path& path, std::string_view conten
 // Makes a directory and those above it. Errors: as above.
 Status MakeDirectories(const std::filesystem::path& path);
 
-// Held by the one process that works on a folder; a process that dies lets it go.
-class FolderHold {
- public:
-  // file: made where it is not there. Errors: FAILED_PRECONDITION (another process holds it),
-  // PERMISSION_DENIED, INTERNAL.
-  static Result<FolderHold> Take(const std::filesystem::path& file);
-  FolderHold(FolderHold&& other) noexcept;
-  FolderHold& operator=(FolderHold&&) = delete;
-  ~FolderHold();
-
- private:
-  explicit FolderHold(int fd) : fd_(fd) {}
-  int fd_;  // -1 once moved from
-};
-
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_DATASET_WHOLE_FILE_H_
