@@ -3,7 +3,6 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "latticeworld/dataset/written_annotator.h"
 #include "latticeworld/language/chat/openai_client.h"
 #include "tools/arguments.h"
+#include "tools/server_arguments.h"
 
 namespace latticeworld::tools {
 namespace {
@@ -28,14 +28,6 @@ std::vector<std::string> NamesOf() {
   return names;
 }
 
-// "first_token_timeout_s" -> "--remote-first-token-timeout", where `prefix` is "--remote-"
-std::string OptionOf(const std::string& prefix, std::string field) {
-  if (field.size() > 2 && field.compare(field.size() - 2, 2, "_s") == 0)
-    field.resize(field.size() - 2);
-  std::replace(field.begin(), field.end(), '_', '-');
-  return prefix + field;
-}
-
 // The violations of options whose fields are called as arguments are, as those of the arguments.
 Status Unusable(std::vector<Violation> violations, const std::string& prefix = "--") {
   for (Violation& violation : violations)
@@ -43,19 +35,10 @@ Status Unusable(std::vector<Violation> violations, const std::string& prefix = "
   return Status::FromViolations("unusable arguments", std::move(violations));
 }
 
-Result<std::unique_ptr<Annotator>> MakeRemote(const CLI::App& command, double size_m) {
+Result<std::unique_ptr<Annotator>> MakeRemote(const CLI::App& command, OpenAiOptions server,
+                                              double size_m) {
   ArgumentReader reader(&command);
-  OpenAiOptions server;
-  server.url = ValueOf(command, "--remote-url").value_or("");
-  server.model = ValueOf(command, "--remote-model").value_or("");
-  server.api_key_variable = ValueOf(command, "--remote-api-key-variable").value_or("");
-  server.ca_file = ValueOf(command, "--remote-ca-file").value_or("");
   server.sees = command.count("--remote-sees") > 0;
-  server.dialect =
-      *FromName<ChatDialect>(reader.Choice("--remote-dialect", NamesOf<ChatDialect>(), "openai"));
-  server.first_token_timeout_s =
-      reader.Number("--remote-first-token-timeout", server.first_token_timeout_s);
-  server.total_timeout_s = reader.Number("--remote-total-timeout", server.total_timeout_s);
   RemoteAnnotatorOptions options;
   options.repair_turns =
       static_cast<int>(reader.Integer("--remote-repair-turns", 0, 8, options.repair_turns));
@@ -85,18 +68,7 @@ void AddDatasetSourceOptions(CLI::App* command) {
   AddValueOption(command, "--annotator", "NAME",
                  "Who writes: written (embedded) or remote (a model behind --remote-url) "
                  "[written].");
-  AddValueOption(command, "--remote-url", "URL",
-                 "OpenAI-compatible server, such as http://127.0.0.1:8080/v1.");
-  AddValueOption(command, "--remote-model", "NAME", "Its model [the first that it lists].");
-  AddValueOption(command, "--remote-dialect", "NAME",
-                 "llama.cpp, vllm, ollama, openai or none [openai].");
-  AddValueOption(command, "--remote-api-key-variable", "NAME",
-                 "Environment variable with the key [no key].");
-  AddValueOption(command, "--remote-ca-file", "FILE",
-                 "PEM of certificate authorities [the system's].");
-  AddValueOption(command, "--remote-first-token-timeout", "SECONDS", "0.01 to 3600 [60].");
-  AddValueOption(command, "--remote-total-timeout", "SECONDS",
-                 "Of one answer with all retries, 0.01 to 7200 [180].");
+  AddServerOptions(command);
   AddValueOption(command, "--remote-repair-turns", "N",
                  "Times that what is wrong with an answer goes back to the model, 0 to 8 [3].");
   AddValueOption(command, "--remote-temperature", "NUMBER", "0 to 2 [0.8].");
@@ -132,17 +104,15 @@ Result<std::unique_ptr<InstanceSource>> MakeDatasetSource(const CLI::App& comman
 Result<std::unique_ptr<Annotator>> MakeDatasetAnnotator(const CLI::App& command, double size_m) {
   ArgumentReader reader(&command);
   const std::string name = reader.Choice("--annotator", {"written", "remote"}, "written");
-  for (const char* option :
-       {"--remote-model", "--remote-dialect", "--remote-api-key-variable", "--remote-ca-file",
-        "--remote-first-token-timeout", "--remote-total-timeout", "--remote-repair-turns",
-        "--remote-temperature"}) {
+  OpenAiOptions server = ReadServerOptions(command, &reader);
+  for (const char* option : {"--remote-repair-turns", "--remote-temperature"}) {
     reader.RequireBeside(option, "--remote-url");
   }
   LW_RETURN_IF_ERROR(reader.status());
   const bool has_url = command.count("--remote-url") > 0;
   if ((name == "remote") != has_url)
     return InvalidArgument("--annotator remote and --remote-url belong together: one is missing");
-  if (has_url) return MakeRemote(command, size_m);
+  if (has_url) return MakeRemote(command, std::move(server), size_m);
   WrittenOptions written;
   written.size_m = size_m;
   LW_RETURN_IF_ERROR(Unusable(Validate(written)));

@@ -12,15 +12,6 @@
 namespace latticeworld {
 namespace {
 
-bool IsStopAt(const std::vector<Token>& tokens, std::size_t at) {
-  return at >= tokens.size() || tokens[at].kind == TokenKind::kStop;
-}
-
-std::size_t PauseAfter(const std::vector<Token>& tokens, std::size_t at) {
-  while (!IsPauseAt(tokens, at)) ++at;
-  return at;
-}
-
 bool IsSideNoun(std::string_view word) {
   return IsOneOf(word, {"side", "bank", "shore", "edge", "hand", "sides", "banks", "flank"});
 }

@@ -13,16 +13,6 @@
 namespace latticeworld {
 namespace {
 
-bool IsStopAt(const std::vector<Token>& tokens, std::size_t at) {
-  return at >= tokens.size() || tokens[at].kind == TokenKind::kStop;
-}
-
-// The first pause at or after `at`.
-std::size_t PauseAfter(const std::vector<Token>& tokens, std::size_t at) {
-  while (!IsPauseAt(tokens, at)) ++at;
-  return at;
-}
-
 // The first word of the clause that `at` belongs to.
 std::size_t ClauseBegin(const std::vector<Token>& tokens, std::size_t at) {
   while (at > 0 && !IsPauseAt(tokens, at - 1)) --at;

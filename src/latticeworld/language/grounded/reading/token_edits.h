@@ -24,6 +24,17 @@ inline bool IsPauseAt(const std::vector<Token>& tokens, std::size_t at) {
          tokens[at].kind == TokenKind::kComma;
 }
 
+// A stop or the end.
+inline bool IsStopAt(const std::vector<Token>& tokens, std::size_t at) {
+  return at >= tokens.size() || tokens[at].kind == TokenKind::kStop;
+}
+
+// The first pause at or after `at`.
+inline std::size_t PauseAfter(const std::vector<Token>& tokens, std::size_t at) {
+  while (!IsPauseAt(tokens, at)) ++at;
+  return at;
+}
+
 // A word that stands for the bytes of another.
 inline Token WordLike(std::string_view word, const Token& beside) {
   return {TokenKind::kWord, std::string(word), beside.begin, beside.end};
