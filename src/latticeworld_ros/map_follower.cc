@@ -68,8 +68,8 @@ bool MapFollower::Fulfil(const MapWish& wish) {
   const WishStanding standing = StandingOf(wish, before.get());
   if (standing != WishStanding::kOpen) return standing == WishStanding::kDone;
   try {
-    Result<WorldMessages> messages =
-        RebuildMaps(*before->world, options_, wish.changes, wish.now, progress_, before->messages);
+    Result<WorldMessages> messages = RebuildMaps(*before->world, options_, wish.changes, wish.now,
+                                                 progress_, {before->messages, before->changes});
     if (!messages.ok()) {
       if (!progress_.cancelled()) {
         ROS_ERROR_STREAM("maps do not follow: " << messages.status().ToString());

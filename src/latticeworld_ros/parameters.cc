@@ -67,6 +67,9 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"robot_max_step", Bind(&options->robot.max_step_m)},
       {"robot_max_fording_depth", Bind(&options->robot.max_fording_depth_m)},
       {"robot_clearance", Bind(&options->robot.clearance_m)},
+      {"robot_mass", Bind(&options->robot.mass_kg)},
+      {"robot_grip", Bind(&options->robot.grip)},
+      {"robot_on_wheels", Bind(&options->robot.on_wheels)},
   };
 }
 

@@ -121,17 +121,21 @@ Result<WorldMessages> BuildWorldMessages(const World& world, const WorldServerOp
 
 Result<WorldMessages> RebuildMaps(const World& world, const WorldServerOptions& options,
                                   const SceneChanges& changes, ros::Time stamp,
-                                  const Progress& progress, const WorldMessages& before) {
-  WorldMessages messages = before;
-  LW_RETURN_IF_ERROR(
-      BuildOctomaps(*world.scene, options, changes, kOneThread, progress, &messages));
+                                  const Progress& progress, const ShownMaps& before) {
+  WorldMessages messages = before.messages;
+  SceneChanges on_same_ground = changes;
+  on_same_ground.ground = before.changes.ground;
+  if (!(on_same_ground == before.changes)) {
+    LW_RETURN_IF_ERROR(
+        BuildOctomaps(*world.scene, options, changes, kOneThread, progress, &messages));
+    messages.markers = boost::make_shared<visualization_msgs::MarkerArray>(
+        ToMarkers(*world.scene, MarkerOptions(options), changes));
+    SetStamp(stamp, messages.markers.get());
+    messages.octomap_full->header.stamp = stamp;
+    messages.octomap_binary->header.stamp = stamp;
+  }
   LW_RETURN_IF_ERROR(
       BuildGridMaps(*world.scene, options, changes, kOneThread, progress, &messages));
-  messages.markers = boost::make_shared<visualization_msgs::MarkerArray>(
-      ToMarkers(*world.scene, MarkerOptions(options), changes));
-  SetStamp(stamp, messages.markers.get());
-  messages.octomap_full->header.stamp = stamp;
-  messages.octomap_binary->header.stamp = stamp;
   messages.map->header.stamp = stamp;
   messages.map->info.map_load_time = stamp;
   messages.height_map->info.header.stamp = stamp;

@@ -40,12 +40,19 @@ struct WorldMessages {
 Result<WorldMessages> BuildWorldMessages(const World& world, const WorldServerOptions& options,
                                          const Progress& progress, std::vector<StageTime>* stages);
 
-// The messages of a world in which assets fell or went: octomaps, map, height map and markers are
-// made anew with that stamp, all others are the ones of before. Works on one thread, for the world
-// runs meanwhile. Errors: CANCELLED, INVALID_ARGUMENT.
+// What maps showed so far.
+struct ShownMaps {
+  const WorldMessages& messages;
+  const SceneChanges& changes;
+};
+
+// The messages of a world in which things fell, moved or went, or weather made another ground: map
+// and height map are made anew with that stamp, octomaps and markers where more than the ground is
+// different, and all others are the ones of before. Works on one thread, for the world runs
+// meanwhile. Errors: CANCELLED, INVALID_ARGUMENT.
 Result<WorldMessages> RebuildMaps(const World& world, const WorldServerOptions& options,
                                   const SceneChanges& changes, ros::Time stamp,
-                                  const Progress& progress, const WorldMessages& before);
+                                  const Progress& progress, const ShownMaps& before);
 
 // Sets the stamp of all of them.
 void SetStamp(ros::Time stamp, WorldMessages* messages);

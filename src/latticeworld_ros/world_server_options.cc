@@ -65,6 +65,8 @@ std::vector<Violation> Validate(const WorldServerOptions& options) {
   check_range("robot_max_step", options.robot.max_step_m, 0.0, 10.0);
   check_range("robot_max_fording_depth", options.robot.max_fording_depth_m, 0.0, 10.0);
   check_range("robot_clearance", options.robot.clearance_m, 0.0, 100.0);
+  check_range("robot_mass", options.robot.mass_kg, 0.0, 1e6);
+  check_range("robot_grip", options.robot.grip, 0.05, 10.0);
   const bool remote = options.remote.is_wanted(), local = options.local.is_wanted();
   if (options.generator != "grounded" && !(remote && options.generator == "remote") &&
       !(local && options.generator == "local")) {

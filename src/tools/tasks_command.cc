@@ -64,7 +64,11 @@ constexpr RobotOption kRobot[] = {
     {"--robot-mass",
      &RobotLimits::mass_kg,
      {0.0, 1e6},
-     "Its mass, for bridges [kg], 0 to 1e+06 [50]."}};
+     "Its mass, for bridges [kg], 0 to 1e+06 [50]."},
+    {"--robot-grip",
+     &RobotLimits::grip,
+     {0.05, 10.0},
+     "What it pushes with, times the ground's friction, 0.05 to 10 [1]."}};
 
 // What the options ask for. Errors: INVALID_ARGUMENT with every violation.
 Result<TaskWishes> ReadWishes(const CLI::App& command) {
@@ -83,6 +87,7 @@ Result<TaskWishes> ReadWishes(const CLI::App& command) {
     limit = arguments.Number(option.name, limit);
     CheckRange(option.name, limit, option.legal, "", &violations);
   }
+  wishes.robot.on_wheels = command.count("--robot-walks") == 0;
   LW_RETURN_IF_ERROR(arguments.status());
   if (!violations.empty())
     return Status::FromViolations("unusable arguments", std::move(violations));
@@ -140,6 +145,8 @@ void AddTasksCommand(CLI::App* app, int* exit_status) {
     AddValueOption(command, option.name, "LOW,HIGH", option.meaning);
   for (const RobotOption& option : kRobot)
     AddValueOption(command, option.name, "X", option.meaning);
+  command->add_flag("--robot-walks",
+                    "It goes on feet: the ground's rolling resistance is nothing to it.");
   command->callback([command, exit_status] {
     const Status status = SampleAndWrite(*command);
     if (!status.ok()) *exit_status = ReportFailure("tasks", status);

@@ -51,7 +51,7 @@ TEST(ParametersTest, EveryNumberRefusesWhatIsNoNumber) {
        {"real_time_factor", "step", "command_timeout", "pursuit_distance", "day_length",
         "clock_rate", "state_rate", "marker_rate", "octomap_resolution", "octomap_thickness",
         "robot_radius", "robot_max_slope", "robot_max_step", "robot_max_fording_depth",
-        "robot_clearance"}) {
+        "robot_clearance", "robot_mass", "robot_grip"}) {
     for (const double value : {-1.0, 1e9, std::numeric_limits<double>::quiet_NaN(),
                                std::numeric_limits<double>::infinity()}) {
       XmlRpc::XmlRpcValue parameters;

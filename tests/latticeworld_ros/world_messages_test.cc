@@ -50,7 +50,7 @@ TEST(WorldMessagesTest, ATreeThatFallsMakesNewMapsAndLeavesTheRestAsItIs) {
   const Eigen::Vector3d along(std::cos(0.5), std::sin(0.5), 0.0);
   const SceneChanges changes = {{{tree, foot_m, foot_m + asset.height_m * along}}, {}};
   const WorldMessages after =
-      RebuildMaps(*world, options, changes, ros::Time(2, 0), Progress(), before).value();
+      RebuildMaps(*world, options, changes, ros::Time(2, 0), Progress(), {before, {}}).value();
   EXPECT_NE(after.octomap_binary->data, before.octomap_binary->data);
   EXPECT_NE(after.octomap_full->data, before.octomap_full->data);
   EXPECT_NE(after.map->data, before.map->data);
@@ -69,10 +69,27 @@ TEST(WorldMessagesTest, ATreeThatFallsMakesNewMapsAndLeavesTheRestAsItIs) {
 
   // Upright again it is the old map.
   const WorldMessages back =
-      RebuildMaps(*world, options, {}, ros::Time(3, 0), Progress(), after).value();
+      RebuildMaps(*world, options, {}, ros::Time(3, 0), Progress(), {after, changes}).value();
   EXPECT_EQ(back.octomap_full->data, before.octomap_full->data);
   EXPECT_EQ(back.map->data, before.map->data);
   EXPECT_EQ(Corners(*back.markers), Corners(*before.markers));
+}
+
+TEST(WorldMessagesTest, WeatherMakesOnlyTheMapsAnewThatSayWhereARobotCanGo) {
+  const auto world = SmallForest();
+  const WorldServerOptions options;
+  std::vector<StageTime> stages;
+  const WorldMessages before = BuildWorldMessages(*world, options, Progress(), &stages).value();
+  SceneChanges snow;
+  snow.ground = GroundState{0.0, 0.4, 0.0};
+  const WorldMessages after =
+      RebuildMaps(*world, options, snow, ros::Time(2, 0), Progress(), {before, {}}).value();
+  EXPECT_NE(after.map->data, before.map->data);
+  EXPECT_EQ(after.map->header.stamp, ros::Time(2, 0));
+  EXPECT_NE(after.height_map, before.height_map);
+  EXPECT_EQ(after.octomap_full, before.octomap_full);
+  EXPECT_EQ(after.octomap_binary, before.octomap_binary);
+  EXPECT_EQ(after.markers, before.markers);
 }
 
 TEST(WorldMessagesTest, RefusesChangesOfAssetsThatAreNotThere) {
@@ -81,9 +98,10 @@ TEST(WorldMessagesTest, RefusesChangesOfAssetsThatAreNotThere) {
   std::vector<StageTime> stages;
   const WorldMessages before = BuildWorldMessages(*world, options, Progress(), &stages).value();
   const SceneChanges changes = {{}, {static_cast<std::uint32_t>(world->scene->assets.size())}};
-  EXPECT_EQ(
-      RebuildMaps(*world, options, changes, ros::Time(2, 0), Progress(), before).status().code(),
-      StatusCode::kInvalidArgument);
+  EXPECT_EQ(RebuildMaps(*world, options, changes, ros::Time(2, 0), Progress(), {before, {}})
+                .status()
+                .code(),
+            StatusCode::kInvalidArgument);
 }
 
 TEST(WorldMessagesTest, TheHeightMapHasTheDistanceToWhatTheMapHasOccupied) {

@@ -52,6 +52,20 @@ inline Scene WithWater(Scene scene, float level_m) {
   return scene;
 }
 
+// The scene with its ground made of surface(x_m, y_m).
+template <typename Surface>
+Scene WithSurfaces(Scene scene, Surface&& surface) {
+  auto terrain = std::make_shared<Terrain>(*scene.terrain);
+  for (int row = 0; row < terrain->surface.rows(); ++row) {
+    for (int col = 0; col < terrain->surface.cols(); ++col) {
+      const WorldPoint point = scene.geometry().CenterOf({row, col});
+      terrain->surface(row, col) = surface(point.x_m, point.y_m);
+    }
+  }
+  scene.terrain = terrain;
+  return scene;
+}
+
 inline Asset MakeTree(float x_m, float y_m, float height_m, float crown_m, float trunk_m) {
   Asset tree;
   tree.kind = AssetKind::kTree;

@@ -25,7 +25,9 @@ Scene WetHills(std::uint64_t seed) {
                               static_cast<float>(random.Uniform(-20, 20)),
                               static_cast<float>(random.Uniform(1.0, 6.0)), 2.0f, 0.2f));
   assets.push_back(MakeBuilding(3.0f, 2.0f, 4.0f, 5.0f, 3.0f, 0.4f));
-  return WithWater(WithAssets(dry, assets), -0.5f);
+  return WithSurfaces(WithWater(WithAssets(dry, assets), -0.5f), [&](double, double) {
+    return static_cast<SurfaceClass>(random.UniformInt(0, kSurfaceClassCount - 1));
+  });
 }
 
 RobotLimits SomeLimits(RandomStream* random) {
@@ -35,6 +37,8 @@ RobotLimits SomeLimits(RandomStream* random) {
   limits.max_step_m = random->Uniform(0.0, 0.6);
   limits.max_fording_depth_m = random->Chance(0.2) ? 0.0 : random->Uniform(0.0, 1.0);
   limits.clearance_m = random->Chance(0.2) ? 0.0 : random->Uniform(0.0, 3.0);
+  limits.grip = random->Uniform(0.2, 3.0);
+  limits.on_wheels = random->Chance(0.5);
   return limits;
 }
 
@@ -55,15 +59,18 @@ double ReferenceCost(const Scene& scene, const RobotLimits& limits, int row, int
   const double slope_rad = std::atan(gradient);
   const double max_step_m =
       std::max(limits.max_step_m, std::tan(limits.max_slope_rad) * resolution_m);
+  const SurfaceProperties ground =
+      PropertiesOf(scene.terrain->surface(row, col), scene.atmosphere.ground());
+  const double steepest_rad = std::min(
+      limits.max_slope_rad, std::atan(limits.grip * ground.friction -
+                                      (limits.on_wheels ? ground.rolling_resistance : 0.0)));
   const auto near = [](double value, double limit) { return std::abs(value - limit) < 1e-4; };
-  if (near(slope_rad, limits.max_slope_rad) || near(step_m, max_step_m) ||
+  if (near(slope_rad, steepest_rad) || near(step_m, max_step_m) ||
       near(depth_m, limits.max_fording_depth_m))
     return -1.0;
   double cost = 100.0;
-  if (slope_rad < limits.max_slope_rad && step_m < max_step_m &&
-      depth_m < limits.max_fording_depth_m) {
-    const double share =
-        std::max(slope_rad / limits.max_slope_rad, depth_m / limits.max_fording_depth_m);
+  if (slope_rad < steepest_rad && step_m < max_step_m && depth_m < limits.max_fording_depth_m) {
+    const double share = std::max(slope_rad / steepest_rad, depth_m / limits.max_fording_depth_m);
     cost = 49.0 * std::min(share, 1.0);
   }
   return cost;
@@ -113,13 +120,15 @@ TEST(RobotLimitsTest, EveryLimitOnlyCloses) {
     const Scene scene = WetHills(seed);
     RandomStream random(seed, "monotonous");
     const RobotLimits able = SomeLimits(&random);
-    for (int limit = 0; limit < 5; ++limit) {
+    for (int limit = 0; limit < 7; ++limit) {
       RobotLimits less = able;
       if (limit == 0) less.radius_m += 0.4;
       if (limit == 1) less.max_slope_rad *= 0.7;
       if (limit == 2) less.max_step_m *= 0.7;
       if (limit == 3) less.max_fording_depth_m *= 0.7;
       if (limit == 4) less.clearance_m += 0.7;
+      if (limit == 5) less.grip *= 0.7;
+      if (limit == 6) less.on_wheels = true;
       const auto more = BuildOccupancy(scene, able), fewer = BuildOccupancy(scene, less);
       for (std::size_t i = 0; i < more.size(); ++i) {
         if (more.data()[i] == 100) {

@@ -173,6 +173,12 @@ TEST(SceneChangesTest, NamesEverythingThatIsWrong) {
   EXPECT_FALSE(Validate(SceneChanges{{}, {1, 0}}, two).ok());
   EXPECT_TRUE(Validate(SceneChanges{{}, {0, 1}}, two).ok());
 
+  SceneChanges wet;
+  wet.ground = GroundState{1.5, -0.1, std::nan("")};
+  EXPECT_EQ(violations(wet), 3u);
+  wet.ground = GroundState{1.0, 0.4, 0.2};
+  EXPECT_EQ(violations(wet), 0u);
+
   const Scene bushes = WithAssets(OneTree(), {MakeRound(AssetKind::kBush, 0, 0, 1.0f, 1.0f)});
   const Status status = Validate(SceneChanges{{good}, {}}, bushes);
   EXPECT_NE(status.message().find("bush"), std::string::npos) << status.message();

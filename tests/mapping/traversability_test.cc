@@ -14,6 +14,13 @@ Scene Plane(double gradient) {
   return MakeScene(64, 32.0, [gradient](double x_m, double) { return gradient * x_m; });
 }
 
+// No ground is too slippery for it.
+RobotLimits Clinging() {
+  RobotLimits limits;
+  limits.grip = 10.0;
+  return limits;
+}
+
 TEST(TraversabilityTest, LevelOpenGroundIsFree) {
   const Scene scene = Plane(0.0);
   EXPECT_EQ(BuildTraversability(scene, {}), Grid<float>(64, 64, 1.0f));
@@ -30,7 +37,7 @@ TEST(TraversabilityTest, SlopeOfAPlaneIsItsAngleUpToTheEdge) {
 
 TEST(TraversabilityTest, ASlopeThatTheRobotCanClimbStaysBelowFiftyAndCostsItsShare) {
   for (const double share : {0.1, 0.5, 0.95}) {
-    const RobotLimits limits;
+    const RobotLimits limits = Clinging();
     const Scene scene = Plane(std::tan(share * limits.max_slope_rad));
     const auto occupancy = BuildOccupancy(scene, limits);
     const auto traversability = BuildTraversability(scene, limits);
@@ -41,14 +48,16 @@ TEST(TraversabilityTest, ASlopeThatTheRobotCanClimbStaysBelowFiftyAndCostsItsSha
 }
 
 TEST(TraversabilityTest, TooSteepGroundIsOccupied) {
-  const RobotLimits limits;
+  const RobotLimits limits = Clinging();
   const Scene scene = Plane(std::tan(1.02 * limits.max_slope_rad));
   EXPECT_EQ(BuildOccupancy(scene, limits), Grid<std::int8_t>(64, 64, 100));
   EXPECT_EQ(BuildTraversability(scene, limits), Grid<float>(64, 64, 0.0f));
 }
 
 TEST(TraversabilityTest, AStepBlocksBothOfItsSidesAndALowerOneDoesNot) {
-  const RobotLimits limits = {0.0, 1.2, 0.25, 0.2};  // a climber, so that only the step counts
+  RobotLimits limits = Clinging();  // a climber, so that only the step counts
+  limits.radius_m = 0.0;
+  limits.max_slope_rad = 1.2;
   const auto occupancy_of = [&](double step_m) {
     // Cells of 0.1 m: 72 degrees make 0.257 m over one.
     return BuildOccupancy(

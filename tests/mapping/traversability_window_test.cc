@@ -59,6 +59,7 @@ TEST(TraversabilityWindowTest, HoldsWhatTheWholeMapHoldsThere) {
     if (seed % 3 != 0) {
       changes.elements = std::make_shared<const StandingElements>(SomeElements(&random));
     }
+    if (seed % 2 != 0) changes.ground = GroundState{random.Uniform(), random.Uniform(), 0.0};
     const RobotLimits limits = Limits(random.Uniform(0.0, 2.0));
     const Grid<float> whole = BuildTraversability(scene, limits, changes);
     const TraversabilityWindow part(scene, limits);

@@ -52,7 +52,7 @@ TEST(TasksJson, SaysWhatIsWrongAndWhere) {
   EXPECT_NE(said(with("\"goal_radius_m\": 0.5", "\"goal_radius_m\": -1"))
                 .find("task 2: goal_radius_m is -1, not a number from"),
             std::string::npos);
-  EXPECT_NE(said(with("\"format\": 1", "\"format\": 2")).find("format is 2"), std::string::npos);
+  EXPECT_NE(said(with("\"format\": 2", "\"format\": 3")).find("format is 3"), std::string::npos);
   EXPECT_FALSE(said("{").empty());
   EXPECT_FALSE(said(text.substr(0, text.size() / 2)).empty());
   EXPECT_FALSE(said("[]").empty());

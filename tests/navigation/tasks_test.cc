@@ -121,6 +121,34 @@ TEST(Tasks, RefuseWishesThatAreNone) {
   EXPECT_EQ(status.violations().size(), 4u);
 }
 
+TEST(Tasks, BeginAndEndOutsideOfBushes) {
+  TestScene land;
+  Asset bush;
+  bush.kind = AssetKind::kBush;
+  bush.model = Catalogue::BuiltIn()->models_of(bush.kind).front();
+  bush.height_m = 2.0f;
+  bush.half_length_m = bush.half_width_m = 4.0f;
+  for (int i = 0; i < 9; ++i) {
+    bush.x_m = static_cast<float>(-20 + 20 * (i % 3));
+    bush.y_m = static_cast<float>(-20 + 20 * (i / 3));
+    land.assets.push_back(bush);
+  }
+  const auto scene = land.Build();
+  TaskWishes wishes;
+  wishes.count = 40;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    wishes.seed = seed;
+    const auto tasks = SampleTasks(*scene, wishes, Progress()).value();
+    for (const NavigationTask& task : tasks) {
+      for (const Asset& asset : scene->assets) {
+        for (const WorldPoint end : {task.start, task.goal})
+          EXPECT_GE(std::hypot(end.x_m - asset.x_m, end.y_m - asset.y_m),
+                    4.0 + wishes.robot.radius_m);
+      }
+    }
+  }
+}
+
 TEST(Places, ThatAreNoGoalsSayWhy) {
   TestScene land;
   land.water_depth_m = [](double x, double) { return x > 20.0 ? 2.0 : 0.0; };
@@ -135,6 +163,8 @@ TEST(Places, ThatAreNoGoalsSayWhy) {
   EXPECT_NE(said(25.0, 0.0).find("is in water 2 m deep; the robot fords 0.2 m"), std::string::npos)
       << said(25.0, 0.0);
   EXPECT_NE(said(0.0, 26.0).find("is on a slope of"), std::string::npos) << said(0.0, 26.0);
+  EXPECT_NE(said(0.0, 26.0).find("of grass, which holds the robot up to 0.49"), std::string::npos)
+      << said(0.0, 26.0);
   EXPECT_NE(said(0.0, 0.0).find("in or too near an obstacle"), std::string::npos);
   EXPECT_NE(said(100.0, 0.0).find("is outside the world"), std::string::npos);
   EXPECT_NE(said(std::nan(""), 0.0).find("must be finite"), std::string::npos);

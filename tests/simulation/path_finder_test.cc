@@ -120,6 +120,8 @@ TEST(PathFinderTest, WhereItLeadsTheTraversabilityMapLetsTheBodyPass) {
     limits.max_slope_rad = species.max_slope_rad;
     limits.max_fording_depth_m = species.wade_depth_m;
     limits.clearance_m = 0.0;
+    limits.grip = species.grip;
+    limits.on_wheels = false;
     const Grid<float> map = BuildTraversability(*scene, limits);
     for (const WorldPoint point : path.points) {
       const double length_m = DistanceBetween(from, point);

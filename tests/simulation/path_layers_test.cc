@@ -68,6 +68,8 @@ TEST(PathLayersTest, ACellIsFreeWhereAllOfItIs) {
   RobotLimits limits;
   limits.radius_m = ClassOf(Of("goblin")).radius_m;
   limits.clearance_m = 0.0;
+  limits.grip = ClassOf(Of("goblin")).grip;
+  limits.on_wheels = false;
   const Grid<float> map = BuildTraversability(*scene, limits);
   int blocked = 0;
   for (int row = 0; row < layer.cells(); ++row) {
@@ -179,6 +181,32 @@ TestScene Bridged(double cell_m, double yaw_rad, double y_m) {
   bridge.z_m = 0.01 - bridge.size_m.z();
   bridge.strength = 700.0;
   return made;
+}
+
+TEST(PathLayersTest, UnderOtherWeatherTheyAreAsIfMadeUnderIt) {
+  TestScene made;
+  made.AddTree(10.0, 10.0, 0.3);
+  made.height_m = [](double x, double y) { return 2.0 * std::sin(x / 6.0) * std::cos(y / 9.0); };
+  made.water_depth_m = [](double x, double) { return x > 24.0 ? 3.0 : 0.0; };
+  const auto scene = made.Build();
+  PathLayers used(*scene);
+  Grid<std::uint8_t> dry;
+  for (const double snow_m : {0.0, 0.02, 0.4, 0.0}) {
+    SceneChanges changes;
+    if (snow_m > 0.0) changes.ground = GroundState{0.3, snow_m, 0.0};
+    used.Update(changes);
+    PathLayers fresh(*scene);
+    fresh.Update(changes);
+    for (const char* const species : {"wheeled robot", "goblin", "whale"}) {
+      const Grid<std::uint8_t> ease = All(&used.Of(Of(species)));
+      EXPECT_EQ(ease, All(&fresh.Of(Of(species)))) << species << " " << snow_m;
+      const bool drives = std::string(species) == "wheeled robot";
+      if (drives && snow_m == 0.0) dry = ease;
+      if (drives && snow_m == 0.4) {
+        EXPECT_NE(ease, dry);
+      }
+    }
+  }
 }
 
 TEST(PathLayersTest, AWayLeadsOverABridgeForWhatItCarries) {

@@ -54,10 +54,11 @@ TEST_F(TasksCommandTest, DrawsTheWaysOnTheMapWhereAskedTo) {
 
 TEST_F(TasksCommandTest, SaysWhatIsUnusableAndWhatTheWorldHasNot) {
   MakeWorld();
-  const ProgramRun unusable = RunProgram({"tasks", PathOf("lake"), "--robot-radius", "-1",
-                                          "--robot-mass", "1e9", "--out", PathOf("tasks.json")});
+  const ProgramRun unusable =
+      RunProgram({"tasks", PathOf("lake"), "--robot-radius", "-1", "--robot-mass", "1e9",
+                  "--robot-grip", "0", "--out", PathOf("tasks.json")});
   EXPECT_EQ(unusable.exit_status, 2);
-  for (const char* name : {"--robot-radius", "--robot-mass"})
+  for (const char* name : {"--robot-radius", "--robot-mass", "--robot-grip"})
     EXPECT_NE(unusable.err.find(name), std::string::npos) << unusable.err;
   const ProgramRun missing = RunProgram({"tasks", PathOf("lake"), "--climb", "900,1000", "--count",
                                          "1", "--out", PathOf("tasks.json")});

@@ -24,14 +24,23 @@ struct CampaignWorld {
   double resolution_m = 0.5;
 };
 
+// A program of the user's that drives a robot; docs/campaigns.md has what is said to it.
+struct StackProgram {
+  std::vector<std::string> command;  // a path or a name that PATH has, and arguments
+  std::filesystem::path folder;      // that it runs in
+  double answer_time_s = 30.0;       // by the wall's clock; a longer silence ends the trial
+  bool scans = true;                 // whether it is told what its lidars saw
+};
+
 // A robot and what drives it.
 struct CampaignRobot {
   std::string name = "robot";  // unique; a part of trials' ids
   std::string species = "wheeled robot";
   std::string suite = "scanner";    // of the sensor catalogue
-  std::string stack = "reference";  // of StackNames()
-  RobotLimits limits;               // of the map that it is given, and of its tasks
-  double top_speed_mps = 1.0;       // that it is driven at, and that times are measured by
+  std::string stack = "reference";  // of StackNames(), or what the program is called
+  std::optional<StackProgram> program;
+  RobotLimits limits;          // of the map that it is given, and of its tasks
+  double top_speed_mps = 1.0;  // that it is driven at, and that times are measured by
 };
 
 struct CampaignAdversaries {

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "latticeworld/campaign/child_process.h"
 #include "latticeworld/campaign/robot_stack.h"
 #include "latticeworld/campaign/world_section.h"
 #include "latticeworld/campaign/yaml_reader.h"
@@ -50,6 +51,8 @@ void ReadLimits(const YAML::Node& node, const std::string& path, RobotLimits* li
   mapping.Number("max_fording_depth_m", {0.0, 10.0}, " m", &limits->max_fording_depth_m);
   mapping.Number("clearance_m", {0.0, 100.0}, " m", &limits->clearance_m);
   mapping.Number("mass_kg", {0.0, 1e6}, " kg", &limits->mass_kg);
+  mapping.Number("grip", {0.05, 10.0}, "", &limits->grip);
+  mapping.Switch("on_wheels", &limits->on_wheels);
   mapping.Finish();
 }
 
@@ -62,18 +65,56 @@ void TakeBody(CampaignRobot* robot) {
   robot->limits.max_fording_depth_m = species->wade_depth_m;
   robot->limits.clearance_m = species->height_m;
   robot->limits.mass_kg = species->mass_kg;
+  robot->limits.grip = species->grip;
+  robot->limits.on_wheels = species->plan == BodyPlan::kVehicle;
   if (species->vehicle)
     robot->limits.max_step_m = std::min(robot->limits.max_step_m, species->vehicle->wheel_radius_m);
 }
 
+// "stack: reference", or "stack: {command: [program, argument, ...], name: mine}".
+void ReadStack(YamlMapping* robot_mapping, const std::filesystem::path& folder,
+               CampaignRobot* robot) {
+  const YAML::Node node = robot_mapping->Get("stack");
+  if (!node.IsDefined() || !node.IsMap())
+    return robot_mapping->Choice("stack", StackNames(), &robot->stack);
+  const std::string path = robot_mapping->PathOf("stack");
+  std::vector<Violation>* const violations = robot_mapping->violations();
+  StackProgram program;
+  program.folder = folder;
+  robot->stack = "program";
+  YamlMapping mapping(node, path, violations);
+  mapping.Require("command");
+  mapping.Name("name", &robot->stack);
+  mapping.Number("answer_time_s", {0.01, 600.0}, " s", &program.answer_time_s);
+  mapping.Switch("scans", &program.scans);
+  const YAML::Node command = mapping.Get("command");
+  if (mapping.Has("command")) {
+    bool legal = command.IsSequence() && command.size() > 0;
+    for (std::size_t i = 0; legal && i < command.size(); ++i) {
+      legal = command[i].IsScalar();
+      if (legal) program.command.push_back(command[i].Scalar());
+    }
+    if (!legal) {
+      AddYamlViolation(command, mapping.PathOf("command"), "wrong_type",
+                       "a list is wanted: [program, argument, ...]", violations);
+    } else if (!IsProgram(program.command[0], folder)) {
+      AddYamlViolation(command[0], mapping.PathOf("command") + "/0", "not_found",
+                       "a program is wanted: a path from the campaign's file, or a name in PATH",
+                       violations);
+    }
+  }
+  mapping.Finish();
+  robot->program = std::move(program);
+}
+
 CampaignRobot ReadRobot(const YAML::Node& node, const std::string& path,
-                        std::vector<Violation>* violations) {
+                        const std::filesystem::path& folder, std::vector<Violation>* violations) {
   CampaignRobot robot;
   YamlMapping mapping(node, path, violations);
   mapping.Name("name", &robot.name);
   mapping.Choice("species", DrivenSpeciesNames(), &robot.species);
   mapping.Choice("suite", SuiteNames(), &robot.suite);
-  mapping.Choice("stack", StackNames(), &robot.stack);
+  ReadStack(&mapping, folder, &robot);
   TakeBody(&robot);
   mapping.Number("top_speed_mps", {0.05, 20.0}, " m/s", &robot.top_speed_mps);
   const YAML::Node limits = mapping.Get("limits");
@@ -209,7 +250,11 @@ Result<Campaign> Parse(const std::string& text, const std::filesystem::path& fol
   root.Require("worlds");
   const YAML::Node worlds = root.Get("worlds");
   if (root.Has("worlds")) campaign.worlds = ReadWorldSection(worlds, folder, &violations);
-  campaign.robots = ReadList<CampaignRobot>(&root, "robots", ReadRobot);
+  campaign.robots = ReadList<CampaignRobot>(
+      &root, "robots",
+      [&folder](const YAML::Node& node, const std::string& path, std::vector<Violation>* found) {
+        return ReadRobot(node, path, folder, found);
+      });
   const YAML::Node tasks = root.Get("tasks");
   if (root.Has("tasks")) campaign.tasks = ReadTasks(tasks, &violations);
   campaign.conditions = ReadList<CampaignCondition>(&root, "trials", ReadCondition);

@@ -48,9 +48,10 @@ struct StackTask {
   const GridGeometry& geometry;
   const Grid<std::int8_t>& occupancy;  // of the robot's limits, as BuildOccupancy has it
   const NavigationTask& task;
+  double control_hz;  // how often it is asked
 };
 
-// Drives a robot to a goal. Deterministic.
+// Drives a robot to a goal. Those of StackNames() are deterministic.
 class RobotStack {
  public:
   virtual ~RobotStack() = default;
@@ -64,8 +65,8 @@ class RobotStack {
 // "reference": the navigator of docs/navigation.md. "way": follows the task's shortest way without
 // looking, as a measure of what the way alone is worth.
 std::vector<std::string> StackNames();
-// name: one of StackNames().
-std::unique_ptr<RobotStack> MakeStack(const std::string& name);
+// The one of them that the robot names, or its program.
+std::unique_ptr<RobotStack> MakeStack(const CampaignRobot& robot);
 
 }  // namespace latticeworld
 

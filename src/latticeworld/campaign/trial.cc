@@ -118,7 +118,10 @@ class Run {
     LW_RETURN_IF_ERROR(sensors_.Step(*state, NextControl()));
     const StackTask task = {setup_.robot,
                             *simulator_->options().species->Find(setup_.robot.species),
-                            setup_.scene->geometry(), setup_.occupancy, setup_.task};
+                            setup_.scene->geometry(),
+                            setup_.occupancy,
+                            setup_.task,
+                            setup_.control_hz};
     const Status begun = stack_->Begin(task, sensors_.Take());
     if (begun.ok()) return Status();
     outcome->ended_by = "stack failed";

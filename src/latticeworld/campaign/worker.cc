@@ -34,7 +34,7 @@ Result<TrialOutcome> TrialRunner::Run(std::size_t index) {
   if (trial.task >= tasks_.tasks.size())
     return FailedPrecondition("the world has no task " + std::to_string(trial.task));
   const CampaignRobot& robot = folder_->campaign.robots[trial.robot];
-  const auto stack = MakeStack(robot.stack);
+  const auto stack = MakeStack(robot);
   return RunTrial({world_->scene, robot, folder_->campaign.conditions[trial.condition],
                    tasks_.tasks[trial.task], occupancy_, trial.seed, folder_->campaign.step_s,
                    folder_->campaign.control_hz},

@@ -1,13 +1,10 @@
 #include "latticeworld/campaign/worker_process.h"
 
-#include <fcntl.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <utility>
 
 namespace latticeworld {
@@ -18,47 +15,11 @@ void Close(int* descriptor) {
   *descriptor = -1;
 }
 
-// In the child: nothing but calls that are safe after fork.
-[[noreturn]] void RunProgram(char* const* arguments, int in, int out, pid_t parent) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(1);  // the parent was gone before it was asked for
-  // An interrupt at the terminal is for the parent, which ends its workers.
-  ::signal(SIGINT, SIG_IGN);
-  ::signal(SIGPIPE, SIG_DFL);
-  ::dup2(in, STDIN_FILENO);
-  ::dup2(out, STDOUT_FILENO);
-  ::execv(arguments[0], arguments);
-  ::_exit(127);
-}
-
 }  // namespace
 
-std::string ProcessEnd::ToString() const {
-  return exit_status >= 0 ? "ended with status " + std::to_string(exit_status)
-                          : "was ended by signal " + std::to_string(signal);
-}
-
 Result<WorkerProcess> WorkerProcess::Start(const std::vector<std::string>& command) {
-  std::vector<char*> arguments;
-  for (const std::string& part : command) arguments.push_back(const_cast<char*>(part.c_str()));
-  arguments.push_back(nullptr);
-  int to[2], from[2];
-  if (::pipe2(to, O_CLOEXEC) != 0)
-    return ResourceExhausted(std::string("cannot make a pipe: ") + std::strerror(errno));
-  if (::pipe2(from, O_CLOEXEC) != 0) {
-    Close(&to[0]), Close(&to[1]);
-    return ResourceExhausted(std::string("cannot make a pipe: ") + std::strerror(errno));
-  }
-  const pid_t parent = ::getpid();
-  const pid_t pid = ::fork();
-  if (pid == 0) RunProgram(arguments.data(), to[0], from[1], parent);
-  const int error = errno;
-  Close(&to[0]), Close(&from[1]);
-  if (pid < 0) {
-    Close(&to[1]), Close(&from[0]);
-    return ResourceExhausted(std::string("cannot start a process: ") + std::strerror(error));
-  }
-  return WorkerProcess(pid, to[1], from[0]);
+  LW_ASSIGN_OR_RETURN(const ChildProcess child, StartChild(command));
+  return WorkerProcess(child.pid, child.in, child.out);
 }
 
 WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
@@ -123,9 +84,7 @@ ProcessEnd WorkerProcess::End() {
   while (::waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }
   pid_ = 0;
-  if (WIFEXITED(status)) end.exit_status = WEXITSTATUS(status);
-  if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
-  return end;
+  return EndOf(status);
 }
 
 }  // namespace latticeworld

@@ -9,16 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "latticeworld/campaign/child_process.h"
 #include "latticeworld/common/result.h"
 
 namespace latticeworld {
-
-// How a process ended.
-struct ProcessEnd {
-  int exit_status = -1;  // -1: by a signal
-  int signal = 0;
-  std::string ToString() const;  // "ended with status 3", "was ended by signal 11"
-};
 
 // A worker: one process that runs trials, spoken to over pipes (ServeTrials). It is ended with this
 // object, and with this process, however that ends.

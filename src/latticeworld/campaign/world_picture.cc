@@ -6,6 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <set>
 
+#include "latticeworld/common/base64.h"
 #include "latticeworld/common/markup.h"
 #include "latticeworld/exporting/footer.h"
 #include "latticeworld/exporting/furniture.h"
@@ -70,20 +71,6 @@ std::string Circle(const Eigen::Vector2d& point_m, const Placement& placement, c
 }
 
 }  // namespace
-
-std::string Base64(const std::string& bytes) {
-  constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned group = 0;
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= count ? kLetters[group >> (18 - 6 * k) & 63u] : '=';
-  }
-  return text;
-}
 
 Result<std::string> WorldFigure(const Scene& scene, const std::vector<FinishedTrial>& trials,
                                 int width_px) {

@@ -16,9 +16,6 @@ namespace latticeworld {
 Result<std::string> WorldFigure(const Scene& scene, const std::vector<FinishedTrial>& trials,
                                 int width_px);
 
-// RFC 4648.
-std::string Base64(const std::string& bytes);
-
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_CAMPAIGN_WORLD_PICTURE_H_

@@ -128,6 +128,17 @@ void YamlMapping::Whole(const std::string& key, int low, int high, int* out) {
   *out = static_cast<int>(value);
 }
 
+void YamlMapping::Switch(const std::string& key, bool* out) {
+  const YAML::Node node = Get(key);
+  if (!Has(key)) return;
+  const std::string text = node.IsScalar() ? node.Scalar() : "";
+  if (text != "true" && text != "false") {
+    AddYamlViolation(node, PathOf(key), "wrong_type", "true or false is wanted", violations_);
+    return;
+  }
+  *out = text == "true";
+}
+
 void YamlMapping::Seed(const std::string& key, std::uint64_t* out) {
   const YAML::Node node = Get(key);
   if (!Has(key)) return;

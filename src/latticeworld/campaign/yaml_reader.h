@@ -37,6 +37,8 @@ class YamlMapping {
 
   void Number(const std::string& key, const Range& legal, std::string_view unit, double* out);
   void Whole(const std::string& key, int low, int high, int* out);
+  // true or false.
+  void Switch(const std::string& key, bool* out);
   void Seed(const std::string& key, std::uint64_t* out);
   // A text of at least least_bytes and at most 20000 bytes.
   void Text(const std::string& key, std::size_t least_bytes, std::string* out);

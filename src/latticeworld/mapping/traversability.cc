@@ -24,12 +24,9 @@ constexpr std::int8_t kOccupied = 100;
 template <typename T, typename ValueOf>
 Grid<T> BuildMap(const Scene& scene, const RobotLimits& limits, const SceneChanges& changes,
                  int threads, T blocked, const ValueOf& value_of) {
-  LW_CHECK(limits.radius_m >= 0.0 && limits.max_step_m >= 0.0 &&
-               limits.max_fording_depth_m >= 0.0 && limits.clearance_m >= 0.0 &&
-               limits.mass_kg >= 0.0 && limits.max_slope_rad > 0.0 && limits.max_slope_rad < 1.5708,
-           "robot limits are validated where they enter");
+  LW_CHECK(AreLegal(limits), "robot limits are validated where they enter");
   LW_CHECK(Validate(changes, scene).ok(), "scene changes are validated where they enter");
-  const GroundEffort ground(*scene.terrain, limits);
+  const GroundEffort ground(*scene.terrain, limits, SurfacesIn(scene, changes));
   const AssetBlocks blocks(scene.terrain->ground, limits);
   const std::shared_ptr<const StandingElements> elements = ElementsIn(scene, changes);
   std::vector<MappedAsset> assets = AssetsToMap(scene, changes);

@@ -23,17 +23,23 @@ struct RobotLimits {
   double clearance_m = 0.5;
   // Bridges that carry less are no way for it.
   double mass_kg = 50.0;
+  // What it pushes with, times the friction of the ground: slopes steeper than ClimbableSlope
+  // (terrain/surface.h) slip away below it, however strong it is.
+  double grip = 1.0;
+  bool on_wheels = true;
 };
 
-// All of them legal: RobotLimits finite, none below 0, max_slope_rad in (0, pi/2). changes: trees
-// that fell, assets that went and elements that moved since the world began; a fallen trunk blocks
-// as it lies, and so does its crown where clearance_m is above 0. Crates, loose stones, posts and
-// gates' panels block as they stand; bridges that carry the robot are level open ground in their
-// middle and block it beside that, and others block it (element_boxes.h). threads: at most; 0: as
-// many as the machine has cores; the result is the same.
+// All of them legal: RobotLimits finite, none below 0, max_slope_rad in (0, pi/2), grip above 0.
+// changes: trees that fell, assets that went, elements that moved and what weather made of the
+// ground since the world began; a fallen trunk blocks as it lies, and so does its crown where
+// clearance_m is above 0. Crates, loose stones, posts and gates' panels block as they stand;
+// bridges that carry the robot are level open ground in their middle and block it beside that, and
+// others block it (element_boxes.h). threads: at most; 0: as many as the machine has cores; the
+// result is the same.
 
 // (rows x cols) of the scene's geometry, in [0, 1]: 0 impassable, 1 level open ground. Slopes and
-// shallow water lie between, by their shares of max_slope and max_fording_depth. It is 0 exactly
+// shallow water lie between, by their shares of the steepest slope that the robot climbs on that
+// surface and of max_fording_depth. It is 0 exactly
 // where BuildOccupancy with the same limits is 100.
 Grid<float> BuildTraversability(const Scene& scene, const RobotLimits& limits,
                                 const SceneChanges& changes = {}, int threads = 0);

@@ -9,18 +9,16 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/mapping/asset_blocks.h"
 #include "latticeworld/mapping/element_boxes.h"
+#include "latticeworld/mapping/ground_effort.h"
 #include "latticeworld/mapping/mapped_assets.h"
 
 namespace latticeworld {
 
 TraversabilityWindow::TraversabilityWindow(const Scene& scene, const RobotLimits& limits,
                                            int coarse)
-    : scene_(scene), limits_(limits), ground_(*scene.terrain, limits), coarse_(coarse) {
+    : scene_(scene), limits_(limits), coarse_(coarse) {
   LW_CHECK(coarse >= 1, "squares have cells");
-  LW_CHECK(limits.radius_m >= 0.0 && limits.max_step_m >= 0.0 &&
-               limits.max_fording_depth_m >= 0.0 && limits.mass_kg >= 0.0 &&
-               limits.max_slope_rad > 0.0 && limits.max_slope_rad < 1.5708,
-           "robot limits are validated where they enter");
+  LW_CHECK(AreLegal(limits), "robot limits are validated where they enter");
   // The index of a scene knows how far trunks reach, not crowns.
   LW_CHECK(limits.clearance_m == 0.0, "windows are for robots that crowns do not stop");
 }
@@ -31,10 +29,11 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
   LW_CHECK(window.row_begin >= 0 && window.rows() > 0 && window.row_end <= geometry.rows() &&
                window.col_begin >= 0 && window.cols() > 0 && window.col_end <= geometry.cols(),
            "a window lies in its scene");
+  const GroundEffort ground(*scene_.terrain, limits_, SurfacesIn(scene_, changes));
   const auto cols = static_cast<std::size_t>(window.cols());
   for (int row = window.row_begin; row < window.row_end; ++row) {
     float* const values_of_row = values + (row - window.row_begin) * cols;
-    ground_.Row(row, window.col_begin, window.col_end, values_of_row);
+    ground.Row(row, window.col_begin, window.col_end, values_of_row);
     for (std::size_t i = 0; i < cols; ++i) values_of_row[i] = TraversabilityOf(values_of_row[i]);
   }
 

@@ -2,7 +2,6 @@
 #define LATTICEWORLD_MAPPING_TRAVERSABILITY_WINDOW_H_
 
 #include "latticeworld/mapping/cell_window.h"
-#include "latticeworld/mapping/ground_effort.h"
 #include "latticeworld/mapping/traversability.h"
 #include "latticeworld/scene/scene.h"
 
@@ -26,7 +25,6 @@ class TraversabilityWindow {
  private:
   const Scene& scene_;
   RobotLimits limits_;
-  GroundEffort ground_;
   int coarse_;
 };
 

@@ -7,6 +7,7 @@
 #include "latticeworld/common/result.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/scene/surface_table.h"
 
 namespace latticeworld {
 namespace {
@@ -39,7 +40,7 @@ Status CheckInside(const GridGeometry& geometry, WorldPoint point, const char* w
 }
 
 Status CheckPlace(const NavigableMap& map, const Scene& scene, const RobotLimits& limits,
-                  WorldPoint point, const char* what) {
+                  WorldPoint point, const char* what, const SceneChanges& changes) {
   LW_RETURN_IF_ERROR(CheckInside(map.geometry(), point, what));
   if (map.IsFree(point)) return Status();
   const std::string place = std::string(what) + " " + InWords(point);
@@ -49,6 +50,14 @@ Status CheckPlace(const NavigableMap& map, const Scene& scene, const RobotLimits
                               " m deep; the robot fords " +
                               FormatDouble(limits.max_fording_depth_m) + " m");
   const double slope = scene.terrain->ground.SlopeAt(point);
+  const SurfaceClass surface = scene.terrain->SurfaceAt(point);
+  const double holds =
+      ClimbableSlope(SurfacesIn(scene, changes).Of(surface), limits.grip, limits.on_wheels);
+  if (slope > holds && holds < limits.max_slope_rad)
+    return FailedPrecondition(place + " is on a slope of " + FormatDouble(slope) + " rad of " +
+                              std::string(NameOf(surface)) + ", which " +
+                              (holds > 0.0 ? "holds the robot up to " + FormatDouble(holds) + " rad"
+                                           : "does not carry the robot"));
   if (slope > limits.max_slope_rad)
     return FailedPrecondition(place + " is on a slope of " + FormatDouble(slope) +
                               " rad; the robot climbs " + FormatDouble(limits.max_slope_rad) +

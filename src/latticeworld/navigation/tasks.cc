@@ -124,12 +124,36 @@ TaskDifficulty DifficultyOf(const Scene& scene, const NavigableMap& map, const S
   return difficulty;
 }
 
-std::vector<CellIndex> CellsOf(const DistanceField& field, const DifficultyRange& length_m) {
+// Free cells where a task may begin and end: outside of bushes and crops, which let a robot pass
+// but hide everything else from its eyes.
+Grid<std::uint8_t> OpenCells(const Scene& scene, const NavigableMap& map, double radius_m) {
+  const GridGeometry& geometry = map.geometry();
+  Grid<std::uint8_t> open = map.free;
+  for (const Asset& asset : scene.assets) {
+    if (asset.kind != AssetKind::kBush && asset.kind != AssetKind::kCrop) continue;
+    const double reach_m = std::max(asset.half_length_m, asset.half_width_m) + radius_m;
+    const CellIndex low = geometry.CellAt({asset.x_m - reach_m, asset.y_m + reach_m});
+    const CellIndex high = geometry.CellAt({asset.x_m + reach_m, asset.y_m - reach_m});
+    for (int row = std::max(low.row, 0); row <= std::min(high.row, open.rows() - 1); ++row) {
+      for (int col = std::max(low.col, 0); col <= std::min(high.col, open.cols() - 1); ++col) {
+        const WorldPoint center = geometry.CenterOf({row, col});
+        if (std::hypot(center.x_m - asset.x_m, center.y_m - asset.y_m) < reach_m)
+          open(row, col) = 0;
+      }
+    }
+  }
+  return open;
+}
+
+// Those of `open` that are so far from the goal.
+std::vector<CellIndex> CellsOf(const DistanceField& field, const DifficultyRange& length_m,
+                               const Grid<std::uint8_t>& open) {
   std::vector<CellIndex> cells;
   for (int row = 0; row < field.distance_m.rows(); ++row) {
     for (int col = 0; col < field.distance_m.cols(); ++col) {
       const double distance_m = field.distance_m(row, col);
-      if (std::isfinite(distance_m) && length_m.Contains(distance_m)) cells.push_back({row, col});
+      if (open(row, col) != 0 && std::isfinite(distance_m) && length_m.Contains(distance_m))
+        cells.push_back({row, col});
     }
   }
   return cells;
@@ -160,14 +184,17 @@ Result<std::vector<NavigationTask>> SampleTasks(const Scene& scene, const TaskWi
                                                 const Progress& progress) {
   LW_RETURN_IF_ERROR(Validate(wishes));
   const NavigableMap map = BuildNavigableMap(scene, wishes.robot);
-  std::vector<CellIndex> free;
-  for (int row = 0; row < map.free.rows(); ++row) {
-    for (int col = 0; col < map.free.cols(); ++col) {
-      if (map.free(row, col) != 0) free.push_back({row, col});
+  const Grid<std::uint8_t> open = OpenCells(scene, map, wishes.robot.radius_m);
+  std::vector<CellIndex> ends;
+  for (int row = 0; row < open.rows(); ++row) {
+    for (int col = 0; col < open.cols(); ++col) {
+      if (open(row, col) != 0) ends.push_back({row, col});
     }
   }
-  if (free.empty())
-    return FailedPrecondition("the robot can be nowhere in this world: nothing is free for it");
+  if (ends.empty())
+    return FailedPrecondition(
+        "the robot can be nowhere in this world: nothing is free for it outside of bushes and "
+        "crops");
 
   RandomStream random(wishes.seed, "navigation tasks");
   const auto draw = [&](const std::vector<CellIndex>& cells) {
@@ -179,11 +206,11 @@ Result<std::vector<NavigationTask>> SampleTasks(const Scene& scene, const TaskWi
   for (int goals = 0; static_cast<int>(tasks.size()) < wishes.count && goals < most_goals;
        ++goals) {
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
-    const WorldPoint goal = draw(free);
+    const WorldPoint goal = draw(ends);
     // A way that is pulled straight may be a little shorter than the field has it.
     LW_ASSIGN_OR_RETURN(const DistanceField field,
                         DistancesTo(map, goal, 1.02 * wishes.length_m.high));
-    const std::vector<CellIndex> starts = CellsOf(field, wishes.length_m);
+    const std::vector<CellIndex> starts = CellsOf(field, wishes.length_m, open);
     for (int i = 0; i < kStartsPerGoal && !starts.empty(); ++i) {
       NavigationTask task;
       task.start = draw(starts);

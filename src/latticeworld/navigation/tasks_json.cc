@@ -10,20 +10,25 @@ namespace {
 
 namespace jf = json_fields;
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 constexpr std::size_t kMaxBytes = 64 << 20;
 constexpr std::size_t kMaxTasks = 1000;
 constexpr double kFarthest_m = 0.5 * kMaxSize_m;
 
 jf::Json Encode(const RobotLimits& robot) {
-  return {{"radius_m", robot.radius_m},       {"max_slope_rad", robot.max_slope_rad},
-          {"max_step_m", robot.max_step_m},   {"max_fording_depth_m", robot.max_fording_depth_m},
-          {"clearance_m", robot.clearance_m}, {"mass_kg", robot.mass_kg}};
+  return {{"radius_m", robot.radius_m},
+          {"max_slope_rad", robot.max_slope_rad},
+          {"max_step_m", robot.max_step_m},
+          {"max_fording_depth_m", robot.max_fording_depth_m},
+          {"clearance_m", robot.clearance_m},
+          {"mass_kg", robot.mass_kg},
+          {"grip", robot.grip},
+          {"on_wheels", robot.on_wheels}};
 }
 
 RobotLimits DecodeRobot(const jf::Json& json) {
   jf::ExpectKeys(json, {"radius_m", "max_slope_rad", "max_step_m", "max_fording_depth_m",
-                        "clearance_m", "mass_kg"});
+                        "clearance_m", "mass_kg", "grip", "on_wheels"});
   RobotLimits robot;
   robot.radius_m = jf::Number(json, "radius_m", 0.0, 10.0);
   robot.max_slope_rad = jf::Number(json, "max_slope_rad", 0.01, 1.5);
@@ -31,6 +36,8 @@ RobotLimits DecodeRobot(const jf::Json& json) {
   robot.max_fording_depth_m = jf::Number(json, "max_fording_depth_m", 0.0, 10.0);
   robot.clearance_m = jf::Number(json, "clearance_m", 0.0, 100.0);
   robot.mass_kg = jf::Number(json, "mass_kg", 0.0, 1e6);
+  robot.grip = jf::Number(json, "grip", 0.05, 10.0);
+  robot.on_wheels = jf::Boolean(json, "on_wheels");
   return robot;
 }
 

@@ -44,6 +44,17 @@ void CheckStem(const FallenTree& tree, double height_m, const std::string& field
                          FormatDouble(length_m)});
 }
 
+void Check(const GroundState& ground, std::vector<Violation>* violations) {
+  const auto check = [&](const char* name, double value, double most, const char* legal) {
+    if (value >= 0.0 && value <= most) return;
+    violations->push_back({"out_of_range", std::string("ground/") + name,
+                           std::string("must lie in ") + legal, FormatDouble(value)});
+  };
+  check("wetness", ground.wetness, 1.0, "[0, 1]");
+  check("snow_depth_m", ground.snow_depth_m, 100.0, "[0, 100]");
+  check("blown_sand", ground.blown_sand, 1.0, "[0, 1]");
+}
+
 }  // namespace
 
 bool SceneChanges::Stands(std::uint32_t asset) const {
@@ -58,7 +69,7 @@ bool operator==(const SceneChanges& a, const SceneChanges& b) {
   const auto same_tree = [](const FallenTree& one, const FallenTree& other) {
     return one.asset == other.asset && one.foot_m == other.foot_m && one.tip_m == other.tip_m;
   };
-  if (a.gone != b.gone ||
+  if (a.gone != b.gone || a.ground != b.ground ||
       !std::equal(a.fallen.begin(), a.fallen.end(), b.fallen.begin(), b.fallen.end(), same_tree)) {
     return false;
   }
@@ -111,6 +122,7 @@ Status Validate(const SceneChanges& changes, const Scene& scene) {
     const std::vector<Violation> of_elements = Validate(*changes.elements);
     violations.insert(violations.end(), of_elements.begin(), of_elements.end());
   }
+  if (changes.ground.has_value()) Check(*changes.ground, &violations);
   return Status::FromViolations("illegal scene changes", std::move(violations));
 }
 

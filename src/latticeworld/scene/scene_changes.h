@@ -4,9 +4,11 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "latticeworld/common/status.h"
+#include "latticeworld/terrain/surface.h"
 
 namespace latticeworld {
 
@@ -21,16 +23,18 @@ struct FallenTree {
   Eigen::Vector3d tip_m = Eigen::Vector3d::Zero();
 };
 
-// What has become of a scene's assets and elements since the world began; a Scene itself never
-// changes. An asset stands in neither list or in one of them, once.
+// What has become of a scene's assets, elements and ground since the world began; a Scene itself
+// never changes. An asset stands in neither list or in one of them, once.
 struct SceneChanges {
   std::vector<FallenTree> fallen;  // by asset
   std::vector<std::uint32_t>
       gone;  // indices into Scene::assets, increasing: no longer there at all
   // null: the elements are where the scene has them. See ElementsIn (standing_elements.h).
   std::shared_ptr<const StandingElements> elements{};
+  // What weather has made of the ground; none: what the scene's atmosphere has.
+  std::optional<GroundState> ground{};
 
-  // Whether all assets stand; the elements are not looked at.
+  // Whether all assets stand; elements and ground are not looked at.
   bool empty() const { return fallen.empty() && gone.empty(); }
   // Whether the asset is where the scene has it.
   bool Stands(std::uint32_t asset) const;

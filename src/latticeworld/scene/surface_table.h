@@ -4,6 +4,7 @@
 #include <array>
 
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/scene/scene_changes.h"
 #include "latticeworld/terrain/surface.h"
 
 namespace latticeworld {
@@ -23,6 +24,11 @@ class SurfaceTable {
  private:
   std::array<SurfaceProperties, kSurfaceClassCount> properties_;
 };
+
+// That under the state of the ground that the changes tell of.
+inline SurfaceTable SurfacesIn(const Scene& scene, const SceneChanges& changes) {
+  return SurfaceTable(scene, changes.ground.value_or(scene.atmosphere.ground()));
+}
 
 }  // namespace latticeworld
 

@@ -41,6 +41,7 @@ void SimulatorImpl::Reset(std::uint64_t seed) {
   team_policies_.clear();
   last_agent_ = 0;
   map_version_ = 0;
+  map_ground_.reset();
   // Both hold the physics: they go before it goes.
   elements_.reset();
   felling_.reset();
@@ -91,6 +92,7 @@ void SimulatorImpl::TellOf(EventKind kind, const std::string& who, const std::st
 void SimulatorImpl::ListChanges() {
   changes_ = felling_->changes();
   changes_.elements = elements_->standing();
+  changes_.ground = map_ground_;
 }
 
 void SimulatorImpl::Step() {
@@ -116,6 +118,18 @@ void SimulatorImpl::Step() {
   state_.reset();
 }
 
+bool SimulatorImpl::HoldAlike(const SurfaceTable& a, const SurfaceTable& b) {
+  constexpr double kMapStep_rad = 0.02;
+  for (const auto& entry : EnumNames(SurfaceClass{})) {
+    for (const bool on_wheels : {true, false}) {
+      if (std::abs(ClimbableSlope(a.Of(entry.value), 1.0, on_wheels) -
+                   ClimbableSlope(b.Of(entry.value), 1.0, on_wheels)) > kMapStep_rad)
+        return false;
+    }
+  }
+  return true;
+}
+
 void SimulatorImpl::StepWeather() {
   const bool complete = weather_->Step(options_.step_s);
   if (complete || weather_->moving()) WeatherGround();
@@ -126,6 +140,14 @@ void SimulatorImpl::WeatherGround() {
   const GroundState ground = weather_->now().ground();
   surfaces_.emplace(*scene_, ground);
   physics_->SetGround(ground);
+  // Maps follow in steps, and exactly once the weather stands.
+  const bool differs = ground != changes_.ground.value_or(scene_->atmosphere.ground());
+  if (!differs || (weather_->moving() && HoldAlike(*surfaces_, SurfacesIn(*scene_, changes_))))
+    return;
+  map_ground_ = ground;
+  if (ground == scene_->atmosphere.ground()) map_ground_.reset();
+  ++map_version_;
+  ListChanges();
 }
 
 void SimulatorImpl::TellWeather(const std::string& what) {

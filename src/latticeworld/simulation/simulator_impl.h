@@ -84,6 +84,8 @@ class SimulatorImpl : public Simulator, private ContactJudge {
 
   // Tells the ground what the weather has made of it.
   void WeatherGround();
+  // Whether bodies climb as steep on them, as far as maps care.
+  static bool HoldAlike(const SurfaceTable& a, const SurfaceTable& b);
   void TellWeather(const std::string& what);
 
   // An agent that begins now, with a body at the start's place. policy: its own; may be empty.
@@ -156,8 +158,9 @@ class SimulatorImpl : public Simulator, private ContactJudge {
   std::optional<Elements> elements_;
   std::optional<RunningWeather> weather_;
   std::optional<SurfaceTable> surfaces_;  // under that weather
-  SceneChanges changes_;                  // of both
+  SceneChanges changes_;                  // of all three, as maps show them
   std::uint64_t map_version_ = 0;
+  std::optional<GroundState> map_ground_;  // what maps show of it; none: as the scene has it
   AgentId last_agent_ = 0;
   std::map<AgentId, Agent> agents_;
   std::map<std::string, AgentId> ids_;  // by name

@@ -13,6 +13,7 @@ struct SimulatorImpl::Snapshot : SimulatorSnapshot {
         spawn_random(of.spawn_random_),
         weather(*of.weather_),
         map_version(of.map_version_),
+        map_ground(of.map_ground_),
         last_agent(of.last_agent_),
         agents(of.agents_),
         frozen_until(of.frozen_until_),
@@ -28,6 +29,7 @@ struct SimulatorImpl::Snapshot : SimulatorSnapshot {
   const RandomStream spawn_random;
   const RunningWeather weather;
   const std::uint64_t map_version;
+  const std::optional<GroundState> map_ground;
   const AgentId last_agent;
   const std::map<AgentId, Agent> agents;
   const std::map<AgentId, std::uint64_t> frozen_until;
@@ -70,6 +72,7 @@ Status SimulatorImpl::Restore(const SimulatorSnapshot& snapshot) {
     TellWeather(std::string(NameOf(weather_->now().weather)));
   }
   map_version_ = of->map_version;
+  map_ground_ = of->map_ground;
   last_agent_ = of->last_agent;
   agents_ = of->agents;
   in_order_.clear();

@@ -86,6 +86,7 @@ std::shared_ptr<const WorldState> SimulatorImpl::State() const {
   state->elements = elements_->Snapshots();
   state->felled = felling_->Snapshots();
   if (!elements_->is_as_begun()) state->standing = elements_->standing();
+  state->map_ground = map_ground_;
   state->map_version = map_version_;
   state_ = std::move(state);
   return state_;
@@ -102,6 +103,9 @@ std::string SimulatorImpl::StateHash() const {
   digest.Add(options_.pursuit_distance_m);
   weather_->AddTo(&digest);
   digest.Add(map_version_);
+  const GroundState map_ground = map_ground_.value_or(scene_->atmosphere.ground());
+  for (const double value : {map_ground.wetness, map_ground.snow_depth_m, map_ground.blown_sand})
+    digest.Add(value);
   digest.Add(last_agent_);
   for (const std::uint64_t word : spawn_random_.state()) digest.Add(word);
   digest.Add(static_cast<std::uint64_t>(agents_.size()));

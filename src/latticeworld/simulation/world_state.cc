@@ -12,6 +12,7 @@ SceneChanges ChangesOf(const WorldState& state) {
     }
   }
   changes.elements = state.standing;
+  changes.ground = state.map_ground;
   return changes;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -166,9 +167,12 @@ struct WorldState {
   std::vector<FelledTree> felled;         // by asset
   // The elements as maps show them; null: where the scene has them.
   std::shared_ptr<const StandingElements> standing;
+  // What maps show of what weather made of the ground; none: what the scene has.
+  std::optional<GroundState> map_ground;
   // Grows whenever what maps show has changed: a tree has come to rest, or one that lies has moved
   // or left the world; an element came, went or broke, was opened or closed, or stands still more
-  // than half a cell from where it was on maps.
+  // than half a cell from where it was on maps; weather has changed how steep bodies climb on some
+  // surface by more than 0.02 rad, or has come to its end with another ground than maps show.
   std::uint64_t map_version = 0;
 };
 // What maps and ray scenes made now should show: trees at rest where they lie, and none of those

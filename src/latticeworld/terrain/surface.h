@@ -49,6 +49,10 @@ struct GroundState {
   double snow_depth_m = 0.0;  // >= 0
   double blown_sand = 0.0;    // [0, 1]: none .. the loose cover that a sandstorm leaves
 };
+inline bool operator==(const GroundState& a, const GroundState& b) {
+  return a.wetness == b.wetness && a.snow_depth_m == b.snow_depth_m && a.blown_sand == b.blown_sand;
+}
+inline bool operator!=(const GroundState& a, const GroundState& b) { return !(a == b); }
 
 // On a dry and bare summer day. surface.cc names the source of each value and marks estimates.
 SurfaceProperties DryPropertiesOf(SurfaceClass surface);
@@ -62,6 +66,11 @@ SurfaceProperties Weathered(SurfaceClass surface, const SurfaceProperties& dry,
 // Weathered(surface, DryPropertiesOf(surface), state). What the values of a world's environment
 // make of a surface is scene/surface_table.h.
 SurfaceProperties PropertiesOf(SurfaceClass surface, const GroundState& state);
+
+// Steepest slope [rad] that a body climbs without slipping, (-pi/2, pi/2): arctan of what its feet
+// or wheels push with, grip times the friction, less what wheels lose to rolling. Below 0: wheels
+// do not even start on level ground. grip: > 0.
+double ClimbableSlope(const SurfaceProperties& surface, double grip, bool on_wheels);
 
 }  // namespace latticeworld
 

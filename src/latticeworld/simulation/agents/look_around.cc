@@ -26,9 +26,11 @@ bool IsGroundItselfGood(const Surroundings& world, const Agent& agent, WorldPoin
   if (species.plan == BodyPlan::kSwimmer) return depth_m >= species.wade_depth_m;
   if (depth_m > species.wade_depth_m) return false;
   // No steeper than it can climb, nor than its feet hold on wet or snowy ground.
-  const double friction = world.surfaces.Of(world.scene.terrain->SurfaceAt(place)).friction;
-  const double max_slope_rad = std::min(species.max_slope_rad, std::atan(species.grip * friction));
-  return world.scene.terrain->ground.SlopeAt(place) <= max_slope_rad;
+  const SurfaceProperties& surface = world.surfaces.Of(world.scene.terrain->SurfaceAt(place));
+  const double climbable_rad =
+      ClimbableSlope(surface, species.grip, species.plan == BodyPlan::kVehicle);
+  return world.scene.terrain->ground.SlopeAt(place) <=
+         std::min(species.max_slope_rad, climbable_rad);
 }
 
 bool IsGroundGood(const Surroundings& world, const Agent& agent, WorldPoint place) {

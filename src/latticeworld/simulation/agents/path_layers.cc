@@ -34,6 +34,8 @@ RobotLimits LimitsOf(const BodyClass& body) {
   limits.max_fording_depth_m = body.wade_depth_m;
   limits.clearance_m = 0.0;  // agents push through crowns
   limits.mass_kg = body.mass_kg;
+  limits.grip = body.grip;
+  limits.on_wheels = body.on_wheels;
   return limits;
 }
 
@@ -50,7 +52,8 @@ BodyClass ClassOf(const Species& species) {
   } else {
     body.wade_depth_m = std::max(0.0, RoundDown(species.wade_depth_m, 0.05));
     body.max_slope_rad = std::clamp(RoundDown(species.max_slope_rad, 0.02), 0.02, 1.5);
-    body.grip = RoundDown(species.grip, 0.1);
+    body.grip = std::max(0.1, RoundDown(species.grip, 0.1));
+    body.on_wheels = species.plan == BodyPlan::kVehicle;
     body.mass_kg = std::exp2(std::ceil(std::log2(species.mass_kg)));
   }
   return body;
@@ -80,7 +83,6 @@ struct PathLayers::Layer {
 
 PathLayers::PathLayers(const Scene& scene)
     : scene_(scene),
-      surfaces_(scene, scene.atmosphere.ground()),
       scene_cells_(std::max(1, static_cast<int>(kCell_m / scene.geometry().resolution_m()))) {
   changes_.elements = ElementsIn(scene, changes_);
 }
@@ -111,13 +113,9 @@ void PathLayers::FillOnGround(const Layer& layer, int row, int col, PathLayer::T
   for (const FallenTree& tree : changes_.fallen) standing.gone.push_back(tree.asset);
   std::sort(standing.gone.begin(), standing.gone.end());
   standing.elements = changes_.elements;
+  standing.ground = changes_.ground;
   layer.window->Fill(window, standing, values.data());
 
-  // Slopes that the feet hold on, by surface.
-  std::array<float, kSurfaceClassCount> steepest_rad;
-  for (std::size_t i = 0; i < steepest_rad.size(); ++i)
-    steepest_rad[i] = static_cast<float>(
-        std::atan(layer.body.grip * surfaces_.Of(static_cast<SurfaceClass>(i)).friction));
   std::array<float, PathLayer::kTile> least;
   for (int r = 0; r < PathLayer::kTile; ++r) {
     least.fill(1.0f);
@@ -125,16 +123,9 @@ void PathLayers::FillOnGround(const Layer& layer, int row, int col, PathLayer::T
     for (int y = begin; y < std::min(begin + scene_cells_, window.row_end); ++y) {
       const float* const line =
           values.data() + static_cast<std::size_t>(y - window.row_begin) * window.cols();
-      const SurfaceClass* const surface = scene_.terrain->surface.row(y) + window.col_begin;
       for (int x = 0; x < window.cols(); ++x) {
-        float value = line[x];
-        const float steepest = steepest_rad[static_cast<std::size_t>(surface[x])];
-        // An effort is at least the slope's share of the greatest one, and often more.
-        if (value > 0.0f && (1.0f - value) * layer.body.max_slope_rad > steepest &&
-            scene_.terrain->ground.SlopeAt(geometry.CenterOf({y, window.col_begin + x})) > steepest)
-          value = 0.0f;
         float& cell = least[static_cast<std::size_t>(x / scene_cells_)];
-        cell = std::min(cell, value);
+        cell = std::min(cell, line[x]);
       }
     }
     for (int c = 0; c < PathLayer::kTile; ++c) {
@@ -244,6 +235,12 @@ void PathLayers::Update(const SceneChanges& changes) {
     const std::shared_ptr<const StandingElements> elements = ElementsIn(scene_, changes);
     ForgetDifferent(*changes_.elements, *elements);
     changes_.elements = elements;
+  }
+  if (changes.ground != changes_.ground) {
+    for (const std::unique_ptr<Layer>& layer : layers_) {
+      if (!layer->body.swims) layer->map.Forget({0.0, 0.0}, scene_.geometry().half_size_m());
+    }
+    changes_.ground = changes.ground;
   }
   if (changes.empty() && changes_.empty()) return;
   SceneChanges rounded = changes;

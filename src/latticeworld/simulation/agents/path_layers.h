@@ -9,7 +9,6 @@
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/scene/scene_changes.h"
 #include "latticeworld/scene/standing_elements.h"
-#include "latticeworld/scene/surface_table.h"
 #include "latticeworld/simulation/agents/path_layer.h"
 #include "latticeworld/species/species.h"
 
@@ -24,20 +23,21 @@ struct BodyClass {
   double max_slope_rad = 0.6;
   double wade_depth_m = 0.2;  // swimmers: shallowest water
   double grip = 1.0;          // times the friction of the surface
-  double mass_kg = 50.0;      // on bridges; swimmers: 0
+  bool on_wheels = false;
+  double mass_kg = 50.0;  // on bridges; swimmers: 0
 
   friend bool operator==(const BodyClass& a, const BodyClass& b) {
     return a.swims == b.swims && a.radius_m == b.radius_m && a.height_m == b.height_m &&
            a.max_slope_rad == b.max_slope_rad && a.wade_depth_m == b.wade_depth_m &&
-           a.grip == b.grip && a.mass_kg == b.mass_kg;
+           a.grip == b.grip && a.on_wheels == b.on_wheels && a.mass_kg == b.mass_kg;
   }
 };
 BodyClass ClassOf(const Species& species);
 
 // Where bodies of each class can go in one scene: the traversability map at its mean water level,
-// with elements as the changes have them, less what their feet do not hold on in the weather that
-// the scene begins with and what hangs too low, in cells of 0.5 to 1 m (or as coarse as the scene).
-// A cell is free where all cells of the scene in it are, or a bridge carries its middle.
+// with elements and ground as the changes have them, less what hangs too low, in cells of 0.5 to 1
+// m (or as coarse as the scene). A cell is free where all cells of the scene in it are, or a bridge
+// carries its middle.
 class PathLayers {
  public:
   // scene: outlives this.
@@ -69,7 +69,6 @@ class PathLayers {
   void ForgetDifferent(const StandingElements& before, const StandingElements& after);
 
   const Scene& scene_;
-  const SurfaceTable surfaces_;
   const int scene_cells_;  // of a side of a cell
   SceneChanges changes_;
   std::vector<std::unique_ptr<Layer>> layers_;

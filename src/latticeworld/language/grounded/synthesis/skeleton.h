@@ -17,6 +17,7 @@ struct SkeletonLine {
   int feature = -1;
   std::vector<Spot> stops;         // first and last: the ends
   std::vector<int> stop_features;  // beside stops; -1: the spot counts
+  std::vector<bool> bends;         // beside stops: a bend that the line may make
   bool derived = false;            // it follows another feature; the stops only say between what
 };
 
