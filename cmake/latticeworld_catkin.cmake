@@ -129,6 +129,8 @@ function(latticeworld_node name)
   install(TARGETS ${name} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 endfunction()
 
-catkin_install_python(PROGRAMS scripts/generate_world.py
+catkin_install_python(PROGRAMS scripts/generate_world.py scripts/launch_stack.py
                       DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(FILES scripts/stack_bridge.py clients/latticeworld_stack/latticeworld_stack.py
+        DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(DIRECTORY launch_cfg DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
