@@ -17,6 +17,7 @@ begins at 1 s.
 import argparse
 import os
 import pathlib
+import shutil
 import signal
 import socket
 import subprocess
@@ -111,6 +112,9 @@ def main():
         parser.error(f"--pace is {options.pace}; above 0 to 100 is legal")
     if not os.path.isfile(options.launch_file):
         return latticeworld_stack.run(Refusal(f"there is no launch file {options.launch_file}"))
+    for program in ("rosmaster", "roslaunch"):
+        if shutil.which(program) is None:
+            return latticeworld_stack.run(Refusal(f"there is no {program} in PATH"))
     processes = Processes()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     try:
@@ -148,6 +152,9 @@ def serve(options, processes):
             self.due_s = max(self.due_s + self.period_s, time.monotonic() - self.period_s)
             self.bridge.tell(now)
             time.sleep(max(0.0, self.due_s - time.monotonic()))
+            if processes.launch.poll() is not None:
+                raise latticeworld_stack.Failed(
+                    f"roslaunch ended with status {processes.launch.returncode} under way")
             ended, text = self.bridge.ended()
             if ended == "succeeded":
                 return latticeworld_stack.ARRIVED

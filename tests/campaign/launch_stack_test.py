@@ -36,15 +36,18 @@ class LaunchStackTest(unittest.TestCase):
     def setUp(self):
         self.temporary = tempfile.TemporaryDirectory()
         self.folder = pathlib.Path(self.temporary.name)
+        self.trials = 0
         os.environ.update(HOME=str(self.folder), ROS_HOME=str(self.folder / "ros"))
 
     def tearDown(self):
         self.temporary.cleanup()
 
-    def trial(self, launch_file, *arguments):
+    def trial(self, launch_file, *arguments, answer_time_s=60):
         stack = {"command": ["rosrun", "latticeworld", "launch_stack.py", "--pace", "2",
-                             str(launch_file), *arguments], "name": "nodes", "answer_time_s": 60}
-        file, out = self.folder / "launched.yaml", self.folder / "out"
+                             str(launch_file), *arguments], "name": "nodes",
+                 "answer_time_s": answer_time_s}
+        self.trials += 1
+        file, out = self.folder / "launched.yaml", self.folder / f"out{self.trials}"
         file.write_text(CAMPAIGN.format(stack=json.dumps(stack)))
         run = subprocess.run([PROGRAM, "campaign", str(file), "--out", str(out), "--workers", "1"],
                              capture_output=True, text=True, check=False)
@@ -65,6 +68,13 @@ class LaunchStackTest(unittest.TestCase):
         row = self.trial(launch, "--robot", robot)
         self.assertEqual(row["outcome"], "success", row)
         self.assertLess(float(row["goal_distance_m"]), 0.5)
+        self.assert_nothing_left(robot)
+        # Nodes that take no goals of that robot are not waited for longer than the campaign waits.
+        row = self.trial(launch, "--robot", "nobody", answer_time_s=6)
+        self.assertIn("did not answer within 6 s", row["why"])
+        self.assert_nothing_left(robot)
+
+    def assert_nothing_left(self, robot):
         left = [line for line in command_lines()
                 if (robot in line or str(self.folder) in line) and "launch_stack_test" not in line]
         self.assertEqual(left, [])

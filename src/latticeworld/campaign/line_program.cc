@@ -17,8 +17,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// How long a program may take to end once its input has ended.
-constexpr int kEnd_ms = 2000;
+// How long a program may take to end once its input has ended, and again once it is told to.
+constexpr std::chrono::milliseconds kEnd(2000);
 
 // As write, without the signal when nobody reads any more.
 ssize_t WriteQuietly(int descriptor, const char* data, std::size_t size) {
@@ -36,6 +36,33 @@ ssize_t WriteQuietly(int descriptor, const char* data, std::size_t size) {
 }
 
 bool IsForNow(int error) { return error == EAGAIN || error == EWOULDBLOCK || error == EINTR; }
+
+// Whether that process, a child of this one, ends in that time. It stays to be waited for.
+bool EndsWithin(pid_t pid, std::chrono::milliseconds time) {
+  const auto last = Clock::now() + time;
+  for (;;) {
+    siginfo_t info = {};
+    if (::waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+        info.si_pid == pid)
+      return true;
+    if (Clock::now() >= last) return false;
+    ::poll(nullptr, 0, 5);
+  }
+}
+
+// Ends the process, and what of its group is left then. It is told first: what it started may have
+// left the group, and only it knows how to end that. Returns how it ended.
+ProcessEnd EndGroup(pid_t pid, std::chrono::milliseconds patience) {
+  if (!EndsWithin(pid, patience)) {
+    ::kill(pid, SIGTERM);
+    EndsWithin(pid, kEnd);
+  }
+  ::kill(-pid, SIGKILL);  // one that has ended already keeps its own status
+  int status = 0;
+  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return EndOf(status);
+}
 
 }  // namespace
 
@@ -56,35 +83,18 @@ LineProgram::LineProgram(LineProgram&& other) noexcept
 
 LineProgram::~LineProgram() {
   if (child_.in >= 0) ::close(child_.in);
-  if (child_.pid > 0) {
-    // The end of its output is the end of the program, and of what it started.
-    pollfd output = {child_.out, POLLIN, 0};
-    const auto last = Clock::now() + std::chrono::milliseconds(kEnd_ms);
-    for (bool open = true; open;) {
-      const auto left =
-          std::chrono::duration_cast<std::chrono::milliseconds>(last - Clock::now()).count();
-      if (left <= 0 || ::poll(&output, 1, static_cast<int>(left)) <= 0) break;
-      char ignored[4096];
-      const ssize_t count = ::read(child_.out, ignored, sizeof(ignored));
-      open = count > 0 || (count < 0 && IsForNow(errno));
-    }
-    ::kill(-child_.pid, SIGKILL);
-    while (::waitpid(child_.pid, nullptr, 0) < 0 && errno == EINTR) {
-    }
-  }
+  // Nobody reads it any more: a program that goes on talking must not wait for that.
   if (child_.out >= 0) ::close(child_.out);
+  if (child_.pid > 0) EndGroup(child_.pid, kEnd);
 }
 
 Status LineProgram::Gone() {
-  int status = 0;
-  ::kill(-child_.pid, SIGKILL);  // one that has ended already keeps its own status
-  while (::waitpid(child_.pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  child_.pid = 0;
-  const ProcessEnd end = EndOf(status);
+  // It may be about to end by itself, with a status that says why.
+  const ProcessEnd end = EndGroup(std::exchange(child_.pid, 0), std::chrono::milliseconds(200));
   if (end.exit_status == 127)
     return FailedPrecondition("the program cannot be run, or ended with status 127");
-  if (end.signal == SIGKILL) return FailedPrecondition("the program closed its output");
+  if (end.signal == SIGKILL || end.signal == SIGTERM)
+    return FailedPrecondition("the program closed its input or output, or was ended");
   return FailedPrecondition("the program " + end.ToString());
 }
 

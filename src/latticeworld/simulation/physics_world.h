@@ -140,8 +140,8 @@ class PhysicsWorld {
   virtual void Step(double step_s, std::uint64_t solver_seed) = 0;
   // Of the last step, in the order in which they were found.
   virtual const std::vector<Contact>& contacts() const = 0;
-  // Bodies that met numbers not finite in the last step, or a part of which became 30 m/s faster
-  // than forces explain; each is back where it was before it, at rest. In increasing order.
+  // Bodies that met numbers not finite in the last step, a part of which became 30 m/s faster than
+  // forces explain, or that go on gaining energy; each is back where it was, at rest. Increasing.
   virtual const std::vector<BodyId>& strayed() const = 0;
 
   virtual std::shared_ptr<const PhysicsSnapshot> Save() const = 0;

@@ -295,21 +295,4 @@ bool OdeBody::TakesForce(const Eigen::Vector3d& force_n, const Eigen::Vector3d& 
   return true;
 }
 
-double OdeBody::Energy() const {
-  double energy_j = 0.0;
-  for (const dBodyID part : parts_) {
-    dMass mass;
-    dBodyGetMass(part, &mass);
-    const double weight_n = mass.mass * kGravity_mps2;
-    energy_j += weight_n * PositionOf(part).z();
-    energy_j += 0.5 * mass.mass * ToEigen(dBodyGetLinearVel(part)).squaredNorm();
-    const Eigen::Vector3d spin =
-        OrientationOf(part).conjugate() * ToEigen(dBodyGetAngularVel(part));
-    for (int axis = 0; axis < 3; ++axis) {
-      energy_j += 0.5 * mass.I[5 * axis] * spin[axis] * spin[axis];
-    }
-  }
-  return energy_j;
-}
-
 }  // namespace latticeworld

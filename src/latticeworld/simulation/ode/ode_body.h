@@ -38,6 +38,7 @@ struct BodyControl {
   std::vector<WheelCommand> wheels;
   std::vector<JointTarget> joints;
   double still_s = 0.0;
+  double overdrawn_s = 0.0;  // time of steps that gave it energy from nowhere, less that of others
   bool resting = false;
   bool upright = false;
   bool anchored = false;
@@ -98,6 +99,17 @@ class OdeBody {
   // Wakes the body.
   bool TakesForce(const Eigen::Vector3d& force_n, const Eigen::Vector3d& point_m);
   double Energy() const;  // as PhysicsWorld::EnergyOf
+  // The watch over energy, between BeginStep and FinishStep. What the step gave to it beyond the
+  // work of gravity and of the forces that were added [J]; negative: what it lost to others, to
+  // friction and to shocks.
+  double EnergyGained(double step_s) const;
+  // The most that its motors and springs can have given in a step [J].
+  double EnergyOfMotors(double step_s) const;
+  // The most that pushing it out of what it is in, and walking, can have given in a step [J].
+  double EnergyOfCorrection() const;
+  // Slows all of it down until it has that much less energy of motion, or none. Again and again:
+  // FinishStep puts it back.
+  void TakeEnergy(double energy_j);
   void Spoil() { control_.spoiled = true; }
   // Forgets that it was spoiled; true where it was.
   bool Mend() {
@@ -154,6 +166,9 @@ class OdeBody {
   }
   // About the trunk's axes, as SetInertia has it.
   Eigen::Vector3d TrunkInertia() const;
+  double PartMass(std::size_t i) const;
+  Eigen::Vector3d PartInertia(std::size_t i) const;  // about its own axes
+  void KeepForEnergy();
   bool IsArriving(std::size_t link) const;
   // Keeps forces within what may come of them; stops a body whose forces or speeds are not finite.
   void LimitForces(double step_s);
@@ -177,11 +192,15 @@ class OdeBody {
   Eigen::Vector3d ball_center_m_ = Eigen::Vector3d::Zero();  // in base_link
   double ball_radius_m_ = -1.0;
 
-  struct Pose {
+  struct Before {
     std::array<dReal, 3> position_m;
     std::array<dReal, 4> quaternion;
+    Eigen::Vector3d velocity_mps, spin_radps;
   };
-  std::vector<Pose> before_;         // of the parts, before the step
+  std::vector<Before> before_;                                // of the parts, before the step
+  Eigen::Vector3d force_before_n_ = Eigen::Vector3d::Zero();  // on the trunk, with the torque
+  Eigen::Vector3d torque_before_nm_ = Eigen::Vector3d::Zero();
+  bool overdrawn_ = false;           // TakeEnergy was called in the step at hand
   double fastest_before_mps_ = 0.0;  // may grow by what forces give
 };
 

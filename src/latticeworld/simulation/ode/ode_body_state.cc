@@ -109,6 +109,7 @@ void OdeBody::AddTo(Digest* digest) const {
     digest->Add(joint.value);
   }
   digest->Add(control_.still_s);
+  digest->Add(control_.overdrawn_s);
   digest->Add(control_.resting);
   digest->Add(control_.upright);
   digest->Add(control_.anchored);

@@ -19,6 +19,7 @@ constexpr double kStalled = 0.95;      // share of its effort with which a joint
 // A step may make a body faster by this much for no reason that is known here: a blow of something
 // that moves fast, a motor, the ground pushing it out.
 constexpr double kMostGain_mps = 30.0;
+constexpr double kLongestOverdrawn_s = 0.25;  // time to come out of what it is in
 
 bool IsFinite(dBodyID part) {
   // A sum is finite only where all its terms are, unless they are too large to be right anyhow.
@@ -137,6 +138,7 @@ void OdeBody::BeginStep(double step_s) {
     std::copy_n(dBodyGetQuaternion(parts_[i]), 4, before_[i].quaternion.begin());
   }
   LimitForces(step_s);
+  KeepForEnergy();
   const double force_n = ToEigen(dBodyGetForce(trunk())).norm();
   fastest_before_mps_ = FastestPart() + step_s * force_n / spec_->mass_kg;
 }
@@ -177,7 +179,7 @@ void OdeBody::LimitForces(double step_s) {
 
 void OdeBody::PutBack() {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const Pose& pose = before_[i];
+    const Before& pose = before_[i];
     dBodySetPosition(parts_[i], pose.position_m[0], pose.position_m[1], pose.position_m[2]);
     dBodySetQuaternion(parts_[i], pose.quaternion.data());
     SetVelocities(parts_[i], Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
@@ -202,10 +204,14 @@ bool OdeBody::FinishStep(double step_s) {
   bool sound = !control_.spoiled;
   for (const dBodyID part : parts_) sound = sound && IsFinite(part);
   sound = sound && FastestPart() <= fastest_before_mps_ + kMostGain_mps;
+  control_.overdrawn_s = std::max(0.0, control_.overdrawn_s + (overdrawn_ ? step_s : -step_s));
+  overdrawn_ = false;
+  sound = sound && control_.overdrawn_s <= kLongestOverdrawn_s;
   if (!sound) {
     PutBack();
     control_.spoiled = false;
     control_.still_s = 0.0;
+    control_.overdrawn_s = 0.0;
     return false;
   }
   LimitSpeed();

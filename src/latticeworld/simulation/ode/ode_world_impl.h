@@ -71,6 +71,8 @@ class OdeWorld : public PhysicsWorld {
   void Restore(const PhysicsSnapshot& snapshot) override;
   void AddTo(Digest* digest) const override;
 
+  const std::vector<BodyId>& slowed() const { return slowed_; }
+
  private:
   struct Entry {
     BodyId id;
@@ -103,6 +105,9 @@ class OdeWorld : public PhysicsWorld {
   // One step of ODE for what is awake: bodies with links or brakes on, and what they touch, with
   // more iterations than others.
   void Solve(double step_s, std::uint64_t solver_seed);
+  // Finds the bodies to which a step gave more energy than anything that acted on them, and slows
+  // them down to what can have been given.
+  void WatchEnergy(double step_s);
   void SortSpans();
   void TouchBodies();
   void TouchPair(OdeBody* a, OdeBody* b);
@@ -136,7 +141,10 @@ class OdeWorld : public PhysicsWorld {
   std::vector<Entry> bodies_;  // by id
   std::vector<Contact> contacts_;
   std::vector<BodyId> strayed_;
+  std::vector<BodyId> slowed_;  // by WatchEnergy in the last step
 
+  std::vector<double> gained_j_;  // by place in bodies_, in the step at hand
+  std::vector<char> overdrawn_;   // by place in bodies_, in the step at hand
   std::vector<char> fine_;   // by place in bodies_: 1 solved with more iterations, 2 by the rest
   std::vector<Span> spans_;  // of bodies with solids
   SolidContacts touch_;      // of the pair at hand

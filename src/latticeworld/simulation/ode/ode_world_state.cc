@@ -70,6 +70,7 @@ void OdeWorld::Restore(const PhysicsSnapshot& snapshot) {
   gone_assets_ = saved->gone_assets;
   contacts_ = saved->contacts;
   strayed_ = saved->strayed;
+  slowed_.clear();
 }
 
 void OdeWorld::AddTo(Digest* digest) const {

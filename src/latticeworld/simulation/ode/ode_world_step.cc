@@ -31,12 +31,12 @@ void OdeWorld::Step(double step_s, std::uint64_t solver_seed) {
   }
   joints_->Join(step_s);
   Solve(step_s, solver_seed);
+  WatchEnergy(step_s);
   joints_->Finish(&contacts_);
-  for (Entry& entry : bodies_) {
-    const bool spoiled = entry.body->stands() && entry.body->Mend();
-    if (spoiled || (!entry.body->stands() && !entry.body->FinishStep(step_s))) {
-      strayed_.push_back(entry.id);
-    }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    OdeBody* body = bodies_[i].body.get();
+    const bool sound = body->stands() ? !body->Mend() : body->FinishStep(step_s);
+    if (!sound) strayed_.push_back(bodies_[i].id);
   }
 }
 
