@@ -29,7 +29,7 @@ packages=(
   ros-actionlib-msgs ros-diagnostic-msgs ros-geometry-msgs ros-move-base-msgs ros-nav-msgs
   ros-rosgraph-msgs ros-sensor-msgs ros-std-msgs ros-std-srvs ros-tf2-msgs ros-visualization-msgs
   # ROS: running
-  python3-actionlib python3-rosbag python3-roslaunch python3-rosmsg python3-rosnode
+  python3-actionlib python3-rosbag python3-roslaunch python3-rosmaster python3-rosmsg python3-rosnode
   python3-rosparam python3-rospy python3-rosservice python3-rostest python3-rostopic
   python3-diagnostic-msgs python3-geometry-msgs python3-move-base-msgs python3-nav-msgs
   python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf2-msgs python3-tf2-ros
