@@ -42,6 +42,20 @@ std::string ProcessEnd::ToString() const {
                           : "was ended by signal " + std::to_string(signal);
 }
 
+ssize_t WriteQuietly(int descriptor, const char* data, std::size_t size) {
+  sigset_t pipe_set, before;
+  sigemptyset(&pipe_set);
+  sigaddset(&pipe_set, SIGPIPE);
+  ::pthread_sigmask(SIG_BLOCK, &pipe_set, &before);
+  const ssize_t written = ::write(descriptor, data, size);
+  const int error = errno;
+  const timespec no_time = {0, 0};
+  if (written < 0 && error == EPIPE) ::sigtimedwait(&pipe_set, nullptr, &no_time);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  errno = error;
+  return written;
+}
+
 ProcessEnd EndOf(int wait_status) {
   ProcessEnd end;
   if (WIFEXITED(wait_status)) end.exit_status = WEXITSTATUS(wait_status);

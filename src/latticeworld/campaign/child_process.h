@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <sys/types.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -39,6 +40,9 @@ Result<ChildProcess> StartChild(const std::vector<std::string>& command,
 // Whether StartChild can run it: a program with a "/" is a path, from that folder where it is
 // relative, and any other is looked for in PATH.
 bool IsProgram(const std::string& program, const std::filesystem::path& folder);
+
+// As write(), without the signal where nobody reads any more: that is errno EPIPE.
+ssize_t WriteQuietly(int descriptor, const char* data, std::size_t size);
 
 // What waitpid told.
 ProcessEnd EndOf(int wait_status);

@@ -20,21 +20,6 @@ using Clock = std::chrono::steady_clock;
 // How long a program may take to end once its input has ended, and again once it is told to.
 constexpr std::chrono::milliseconds kEnd(2000);
 
-// As write, without the signal when nobody reads any more.
-ssize_t WriteQuietly(int descriptor, const char* data, std::size_t size) {
-  sigset_t pipe_set, before;
-  sigemptyset(&pipe_set);
-  sigaddset(&pipe_set, SIGPIPE);
-  ::pthread_sigmask(SIG_BLOCK, &pipe_set, &before);
-  const ssize_t written = ::write(descriptor, data, size);
-  const int error = errno;
-  const timespec no_time = {0, 0};
-  if (written < 0 && error == EPIPE) ::sigtimedwait(&pipe_set, nullptr, &no_time);
-  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  errno = error;
-  return written;
-}
-
 bool IsForNow(int error) { return error == EAGAIN || error == EWOULDBLOCK || error == EINTR; }
 
 // Whether that process, a child of this one, ends in that time. It stays to be waited for.

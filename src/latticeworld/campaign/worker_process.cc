@@ -48,16 +48,8 @@ bool WorkerProcess::Give(std::size_t index) {
   trial_ = index;
   since_ = std::chrono::steady_clock::now();
   const std::string line = std::to_string(index) + "\n";
-  // SIGPIPE is blocked for the one call: a worker that is gone is no reason to end.
-  sigset_t pipe_set, before;
-  sigemptyset(&pipe_set);
-  sigaddset(&pipe_set, SIGPIPE);
-  ::pthread_sigmask(SIG_BLOCK, &pipe_set, &before);
-  const bool written = ::write(in_, line.data(), line.size()) == static_cast<ssize_t>(line.size());
-  const timespec no_time = {0, 0};
-  if (!written) ::sigtimedwait(&pipe_set, nullptr, &no_time);
-  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  return written;
+  // A worker that is gone is no reason to end.
+  return WriteQuietly(in_, line.data(), line.size()) == static_cast<ssize_t>(line.size());
 }
 
 bool WorkerProcess::Read(std::vector<std::string>* lines) {
