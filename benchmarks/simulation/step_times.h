@@ -27,6 +27,9 @@ class StepTimes {
     return sum_s;
   }
 
+  // A step that was timed elsewhere [s].
+  void Add(double time_s) { times_s_.push_back(time_s); }
+
   double Mean() const;
   // share: in [0, 1]; 0.5 is the median.
   double Quantile(double share) const;

@@ -63,14 +63,16 @@ std::shared_ptr<const SensorPublisherMap> SensorTopics::publishers() const {
 
 int SensorTopics::listeners() const {
   int count = 0;
-  for (const auto& robot : *publishers()) {
+  const std::shared_ptr<const SensorPublisherMap> robots = publishers();
+  for (const auto& robot : *robots) {
     for (const auto& sensor : *robot.second) count += sensor.second.listeners();
   }
   return count;
 }
 
 bool SensorTopics::has_listeners() const {
-  for (const auto& robot : *publishers()) {
+  const std::shared_ptr<const SensorPublisherMap> robots = publishers();
+  for (const auto& robot : *robots) {
     for (const auto& sensor : *robot.second) {
       if (sensor.second.wish().any) return true;
     }

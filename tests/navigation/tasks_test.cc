@@ -80,15 +80,16 @@ TEST(Tasks, CountTheAgentsBesideTheWay) {
   const std::shared_ptr<const Scene> scene = Land(4);
   TaskWishes wishes = Wishes(1, 3);
   wishes.agents = {4.0, 5.0};
-  for (const NavigationTask& task : SampleTasks(*scene, wishes, Progress()).value())
-    EXPECT_GE(task.difficulty.agents, 4);
+  const auto tasks = SampleTasks(*scene, wishes, Progress());
+  for (const NavigationTask& task : tasks.value()) EXPECT_GE(task.difficulty.agents, 4);
 }
 
 TEST(Tasks, ClimbOnASlopeIsItsRise) {
   TestScene slope;
   slope.height_m = [](double x, double) { return 0.2 * x; };
   TaskWishes wishes = Wishes(1, 20);
-  for (const NavigationTask& task : SampleTasks(*slope.Build(), wishes, Progress()).value()) {
+  const auto tasks = SampleTasks(*slope.Build(), wishes, Progress());
+  for (const NavigationTask& task : tasks.value()) {
     const double rise_m = 0.2 * (task.goal.x_m - task.start.x_m);
     EXPECT_NEAR(task.difficulty.climb_m, std::max(0.0, rise_m), 0.02);
     EXPECT_NEAR(task.difficulty.detour, 1.0, 0.01);

@@ -41,7 +41,7 @@ TEST_P(EnergyWatchTest, AJointThatIsTornDoesNotShootItsBodyOff) {
   const double allowed_j = 0.5 * 25.0 * kFastestPart_mps * kFastestPart_mps;
   const double before_j = MotionEnergyOf(*physics, body);
   physics->Step(kStep_s, 0);
-  EXPECT_EQ(SlowedDown(*physics), std::vector<BodyId>{body});
+  EXPECT_EQ(physics->slowed(), std::vector<BodyId>{body});
   // What lies higher than base_link counts as well: 0.2 m of the arm's way at most.
   EXPECT_LT(MotionEnergyOf(*physics, body), before_j + allowed_j + 5.0 * kGravity_mps2 * 0.2);
   // The joint heals, and the body falls as any other.
@@ -101,7 +101,7 @@ TEST_P(EnergyWatchTest, FallsAndCollisionsAreLeftAlone) {
         physics->Add(specs[(k + 1) % specs.size()], motion);
         for (int i = 0; i < static_cast<int>(3.0 / step_s); ++i) {
           physics->Step(step_s, static_cast<std::uint64_t>(i));
-          ASSERT_TRUE(SlowedDown(*physics).empty())
+          ASSERT_TRUE(physics->slowed().empty())
               << "spec " << k << ", speed " << speed_mps << ", step " << step_s << ", after " << i;
         }
       }
@@ -130,7 +130,7 @@ TEST_P(EnergyWatchTest, WhatGoesOnGainingEnergyIsPutBackAndListed) {
   for (int i = 1; i <= 60 && !listed; ++i) {
     before = physics->MotionOf(body);
     physics->Step(kStep_s, static_cast<std::uint64_t>(i));
-    excess += SlowedDown(*physics).empty() ? -1 : 1;
+    excess += physics->slowed().empty() ? -1 : 1;
     listed = physics->strayed() == std::vector<BodyId>{body};
   }
   EXPECT_TRUE(listed);
@@ -145,7 +145,7 @@ TEST_P(EnergyWatchTest, AWorldThatIsWatchedGoesOnTheSameAfterRestore) {
   physics->Add(Torn(), {0.0, 0.0, 2.0}, 0.0);
   physics->Add(Torn(), {0.2, 0.1, 2.2}, 1.0);
   StepFor(physics.get(), 0.02);
-  ASSERT_FALSE(SlowedDown(*physics).empty());
+  ASSERT_FALSE(physics->slowed().empty());
   const auto snapshot = physics->Save();
   StepFor(physics.get(), 2.0, 2);
   const std::string straight = DigestOf(*physics);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string>
 
 #include "latticeworld/simulation/agents/policy.h"
 #include "test_scene.h"
@@ -93,6 +94,51 @@ TEST(StrayingTest, WhoLeavesTheWorldIsPutBackAndAThingIsTakenAway) {
     const Eigen::Vector3d place = Now(*simulator, "goblin").position_m;
     EXPECT_LT(place.head<2>().norm(), 10.0) << i;
     EXPECT_GT(place.z(), -0.5) << i;
+  }
+}
+
+// Puts the first three bodies into each other and the ground, for a second, and three seconds later
+// again.
+class Crusher : public Policy {
+ public:
+  Steering Decide(Agent* agent, Surroundings* world) const override {
+    agent->behaviour = Behaviour::kIdle;
+    if (world->episode_step % 400 < kStrike || world->episode_step % 400 >= 2 * kStrike) return {};
+    BodyMotion motion;
+    motion.position_m = {0.0, 10.0, -0.2};
+    for (const BodyId body : {1, 2, 3}) {
+      motion.position_m.z() += 0.02;
+      world->physics.Place(body, motion);
+    }
+    return {};
+  }
+};
+
+TEST(StrayingTest, WhatIsSlowedDownIsToldOnceForAsLongAsItGoesOn) {
+  RegisterPolicy("crusher", std::make_unique<Crusher>());
+  TestScene scene;
+  for (const char* name : {"box", "case", "crate"}) {
+    scene.AddElement(name, ElementKind::kCrate, 20.0, 2.0 * scene.elements.size());
+  }
+  const auto simulator = MakeSimulator(scene);
+  SpawnRequest request = RequestFor("goblin", "goblin", 0.0, 0.0);
+  request.policy = "crusher";
+  MustSpawn(simulator.get(), request);
+  RunFor(simulator.get(), 0.95);
+  simulator->TakeEvents();
+  for (int crush = 0; crush < 2; ++crush) {
+    const auto snapshot = simulator->Save();
+    RunFor(simulator.get(), 4.0);
+    const auto events = simulator->TakeEvents();
+    for (const std::string name : {"box", "case", "crate"}) {
+      EXPECT_EQ(Count(events, EventKind::kSlowed, name), 1) << name << ", crush " << crush;
+    }
+    // What has been told is part of the state.
+    const std::string hash = simulator->StateHash();
+    ASSERT_TRUE(simulator->Restore(*snapshot).ok());
+    RunFor(simulator.get(), 4.0);
+    EXPECT_EQ(Count(simulator->TakeEvents(), EventKind::kSlowed, "crate"), 1);
+    EXPECT_EQ(simulator->StateHash(), hash);
   }
 }
 

@@ -50,7 +50,8 @@ TEST(BandwidthTest, AHundredMovingAgentsTakeLessThanAMegabitASecond) {
   StreamedState<AgentRow> before = Streamed(simulator->State()->agents);
   for (int frame = 0; frame < kFrames; ++frame) {
     for (int i = 0; i < steps; ++i) {
-      for (const AgentSnapshot& agent : simulator->State()->agents) {
+      const std::shared_ptr<const WorldState> state = simulator->State();
+      for (const AgentSnapshot& agent : state->agents) {
         if (!agent.controllable) continue;
         ASSERT_TRUE(simulator->Command(agent.name, Forward(1.0, 0.4)).ok());
       }

@@ -143,6 +143,9 @@ class PhysicsWorld {
   // Bodies that met numbers not finite in the last step, a part of which became 30 m/s faster than
   // forces explain, or that go on gaining energy; each is back where it was, at rest. Increasing.
   virtual const std::vector<BodyId>& strayed() const = 0;
+  // Bodies that gained more energy in the last step than can have been given to them, and were
+  // slowed down to what can; increasing. Empty right after Restore.
+  virtual const std::vector<BodyId>& slowed() const = 0;
 
   virtual std::shared_ptr<const PhysicsSnapshot> Save() const = 0;
   // snapshot: of a world of the same back end over the same scene.

@@ -37,6 +37,7 @@ void SimulatorImpl::Reset(std::uint64_t seed) {
   agent_of_body_.clear();
   frozen_until_.clear();
   strays_.clear();
+  slowed_until_.clear();
   lost_.clear();
   team_policies_.clear();
   last_agent_ = 0;
@@ -109,6 +110,7 @@ void SimulatorImpl::Step() {
   ThinkAndDrive();
   ActOnThings();
   physics_->Step(options_.step_s, StreamSeed(seed_ ^ episode_step_, "solver"));
+  TellSlowed();
   FreezeStrayed();
   ReadMotions();
   Collide();

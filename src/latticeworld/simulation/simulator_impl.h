@@ -97,6 +97,8 @@ class SimulatorImpl : public Simulator, private ContactJudge {
   // Where it can come back: at its start, or near it.
   std::optional<WorldPoint> PlaceToRespawn(Agent* agent);
 
+  // Tells of what physics slowed down, once for as long as it goes on.
+  void TellSlowed();
   // Freezes what physics could not compute.
   void FreezeStrayed();
   void Freeze(Agent* agent);
@@ -167,6 +169,7 @@ class SimulatorImpl : public Simulator, private ContactJudge {
   std::map<BodyId, AgentId> agent_of_body_;
   std::map<AgentId, std::uint64_t> frozen_until_;  // episode step
   std::map<std::string, Stray> strays_;            // agents, elements and trees, by name
+  std::map<BodyId, std::uint64_t> slowed_until_;   // episode step until which it is not told again
   std::set<std::string> lost_;                     // of this step; empty between steps
   std::map<int, std::string> team_policies_;
   std::vector<Agent*> in_order_;  // of agents_, by id; empty: made by the next step

@@ -18,6 +18,7 @@ struct SimulatorImpl::Snapshot : SimulatorSnapshot {
         agents(of.agents_),
         frozen_until(of.frozen_until_),
         strays(of.strays_),
+        slowed_until(of.slowed_until_),
         team_policies(of.team_policies_),
         trees(of.felling_->state()),
         elements(of.elements_->state()),
@@ -34,6 +35,7 @@ struct SimulatorImpl::Snapshot : SimulatorSnapshot {
   const std::map<AgentId, Agent> agents;
   const std::map<AgentId, std::uint64_t> frozen_until;
   const std::map<std::string, Stray> strays;
+  const std::map<BodyId, std::uint64_t> slowed_until;
   const std::map<int, std::string> team_policies;
   const Felling::State trees;
   const Elements::State elements;
@@ -78,6 +80,7 @@ Status SimulatorImpl::Restore(const SimulatorSnapshot& snapshot) {
   in_order_.clear();
   frozen_until_ = of->frozen_until;
   strays_ = of->strays;
+  slowed_until_ = of->slowed_until;
   lost_.clear();
   team_policies_ = of->team_policies;
   ids_.clear();

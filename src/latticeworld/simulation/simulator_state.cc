@@ -121,6 +121,11 @@ std::string SimulatorImpl::StateHash() const {
     digest.Add(stray.since);
     digest.Add(stray.until);
   }
+  digest.Add(static_cast<std::uint64_t>(slowed_until_.size()));
+  for (const auto& [body, until] : slowed_until_) {
+    digest.Add(body);
+    digest.Add(until);
+  }
   digest.Add(static_cast<std::uint64_t>(team_policies_.size()));
   for (const auto& [team, policy] : team_policies_) {
     digest.Add(team);

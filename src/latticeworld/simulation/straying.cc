@@ -44,6 +44,18 @@ void LiftToGround(const Scene& scene, BodyMotion* motion) {
 
 }  // namespace
 
+void SimulatorImpl::TellSlowed() {
+  for (auto it = slowed_until_.begin(); it != slowed_until_.end();) {
+    it = episode_step_ >= it->second ? slowed_until_.erase(it) : std::next(it);
+  }
+  for (const BodyId body : physics_->slowed()) {
+    const bool begins = slowed_until_.count(body) == 0;
+    slowed_until_[body] = World().In(kWell_s);
+    if (!begins) continue;
+    TellOf(EventKind::kSlowed, NameOfBody(body), "", physics_->MotionOf(body).position_m);
+  }
+}
+
 void SimulatorImpl::FreezeStrayed() {
   for (const BodyId body : physics_->strayed()) {
     const auto found = agent_of_body_.find(body);
@@ -59,14 +71,11 @@ void SimulatorImpl::FreezeStrayed() {
 }
 
 bool SimulatorImpl::BeginsToStray(const std::string& name) {
-  const auto steps_of = [this](double seconds) {
-    return static_cast<std::uint64_t>(seconds / options_.step_s + 0.5);
-  };
   Stray& stray = strays_[name];
   const bool begins = episode_step_ >= stray.until;
   if (begins) stray.since = episode_step_;
-  stray.until = episode_step_ + steps_of(kFrozen_s + kWell_s);
-  if (episode_step_ - stray.since >= steps_of(kLongest_s)) lost_.insert(name);
+  stray.until = World().In(kFrozen_s + kWell_s);
+  if (episode_step_ - stray.since >= World().StepsIn(kLongest_s)) lost_.insert(name);
   return begins;
 }
 

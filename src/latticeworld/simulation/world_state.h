@@ -118,11 +118,12 @@ enum class EventKind : std::uint8_t {
   kBroke,
   kOpened,
   kClosed,
+  kSlowed,
   kFrozen,
   kLeftWorld,
   kWeatherChanged
 };
-constexpr std::array<EnumName<EventKind>, 18> EnumNames(EventKind) {
+constexpr std::array<EnumName<EventKind>, 19> EnumNames(EventKind) {
   return {{{EventKind::kSpawned, "spawned"},
            {EventKind::kRemoved, "removed"},
            {EventKind::kRespawned, "respawned"},
@@ -138,6 +139,7 @@ constexpr std::array<EnumName<EventKind>, 18> EnumNames(EventKind) {
            {EventKind::kBroke, "broke"},
            {EventKind::kOpened, "opened"},
            {EventKind::kClosed, "closed"},
+           {EventKind::kSlowed, "slowed"},
            {EventKind::kFrozen, "frozen"},
            {EventKind::kLeftWorld, "left_world"},
            {EventKind::kWeatherChanged, "weather_changed"}}};

@@ -178,7 +178,8 @@ bool IsWayClear(const Scene& scene, const SceneChanges& changes, WorldPoint from
   for (const FallenTree& tree : changes.fallen) {
     if (BlocksWay(tree, scene, from, to, margin_m, height_m)) return false;
   }
-  for (const ElementBlock& block : ElementsIn(scene, changes)->blocks) {
+  const std::shared_ptr<const StandingElements> elements = ElementsIn(scene, changes);
+  for (const ElementBlock& block : elements->blocks) {
     if (BlocksWay(block, scene, from, to, margin_m, height_m)) return false;
   }
   return true;

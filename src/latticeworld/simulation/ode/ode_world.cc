@@ -86,7 +86,7 @@ BodyId OdeWorld::Place(const BodySpec& spec, const BodyMotion& motion, bool lift
   const bool finite = IsSomewhere(motion);
   body->SetMotion(finite ? motion : BodyMotion());
   if (lift || !finite) LiftOutOfGround(body);
-  if (body->ball_radius_m() >= 0.0) spans_.push_back({0.0, 0.0, body, false});
+  if (body->ball_radius_m() >= 0.0) sweep_.Add(body);
   if (!finite) body->Spoil();
   return id;
 }
@@ -111,9 +111,7 @@ BodyId OdeWorld::Add(const BodySpec& spec, const BodyMotion& motion) {
 void OdeWorld::Remove(BodyId id) {
   OdeBody* body = &At(id);
   WakeAround(body);
-  spans_.erase(std::remove_if(spans_.begin(), spans_.end(),
-                              [body](const Span& span) { return span.body == body; }),
-               spans_.end());
+  sweep_.Remove(body);
   bodies_.erase(std::find_if(bodies_.begin(), bodies_.end(),
                              [id](const Entry& entry) { return entry.id == id; }));
 }
@@ -290,6 +288,11 @@ void OdeWorld::WakeAround(OdeBody* body) {
 
 std::unique_ptr<PhysicsWorld> MakeOdeWorld(std::shared_ptr<const Scene> scene) {
   return std::make_unique<OdeWorld>(std::move(scene));
+}
+
+std::chrono::nanoseconds CollisionTime(const PhysicsWorld& world) {
+  const auto* ode = dynamic_cast<const OdeWorld*>(&world);
+  return ode != nullptr ? ode->collision_time() : std::chrono::nanoseconds(0);
 }
 
 }  // namespace latticeworld

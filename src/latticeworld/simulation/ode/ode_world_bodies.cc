@@ -17,40 +17,11 @@ Eigen::Vector3d PositionOf(const dContactGeom& geom) { return ToEigen(geom.pos);
 
 }  // namespace
 
-// Insertion sort: hardly anything changes its place from step to step. Ties by id, so that the
-// order never depends on what was before.
-void OdeWorld::SortSpans() {
-  for (Span& span : spans_) {
-    if (span.settled && span.body->resting()) continue;
-    span.settled = span.body->resting();
-    const double x = span.body->BallCenter().x(), radius_m = span.body->ball_radius_m();
-    span.low_m = x - radius_m;
-    span.high_m = x + radius_m;
-  }
-  const auto before = [](const Span& a, const Span& b) {
-    return a.low_m != b.low_m ? a.low_m < b.low_m : a.body->id() < b.body->id();
-  };
-  for (std::size_t i = 1; i < spans_.size(); ++i) {
-    const Span span = spans_[i];
-    std::size_t at = i;
-    for (; at > 0 && before(span, spans_[at - 1]); --at) spans_[at] = spans_[at - 1];
-    spans_[at] = span;
-  }
-}
-
-// Sort and sweep along x (Baraff 1992).
 void OdeWorld::TouchBodies() {
-  for (std::size_t i = 0; i < spans_.size(); ++i) {
-    OdeBody* a = spans_[i].body;
-    for (std::size_t j = i + 1; j < spans_.size() && spans_[j].low_m < spans_[i].high_m; ++j) {
-      OdeBody* b = spans_[j].body;
-      if (a->stands() && b->stands()) continue;
-      const double reach_m = a->ball_radius_m() + b->ball_radius_m();
-      if ((a->BallCenter() - b->BallCenter()).squaredNorm() > reach_m * reach_m) continue;
-      if (a->control().anchored && b->control().anchored) continue;
-      TouchPair(a, b);
-    }
-  }
+  sweep_.Sort();
+  sweep_.ForEachPair([this](OdeBody* a, OdeBody* b) {
+    if (!a->control().anchored || !b->control().anchored) TouchPair(a, b);
+  });
 }
 
 // Feet, which meet nothing else but the ground, stand on what is made to be held fast, also where

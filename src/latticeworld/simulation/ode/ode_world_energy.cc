@@ -65,9 +65,4 @@ void OdeWorld::WatchEnergy(double step_s) {
   }
 }
 
-std::vector<BodyId> SlowedDown(const PhysicsWorld& world) {
-  const auto* ode = dynamic_cast<const OdeWorld*>(&world);
-  return ode != nullptr ? ode->slowed() : std::vector<BodyId>();
-}
-
 }  // namespace latticeworld

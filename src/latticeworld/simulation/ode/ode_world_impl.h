@@ -4,6 +4,7 @@
 #include <ode/ode.h>
 
 #include <array>
+#include <chrono>
 #include <memory>
 #include <set>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/scene/surface_table.h"
 #include "latticeworld/simulation/ode/asset_window.h"
+#include "latticeworld/simulation/ode/body_sweep.h"
 #include "latticeworld/simulation/ode/contact_joints.h"
 #include "latticeworld/simulation/ode/ground_contact.h"
 #include "latticeworld/simulation/ode/ode_body.h"
@@ -66,24 +68,19 @@ class OdeWorld : public PhysicsWorld {
   void Step(double step_s, std::uint64_t solver_seed) override;
   const std::vector<Contact>& contacts() const override { return contacts_; }
   const std::vector<BodyId>& strayed() const override { return strayed_; }
+  const std::vector<BodyId>& slowed() const override { return slowed_; }
 
   std::shared_ptr<const PhysicsSnapshot> Save() const override;
   void Restore(const PhysicsSnapshot& snapshot) override;
   void AddTo(Digest* digest) const override;
 
-  const std::vector<BodyId>& slowed() const { return slowed_; }
+  std::chrono::nanoseconds collision_time() const { return collision_time_; }
 
  private:
   struct Entry {
     BodyId id;
     std::unique_ptr<OdeBody> body;
     AssetWindow window;
-  };
-  // Extent of a body along x, in the order of its low end.
-  struct Span {
-    double low_m, high_m;
-    OdeBody* body;
-    bool settled;  // taken where the body rests: holds until it wakes
   };
   // One side of a contact.
   struct Side {
@@ -108,7 +105,8 @@ class OdeWorld : public PhysicsWorld {
   // Finds the bodies to which a step gave more energy than anything that acted on them, and slows
   // them down to what can have been given.
   void WatchEnergy(double step_s);
-  void SortSpans();
+  // Notes what touches what, and the joints that keep it apart.
+  void FindContacts(double step_s);
   void TouchBodies();
   void TouchPair(OdeBody* a, OdeBody* b);
   void TouchDeck(OdeBody* body, OdeBody* deck);
@@ -142,12 +140,13 @@ class OdeWorld : public PhysicsWorld {
   std::vector<Contact> contacts_;
   std::vector<BodyId> strayed_;
   std::vector<BodyId> slowed_;  // by WatchEnergy in the last step
+  std::chrono::nanoseconds collision_time_{};
 
   std::vector<double> gained_j_;  // by place in bodies_, in the step at hand
   std::vector<char> overdrawn_;   // by place in bodies_, in the step at hand
-  std::vector<char> fine_;   // by place in bodies_: 1 solved with more iterations, 2 by the rest
-  std::vector<Span> spans_;  // of bodies with solids
-  SolidContacts touch_;      // of the pair at hand
+  std::vector<char> fine_;    // by place in bodies_: 1 solved with more iterations, 2 by the rest
+  BodySweep<OdeBody> sweep_;  // of bodies with solids
+  SolidContacts touch_;       // of the pair at hand
   struct SampleTouch {
     GroundContact contact;
     dBodyID part;

@@ -53,16 +53,16 @@ void OdeWorld::Restore(const PhysicsSnapshot& snapshot) {
            bodies_[i].body->shared_spec() == saved->bodies[i].spec;
   }
   if (!same) {
-    spans_.clear();
+    sweep_.Clear();
     bodies_.clear();
     for (const OdeSnapshot::Body& one : saved->bodies) {
       bodies_.push_back({one.id, std::make_unique<OdeBody>(world_, one.id, one.spec), {}});
       OdeBody* body = bodies_.back().body.get();
-      if (body->ball_radius_m() >= 0.0) spans_.push_back({0.0, 0.0, body, false});
+      if (body->ball_radius_m() >= 0.0) sweep_.Add(body);
     }
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].body->Restore(saved->bodies[i].state);
-  for (Span& span : spans_) span.settled = false;
+  sweep_.Unsettle();
   last_id_ = saved->last_id;
   ground_ = saved->ground;
   surfaces_ = SurfaceTable(*scene_, ground_);

@@ -19,16 +19,7 @@ void OdeWorld::Step(double step_s, std::uint64_t solver_seed) {
   LW_CHECK(step_s > 0.0 && std::isfinite(step_s), "a step takes some time");
   contacts_.clear();
   strayed_.clear();
-  SortSpans();
-  TouchBodies();
-  for (Entry& entry : bodies_) {
-    OdeBody* body = entry.body.get();
-    if (body->stands()) continue;
-    body->BeginStep(step_s);
-    TouchGroundOf(body, step_s);
-    if (body->ball_radius_m() >= 0.0) TouchAssetsOf(&entry);
-    TouchBoundaryOf(body, step_s);
-  }
+  FindContacts(step_s);
   joints_->Join(step_s);
   Solve(step_s, solver_seed);
   WatchEnergy(step_s);
@@ -38,6 +29,20 @@ void OdeWorld::Step(double step_s, std::uint64_t solver_seed) {
     const bool sound = body->stands() ? !body->Mend() : body->FinishStep(step_s);
     if (!sound) strayed_.push_back(bodies_[i].id);
   }
+}
+
+void OdeWorld::FindContacts(double step_s) {
+  const auto begin = std::chrono::steady_clock::now();
+  TouchBodies();
+  for (Entry& entry : bodies_) {
+    OdeBody* body = entry.body.get();
+    if (body->stands()) continue;
+    body->BeginStep(step_s);
+    TouchGroundOf(body, step_s);
+    if (body->ball_radius_m() >= 0.0) TouchAssetsOf(&entry);
+    TouchBoundaryOf(body, step_s);
+  }
+  collision_time_ = std::chrono::steady_clock::now() - begin;
 }
 
 void OdeWorld::Solve(double step_s, std::uint64_t solver_seed) {
