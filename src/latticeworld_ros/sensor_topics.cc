@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 #include <variant>
 
@@ -34,6 +35,15 @@ Eigen::Isometry3d SensorFromOptical() {
   return pose;
 }
 
+void AppendTopics(const SensorPublishers& sensor, std::vector<HeardPublisher>* topics) {
+  for (const HeardPublisher* topic :
+       {&sensor.data, &sensor.colour.image, &sensor.colour.info, &sensor.depth.image,
+        &sensor.depth.info, &sensor.classes.image, &sensor.classes.info, &sensor.instances.image,
+        &sensor.instances.info}) {
+    if (*topic) topics->push_back(*topic);
+  }
+}
+
 }  // namespace
 
 SensorWish SensorPublishers::wish() const {
@@ -42,11 +52,6 @@ SensorWish SensorPublishers::wish() const {
   wish.any = data.IsHeard() || wish.pictures.colour || wish.pictures.depth ||
              wish.pictures.class_labels || wish.pictures.instance_labels;
   return wish;
-}
-
-int SensorPublishers::listeners() const {
-  return data.listeners() + colour.listeners() + depth.listeners() + classes.listeners() +
-         instances.listeners();
 }
 
 SensorTopics::SensorTopics(ros::NodeHandle node, std::shared_ptr<const SensorSuite> suite,
@@ -61,23 +66,22 @@ std::shared_ptr<const SensorPublisherMap> SensorTopics::publishers() const {
   return publishers_;
 }
 
+std::shared_ptr<const SensorTopics::TopicList> SensorTopics::topics() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return topics_;
+}
+
 int SensorTopics::listeners() const {
-  int count = 0;
-  const std::shared_ptr<const SensorPublisherMap> robots = publishers();
-  for (const auto& robot : *robots) {
-    for (const auto& sensor : *robot.second) count += sensor.second.listeners();
-  }
-  return count;
+  const std::shared_ptr<const TopicList> all = topics();
+  return std::accumulate(all->begin(), all->end(), 0, [](int count, const HeardPublisher& topic) {
+    return count + topic.listeners();
+  });
 }
 
 bool SensorTopics::has_listeners() const {
-  const std::shared_ptr<const SensorPublisherMap> robots = publishers();
-  for (const auto& robot : *robots) {
-    for (const auto& sensor : *robot.second) {
-      if (sensor.second.wish().any) return true;
-    }
-  }
-  return false;
+  const std::shared_ptr<const TopicList> all = topics();
+  return std::any_of(all->begin(), all->end(),
+                     [](const HeardPublisher& topic) { return topic.IsHeard(); });
 }
 
 const Species& SensorTopics::SpeciesOf(const RobotWish& robot) const {
@@ -102,9 +106,14 @@ void SensorTopics::Apply(const std::vector<RobotWish>& agents) {
                                ? kept->second
                                : std::make_shared<const SuitePublishers>(Advertise(robot));
   }
+  auto all = std::make_shared<TopicList>();
+  for (const auto& robot : *after) {
+    for (const auto& sensor : *robot.second) AppendTopics(sensor.second, all.get());
+  }
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     publishers_ = std::move(after);
+    topics_ = std::move(all);
   }
   robots_ = robots;
   PublishTransforms(robots);

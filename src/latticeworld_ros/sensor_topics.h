@@ -20,14 +20,12 @@ namespace latticeworld {
 struct PictureTopics {
   HeardPublisher image, info;
   bool wanted() const { return image.IsHeard() || info.IsHeard(); }
-  int listeners() const { return image.listeners() + info.listeners(); }
 };
 struct SensorPublishers {
   HeardPublisher data;  // of all but cameras
   PictureTopics colour, depth, classes, instances;
 
   SensorWish wish() const;
-  int listeners() const;  // of all of them together
 };
 // By sensor; by robot.
 using SuitePublishers = std::map<std::string, SensorPublishers>;
@@ -53,6 +51,10 @@ class SensorTopics {
   const std::shared_ptr<const SensorSuite>& suite() const { return suite_; }
 
  private:
+  // A thousand topics are asked in every step whether anybody listens: in a row, not by the map.
+  using TopicList = std::vector<HeardPublisher>;
+
+  std::shared_ptr<const TopicList> topics() const;
   SuitePublishers Advertise(const RobotWish& robot);
   void PublishTransforms(const std::vector<RobotWish>& robots);
   const Species& SpeciesOf(const RobotWish& robot) const;
@@ -68,6 +70,7 @@ class SensorTopics {
 
   mutable std::mutex mutex_;
   std::shared_ptr<const SensorPublisherMap> publishers_ = std::make_shared<SensorPublisherMap>();
+  std::shared_ptr<const TopicList> topics_ = std::make_shared<TopicList>();  // of publishers_
 };
 
 }  // namespace latticeworld

@@ -104,9 +104,9 @@ export class Nodes {
     return spawnSync(kEnvScript, command, { env: this.env, encoding: 'utf8', timeout: 20000 });
   }
 
-  startServer(layout, environment, seed) {
+  startServer(layout, environment, seed, size_m = 96) {
     this.#spawn('server', ['roslaunch', '-p', String(this.masterPort), 'latticeworld', 'world.launch', `generate:=${layout}`,
-                           `environment:=${environment}`, `seed:=${seed}`, 'size:=96', `worlds_directory:=${this.home}/worlds`]);
+                           `environment:=${environment}`, `seed:=${seed}`, `size:=${size_m}`, `worlds_directory:=${this.home}/worlds`]);
   }
 
   startViewer() {

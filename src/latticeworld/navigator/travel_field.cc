@@ -57,36 +57,60 @@ class BucketQueue {
 
 TravelField SpreadFrom(const std::vector<TravelSeed>& seeds, const Grid<float>& prices,
                        double resolution_m, const CellIndex* enough) {
-  TravelField field;
-  field.resolution_m = resolution_m;
-  field.cost_m = Grid<float>(prices.rows(), prices.cols(), kInfinity);
+  const int rows = prices.rows(), cols = prices.cols();
+  // With a closed cell all round, so that no neighbour is outside.
+  const int width = cols + 2;
+  const auto place = [width](CellIndex cell) {
+    return static_cast<std::uint32_t>((cell.row + 1) * width + cell.col + 1);
+  };
+  std::vector<float> price(static_cast<std::size_t>(width) * (rows + 2), kClosedCell);
+  std::vector<float> cost(price.size(), kInfinity);
+  for (int row = 0; row < rows; ++row) {
+    std::copy_n(prices.data() + static_cast<std::size_t>(row) * cols, cols,
+                price.begin() + place({row, 0}));
+  }
+
   BucketQueue queue(resolution_m);
-  const auto cols = static_cast<std::uint32_t>(prices.cols());
   for (const TravelSeed& seed : seeds) {
     if (!prices.Contains(seed.cell) || prices[seed.cell] == kClosedCell) continue;
-    if (!(seed.cost_m < field.cost_m[seed.cell])) continue;
-    field.cost_m[seed.cell] = seed.cost_m;
-    queue.Push(seed.cost_m, static_cast<std::uint32_t>(seed.cell.row) * cols +
-                                static_cast<std::uint32_t>(seed.cell.col));
+    float& known = cost[place(seed.cell)];
+    if (!(seed.cost_m < known)) continue;
+    known = seed.cost_m;
+    queue.Push(seed.cost_m, place(seed.cell));
   }
   const auto half = static_cast<float>(0.5 * resolution_m);
   float limit = kInfinity;
   for (BucketQueue::Entry entry; queue.Pop(&entry);) {
-    const CellIndex cell{static_cast<int>(entry.cell / cols), static_cast<int>(entry.cell % cols)};
-    if (entry.cost_m > field.cost_m[cell]) continue;  // it was reached for less
+    const std::uint32_t at = entry.cell;
+    if (entry.cost_m > cost[at]) continue;  // it was reached for less
     if (entry.cost_m > limit) break;
     // Its way down may lead over cells of the same bucket that are not settled yet.
-    if (enough != nullptr && cell == *enough) limit = entry.cost_m + 2.0f * half;
-    for (int k = 0; k < 8; ++k) {
-      if (!MayStep(prices, cell, k)) continue;
-      const CellIndex next{cell.row + kRowStep[k], cell.col + kColStep[k]};
-      const float cost_m =
-          entry.cost_m + (k < 4 ? 1.0f : kDiagonal) * half * (prices[cell] + prices[next]);
-      if (!(cost_m < field.cost_m[next])) continue;
-      field.cost_m[next] = cost_m;
-      queue.Push(cost_m, static_cast<std::uint32_t>(next.row) * cols +
-                             static_cast<std::uint32_t>(next.col));
-    }
+    if (enough != nullptr && at == place(*enough)) limit = entry.cost_m + 2.0f * half;
+    const auto step = [&](std::uint32_t next, float length) {
+      const float cost_m = entry.cost_m + length * half * (price[at] + price[next]);
+      if (!(cost_m < cost[next])) return;
+      cost[next] = cost_m;
+      queue.Push(cost_m, next);
+    };
+    const auto open = [&](std::uint32_t next) { return price[next] != kClosedCell; };
+    const std::uint32_t north = at - width, south = at + width, west = at - 1, east = at + 1;
+    const bool n = open(north), s = open(south), w = open(west), e = open(east);
+    if (n) step(north, 1.0f);
+    if (s) step(south, 1.0f);
+    if (w) step(west, 1.0f);
+    if (e) step(east, 1.0f);
+    if (n && w && open(north - 1)) step(north - 1, kDiagonal);
+    if (n && e && open(north + 1)) step(north + 1, kDiagonal);
+    if (s && w && open(south - 1)) step(south - 1, kDiagonal);
+    if (s && e && open(south + 1)) step(south + 1, kDiagonal);
+  }
+
+  TravelField field;
+  field.resolution_m = resolution_m;
+  field.cost_m = Grid<float>(rows, cols);
+  for (int row = 0; row < rows; ++row) {
+    std::copy_n(cost.begin() + place({row, 0}), cols,
+                field.cost_m.data() + static_cast<std::size_t>(row) * cols);
   }
   return field;
 }
