@@ -392,5 +392,26 @@ INSTANTIATE_TEST_SUITE_P(
          "5 humanoid robot idle upper right; 20 sheep grazing upper right; "},
     }));
 
+INSTANTIATE_TEST_SUITE_P(
+    PartsAndHabits, AgentVoices,
+    testing::ValuesIn(std::vector<Sample>{
+        {"All but two of the nine knights sleep in the south.",
+         "2 ancient warrior patrolling anywhere; 7 ancient warrior idle lower; "},
+        {"Six rovers, parked in the village bar one, which roams the fields.",
+         "5 wheeled robot idle center; 1 wheeled robot patrolling upper right; "},
+        {"Five goblins raid the village. Another seven, lying low in the forest.",
+         "5 goblin attacking center; 7 goblin idle lower right; "},
+        {"8 horses W grazing. 3 NE idle.",
+         "8 horse grazing middle left; 3 horse idle upper right; "},
+        {"Four sheep in the north grazing, two in the south asleep.",
+         "4 sheep grazing upper; 2 sheep idle lower; "},
+        {"Three rovers that usually patrol the road stand in the village.",
+         "3 wheeled robot idle center; "},
+        {"Two eagles, which normally circle, sit in the forest.", "2 eagle idle lower right; "},
+        {"Drones: two, over the lake. Goblins: none today.", "2 aerial robot flying upper left; "},
+        {"Five sheep in the west, heads down.", "5 sheep grazing middle left; "},
+        {"Four robot dogs patroling the village", "4 robotic dog patrolling center; "},
+    }));
+
 }  // namespace
 }  // namespace latticeworld

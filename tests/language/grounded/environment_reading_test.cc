@@ -313,12 +313,28 @@ TEST(EnvironmentReadingTest, WordSaladGivesValidAnswersThatKeepTheirOwnClaims) {
 }
 
 TEST(EnvironmentReadingTest, InflectsRegularVerbsAndNouns) {
-  EXPECT_EQ(FormsOf("swim"), (std::vector<std::string>{"swim", "swims", "swimming", "swam"}));
+  // As people write it, too.
+  EXPECT_EQ(FormsOf("swim"),
+            (std::vector<std::string>{"swim", "swims", "swimming", "swam", "swiming"}));
+  EXPECT_EQ(FormsOf("patrol").back(), "patroled");
   EXPECT_EQ(FormsOf("keep watch"),
             (std::vector<std::string>{"keep watch", "keeps watch", "keeping watch", "kept watch"}));
   EXPECT_EQ(FormsOf("graze")[2], "grazing");
   EXPECT_EQ(PluralOf("wild pony"), "wild ponies");
   EXPECT_EQ(PluralOf("fox"), "foxes");
+}
+
+TEST(EnvironmentReadingTest, ClocksAreHeardHoweverTheyAreWritten) {
+  const auto time_of = [](const std::string& text) {
+    return GenerateInCountry(text).environment.coarse.time_of_day;
+  };
+  EXPECT_EQ(time_of("Local time 1640, five sheep."), TimeOfDay::kAfternoon);
+  EXPECT_EQ(time_of("It is 2315 local time."), TimeOfDay::kNight);
+  EXPECT_EQ(time_of("The watch begins at 22.45."), TimeOfDay::kNight);
+  EXPECT_EQ(time_of("at 0530"), time_of("at half past five in the morning"));
+  // Numbers that are no clocks.
+  EXPECT_EQ(time_of("A sunny noon. Stones 22.45 m apart."), TimeOfDay::kNoon);
+  EXPECT_EQ(time_of("A sunny noon in 1640."), TimeOfDay::kNoon);
 }
 
 TEST(EnvironmentReadingTest, EveryHourHasItsName) {

@@ -177,6 +177,8 @@ bool AgentReader::IsFlockOf(const Group& group) const {
 }
 
 bool AgentReader::IsPlaceAhead(std::size_t at) const {
+  // "5 SE, idle"
+  if (!noted_.IsPause(at) && MatchPlace(tokens_, at).tokens > 0) return true;
   for (std::size_t i = at; i < at + kPlaceAhead_tokens && !noted_.IsPause(i); ++i) {
     if (PlacePhraseAt(i) > 0 || MatchPlace(tokens_, i).tokens > 1) return true;
   }

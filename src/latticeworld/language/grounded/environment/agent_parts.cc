@@ -21,8 +21,12 @@ std::size_t AgentReader::ReadPartOfCounted() {
     return 2;
   }
   const bool half = noted_.IsWord(at_, "half");
-  const Count part = half ? Count{0, 0, 0, 1} : ReadCount(noted_, words_, at_);
-  std::size_t next = at_ + part.tokens;
+  // "all but one of the five sheep"
+  const bool all_but = noted_.IsWord(at_, "all") &&
+                       noted_.IsAnyWord(at_ + 1, {"but", "except", "save", "bar", "barring"});
+  const std::size_t first = all_but ? at_ + 2 : at_;
+  const Count part = half ? Count{0, 0, 0, 1} : ReadCount(noted_, words_, first);
+  std::size_t next = first + part.tokens;
   if (part.tokens == 0 || part.least != part.most) return 0;
   if (noted_.IsWord(next, "of")) {
     ++next;
@@ -36,7 +40,10 @@ std::size_t AgentReader::ReadPartOfCounted() {
       part.value >= whole.value || !NounAhead(next + whole.tokens)) {
     return 0;
   }
-  part_of_ = half ? (whole.value + 1) / 2 : part.value;
+  part_of_ = half ? (whole.value + 1) / 2 : all_but ? whole.value - part.value : part.value;
+  for (std::size_t i = at_; all_but && i < tokens_.size() && !noted_.IsEnd(i); ++i) {
+    noted_.notes[i].negated = false;
+  }
   noted_.Mark(at_, next, &TokenNote::agent);
   return next - at_;
 }
@@ -82,7 +89,10 @@ std::size_t AgentReader::ReadAllBut() {
 }
 
 std::size_t AgentReader::ReadExceptSome() {
-  if (!noted_.IsAnyWord(at_, {"except", "but", "save", "excepting"}) || Last() == nullptr) return 0;
+  if (!noted_.IsAnyWord(at_, {"except", "but", "save", "excepting", "bar", "barring"}) ||
+      Last() == nullptr) {
+    return 0;
+  }
   std::size_t next = at_ + 1;
   if (noted_.IsWord(next, "for")) ++next;
   const Count count = ReadCount(noted_, words_, next);

@@ -353,7 +353,6 @@ void AgentReader::SetPlace(const std::vector<Place>& places,
   }
   placed_sentence_ = sentence_ + 1;
   joined_ = false;
-  split_state_ = false;
 }
 
 std::vector<Place> AgentReader::NarrowedByLead(const std::vector<Place>& places) const {

@@ -30,11 +30,18 @@ std::size_t AgentReader::ReadReference() {
   if (const std::size_t ordinal = ReadOrdinal(); ordinal > 0) return ordinal;
   if (const std::size_t again = ReadAnotherGroup(); again > 0) return again;
   // "Goblins? None, please."
-  if (noted_.IsWord(at_, "none") && noted_.IsPause(at_ + 1) && last_ != kNone && at_ > 0 &&
-      noted_.IsPause(at_ - 1) && words_.assets.LengthAt(tokens_, at_ > 0 ? at_ - 1 : at_) == 0) {
-    groups_[last_].removed = true;
-    Known(1);
-    return 1;
+  if (noted_.IsWord(at_, "none") && last_ != kNone && at_ > 0 && noted_.IsPause(at_ - 1) &&
+      words_.assets.LengthAt(tokens_, at_ - 1) == 0) {
+    std::size_t end = at_ + 1;
+    while (noted_.IsAnyWord(end, {"today", "tonight", "here", "now", "please", "this", "time", "at",
+                                  "all", "whatsoever", "anywhere", "needed", "wanted"})) {
+      ++end;
+    }
+    if (noted_.IsPause(end)) {
+      groups_[last_].removed = true;
+      Known(end - at_);
+      return end - at_;
+    }
   }
   const std::size_t others = RoleAt(Role::kOthers, at_);
   if (others > 0) {
@@ -218,9 +225,11 @@ std::size_t AgentReader::ReadAnotherGroup() {
     }
     return more;
   }
-  // "other ten in the south"
+  // "other ten in the south", "Another twelve, waiting."
   const Count ten = ReadCount(noted_, words_, pack_at);
-  if (ten.tokens > 0 && !NounAhead(pack_at + ten.tokens) && !noted_.IsPause(pack_at + ten.tokens) &&
+  const bool bare =
+      noted_.IsPause(pack_at + ten.tokens) && !noted_.IsAnyWord(at_, {"another", "yet"});
+  if (ten.tokens > 0 && !NounAhead(pack_at + ten.tokens) && !bare &&
       EndsNounPhrase(pack_at + ten.tokens) && words_.species.LengthAt(tokens_, pack_at) == 0) {
     noted_.Mark(at_, pack_at + ten.tokens, &TokenNote::agent);
     AddLike(last_, ten, more + ten.tokens);

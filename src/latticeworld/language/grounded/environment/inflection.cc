@@ -89,7 +89,14 @@ std::vector<std::string> FormsOf(std::string_view verb) {
   const std::string_view first = verb.substr(0, cut);
   const std::string rest(cut == std::string_view::npos ? std::string_view() : verb.substr(cut));
   if (first == "not") return {std::string(verb)};
-  return {std::string(verb), WithS(first) + rest, WithIng(first) + rest, WithEd(first) + rest};
+  std::vector<std::string> forms = {std::string(verb), WithS(first) + rest, WithIng(first) + rest,
+                                    WithEd(first) + rest};
+  // "patroling", "swiming": often written so.
+  if (first.size() > 3 && Doubles(first)) {
+    forms.push_back(std::string(first) + "ing" + rest);
+    if (EndsWith(WithEd(first), "ed")) forms.push_back(std::string(first) + "ed" + rest);
+  }
+  return forms;
 }
 
 }  // namespace latticeworld

@@ -96,10 +96,12 @@ class MeasureReader {
       }
     }
     const Number number = NumberAt(next);
-    if (number.tokens == 0 || number.fraction) return {};
+    if (number.tokens == 0) return {};
+    if (number.fraction) return DottedHour(next);
     double hour = number.value;
     std::size_t end = next + number.tokens;
     bool sure = shift_h != 0.0;  // that an hour is meant
+    bool military = false;       // four digits: of twenty-four hours
     // "18:30"
     if (end + 1 < tokens_.size() && tokens_[end].kind == TokenKind::kComma &&
         tokens_[end].text == ":" && tokens_[end + 1].kind == TokenKind::kNumber &&
@@ -108,13 +110,15 @@ class MeasureReader {
       end += 2;
       sure = true;
     } else if (tokens_[next].kind == TokenKind::kNumber && tokens_[next].text.size() == 4 &&
-               (tokens_[next].text.front() == '0' || Is(end, {"hours", "hrs", "h"}))) {
-      // "0630", "1800 hours"
+               (tokens_[next].text.front() == '0' || Is(end, {"hours", "hrs", "h"}) ||
+                (next > 0 && Is(next - 1, {"time"})) ||
+                (Is(end, {"local"}) && Is(end + 1, {"time"})))) {
+      // "0630", "1800 hours", "local time 1500"
       hour = std::floor(number.value / 100.0) + std::fmod(number.value, 100.0) / 60.0;
       if (Is(end, {"hours", "hrs", "h"})) ++end;
-      sure = true;
+      sure = military = true;
     }
-    const bool twelve_hours = hour < 13.0;
+    const bool twelve_hours = hour < 13.0 && !military;
     if (Is(end, {"h", "hrs"}) && tokens_[next].kind == TokenKind::kNumber && !IsSpeedUnit(end)) {
       ++end;
       sure = true;
@@ -136,6 +140,16 @@ class MeasureReader {
     return HeardMeasure{MeasureKind::kHour, Wrapped(hour + shift_h), at, end};
   }
 
+  // "at 22.30"
+  std::optional<HeardMeasure> DottedHour(std::size_t at) const {
+    const std::string_view text = tokens_[at].text;
+    const std::size_t dot = text.find('.');
+    if (!Clock(at) || text.size() != dot + 3 || dot > 2 || !noted_.IsPause(at + 1)) return {};
+    const double value = NumberAt(at).value;
+    const double minutes = 100.0 * (value - std::floor(value));
+    if (value >= 24.0 || minutes > 59.5) return {};
+    return HeardMeasure{MeasureKind::kHour, std::floor(value) + minutes / 60.0, at, at + 1};
+  }
   bool Clock(std::size_t at) const { return at > 0 && Is(at - 1, {"at", "is"}); }
 
   static double Wrapped(double hour) {

@@ -31,6 +31,10 @@ class ScopeMarker {
       MarkScope(at, at + 1);
       return 1;
     }
+    if (const std::size_t aside = HabitAt(at); aside > 0) {
+      noted_->Mark(at, at + aside, &TokenNote::ignored);
+      return aside;
+    }
     if (const std::size_t out = OutAfter(at); out > 0) {
       for (std::size_t i = at; i <= out; ++i) noted_->notes[i].known = true;
       for (std::size_t i = at + 1; i < out; ++i) noted_->notes[i].negated = true;
@@ -149,6 +153,24 @@ class ScopeMarker {
     for (std::size_t i = at + 2; i < at + 6 && !noted_->IsPause(i); ++i) {
       if (noted_->IsWord(i, "out")) return noted_->IsAnyWord(i + 1, {"of", "in"}) ? 0 : i;
       if (IsPreposition(i) || noted_->IsWord(i, "and")) return 0;
+    }
+    return 0;
+  }
+
+  // "robots that normally haul timber are parked": tokens of what they do at other times; 0: none.
+  std::size_t HabitAt(std::size_t at) const {
+    constexpr std::size_t kLongest = 10;
+    if (!noted_->IsAnyWord(at, {"that", "which", "who"})) return 0;
+    if (!noted_->IsAnyWord(at + 1, {"normally", "usually", "ordinarily", "otherwise", "typically",
+                                    "generally", "once", "formerly", "used"})) {
+      return 0;
+    }
+    for (std::size_t end = at + 2; end < at + kLongest && !noted_->IsEnd(end); ++end) {
+      const bool comma = tokens_[end].kind == TokenKind::kComma;
+      if (comma || noted_->IsAnyWord(end, {"are", "is", "have", "has", "now", "stand", "stands",
+                                           "lie", "lies", "sit", "sits", "wait", "waits"})) {
+        return end - at;
+      }
     }
     return 0;
   }

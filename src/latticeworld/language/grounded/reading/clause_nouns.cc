@@ -57,7 +57,7 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
   if (phrase.head == Head::kThey && phrase.qualities.count.has_value()) {
     std::vector<int> about = subjects_;
     if (about.empty()) about = d_.Antecedent({}, true);
-    if (about.size() == 1) {
+    if (about.size() == 1 && !SomeOf(phrase, about[0])) {
       d_.Describe(phrase.qualities, about[0]);
       d_.Extend(about[0], chunk.end);
       if (subjects_.empty()) subjects_ = about;

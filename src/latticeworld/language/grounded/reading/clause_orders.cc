@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/reading/band_words.h"
 #include "latticeworld/language/grounded/reading/clause_reader.h"
 
 // What follows what: orders along a direction, and chains of "then", "behind", "after that".
@@ -69,32 +70,10 @@ void ClauseReader::FinishOrder() {
       const int sign = i == 0 ? -1 : 1;
       LayInBand(features[i], ZoneOf({sign * order_heading_.east, sign * order_heading_.south}));
     } else {
-      LayInBand(features[i], BandOf(order_heading_, low, high, name));
+      LayInBand(features[i], BandZone(order_heading_, low, high, name));
     }
     low = high;
   }
-}
-
-// The part of the map from `low` to `high` of the way along the heading.
-Zone ClauseReader::BandOf(Heading heading, double low, double high, const std::string& name) {
-  if (heading.east < 0 || heading.south < 0) {
-    std::swap(low, high);
-    low = 1.0 - low;
-    high = 1.0 - high;
-  }
-  UnitBox box;
-  if (heading.south != 0) {
-    box.v_min = low;
-    box.v_max = high;
-  }
-  if (heading.east != 0) {
-    box.u_min = low;
-    box.u_max = high;
-  }
-  Zone zone;
-  zone.name = name;
-  zone.boxes = {box};
-  return zone;
 }
 
 // What has a place of its own keeps it; a line without a course crosses the band.

@@ -20,6 +20,13 @@ int ClauseReader::NthOfThese(std::size_t n) const {
   return these.size() == 3 ? these[n] : -1;
 }
 
+// "two of them", of three: fewer than there are.
+bool ClauseReader::SomeOf(const NounPhrase& phrase, int index) const {
+  const std::optional<CountMatch>& count = phrase.qualities.count;
+  return phrase.head == Head::kThey && count.has_value() && count->least == count->most &&
+         d_.feature(index).pieces > count->least && d_.feature(index).pieces_least > count->least;
+}
+
 // The last of the things that a thing is one of, but for those that the words are about.
 std::vector<int> ClauseReader::Likes(int index, const std::vector<int>& about) const {
   for (int i = d_.size() - 1; i >= 0; --i) {

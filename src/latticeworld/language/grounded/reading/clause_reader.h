@@ -31,6 +31,7 @@ class ClauseReader {
     bool is_subject = false;  // no preposition before it
     bool extent = false;      // "half", "third": all of it is meant
     bool along = false;
+    bool band = false;  // one of the stripes that the map is cut into
     bool used = false;
     std::size_t begin = 0;
     bool empty() const { return zones.empty(); }
@@ -61,6 +62,7 @@ class ClauseReader {
   void ReadRest(const Chunk& chunk);
   void ReadAbsence(const Chunk& chunk);
   std::vector<int> Refer(const Chunk& chunk);
+  std::vector<int> ReferToOne(const Chunk& chunk, const std::vector<int>& about);
   std::vector<int> OneMore(const Chunk& chunk);
   int SameObject() const;
   void Place_(int index, const Chunk& chunk);
@@ -154,8 +156,8 @@ class ClauseReader {
   bool IsSpot(int index) const;
   void FinishOrder();
   void BeginOrder(Heading heading);
-  static Zone BandOf(Heading heading, double low, double high, const std::string& name);
   void LayInBand(int index, const Zone& band);
+  void FillBand(int index);
 
   // What lies ahead.
   const Chunk* ChunkAt(std::size_t at) const {
@@ -172,6 +174,7 @@ class ClauseReader {
   bool OrderGoesOn() const;
   int OneOfSeveral() const;
   bool OneAgain() const;
+  bool SomeOf(const NounPhrase& phrase, int index) const;
   int NthOfThese(std::size_t n) const;
   std::vector<int> Likes(int index, const std::vector<int>& about) const;
   int NextPart();

@@ -245,6 +245,15 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       if (!subjects_.empty() && !ThingFollows(at_ + 1, false)) {
         for (const int index : subjects_) {
           PlannedFeature& feature = d_.feature(index);
+          // "houses everywhere in the south"
+          const bool town = feature.letter == 'B' && feature.form == FeatureForm::kPatch &&
+                            d_.plan().vocabulary == Vocabulary::kSuburb &&
+                            feature.pieces_least == 0 && IsSense(at_ + 1, Sense::kIn) &&
+                            IsKind(at_ + 2, ChunkKind::kPlace);
+          if (town) {
+            feature.form = FeatureForm::kSpread;
+            feature.pieces = 0;
+          }
           if (feature.form == FeatureForm::kSpread && feature.texture == Texture::kUnsaid) {
             feature.dominant = true;
           } else if (feature.form == FeatureForm::kPatch) {
@@ -399,7 +408,16 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
     }
     case Sense::kHalfEach: {
       // The things that follow, or were named, share it evenly.
-      const std::size_t count = std::max<std::size_t>(ListLength(at_ + 1), 2);
+      // "... of forest and fields, and a village where they meet": not the village.
+      const std::size_t listed = ListLength(at_ + 1);
+      std::size_t alike = 0;
+      for (std::size_t i = at_ + 1, seen = 0; seen < listed && i < chunks_.size(); ++i) {
+        if (!IsThing(i)) continue;
+        ++seen;
+        if (seen > 2 && chunks_[i].phrase.indefinite) break;
+        ++alike;
+      }
+      const std::size_t count = std::max<std::size_t>(alike, 2);
       // "the rest is split evenly between fields and woods": how much that is nobody says.
       bool of_rest = false;
       for (std::size_t i = sentence_start_; i < at_; ++i) {

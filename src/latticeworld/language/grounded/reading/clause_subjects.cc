@@ -167,6 +167,7 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
     } else if (!lead_.empty() && excepting_) {
       d_.AddZones(index, lead_.zones);
     }
+    if (lead_.band && named && !excepting_) FillBand(index);
     const bool bare_extent = !lead_.empty() && lead_.is_subject && lead_.extent && is_new;
     if ((cover_next_ && named) || bare_extent) Cover(index, chunk);
     if (map_share_.has_value() && !IsLine(index)) {
@@ -258,6 +259,21 @@ void ClauseReader::OnlyThis(int index, bool is_new) {
     return;
   }
   feature.share_least = std::max(feature.share_least.value_or(0.0), kOnlyShare);
+}
+
+// "the second stripe is houses", "... a river": a stripe of houses, a river from end to end.
+void ClauseReader::FillBand(int index) {
+  PlannedFeature& feature = d_.feature(index);
+  if (feature.zones != lead_.zones) return;
+  if (IsLine(index)) {
+    const UnitBox& box = lead_.zones.front().boxes.front();
+    order_heading_ = box.v_max - box.v_min < 1.0 ? Heading{0, 1} : Heading{1, 0};
+    LayInBand(index, lead_.zones.front());
+    if (feature.from.has_value()) feature.zones.clear();
+  } else if (feature.form == FeatureForm::kPatch && feature.pieces_least == 0) {
+    feature.form = FeatureForm::kSpread;
+    feature.pieces = 0;
+  }
 }
 
 // "the northern half is forest": it has more than anything else there, and half of it at least

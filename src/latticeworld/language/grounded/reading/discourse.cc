@@ -186,6 +186,17 @@ void Discourse::Describe(const Qualities& said, int index) {
     feature.pieces_most = bounded ? std::min(std::max(1, count.most), kMaxPieces) : 0;
     feature.pieces = bounded ? std::max(1, (feature.pieces_least + feature.pieces_most) / 2)
                              : feature.pieces_least + 1;
+    // "lots of houses" make a place of some size.
+    const bool quarter = !bounded && count.least == 4 && feature.letter == 'B' &&
+                         plan_.vocabulary == Vocabulary::kSuburb && thing(index).plural &&
+                         feature.form == FeatureForm::kPatch;
+    if (quarter) {
+      constexpr int kBlocks = 7;
+      constexpr int kBlockCells = 20;
+      feature.pieces = kBlocks;
+      feature.cells = std::max(feature.cells, kBlockCells);
+      feature.share_least = std::max(feature.share_least.value_or(0.0), 0.1);
+    }
   } else if (said.few && feature.form != FeatureForm::kSpread) {
     feature.pieces = 3;
     feature.pieces_least = 2;
@@ -374,15 +385,15 @@ std::vector<int> Discourse::LastTwo(const std::vector<int>& subjects) const {
   return two;
 }
 
-int Discourse::SplitOff(int index) {
+int Discourse::SplitOff(int index, int pieces) {
   PlannedFeature& whole = feature(index);
-  if (whole.pieces < 2 || things_.size() >= kMaxFeatures) return index;
+  if (pieces < 1 || whole.pieces <= pieces || things_.size() >= kMaxFeatures) return index;
   PlannedFeature part = whole;
-  part.pieces = part.pieces_least = part.pieces_most = 1;
+  part.pieces = part.pieces_least = part.pieces_most = pieces;
   if (thing(index).zones_from_lead || whole.pieces >= 2) part.zones.clear();
-  --whole.pieces;
-  if (whole.pieces_least > 1) --whole.pieces_least;
-  if (whole.pieces_most > 1) --whole.pieces_most;
+  whole.pieces -= pieces;
+  if (whole.pieces_least > pieces) whole.pieces_least -= pieces;
+  if (whole.pieces_most > pieces) whole.pieces_most -= pieces;
   Thing thing = this->thing(index);
   thing.sentence = sentence_;
   plan_.features.push_back(std::move(part));

@@ -43,8 +43,9 @@ class Discourse {
   int LastMentioned() const { return mentioned_.empty() ? -1 : mentioned_.back(); }
   // The last two things named that are not among `subjects`.
   std::vector<int> LastTwo(const std::vector<int>& subjects) const;
-  // One piece of a feature as one of its own, for "one in the north, the other in the south".
-  int SplitOff(int index);
+  // Some pieces of a feature, fewer than it has, as one of their own, for "one in the north, the
+  // other in the south".
+  int SplitOff(int index, int pieces = 1);
   // The same thing once more, to lie elsewhere: "fields to the north and to the south".
   int Twin(int index);
   // A feature of the letter of `word`, the latest first; -1: none.

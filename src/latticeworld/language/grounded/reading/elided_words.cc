@@ -126,7 +126,11 @@ std::vector<Token> WithPlaceNouns(std::vector<Token> tokens) {
       continue;
     }
     if (!said.has_value() || !opens) continue;
-    const bool one = next == "one" && MayFollowPlace(tokens, end + 1);
+    // "in the upper half forest, in the lower one fields"
+    const bool in = whole.size() >= 3 &&
+                    IsOneOf(whole[whole.size() - 3].text, {"in", "on", "at"}) &&
+                    MatchClassWord(tokens, end + 1).word != nullptr;
+    const bool one = next == "one" && (in || MayFollowPlace(tokens, end + 1));
     if (!one && (!MayFollowPlace(tokens, end) || IsOfSomething(tokens, end))) continue;
     const std::string noun(ElidedNoun(*said, direction.heading, adjective || one));
     if (noun.empty()) continue;

@@ -122,8 +122,9 @@ class Asserter {
         break;
       case Sense::kBetween:
         AssertTwo(RelationKind::kBetween, subject_, frame_.objects);
-        // "a motorway between the two towns" joins them.
-        if (IsLine(subject()) && subject().letter == 'R' && AreSettlements(frame_.objects)) {
+        // "a motorway between the two towns", "a road between the lake and the village": joins
+        // them.
+        if (IsLine(subject()) && subject().letter == 'R' && AreSpots(frame_.objects)) {
           AssertTwo(RelationKind::kConnects, subject_, frame_.objects);
         }
         break;
@@ -217,10 +218,12 @@ class Asserter {
     Relate(RelationKind::kAdjacent, object_, subject_, kTouchingSteps);
   }
 
-  bool AreSettlements(const std::vector<int>& indices) const {
+  bool AreSpots(const std::vector<int>& indices) const {
     return d_.plan().vocabulary == Vocabulary::kSuburb &&
            std::all_of(indices.begin(), indices.end(), [&](int index) {
-             return d_.feature(index).letter == 'B' && !IsLine(d_.feature(index));
+             const PlannedFeature& feature = d_.feature(index);
+             return !IsLine(feature) &&
+                    (feature.letter == 'B' || feature.form == FeatureForm::kPatch);
            });
   }
 

@@ -44,6 +44,7 @@ struct Lexeme {
   bool plural = false;
   std::vector<Place> places;
   bool whole = false;  // kPlace: said to be all of it
+  bool band = false;   // kPlace: one of the stripes that the map is cut into
   DirectionUse use = DirectionUse::kBeyond;
   Heading heading;
   bool of_it = false;  // the words name their object themselves: "to its north", "on its shore"

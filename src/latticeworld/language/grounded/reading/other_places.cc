@@ -107,7 +107,8 @@ std::vector<Token> WithOtherPlaces(std::vector<Token> tokens) {
     if (direction.found && (direction.heading.east != 0 || direction.heading.south != 0)) {
       std::string_view noun = NounOfPlace(WordAt(tokens, after));
       bool put_in = false;
-      if (noun.empty() && direction.heading.IsDiagonal()) {
+      const bool diagonal = direction.heading.IsDiagonal();
+      if (noun.empty()) {
         std::size_t next = after;
         for (int items = 0; items < 3 && noun.empty(); ++items) {
           if (next < tokens.size() && tokens[next].kind == TokenKind::kComma) ++next;
@@ -115,9 +116,15 @@ std::vector<Token> WithOtherPlaces(std::vector<Token> tokens) {
           if (WordAt(tokens, next) == "the") ++next;
           PlaceCursor more(tokens, next);
           const Direction second = TakeDirection(&more);
-          if (!second.found || !second.heading.IsDiagonal() || next == after) break;
+          if (!second.found || second.heading.IsDiagonal() != diagonal || next == after) break;
           next = more.at();
           noun = NounOfPlace(WordAt(tokens, next));
+          // "the west, north and east edges", of the map
+          const bool edges =
+              IsOneOf(WordAt(tokens, next), {"edges", "borders", "edge", "border"}) &&
+              (WordAt(tokens, next + 1) != "of" ||
+               MatchClassWord(tokens, next + 3).word == nullptr);
+          if (!diagonal && !edges) noun = {};
         }
         put_in = !noun.empty();
       }

@@ -78,8 +78,13 @@ void FillRings(std::vector<Token>* tokens) {
       const bool sides = IsOneOf(WordAt(*tokens, side), {"sides", "side"});
       if (sides && WordAt(*tokens, side + 1) != "of") EraseTokens(tokens, at, side + 1 - at);
     }
-    const bool pointed = IsOneOf(WordAt(*tokens, at), {"those", "these", "they"});
-    std::size_t by = at + 1;
+    // "ringed by rock, and the rock by forest"
+    const ClassWordMatch outer = MatchClassWord(*tokens, ring + 2);
+    const ClassWordMatch again = MatchClassWord(*tokens, at + 1);
+    const bool named = WordAt(*tokens, at) == "the" && outer.word != nullptr &&
+                       again.word == outer.word && at > ring + 2;
+    const bool pointed = named || IsOneOf(WordAt(*tokens, at), {"those", "these", "they"});
+    std::size_t by = at + 1 + (named ? again.tokens : 0);
     if (WordAt(*tokens, by) == "in") by += 2;  // "in turn"
     if (!pointed || WordAt(*tokens, by) != "by") continue;
     // What the things before stand in.
@@ -122,6 +127,39 @@ void TurnPartings(std::vector<Token>* tokens) {
     for (std::size_t i = named + 1; i + 1 < at; ++i) turned.push_back((*tokens)[i]);
     EraseTokens(tokens, begin, end - begin);
     InsertTokens(tokens, begin, turned);
+  }
+}
+
+// "Between the two woods, one in the west, one in the east, lies a lake": two woods, ...; between
+// them lies a lake.
+void TurnFrontedPairs(std::vector<Token>* tokens) {
+  constexpr std::size_t kReach = 16;
+  for (std::size_t at = 0; at + 8 < tokens->size(); ++at) {
+    const bool fronted = (at == 0 || IsStopAt(*tokens, at - 1)) &&
+                         WordAt(*tokens, at) == "between" &&
+                         IsOneOf(WordAt(*tokens, at + 1), {"the", "two", "these"});
+    if (!fronted) continue;
+    const std::size_t two = at + (WordAt(*tokens, at + 1) == "two" ? 1 : 2);
+    const ClassWordMatch noun = MatchClassWord(*tokens, two + 1);
+    std::size_t next = two + 1 + noun.tokens;
+    if (WordAt(*tokens, two) != "two" || noun.word == nullptr || IsStopAt(*tokens, next) ||
+        !IsPauseAt(*tokens, next) || WordAt(*tokens, next + 1) != "one") {
+      continue;
+    }
+    std::size_t verb = next + 2;
+    bool other = false;
+    for (; verb < next + kReach && !IsStopAt(*tokens, verb); ++verb) {
+      other = other || IsOneOf(WordAt(*tokens, verb), {"one", "other"});
+      if (other && IsPauseAt(*tokens, verb - 1) &&
+          IsOneOf(WordAt(*tokens, verb), {"lies", "is", "are", "runs", "there", "stands", "lie"})) {
+        break;
+      }
+    }
+    if (verb >= next + kReach || IsStopAt(*tokens, verb)) continue;
+    const Token beside = (*tokens)[at];
+    (*tokens)[verb - 1] = {TokenKind::kStop, ".", (*tokens)[verb].begin, (*tokens)[verb].begin};
+    InsertTokens(tokens, verb, {WordLike("between", beside), WordLike("them", beside)});
+    EraseTokens(tokens, at, two - at);
   }
 }
 
@@ -215,55 +253,6 @@ void TurnSmallWords(std::vector<Token>* tokens) {
   }
 }
 
-// "three of the four quarters are woods; in the fourth, top right, lies a town": the other three by
-// their names.
-void TurnThreeOfFour(std::vector<Token>* tokens) {
-  constexpr std::size_t kReach = 30;
-  for (std::size_t at = 0; at + 6 < tokens->size(); ++at) {
-    if (WordAt(*tokens, at) != "three" || WordAt(*tokens, at + 1) != "of" ||
-        WordAt(*tokens, at + 2) != "the" || WordAt(*tokens, at + 3) != "four" ||
-        !IsOneOf(WordAt(*tokens, at + 4), {"quarters", "quadrants", "corners"})) {
-      continue;
-    }
-    const std::string noun =
-        WordAt(*tokens, at + 4) == "corners" ? std::string("corner") : std::string("quadrant");
-    for (std::size_t last = at + 5; last < at + kReach && last < tokens->size(); ++last) {
-      if (WordAt(*tokens, last) != "the" ||
-          !IsOneOf(WordAt(*tokens, last + 1), {"fourth", "last", "other", "remaining"})) {
-        continue;
-      }
-      std::size_t place = last + 2;
-      if (WordAt(*tokens, place) == "one") ++place;
-      if (place < tokens->size() && (*tokens)[place].kind == TokenKind::kComma) ++place;
-      if (IsOneOf(WordAt(*tokens, place), {"in", "at"})) ++place;
-      if (WordAt(*tokens, place) == "the") ++place;
-      PlaceCursor cursor(*tokens, place);
-      const Direction taken = TakeDirection(&cursor);
-      if (!taken.found || !taken.heading.IsDiagonal()) break;
-      std::size_t end = cursor.at();
-      if (IsOneOf(WordAt(*tokens, end), {"one", "quarter", "quadrant", "corner"})) ++end;
-      const bool comma = end < tokens->size() && (*tokens)[end].kind == TokenKind::kComma &&
-                         (*tokens)[end].text == ",";
-      InsertTokens(tokens, end, {WordLike(noun, (*tokens)[end - 1])});
-      if (comma) EraseTokens(tokens, end + 1, 1);
-      EraseTokens(tokens, last + 1, place - last - 1);
-      std::vector<std::string_view> words;
-      for (const int south : {-1, 1}) {
-        for (const int east : {-1, 1}) {
-          if (south == taken.heading.south && east == taken.heading.east) continue;
-          if (!words.empty()) words.push_back("and");
-          words.push_back("the");
-          words.push_back(south < 0 ? "upper" : "lower");
-          words.push_back(east < 0 ? "left" : "right");
-          words.push_back(noun);
-        }
-      }
-      ReplaceTokens(tokens, at, 5, words);
-      break;
-    }
-  }
-}
-
 // A class whose last word stands right before `at`.
 bool HasClassBefore(const std::vector<Token>& tokens, std::size_t at) {
   for (std::size_t first = at; first-- > 0 && at - first <= 3;) {
@@ -275,7 +264,7 @@ bool HasClassBefore(const std::vector<Token>& tokens, std::size_t at) {
 }  // namespace
 
 void TurnGaps(std::vector<Token>* tokens) {
-  TurnThreeOfFour(tokens);
+  TurnFrontedPairs(tokens);
   TurnNeither(tokens);
   TurnNothingBut(tokens);
   TurnSmallWords(tokens);
@@ -289,14 +278,6 @@ void TurnShares(std::vector<Token>* tokens) {
   bool percent = false;
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     const std::string word(WordAt(*tokens, at));
-    // "five ponds, three of them in the north": five ponds in all.
-    const bool number =
-        (*tokens)[at].kind == TokenKind::kNumber ||
-        IsOneOf(word, {"two", "three", "four", "five", "six", "seven", "eight", "ten"});
-    if (number && at > 1 && (*tokens)[at - 1].text == "," && WordAt(*tokens, at + 1) == "of" &&
-        IsOneOf(WordAt(*tokens, at + 2), {"them", "these", "those", "which"})) {
-      ReplaceTokens(tokens, at, 1, {"some"});
-    }
     // "not much water": little of it.
     if (word == "not" && WordAt(*tokens, at + 1) == "much" &&
         MatchClassWord(*tokens, at + 2).word != nullptr) {

@@ -11,12 +11,93 @@
 #include "latticeworld/language/places.h"
 
 namespace latticeworld {
+namespace {
+
+// "the water is all on the left": is on the left. "a forest with a lake inside and two huts":
+// inside it. "Wherever it is not road, it is forest": it is forest. "No houses, except one": one
+// house.
+bool TurnAdverb(std::vector<Token>* tokens, std::size_t at) {
+  const std::string word(WordAt(*tokens, at));
+  if (word == "all" && at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"is", "are", "lies"}) &&
+      IsOneOf(WordAt(*tokens, at + 1), {"on", "in", "at", "to"})) {
+    PlaceCursor cursor(*tokens, at + (WordAt(*tokens, at + 2) == "the" ? 3 : 2));
+    if (!TakeDirection(&cursor).found) return false;
+    EraseTokens(tokens, at, 1);
+    return true;
+  }
+  if (word == "inside" && at > 0 && at + 1 < tokens->size()) {
+    bool after_thing = false;
+    for (std::size_t i = at; i-- > 0 && i + 3 >= at;) {
+      const std::size_t length = MatchClassWord(*tokens, i).tokens;
+      after_thing = after_thing || (length > 0 && i + length == at);
+    }
+    const bool ends = IsPauseAt(*tokens, at + 1) || WordAt(*tokens, at + 1) == "and";
+    if (!after_thing || !ends) return false;
+    InsertTokens(tokens, at + 1, {WordLike("it", (*tokens)[at])});
+    return true;
+  }
+  if (word == "wherever" && IsOneOf(WordAt(*tokens, at + 1), {"it", "there"}) &&
+      WordAt(*tokens, at + 2) == "is" && IsOneOf(WordAt(*tokens, at + 3), {"no", "not"})) {
+    const std::size_t end = PauseAfter(*tokens, at);
+    if (IsStopAt(*tokens, end)) return false;
+    EraseTokens(tokens, at, end + 1 - at);
+    return true;
+  }
+  if (word == "no") {
+    const ClassWordMatch noun = MatchClassWord(*tokens, at + 1);
+    std::size_t next = at + 1 + noun.tokens;
+    if (noun.word == nullptr) return false;
+    if (next < tokens->size() && (*tokens)[next].kind == TokenKind::kComma) ++next;
+    if (!IsOneOf(WordAt(*tokens, next), {"except", "but", "save"})) return false;
+    ++next;
+    if (WordAt(*tokens, next) == "for") ++next;
+    std::size_t end = next + 1;
+    if (WordAt(*tokens, next) == "just") ++next;
+    if (WordAt(*tokens, next) != "one" || MatchClassWord(*tokens, next + 1).word != nullptr) {
+      return false;
+    }
+    end = next + 1;
+    if (end < tokens->size() && (*tokens)[end].kind == TokenKind::kComma) ++end;
+    EraseTokens(tokens, at + 1 + noun.tokens, end - (at + 1 + noun.tokens));
+    Token& last = (*tokens)[at + noun.tokens];
+    last.text = Singular(last.text);
+    (*tokens)[at].text = "one";
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 // "form top too bottom": from top to bottom. "forest all": everywhere. "A road? There isn't one.":
 // no. "Second road ...": a second one.
+// "Leave the northern half to the woods": it is woods. "Quarter it: ...": into four.
 void TurnSlips(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     const std::string word(WordAt(*tokens, at));
+    if (TurnAdverb(tokens, at)) continue;
+    const bool opens = at == 0 || IsPauseAt(*tokens, at - 1) || WordAt(*tokens, at - 1) == "and";
+    if (opens && IsOneOf(word, {"leave", "give", "reserve"}) && WordAt(*tokens, at + 1) == "the") {
+      PlaceCursor cursor(*tokens, at + 2);
+      std::size_t to = TakeDirection(&cursor).found ? cursor.at() : at;
+      if (IsOneOf(WordAt(*tokens, to), {"half", "third", "quarter", "corner", "part", "edge"})) {
+        ++to;
+      }
+      if (to > at && IsOneOf(WordAt(*tokens, to), {"to", "for"})) {
+        ReplaceTokens(tokens, to, 1, {"is"});
+        EraseTokens(tokens, at, 1);
+        continue;
+      }
+    }
+    if (opens && IsOneOf(word, {"quarter", "halve"}) &&
+        (WordAt(*tokens, at + 1) == "it" ||
+         (WordAt(*tokens, at + 1) == "the" && IsMapWord(WordAt(*tokens, at + 2))))) {
+      EraseTokens(tokens, at, WordAt(*tokens, at + 1) == "it" ? 2 : 3);
+      if (at < tokens->size() && (*tokens)[at].kind == TokenKind::kComma) {
+        EraseTokens(tokens, at, 1);
+      }
+      continue;
+    }
     if (word == "form" || word == "too") {
       PlaceCursor cursor(*tokens, at + (WordAt(*tokens, at + 1) == "the" ? 2 : 1));
       if (TakeDirection(&cursor).found) (*tokens)[at].text = word == "form" ? "from" : "to";

@@ -213,6 +213,28 @@ void TurnDistances(std::vector<Token>* tokens) {
     if (IsOneOf(word, {"bends", "curves", "loops", "swings", "bending", "curving", "swinging",
                        "curls", "looping", "bend", "turns"}) &&
         IsOneOf(WordAt(*tokens, at + 1), {"round", "around"}) && !IsPauseAt(*tokens, at + 2)) {
+      // "swings around the town to the east"
+      const std::size_t thing = at + (WordAt(*tokens, at + 2) == "the" ? 3 : 2);
+      const std::size_t to = thing + MatchClassWord(*tokens, thing).tokens;
+      if (to > thing && IsOneOf(WordAt(*tokens, to), {"to", "on", "in"})) {
+        PlaceCursor cursor(*tokens, to + (WordAt(*tokens, to + 1) == "the" ? 2 : 1));
+        const bool side = TakeDirection(&cursor).found;
+        std::size_t end = cursor.at();
+        if (side && WordAt(*tokens, end) == "side") ++end;
+        if (side && IsPauseAt(*tokens, end)) {
+          std::vector<Token> where = {WordLike("with", (*tokens)[at]), WordLike("a", (*tokens)[at]),
+                                      WordLike("bend", (*tokens)[at]),
+                                      WordLike("to", (*tokens)[at]),
+                                      WordLike("the", (*tokens)[at])};
+          const std::size_t first = to + (WordAt(*tokens, to + 1) == "the" ? 2 : 1);
+          for (std::size_t i = first; i < cursor.at(); ++i) where.push_back((*tokens)[i]);
+          where.push_back(WordLike("of", where.back()));
+          for (std::size_t i = at + 2; i < to; ++i) where.push_back((*tokens)[i]);
+          EraseTokens(tokens, at, end - at);
+          InsertTokens(tokens, at, where);
+          continue;
+        }
+      }
       ReplaceTokens(tokens, at, 2, {"with", "a", "bend", "next", "to"});
     }
   }

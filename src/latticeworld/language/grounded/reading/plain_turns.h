@@ -9,10 +9,50 @@
 // Examples stand with their definitions.
 namespace latticeworld {
 
+// plain_stripes.cc: "Four stripes from the left. The first is forest, the second grass, ...",
+// "three equal columns: snow, rock, grass": the band of each.
+void TurnStripes(std::vector<Token>* tokens);
+
+// plain_slants.cc: "everything below a line from the lower left to the upper right corner", "cut
+// along the diagonal: the north-east is snow": the part of the map on that side.
+void TurnSlants(std::vector<Token>* tokens);
+
+// plain_portions.cc: "three hamlets, two of them in the north, the third in the south": how many of
+// them each time.
+void TurnPortions(std::vector<Token>* tokens);
+
+// plain_corners.cc: "three of the four corners are woods, the fourth, in the south-east, is water":
+// all of them by their names.
+void TurnCorners(std::vector<Token>* tokens);
+
 // plain_sides.cc: sides and bounds of things.
 void TurnPossessives(std::vector<Token>* tokens);
 void TurnBounds(std::vector<Token>* tokens);
 void TurnBeyond(std::vector<Token>* tokens);
+
+// plain_banks.cc: "splits the land into a western part, all forest, and an eastern part, all
+// fields", "you look north over fields": to the west of it, to the north of it.
+void TurnBanks(std::vector<Token>* tokens);
+
+// plain_shores.cc: "a lake whose northern shore is wooded", "forest on its south side, heath on the
+// north": its northern shore is, on its north side.
+void TurnShores(std::vector<Token>* tokens);
+
+// plain_flanks.cc: "on the town's other side, to the west, a lake", "what lies north of it is
+// forest", "in one corner, the top right": to the west of the town, north of it there is forest, in
+// the top right corner.
+void TurnFlanks(std::vector<Token>* tokens);
+
+// plain_corrections.cc: "a pond in the north, sorry, in the south": in the south.
+void TurnCorrections(std::vector<Token>* tokens);
+
+// plain_rows.cc: "a wood, a lake and a village in a row from west to east": from west to east, a
+// wood, ...
+void TurnRows(std::vector<Token>* tokens);
+
+// plain_joins.cc: "a mill where the river and the road cross", "roads in the shape of an X": next
+// to both, from corner to corner.
+void TurnJoins(std::vector<Token>* tokens);
 
 // plain_amounts.cc: comparisons, negations, exceptions.
 void TurnComparisons(std::vector<Token>* tokens);

@@ -8,8 +8,17 @@ namespace latticeworld {
 
 // Each step reads what the steps before it have left.
 std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
+  TurnCorrections(&tokens);
+  TurnRows(&tokens);
+  TurnStripes(&tokens);
+  TurnSlants(&tokens);
+  TurnPortions(&tokens);
   TurnSlips(&tokens);
   TurnPossessives(&tokens);
+  TurnFlanks(&tokens);
+  TurnBanks(&tokens);
+  TurnShores(&tokens);
+  TurnJoins(&tokens);
   TurnLeadingExceptions(&tokens);
   TurnSeparations(&tokens);
   TurnParts(&tokens);
@@ -19,6 +28,7 @@ std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnOrders(&tokens);
   TurnOpposites(&tokens);
   TurnRefusals(&tokens);
+  TurnCorners(&tokens);
   TurnGaps(&tokens);
   TurnShares(&tokens);
   TurnComparisons(&tokens);

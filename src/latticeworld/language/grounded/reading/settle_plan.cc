@@ -97,7 +97,9 @@ char Background(const LayoutPlan& plan) {
   // What is bounded above cannot be what is left over.
   const bool bounded =
       std::any_of(plan.features.begin(), plan.features.end(), [&](const PlannedFeature& feature) {
-        return feature.letter == usual && feature.share_most.value_or(1.0) < 0.7;
+        // "two parks" do not show on grass.
+        const bool counted = feature.form == FeatureForm::kPatch && feature.pieces_least > 0;
+        return feature.letter == usual && (counted || feature.share_most.value_or(1.0) < 0.7);
       });
   if (!bounded) return usual;
   // "rocky desert with a few bushes": what was asked for without bounds is.
@@ -107,6 +109,12 @@ char Background(const LayoutPlan& plan) {
                       feature.share_most.value_or(1.0) > 0.99 &&
                       feature.texture == Texture::kUnsaid && !feature.shape;
     if (open) return feature.letter;
+  }
+  // "lots of houses and one park": a town with a park.
+  for (const PlannedFeature& feature : plan.features) {
+    const bool many = feature.form == FeatureForm::kPatch && feature.pieces_least >= 4 &&
+                      feature.pieces_most == 0 && feature.zones.empty() && feature.letter == 'B';
+    if (many && plan.vocabulary == Vocabulary::kSuburb) return feature.letter;
   }
   const std::string_view order = plan.vocabulary == Vocabulary::kSuburb ? "GADF" : "BFRS";
   for (const char letter : order) {

@@ -1,0 +1,34 @@
+#include "latticeworld/language/grounded/reading/side_words.h"
+
+#include "latticeworld/language/grounded/reading/token_edits.h"
+#include "latticeworld/language/place_words.h"
+
+namespace latticeworld {
+
+bool IsFlank(std::string_view word) {
+  return IsOneOf(word, {"side", "bank", "shore", "flank", "hand", "part", "half", "section"});
+}
+
+bool IsMark(const std::vector<Token>& tokens, std::size_t at) {
+  return at < tokens.size() && tokens[at].kind == TokenKind::kComma;
+}
+
+std::string_view NameOf(Heading heading) {
+  if (heading.south != 0 && heading.east != 0) {
+    if (heading.south < 0) return heading.east < 0 ? "northwest" : "northeast";
+    return heading.east < 0 ? "southwest" : "southeast";
+  }
+  if (heading.south != 0) return heading.south < 0 ? "north" : "south";
+  return heading.east < 0 ? "west" : "east";
+}
+
+std::size_t TakeHeading(const std::vector<Token>& tokens, std::size_t at, Heading* heading) {
+  if (IsOneOf(WordAt(tokens, at), {"the", "a", "an", "its"})) ++at;
+  PlaceCursor cursor(tokens, at);
+  const Direction direction = TakeDirection(&cursor);
+  if (!direction.found || (direction.heading.east == 0 && direction.heading.south == 0)) return 0;
+  *heading = direction.heading;
+  return cursor.at();
+}
+
+}  // namespace latticeworld
