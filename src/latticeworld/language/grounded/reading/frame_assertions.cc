@@ -220,6 +220,8 @@ class Asserter {
 
   bool AreSpots(const std::vector<int>& indices) const {
     return d_.plan().vocabulary == Vocabulary::kSuburb &&
+           std::any_of(indices.begin(), indices.end(),
+                       [&](int index) { return d_.feature(index).letter == 'B'; }) &&
            std::all_of(indices.begin(), indices.end(), [&](int index) {
              const PlannedFeature& feature = d_.feature(index);
              return !IsLine(feature) &&

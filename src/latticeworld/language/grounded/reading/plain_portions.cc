@@ -142,11 +142,35 @@ void TurnClusters(std::vector<Token>* tokens) {
   }
 }
 
+// "Ten houses in the west, five more in the east": five houses.
+void TurnMore(std::vector<Token>* tokens) {
+  std::vector<std::string> noun;
+  for (std::size_t at = 0; at + 2 < tokens->size(); ++at) {
+    const ClassWordMatch match = MatchClassWord(*tokens, at);
+    if (match.word != nullptr) {
+      noun.clear();
+      if (match.plural) {
+        for (std::size_t i = 0; i < match.tokens; ++i) noun.push_back((*tokens)[at + i].text);
+      }
+      at += match.tokens - 1;
+      continue;
+    }
+    const NumberMatch number = MatchNumber(*tokens, at);
+    const std::size_t more = at + number.tokens;
+    if (number.tokens == 0 || noun.empty() || number.value < 2 || WordAt(*tokens, more) != "more" ||
+        !SaysOfIt(*tokens, more + 1)) {
+      continue;
+    }
+    ReplaceTokens(tokens, more, 1, std::vector<std::string_view>(noun.begin(), noun.end()));
+  }
+}
+
 }  // namespace
 
 void TurnPortions(std::vector<Token>* tokens) {
   constexpr int kSentences = 3;
   TurnClusters(tokens);
+  TurnMore(tokens);
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     std::size_t end = at;
     const int total = TakeTotal(*tokens, at, &end);

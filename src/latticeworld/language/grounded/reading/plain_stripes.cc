@@ -247,6 +247,10 @@ void TurnStripes(std::vector<Token>* tokens) {
   const bool named =
       std::any_of(items.begin(), items.end(), [](const StripeItem& item) { return item.noun; });
   if (!stripes.said && !named && stripes.way_end == 0) return;
+  // "The upper part is snow, the lower part water": sides, which need no numbers.
+  const bool sides =
+      std::all_of(items.begin(), items.end(), [](const StripeItem& item) { return item.nth == 0; });
+  if (!stripes.said && sides && items.size() < 3) return;
   if (stripes.said && stripes.noun > items.front().begin) return;
   if (!Resolve(&items, &stripes)) return;
   // The way may be told behind the last of them.
