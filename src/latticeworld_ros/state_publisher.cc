@@ -42,8 +42,8 @@ StatePublisher::StatePublisher(ros::NodeHandle node, const WorldServerOptions& o
       tf_(node.advertise<tf2_msgs::TFMessage>("/tf", 100)),
       agents_(node.advertise<latticeworld_msgs::AgentStates>("agents", 100)),
       events_(node.advertise<latticeworld_msgs::AgentEvent>("agent_events", 1000)),
-      weather_(node.advertise<latticeworld_msgs::Weather>("world/weather", 1, /*latch=*/true)),
       markers_(node.advertise<visualization_msgs::MarkerArray>("agents/markers", 10)),
+      weather_(node.advertise<latticeworld_msgs::Weather>("world/weather", 1, /*latch=*/true)),
       diagnostics_(node.advertise<diagnostic_msgs::DiagnosticArray>("diagnostics", 10)),
       scene_(node, maps),
       journal_(node, options.state_hash_rate_hz, options.simulator.step_s) {}
@@ -101,13 +101,17 @@ void StatePublisher::OnStatistics(const LoopStatistics& statistics) {
 }
 
 void StatePublisher::PublishClock(ros::Time now) {
-  rosgraph_msgs::Clock message;
-  message.clock = now;
-  clock_.publish(message);
+  clock_.Publish([now] {
+    rosgraph_msgs::Clock message;
+    message.clock = now;
+    return message;
+  });
 }
 
 void StatePublisher::PublishEvents(const Tick& tick, const std::vector<Event>& events) {
-  for (const Event& event : events) events_.publish(ToRos(event, tick.now, tick.world_id()));
+  for (const Event& event : events) {
+    events_.Publish([&] { return ToRos(event, tick.now, tick.world_id()); });
+  }
 }
 
 void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
@@ -139,8 +143,8 @@ void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
     transforms.transforms.push_back(ToRos(ToIsometry(element.position_m, element.orientation),
                                           tick.now, kMapFrame, element.name));
   }
-  tf_.publish(transforms);
-  agents_.publish(ToRos(state, tick.now, tick.world_id()));
+  tf_.Publish([&]() -> const tf2_msgs::TFMessage& { return transforms; });
+  agents_.Publish([&] { return ToRos(state, tick.now, tick.world_id()); });
   scene_.Publish(tick, state);
 }
 
@@ -176,9 +180,9 @@ void StatePublisher::PublishWeather(const Tick& tick, const WorldState& state) {
 }
 
 void StatePublisher::PublishMarkers(const Tick& tick, const WorldState& state) {
-  if (markers_.getNumSubscribers() == 0) return;
-  markers_.publish(
-      ToMarkers(state, tick.simulator->scene(), *tick.simulator->options().species, tick.now));
+  markers_.Publish([&] {
+    return ToMarkers(state, tick.simulator->scene(), *tick.simulator->options().species, tick.now);
+  });
 }
 
 }  // namespace latticeworld

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "latticeworld/language/chat/openai_client.h"
+#include "latticeworld_ros/heard_publisher.h"
 #include "latticeworld_ros/journal_publisher.h"
 #include "latticeworld_ros/robot_topics.h"
 #include "latticeworld_ros/scene_publisher.h"
@@ -59,7 +60,8 @@ class StatePublisher : public SimulationListener {
   const std::uint64_t ticks_per_state_;
   const std::uint64_t ticks_per_markers_;
   const std::uint64_t ticks_per_weather_;
-  ros::Publisher clock_, tf_, agents_, events_, weather_, markers_, diagnostics_;
+  HeardPublisher clock_, tf_, agents_, events_, markers_;
+  ros::Publisher weather_, diagnostics_;
   ScenePublisher scene_;
   JournalPublisher journal_;
   bool weather_moves_ = true;  // as published last; true: nothing was
