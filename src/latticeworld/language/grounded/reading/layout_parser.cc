@@ -18,6 +18,7 @@
 #include "latticeworld/language/grounded/reading/plain_words.h"
 #include "latticeworld/language/grounded/reading/sense.h"
 #include "latticeworld/language/grounded/reading/settle_plan.h"
+#include "latticeworld/language/place_words.h"
 #include "latticeworld/language/spelling.h"
 #include "latticeworld/language/tokens.h"
 
@@ -105,7 +106,11 @@ std::optional<std::string_view> SideWord(const std::vector<Token>& tokens, std::
   const bool before_part =
       at + 1 < tokens.size() && (tokens[at + 1].text == "part" || tokens[at + 1].text == "half" ||
                                  tokens[at + 1].text == "corner" || tokens[at + 1].text == "zone");
-  if (!before_part) return std::nullopt;
+  // "takes up half of the map" says no place.
+  const bool verb =
+      at > 0 && IsOneOf(tokens[at - 1].text, {"take", "takes", "taking", "taken", "make", "makes",
+                                              "making", "fill", "fills", "filling", "use", "uses"});
+  if (!before_part || verb) return std::nullopt;
   if (tokens[at].text == "down") return "lower";
   if (tokens[at].text == "up") return "upper";
   return std::nullopt;

@@ -54,6 +54,17 @@ void TurnRows(std::vector<Token>* tokens);
 // to both, from corner to corner.
 void TurnJoins(std::vector<Token>* tokens);
 
+// plain_sizes.cc: "a lake about half that size": covering 20 percent of the map.
+void TurnSizes(std::vector<Token>* tokens);
+
+// plain_outward.cc: "between the river to its west and the wood to its east", "outside of that
+// fields", "inland from it grass, then forest", "on its far shore".
+void TurnOutward(std::vector<Token>* tokens);
+
+// plain_linked.cc: "..., connected by roads", "a hamlet halfway along", "it gets sandier towards
+// the north".
+void TurnLinked(std::vector<Token>* tokens);
+
 // plain_amounts.cc: comparisons, negations, exceptions.
 void TurnComparisons(std::vector<Token>* tokens);
 void TurnComparatives(std::vector<Token>* tokens);

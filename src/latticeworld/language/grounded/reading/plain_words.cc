@@ -13,6 +13,9 @@ std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnStripes(&tokens);
   TurnSlants(&tokens);
   TurnPortions(&tokens);
+  TurnSizes(&tokens);
+  TurnOutward(&tokens);
+  TurnLinked(&tokens);
   TurnSlips(&tokens);
   TurnPossessives(&tokens);
   TurnFlanks(&tokens);
