@@ -99,6 +99,32 @@ std::vector<Sample> Linked() {
   };
 }
 
+std::vector<Sample> Lists() {
+  return {
+      {"From west to east a forest, a meadow and a town.",
+       kSuburb,
+       {"order FGB>E"},
+       {"course F western edge>eastern edge"}},
+      {"From the top to the bottom woods, then fields, and finally a lake.",
+       kSuburb,
+       {"order FAW>S"}},
+      {"From north to south a road, from west to east a river.",
+       kSuburb,
+       {"course R northern edge>southern edge", "course W western edge>eastern edge"}},
+      {"A lake in the west, east of it a village, east of that fields.",
+       kSuburb,
+       {"direction B W E", "direction A B E"},
+       {"direction B A E"}},
+      {"Two farms, one to the left and one to the right of the road.",
+       kSuburb,
+       {"direction A R W", "direction A R E"},
+       {"present A@western third"}},
+      {"The left half is divided into woods in the north and a lake in the south.",
+       kSuburb,
+       {"present F@north-western quarter", "present W@south-western quarter"}},
+  };
+}
+
 class PlainOutward : public testing::TestWithParam<Sample> {};
 
 TEST_P(PlainOutward, ReadsTheClaims) { ExpectRead(GetParam()); }
@@ -107,6 +133,7 @@ TEST_P(PlainOutward, ReadsTheSameInCapitals) { ExpectReadInCapitals(GetParam());
 INSTANTIATE_TEST_SUITE_P(Sizes, PlainOutward, testing::ValuesIn(Sizes()));
 INSTANTIATE_TEST_SUITE_P(Outward, PlainOutward, testing::ValuesIn(Outward()));
 INSTANTIATE_TEST_SUITE_P(Linked, PlainOutward, testing::ValuesIn(Linked()));
+INSTANTIATE_TEST_SUITE_P(Lists, PlainOutward, testing::ValuesIn(Lists()));
 
 }  // namespace
 }  // namespace latticeworld

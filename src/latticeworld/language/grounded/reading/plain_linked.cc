@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstddef>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -107,6 +106,7 @@ bool CrossesMap(const std::vector<Token>& tokens, std::size_t line, std::size_t 
 
 // "A road from left to right and a hamlet halfway along": next to the road in the center.
 void TurnHalfway(std::vector<Token>* tokens) {
+  constexpr std::size_t kReach = 120;
   for (std::size_t at = 2; at + 1 < tokens->size(); ++at) {
     if (!IsOneOf(WordAt(*tokens, at), {"halfway", "midway"}) ||
         !IsOneOf(WordAt(*tokens, at + 1), {"along", "down", "up"})) {
@@ -129,7 +129,7 @@ void TurnHalfway(std::vector<Token>* tokens) {
     }
     std::size_t said = 0;
     bool found = false;
-    for (std::size_t i = 0; i < at; ++i) {
+    for (std::size_t i = at > kReach ? at - kReach : 0; i < at; ++i) {
       const ClassWordMatch match = MatchClassWord(*tokens, i);
       if (match.word == nullptr) continue;
       const std::vector<Token> noun = Copied(*tokens, i, match.tokens);

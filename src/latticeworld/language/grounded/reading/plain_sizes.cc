@@ -121,8 +121,9 @@ const ClassWord* NounOfClause(const std::vector<Token>& tokens, std::size_t at) 
 // The share of the map that was said last before `end`, of `noun` where there is one.
 std::optional<double> ShareBefore(const std::vector<Token>& tokens, std::size_t end,
                                   const ClassWord* noun) {
+  constexpr std::size_t kReach = 120;
   std::optional<double> value;
-  for (std::size_t at = 0; at < end; ++at) {
+  for (std::size_t at = end > kReach ? end - kReach : 0; at < end; ++at) {
     const ShareMatch share = MatchShare(tokens, at);
     if (share.tokens == 0 || at + share.tokens > end) continue;
     const std::size_t after = at + share.tokens;

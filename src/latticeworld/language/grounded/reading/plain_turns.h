@@ -61,6 +61,10 @@ void TurnSizes(std::vector<Token>* tokens);
 // fields", "inland from it grass, then forest", "on its far shore".
 void TurnOutward(std::vector<Token>* tokens);
 
+// plain_lists.cc: "From south to north a beach, grass and forest", "one north and one south of the
+// river", "the southern half is split between fields on the left and houses on the right".
+void TurnLists(std::vector<Token>* tokens);
+
 // plain_linked.cc: "..., connected by roads", "a hamlet halfway along", "it gets sandier towards
 // the north".
 void TurnLinked(std::vector<Token>* tokens);

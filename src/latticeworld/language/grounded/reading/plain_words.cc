@@ -13,6 +13,7 @@ std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnStripes(&tokens);
   TurnSlants(&tokens);
   TurnPortions(&tokens);
+  TurnLists(&tokens);
   TurnSizes(&tokens);
   TurnOutward(&tokens);
   TurnLinked(&tokens);
