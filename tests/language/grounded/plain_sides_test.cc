@@ -18,6 +18,16 @@ std::vector<Sample> Banks() {
        "eastern part, all fields.",
        kSuburb,
        {"course W northern edge>southern edge", "direction F W W", "direction A W E"}},
+      {"The river splits the map into two halves; the left one is farmland and the right one is "
+       "forest.",
+       kSuburb,
+       {"direction A W W", "direction F W E"},
+       {"count W"}},
+      {"A road divides the land in two, with the northern half all woods and the southern half all "
+       "fields.",
+       kSuburb,
+       {"direction F R N", "direction A R S"},
+       {"count R"}},
       {"A river from west to east. The town lies on the southern bank only.",
        kSuburb,
        {"direction B W S"},

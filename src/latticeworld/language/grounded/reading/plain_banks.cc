@@ -24,8 +24,28 @@ std::size_t SkipToClass(const std::vector<Token>& tokens, std::size_t at) {
   return at;
 }
 
-// "splits the land into a western part, all forest, and an eastern part, all fields": to the west
-// of it forest, to the east of it fields.
+// "half", "side", "one" of "the left one".
+std::size_t SkipPart(const std::vector<Token>& tokens, std::size_t at) {
+  while (IsFlank(WordAt(tokens, at)) ||
+         IsOneOf(WordAt(tokens, at), {"one", "half", "part", "piece"})) {
+    ++at;
+  }
+  return at;
+}
+
+// "into two halves;", "in half, with": what comes after it; at, where nothing of this stands.
+std::size_t SkipTwoHalves(const std::vector<Token>& tokens, std::size_t at) {
+  if (!IsOneOf(WordAt(tokens, at), {"two", "half"})) return at;
+  ++at;
+  if (IsOneOf(WordAt(tokens, at), {"halves", "parts", "pieces", "sides"})) ++at;
+  if (at < tokens.size() && IsPauseAt(tokens, at)) ++at;
+  if (IsOneOf(WordAt(tokens, at), {"with", "and"})) ++at;
+  return at;
+}
+
+// "splits the land into a western part, all forest, and an eastern part, all fields", "splits the
+// map into two halves; the left one is forest and the right one fields": to the west of it forest,
+// to the east of it fields.
 void TurnHalves(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 6 < tokens->size(); ++at) {
     if (!IsOneOf(WordAt(*tokens, at), {"splits", "divides", "cuts", "parts", "splitting",
@@ -41,10 +61,9 @@ void TurnHalves(std::vector<Token>* tokens) {
     ++into;
     if (!IsOneOf(WordAt(*tokens, into), {"into", "in"})) continue;
     Heading first;
-    std::size_t part = TakeHeading(*tokens, into + 1, &first);
+    std::size_t part = TakeHeading(*tokens, SkipTwoHalves(*tokens, into + 1), &first);
     if (part == 0) continue;
-    if (IsFlank(WordAt(*tokens, part))) ++part;
-    const std::size_t first_class = SkipToClass(*tokens, part);
+    const std::size_t first_class = SkipToClass(*tokens, SkipPart(*tokens, part));
     const ClassWordMatch one = MatchClassWord(*tokens, first_class);
     if (one.word == nullptr) continue;
     std::size_t second_part = first_class + one.tokens;
@@ -54,8 +73,7 @@ void TurnHalves(std::vector<Token>* tokens) {
     Heading second;
     part = TakeHeading(*tokens, second_part + 1, &second);
     if (part == 0) continue;
-    if (IsFlank(WordAt(*tokens, part))) ++part;
-    const std::size_t second_class = SkipToClass(*tokens, part);
+    const std::size_t second_class = SkipToClass(*tokens, SkipPart(*tokens, part));
     const ClassWordMatch two = MatchClassWord(*tokens, second_class);
     if (two.word == nullptr) continue;
     const Token beside = (*tokens)[into];
