@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "latticeworld/common/text.h"
@@ -110,6 +111,11 @@ Result<WorldServerOptions> OptionsFromParameters(const XmlRpcValue& parameters) 
 }
 
 std::filesystem::path ExpandHome(const std::string& path) {
+  constexpr std::string_view kRos = "~/.ros";
+  const char* ros_home = std::getenv("ROS_HOME");
+  const bool in_ros = path == kRos || StartsWith(path, std::string(kRos) + "/");
+  if (ros_home != nullptr && *ros_home != '\0' && in_ros)
+    return ros_home + path.substr(kRos.size());
   const char* home = std::getenv("HOME");
   if (home == nullptr || path.empty() || path[0] != '~') return path;
   if (path.size() == 1) return home;

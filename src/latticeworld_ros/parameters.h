@@ -18,7 +18,8 @@ namespace latticeworld {
 // is wrong with those files.
 Result<WorldServerOptions> OptionsFromParameters(const XmlRpc::XmlRpcValue& parameters);
 
-// "~" and "~/..." below the home directory, where there is one.
+// "~" and "~/..." below the home directory, where there is one; "~/.ros" is $ROS_HOME where that is
+// set, as it is for ROS itself.
 std::filesystem::path ExpandHome(const std::string& path);
 
 }  // namespace latticeworld

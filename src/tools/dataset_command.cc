@@ -37,6 +37,7 @@ Result<DatasetOptions> ReadOptions(const CLI::App& command) {
   options.size_m = reader.Number("--size", options.size_m);
   const auto split = reader.NumberPair("--split");
   const std::string prompts = reader.Choice("--prompts", {"full", "short"}, "full");
+  const std::string layouts = reader.Choice("--layouts", {"source", "grounded"}, "source");
   reader.AllowOneOf({"--layout", "--environment"});
   LW_RETURN_IF_ERROR(reader.status());
   if (split) {
@@ -44,6 +45,7 @@ Result<DatasetOptions> ReadOptions(const CLI::App& command) {
     options.validation_share = split->second;
   }
   options.prompts = *FromName<PromptForm>(prompts);
+  options.layouts = *FromName<LayoutsBy>(layouts);
   options.images = !IsGiven(command, "--no-images");
   if (IsGiven(command, "--layout")) options.environment = false;
   if (IsGiven(command, "--environment")) options.layout = false;
@@ -157,6 +159,9 @@ void AddDatasetCommand(CLI::App* app, int* exit_status) {
   command->add_flag("--no-images", "No height maps and sketches, and nothing that needs them.");
   AddValueOption(command, "--prompts", "FORM",
                  "full: what a model is sent; short: without the system message [full].");
+  AddValueOption(command, "--layouts", "WHOSE",
+                 "source: the places that instructions were written for; grounded: what the "
+                 "embedded generator answers to them [source].");
   AddValueOption(command, "--split", "TRAIN,VALIDATION",
                  "Shares of the groups; the rest is for tests [0.9,0.05].");
   AddValueOption(command, "--size", "M",

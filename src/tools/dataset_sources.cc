@@ -3,10 +3,13 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "latticeworld/common/text.h"
 #include "latticeworld/dataset/generated_source.h"
 #include "latticeworld/dataset/loveda_source.h"
 #include "latticeworld/dataset/remote_annotator.h"
@@ -33,6 +36,26 @@ Status Unusable(std::vector<Violation> violations, const std::string& prefix = "
   for (Violation& violation : violations)
     violation.pointer = OptionOf(prefix, std::move(violation.pointer));
   return Status::FromViolations("unusable arguments", std::move(violations));
+}
+
+Result<WrittenOptions> ReadWritten(const CLI::App& command, double size_m) {
+  ArgumentReader reader(&command);
+  const auto facts = reader.NumberPair("--facts");
+  LW_RETURN_IF_ERROR(reader.status());
+  WrittenOptions written;
+  written.size_m = size_m;
+  if (facts) {
+    if (facts->first != std::trunc(facts->first) || facts->second != std::trunc(facts->second))
+      return InvalidArgument("--facts: '" + *ValueOf(command, "--facts") +
+                             "'; legal are two whole numbers parted by a comma");
+    written.least_facts = static_cast<int>(std::clamp(facts->first, -1.0, 1e6));
+    written.most_facts = static_cast<int>(std::clamp(facts->second, -1.0, 1e6));
+  }
+  std::vector<Violation> violations = Validate(written);
+  for (Violation& violation : violations)
+    if (EndsWith(violation.pointer, "_facts")) violation.pointer = "facts";
+  LW_RETURN_IF_ERROR(Unusable(std::move(violations)));
+  return written;
 }
 
 Result<std::unique_ptr<Annotator>> MakeRemote(const CLI::App& command, OpenAiOptions server,
@@ -68,6 +91,8 @@ void AddDatasetSourceOptions(CLI::App* command) {
   AddValueOption(command, "--annotator", "NAME",
                  "Who writes: written (embedded) or remote (a model behind --remote-url) "
                  "[written].");
+  AddValueOption(command, "--facts", "LEAST,MOST",
+                 "How much the written annotator says of a layout, 1 to 12 [3,8].");
   AddServerOptions(command);
   AddValueOption(command, "--remote-repair-turns", "N",
                  "Times that what is wrong with an answer goes back to the model, 0 to 8 [3].");
@@ -112,10 +137,10 @@ Result<std::unique_ptr<Annotator>> MakeDatasetAnnotator(const CLI::App& command,
   const bool has_url = command.count("--remote-url") > 0;
   if ((name == "remote") != has_url)
     return InvalidArgument("--annotator remote and --remote-url belong together: one is missing");
+  if (has_url && command.count("--facts") > 0)
+    return InvalidArgument("--facts is the written annotator's; a model writes as it likes");
   if (has_url) return MakeRemote(command, std::move(server), size_m);
-  WrittenOptions written;
-  written.size_m = size_m;
-  LW_RETURN_IF_ERROR(Unusable(Validate(written)));
+  LW_ASSIGN_OR_RETURN(const WrittenOptions written, ReadWritten(command, size_m));
   return MakeWrittenAnnotator(written);
 }
 

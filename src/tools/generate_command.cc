@@ -83,6 +83,24 @@ Result<GenerationRequest> ReadRequest(const CLI::App& command) {
   return request;
 }
 
+// The request's members are told by the options that set them.
+Status ByOptions(const Status& status) {
+  if (status.ok() || status.violations().empty()) return status;
+  static constexpr std::pair<std::string_view, std::string_view> kOptions[] = {
+      {"layout_instruction", "--layout"},
+      {"environment_instruction", "--environment"},
+      {"vocabulary", "--vocabulary"},
+      {"generator", "--generator"},
+      {"size", "--size"},
+      {"resolution", "--resolution"},
+      {"size / resolution", "--size / --resolution"}};
+  std::vector<Violation> violations = status.violations();
+  for (Violation& violation : violations)
+    for (const auto& [member, option] : kOptions)
+      if (violation.pointer == member) violation.pointer = option;
+  return Status::FromViolations("unusable arguments", std::move(violations));
+}
+
 // What worlds are furnished with: the built-in catalogue and what the user adds to it.
 Result<std::shared_ptr<const Catalogue>> CatalogueOf(const CLI::App& command) {
   const auto path = ValueOf(command, "--catalogue");
@@ -109,7 +127,7 @@ Status Generate(const CLI::App& command) {
   LW_ASSIGN_OR_RETURN(auto catalogue, CatalogueOf(command));
   WorldGenerator generator(std::move(backends.by_name), default_backend, *std::move(sketches),
                            std::move(catalogue));
-  LW_RETURN_IF_ERROR(generator.Validate(request));
+  LW_RETURN_IF_ERROR(ByOptions(generator.Validate(request)));
   LW_RETURN_IF_ERROR(CheckTarget(target));
 
   // Of the time of a default world; how long a language model reads is its own affair.

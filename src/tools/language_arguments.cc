@@ -22,7 +22,7 @@ void AddLanguageOptions(CLI::App* command) {
   AddValueOption(command, "--local-environment-model", "FILE",
                  "The same for environments, or grounded for the embedded back end "
                  "[that of --local-model].");
-  AddValueOption(command, "--local-temperature", "NUMBER", "0 to 2 [0.7].");
+  AddValueOption(command, "--local-temperature", "NUMBER", "0 to 2 [1].");
   command->add_flag("--local-fallback",
                     "Where its answer stays illegal, grounded answers, with a warning.");
   AddServerOptions(command);

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
 
@@ -18,6 +23,22 @@ TEST(StatusTest, ViolationsAreAllInTheMessage) {
             "resolution: must be a number");
   ASSERT_EQ(status.violations().size(), 2u);
   EXPECT_EQ(status.violations()[1].given, "nan");
+}
+
+TEST(StatusTest, TellsTheFirstViolationsAndKeepsAll) {
+  std::vector<Violation> violations;
+  for (int i = 0; i < Status::kViolationsTold + 7; ++i) {
+    violations.push_back({"bad", "row " + std::to_string(i), "is bad", "?"});
+  }
+  const Status status = Status::FromViolations("illegal layout", violations);
+  EXPECT_NE(status.message().find("(27 violations)"), std::string::npos);
+  EXPECT_NE(status.message().find("row 19: is bad; and 7 more"), std::string::npos);
+  EXPECT_EQ(status.message().find("row 20"), std::string::npos);
+  EXPECT_EQ(status.violations().size(), violations.size());
+
+  violations.resize(Status::kViolationsTold);
+  const Status whole = Status::FromViolations("illegal layout", violations);
+  EXPECT_EQ(whole.message().find("more"), std::string::npos);
 }
 
 TEST(StatusTest, NoViolationIsOk) { EXPECT_TRUE(Status::FromViolations("x", {}).ok()); }
@@ -39,6 +60,15 @@ Result<int> Half(int value) {
 Result<int> Quarter(int value) {
   LW_ASSIGN_OR_RETURN(const int half, Half(value));
   return Half(half);
+}
+
+TEST(ResultTest, ATemporaryHandsOutItsValueAndNoReference) {
+  using Temporary = Result<std::vector<int>>;
+  static_assert(std::is_same_v<decltype(std::declval<Temporary>().value()), std::vector<int>>);
+  static_assert(std::is_same_v<decltype(*std::declval<Temporary>()), std::vector<int>>);
+  int sum = 0;
+  for (const int value : *Temporary(std::vector<int>{1, 2, 3})) sum += value;
+  EXPECT_EQ(sum, 6);
 }
 
 TEST(ResultTest, FailurePassesThrough) {

@@ -131,6 +131,41 @@ TEST_F(DatasetWriterTest, ShortPromptsLeaveTheSystemMessageOut) {
   }
 }
 
+TEST_F(DatasetWriterTest, LayoutsOfTheEmbeddedGeneratorHaveWhatTheWordsSay) {
+  const FourEachSource source(6);
+  DatasetJob job = JobOf(source, "out");
+  job.options.layouts = LayoutsBy::kGrounded;
+  job.options.train_share = 1.0;
+  job.options.validation_share = 0.0;
+  const auto written = WriteDataset(job, Progress(), {});
+  ASSERT_TRUE(written.ok()) << written.status().ToString();
+  EXPECT_EQ(written->instances + written->failed, 24u);
+  EXPECT_GE(written->instances, 12u);
+  std::map<std::string, Instance> places;
+  for (std::size_t group = 0; group < 6; ++group)
+    for (Instance& instance : source.ReadGroup(group).value()) places[instance.id] = instance;
+  std::map<std::string, std::string> laid_out;
+  for (const Json& record : RecordsOf(folder_ / "out/layout/train.jsonl")) {
+    const Instance& place = places.at(record.at("id"));
+    const std::string text = record.at("messages")[2].at("content");
+    const auto layout = ParseLayout(text, place.layout.vocabulary);
+    ASSERT_TRUE(layout.ok()) << layout.status().ToString();
+    EXPECT_NE(layout->cells, place.layout.cells) << "nothing was laid out anew";
+    const auto claims =
+        DecodeClaims(record.at("claims").get<std::string>(), place.layout.vocabulary);
+    ASSERT_TRUE(claims.ok()) << claims.status().ToString();
+    EXPECT_FALSE(claims->empty());
+    for (const Claim& claim : *claims)
+      EXPECT_TRUE(Measure(claim, *layout).holds) << Measure(claim, *layout).explanation;
+    laid_out[record.at("id")] = text;
+  }
+  for (const Json& record : RecordsOf(folder_ / "out/environment/train.jsonl")) {
+    const std::string user = record.at("messages")[1].at("content");
+    EXPECT_NE(user.find(laid_out.at(record.at("id"))), std::string::npos)
+        << "the environment is for another layout";
+  }
+}
+
 TEST_F(DatasetWriterTest, ImagesAreTheReliefAsAUserCouldGiveIt) {
   const FourEachSource source(3);
   DatasetJob job = JobOf(source, "out");

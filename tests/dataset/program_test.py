@@ -89,6 +89,21 @@ class DatasetProgramTest(unittest.TestCase):
         subprocess.run(["sha256sum", "--quiet", "-c", "images.sha256"], cwd=self.folder / "set",
                        check=True)
 
+    def test_instructions_say_as_much_as_is_asked_for(self):
+        places = ("--generate", 40, "--layout", "--no-images")
+        lengths = {}
+        for facts in ("1,2", "9,12"):
+            self.must_run(facts, *places, "--facts", facts)
+            lengths[facts] = [len(json.loads(record["claims"])) for record in self.records(facts, "layout")]
+        self.assertLess(2 * sum(lengths["1,2"]), sum(lengths["9,12"]))
+        self.assertLess(max(lengths["1,2"]), max(lengths["9,12"]))
+        run = self.run_dataset("1,2", *places, "--resume")
+        self.assertNotEqual(run.returncode, 0, "it went on with an instruction of another kind")
+        for facts, told in (("0,4", "facts"), ("5,4", "facts"), ("2.5,4", "whole"), ("3", "two")):
+            run = self.run_dataset("no", *places, "--facts", facts)
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertRegex(run.stderr, f"--facts.*{told}|--facts.*{facts}")
+
     def test_killed_again_and_again_it_ends_with_the_same_bytes(self):
         arguments = ("--generate", PLACES, "--threads", 1)
         self.must_run("whole", *arguments)

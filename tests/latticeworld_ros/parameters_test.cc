@@ -150,5 +150,16 @@ TEST(ParametersTest, TildeIsTheHomeDirectory) {
   EXPECT_EQ(ExpandHome("/worlds"), "/worlds");
 }
 
+TEST(ParametersTest, TheFolderOfRosIsWhereRosHasIt) {
+  ASSERT_EQ(setenv("HOME", "/home/somebody", 1), 0);
+  ASSERT_EQ(unsetenv("ROS_HOME"), 0);
+  EXPECT_EQ(ExpandHome("~/.ros/worlds"), "/home/somebody/.ros/worlds");
+  ASSERT_EQ(setenv("ROS_HOME", "/var/ros", 1), 0);
+  EXPECT_EQ(ExpandHome("~/.ros/worlds"), "/var/ros/worlds");
+  EXPECT_EQ(ExpandHome("~/.ros"), "/var/ros");
+  EXPECT_EQ(ExpandHome("~/.rosy"), "/home/somebody/.rosy");
+  ASSERT_EQ(unsetenv("ROS_HOME"), 0);
+}
+
 }  // namespace
 }  // namespace latticeworld

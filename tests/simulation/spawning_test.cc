@@ -103,6 +103,16 @@ TEST(SpawningTest, RefusesAndSaysWhyAndChangesNothing) {
   EXPECT_TRUE(simulator->TakeEvents().empty());
 }
 
+TEST(SpawningTest, NamesTheSpeciesThatItRefuses) {
+  const auto simulator = MakeSimulator(Place());
+  SpawnRequest car = At(AgentCategory::kWheeledRobot, 0.0, 10.0);
+  car.species = "ackermann car";
+  const auto name = simulator->Spawn(car);
+  ASSERT_FALSE(name.ok());
+  EXPECT_EQ(name.status().code(), StatusCode::kFailedPrecondition);
+  EXPECT_EQ(name.status().message().rfind("ackermann car: no ", 0), 0u) << name.status().message();
+}
+
 TEST(SpawningTest, FindsAPlaceInARegion) {
   const auto simulator = MakeSimulator(Place());
   for (int i = 0; i < 12; ++i) {

@@ -57,12 +57,12 @@ TEST_F(CommandLineTest, TellsItsCommandsAndTheirOptions) {
   }
 }
 
-TEST_F(CommandLineTest, SaysEveryViolationOnALineOfItsOwn) {
+TEST_F(CommandLineTest, SaysEveryViolationOnALineOfItsOwnByItsOption) {
   const ProgramRun run = RunProgram({"generate", "--layout", "Forest.", "--vocabulary", "sea",
                                      "--size", "0", "--out", PathOf("w")});
-  EXPECT_EQ(run.err.rfind("latticeworld generate: unusable request\n  vocabulary: ", 0), 0u)
+  EXPECT_EQ(run.err.rfind("latticeworld generate: unusable arguments\n  --vocabulary: ", 0), 0u)
       << run.err;
-  EXPECT_NE(run.err.find("\n  size: "), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("\n  --size: "), std::string::npos) << run.err;
 }
 
 TEST_F(CommandLineTest, TellsItsVersion) {

@@ -11,7 +11,7 @@ import unittest
 
 import torch
 import tiny_talks
-from latticeworld_training import chat_data, fitting, llama, tokenizer
+from latticeworld_training import chat_data, export_gguf, fitting, llama, tokenizer
 
 
 def greedy(model, tokens, count):
@@ -70,6 +70,14 @@ class ChatDataTest(unittest.TestCase):
         self.assertEqual([t for t in targets[0].tolist() if t != chat_data.IGNORED], counted)
         prompt = chat_data.prompt_tokens(spelling, tiny_talks.conversations(1)[0][:2])
         self.assertEqual(tokens[0, : len(prompt)].tolist(), prompt)
+
+    def test_without_its_prompt_the_answer_is_all_there_is(self):
+        spelling = tiny_talks.tiny_tokenizer()
+        talk = tiny_talks.conversations(1)[0]
+        whole = chat_data.encode_conversation(spelling, talk)
+        self.assertEqual(chat_data.without_prompt(whole), chat_data.encode_conversation(spelling, talk[-1:]))
+        self.assertEqual(chat_data.without_prompt(whole).tokens[: len(chat_data.prompt_tokens(spelling, []))],
+                         chat_data.prompt_tokens(spelling, []))
 
     def test_every_example_comes_once_an_epoch(self):
         examples = [chat_data.Example([0] * (1 + i % 7), [True] * (1 + i % 7)) for i in range(103)]
@@ -131,12 +139,24 @@ class FitTest(unittest.TestCase):
         self.assertEqual(fitting._rate(fitting.FitOptions(), 77, 100, 0.0), 5e-5)
 
 
+    def test_a_share_is_learned_without_prompts(self):
+        spelling = tiny_talks.tiny_tokenizer()
+        examples, _ = chat_data.encode_all(spelling, tiny_talks.conversations(16), 256)
+        options = fitting.FitOptions(unprompted_share=0.25)
+        steps = [fitting._batch(examples, range(16), options, step) for step in range(100)]
+        unprompted = sum(each == chat_data.without_prompt(examples[i]) for batch in steps for i, each in enumerate(batch))
+        self.assertLess(abs(unprompted / 1600 - 0.25), 0.05)
+        self.assertEqual(steps[7], fitting._batch(examples, range(16), options, 7))
+        self.assertEqual(fitting._batch(examples, range(16), fitting.FitOptions(), 7), examples)
+
+
 class RestartTest(unittest.TestCase):
-    def run_training(self, data, out, kill_at=None):
+    def run_training(self, data, out, *more, kill_at=None):
         command = [sys.executable, "-m", "latticeworld_training.train_language_model"]
         command += ["--data", data, "--validation", data, "--out", out, "--rate", "3e-3", "--decay", "cosine"]
         command += ["--width", "32", "--layers", "1", "--heads", "2", "--kv-heads", "2", "--hidden", "32"]
         command += ["--batch-size", "4", "--epochs", "3", "--checkpoint-steps", "2", "--most-words", "20"]
+        command += more
         environment = {**os.environ, "PYTHONUNBUFFERED": "1"}
         process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment)
         said = ""
@@ -165,6 +185,19 @@ class RestartTest(unittest.TestCase):
                     self.assertEqual(file.read(4), b"\x89PNG")
         self.assertEqual(len(curves[0]), 6)
         self.assertEqual(curves[0], curves[1])
+
+    def test_a_run_begins_with_the_weights_of_another(self):
+        with tempfile.TemporaryDirectory() as directory:
+            data = os.path.join(directory, "talks.jsonl")
+            tiny_talks.write_conversations(data, 16)
+            first, second = os.path.join(directory, "first"), os.path.join(directory, "second")
+            self.run_training(data, first)
+            # Sizes are the first one's; at this rate nothing is learned.
+            self.run_training(data, second, "--begin-with", first, "--width", "64", "--rate", "0", "--most-steps", "2")
+            ours, its = (export_gguf.load_run(out) for out in (second, first))
+            for name, weights in its[0].state_dict().items():
+                self.assertTrue(torch.equal(weights, ours[0].state_dict()[name]), name)
+            self.assertEqual(ours[1].pieces, its[1].pieces)
 
 
 if __name__ == "__main__":

@@ -4,18 +4,23 @@
 //   {"text": "..."}                   its tokens, without any that control
 //   {"tokens": [...], "count": n}     the n tokens that follow, each the likeliest
 //   {"tokens": [...]}                 the logits of what follows
+//   {"picture": "PATH", "tokens": [...]}   the logits after a height map, which the eyes beside the
+//                                     model file show it, and the tokens
 //   {"messages": [{"role", "content"}, ...]}   the tokens of a conversation
 // Usage: local_answers MODEL.gguf
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "latticeworld/common/files.h"
 #include "latticeworld/language/local/chat_text.h"
 #include "latticeworld/language/local/gguf_file.h"
+#include "latticeworld/language/local/height_eyes.h"
 #include "latticeworld/language/local/llama_decoder.h"
 #include "latticeworld/language/local/llama_model.h"
 #include "latticeworld/language/local/tokenizer.h"
@@ -49,6 +54,18 @@ Json TokensOfTalk(const Json& messages, const Tokenizer& tokenizer, ChatStyle st
   return ChatTokens(tokenizer, style, talk);
 }
 
+Result<Json> Shown(const std::string& picture_path, const std::vector<TokenId>& tokens,
+                   const std::string& model_path, LlamaDecoder* decoder) {
+  LW_ASSIGN_OR_RETURN(
+      const HeightEyes eyes,
+      HeightEyes::Open(std::filesystem::path(model_path).replace_extension(".eyes.gguf")));
+  LW_ASSIGN_OR_RETURN(const std::string picture, ReadFile(picture_path, 1u << 24));
+  LW_ASSIGN_OR_RETURN(const std::vector<float> seen, eyes.See(picture));
+  LW_RETURN_IF_ERROR(decoder->AppendEmbeddings(seen.data(), eyes.places(), Progress()));
+  LW_RETURN_IF_ERROR(decoder->Append(tokens, Progress()));
+  return Json(decoder->logits());
+}
+
 Status Run(const std::string& path) {
   LW_ASSIGN_OR_RETURN(const GgufFile file, GgufFile::Open(path));
   LW_ASSIGN_OR_RETURN(const Tokenizer tokenizer, Tokenizer::Read(file));
@@ -62,6 +79,11 @@ Status Run(const std::string& path) {
     } else if (asked.contains("messages")) {
       std::cout << TokensOfTalk(asked.at("messages"), tokenizer, ChatStyleOf(chat_template))
                 << std::endl;
+    } else if (asked.contains("picture")) {
+      LlamaDecoder decoder(model);
+      LW_ASSIGN_OR_RETURN(const Json logits,
+                          Shown(asked.at("picture"), asked.at("tokens"), path, &decoder));
+      std::cout << logits << std::endl;
     } else {
       LlamaDecoder decoder(model);
       LW_RETURN_IF_ERROR(

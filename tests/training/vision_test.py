@@ -4,12 +4,15 @@ import copy
 import csv
 import json
 import os
+import pathlib
+import subprocess
 import tempfile
 import unittest
 
 import numpy
 import torch
-from latticeworld_training import chat_data, fitting, llama, tokenizer, vision_data, vision_stages
+from latticeworld_training import (chat_data, export_eyes, export_gguf, fitting, llama, tokenizer, vision_data,
+                                   vision_stages)
 from latticeworld_training.vision_network import Projection, VisionOptions, contrastive_loss
 from PIL import Image
 
@@ -104,7 +107,7 @@ class VisionTest(unittest.TestCase):
 
     @classmethod
     def together(cls, out, projection, language_model, **more):
-        options = vision_stages.together_options(epochs=60, batch_size=8, rate=1e-2, checkpoint_steps=5)
+        options = vision_stages.together_options(epochs=60, batch_size=8, rate=3e-3, checkpoint_steps=5)
         return vision_stages.together(cls.encoder(), projection, language_model, cls.tokenizer, cls.pictures, out,
                                       options, say=cls.quiet, **more)
 
@@ -122,6 +125,63 @@ class VisionTest(unittest.TestCase):
         self.assertAlmostEqual(float(height.mean()), 0, places=5)
         self.assertAlmostEqual(float(height.std()), 1, places=5)
         self.assertGreater(height[0].mean(), height[-1].mean() + 1)  # row 0 is north
+
+    def test_heights_of_any_size_are_means_over_equal_cells(self):
+        path = os.path.join(self.folder.name, "ramp.png")
+        for samples in (33, 50, 96):
+            ramp = numpy.arange(samples, dtype=numpy.uint16)[None].repeat(samples, 0)
+            Image.fromarray(ramp).save(path)
+            height = vision_data.read_height(path, 16)
+            steps = numpy.diff(height[0])
+            self.assertLess(steps.max() - steps.min(), 0.1 * steps.mean(), samples)
+            self.assertTrue((height == height[:1]).all())
+
+    def test_pictures_are_spoken_of_as_at_work(self):
+        prompts = pathlib.Path(os.environ["LATTICEWORLD_ROOT"], "src/latticeworld/language/remote/prompts")
+        relief = (prompts / "relief.txt").read_text(encoding="utf-8").strip()
+        picture = (prompts / "relief_image.txt").read_text(encoding="utf-8").strip()
+        said = relief.replace("{{caption}}", "high ground in the north")
+        self.assertEqual(vision_data.told_of_picture(f"A lake.\n\n{said}\n\nWrite."),
+                         f"A lake.\n\n{said}\n{picture}\n\nWrite.")
+        self.assertEqual(vision_data.told_of_picture("A lake."), "A lake.")
+
+    def test_what_is_exported_sees_as_in_training(self):
+        folder = os.path.join(self.folder.name, "eyes")
+        os.makedirs(folder, exist_ok=True)
+        model_file = os.path.join(folder, "seeing.gguf")
+        export_gguf.export(self.seeing, self.tokenizer, model_file, "f32", sees=True)
+        export_eyes.export_eyes(self.encoder(), self.projection, export_eyes.eyes_path(model_file), "f32")
+        # Divides into 16 cells neither way.
+        picture = os.path.join(folder, "land.png")
+        Image.fromarray(land("west", 300, samples=53)).save(picture)
+        tokens = chat_data.prompt_tokens(self.tokenizer, [("user", "Where is it high?")])
+        question = json.dumps({"picture": picture, "tokens": tokens}) + "\n"
+        done = subprocess.run([os.environ["LATTICEWORLD_LOCAL_ANSWERS"], model_file], input=question, text=True,
+                              stdout=subprocess.PIPE, check=True)
+        answer = numpy.array(json.loads(done.stdout))
+        height = torch.from_numpy(vision_data.read_height(picture, 16))[None, None]
+        with torch.no_grad():
+            seen = self.projection(self.encoder().features(height))
+            embedded = torch.cat([seen, self.seeing.embeddings(torch.tensor([tokens]))], 1)
+            ours = self.seeing.logits(self.seeing.features(embedded))[0, -1].numpy()
+            unseen = self.seeing(torch.tensor([tokens]))[0, -1].numpy()
+        self.assertLess(abs(answer - ours).max(), 1e-3)
+        self.assertGreater(abs(unseen - ours).max(), 0.1)
+
+    def test_a_run_is_exported_with_its_eyes_by_one_command(self):
+        folder = os.path.join(self.folder.name, "exported")
+        blind, out = os.path.join(self.folder.name, "blind"), os.path.join(folder, "seeing.gguf")
+        os.makedirs(folder, exist_ok=True)
+        self.tokenizer.save(os.path.join(blind, "tokenizer.json"))
+        with open(os.path.join(blind, "model.json"), "w", encoding="utf-8") as file:
+            json.dump(vars(self.blind.sizes), file)
+        export_gguf.main([blind, "--vision", self.folder.name, "--type", "f32", "--out", out])
+        wanted = os.path.join(folder, "wanted.gguf")
+        export_gguf.export(self.seeing, self.tokenizer, wanted, "f32", sees=True)
+        export_eyes.export_eyes(self.encoder(), self.projection, export_eyes.eyes_path(wanted), "f32")
+        for path in (str, export_eyes.eyes_path):
+            with open(path(out), "rb") as exported, open(path(wanted), "rb") as before:
+                self.assertEqual(exported.read(), before.read())
 
     def test_a_bad_line_is_named(self):
         path = os.path.join(self.folder.name, "relief", "bad.jsonl")

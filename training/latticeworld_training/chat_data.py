@@ -84,6 +84,14 @@ def encode_conversation(tokenizer, messages):
     return Example(tokens, answers)
 
 
+def without_prompt(example):
+    """An Example of the answers alone, as if nothing had been asked: what guidance at work compares with."""
+    turn = example.answers.index(True)
+    while example.tokens[turn] != TURN_BEGIN:
+        turn -= 1
+    return Example([BEGIN] + example.tokens[turn:], [False] + example.answers[turn:])
+
+
 def encode_all(tokenizer, conversations, most_tokens):
     """Examples of at most `most_tokens` tokens, and how many conversations were longer."""
     examples = [encode_conversation(tokenizer, messages) for messages in conversations]

@@ -1,6 +1,7 @@
 """Makes a GGUF file of a trained language model, for LatticeWorld (`--local-model`) and llama.cpp.
 
     python3 -m latticeworld_training.export_gguf run --type q8_0 --name "layouts, 1 M" --out layout.gguf
+    python3 -m latticeworld_training.export_gguf run --vision run/vision --out seeing.gguf
 """
 
 import argparse
@@ -66,12 +67,17 @@ def add_tokenizer(writer, tokenizer):
     writer.add("tokenizer.chat_template", STRING, CHAT_TEMPLATE)
 
 
-def export(model, tokenizer, path, weight_type="q8_0", name="latticeworld"):
-    """Matrices in weight_type ("f32", "f16", "q8_0"), norms in f32."""
+def export(model, tokenizer, path, weight_type="q8_0", name="latticeworld", guidance=None, sees=False):
+    """Matrices in weight_type ("f32", "f16", "q8_0"), norms in f32. guidance: how far LatticeWorld moves answers away
+    from those to nothing. sees: its eyes lie beside it."""
     writer = GgufWriter()
     writer.add("general.architecture", STRING, "llama")
     writer.add("general.name", STRING, name)
     writer.add("general.file_type", UINT32, FILE_TYPES[weight_type])
+    if guidance is not None:
+        writer.add("latticeworld.guidance", FLOAT32, guidance)
+    if sees:
+        writer.add("latticeworld.sees", BOOL, True)
     add_sizes(writer, model.sizes)
     add_tokenizer(writer, tokenizer)
     for key, weights in model.state_dict().items():
@@ -94,10 +100,22 @@ def main(arguments=None):
     parser.add_argument("--out", required=True, help="the GGUF file")
     parser.add_argument("--type", choices=sorted(TENSOR_TYPES), default="q8_0", help="of the weights [q8_0]")
     parser.add_argument("--name", default="latticeworld", help="of the model [latticeworld]")
+    parser.add_argument("--guidance", type=float, help="of a model that was trained with --unprompted-share, 1 to 20")
+    parser.add_argument("--vision", help="folder that vision_training wrote: its language model is exported instead, "
+                        "and what it sees with beside it, OUT with .eyes.gguf at its end")
     given = parser.parse_args(arguments)
     model, tokenizer = load_run(given.run)
-    export(model, tokenizer, given.out, given.type, given.name)
-    print(f"{given.out}: {os.path.getsize(given.out)} bytes")
+    written = [given.out]
+    if given.vision:
+        # Only here: it needs Pillow.
+        from .export_eyes import export_eyes, eyes_path, load_vision_run
+
+        encoder, projection = load_vision_run(given.vision, model)
+        written.append(eyes_path(given.out))
+        export_eyes(encoder, projection, written[-1], "f32" if given.type == "f32" else "f16")
+    export(model, tokenizer, given.out, given.type, given.name, given.guidance, bool(given.vision))
+    for path in written:
+        print(f"{path}: {os.path.getsize(path)} bytes")
 
 
 if __name__ == "__main__":

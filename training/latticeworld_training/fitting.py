@@ -2,13 +2,14 @@
 
 import math
 import os
+import random
 import time
 from dataclasses import dataclass
 
 import torch
 from torch.nn import functional
 
-from .chat_data import IGNORED, batch_tensors, batches_of_epoch
+from .chat_data import IGNORED, batch_tensors, batches_of_epoch, without_prompt
 from .checkpoint import load_checkpoint, save_checkpoint
 from .curves import LossCurve
 
@@ -28,6 +29,7 @@ class FitOptions:
     most_gradient: float = 1.0  # norm that gradients are cut to
     most_steps: int = 0  # 0: all of the epochs
     most_seconds: float = 0.0  # after which the run ends, its rate having fallen with the time; 0: no limit
+    unprompted_share: float = 0.0  # of examples whose answer is learned without what was asked, for guidance
     seed: int = 1
     checkpoint_steps: int = 200  # between two checkpoints
     check_examples: int = 256  # of the validation set, for one point of its curve
@@ -68,6 +70,12 @@ def validation_loss(model, examples, batch_size, device=None):
         count += counted
     model.train()
     return sum_nats / max(count, 1)
+
+
+def _batch(examples, indices, options, step):
+    draws = random.Random(f"{options.seed} unprompted {step}")
+    some = [examples[i] for i in indices]
+    return [without_prompt(each) if draws.random() < options.unprompted_share else each for each in some]
 
 
 def _rate(options, step, steps, spent_s):
@@ -129,7 +137,7 @@ def fit(model, examples, validation, directory, options, device=None, say=print)
         for group in optimizer.param_groups:
             group["lr"] = _rate(options, step, steps, spent_s())
         optimizer.zero_grad()
-        batch = [examples[i] for i in batches[step % batches_each]]
+        batch = _batch(examples, batches[step % batches_each], options, step)
         loss, tokens_read = add_gradients(model, batch, options.at_once, device)
         torch.nn.utils.clip_grad_norm_(model.parameters(), options.most_gradient)
         optimizer.step()

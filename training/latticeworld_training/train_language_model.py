@@ -11,10 +11,12 @@ import argparse
 import dataclasses
 import json
 import os
+import shutil
 
 import torch
 
 from .chat_data import encode_all, read_conversations
+from .checkpoint import read_checkpoint
 from .fitting import FitOptions, fit
 from .llama import Llama, LlamaSizes
 from .tokenizer import Tokenizer, train_tokenizer
@@ -48,6 +50,7 @@ def main(arguments=None):
     parser.add_argument("--data", nargs="+", required=True, help="JSON Lines")
     parser.add_argument("--validation", nargs="*", default=[], help="JSON Lines that are not trained on")
     parser.add_argument("--out", required=True, help="folder of the run")
+    parser.add_argument("--begin-with", help="folder of a run whose tokenizer, sizes and weights this one begins with")
     parser.add_argument("--most-fours", type=int, default=1000, help="pieces of maps in the vocabulary [1000]")
     parser.add_argument("--most-words", type=int, default=1000, help="pieces of words in the vocabulary [1000]")
     parser.add_argument("--threads", type=int, default=1, help="of the processor [1]")
@@ -61,10 +64,18 @@ def main(arguments=None):
     torch.set_num_threads(given.threads)
     torch.manual_seed(given.seed)
     os.makedirs(given.out, exist_ok=True)
+    if given.begin_with:
+        shutil.copy(os.path.join(given.begin_with, "tokenizer.json"), given.out)
     conversations = read_conversations(given.data)
     tokenizer = read_or_train_tokenizer(given.out, conversations, given.most_fours, given.most_words)
-    sizes = dataclasses.replace(filled(sizes, given), tokens=len(tokenizer))
+    if given.begin_with:
+        with open(os.path.join(given.begin_with, "model.json"), encoding="utf-8") as file:
+            sizes = LlamaSizes(**json.load(file))
+    else:
+        sizes = dataclasses.replace(filled(sizes, given), tokens=len(tokenizer))
     model = Llama(sizes)
+    if given.begin_with:
+        model.load_state_dict(read_checkpoint(os.path.join(given.begin_with, "checkpoint.pt"))["model"])
     with open(os.path.join(given.out, "model.json"), "w", encoding="utf-8") as file:
         json.dump(dataclasses.asdict(sizes), file, indent=2)
     examples, longer = encode_all(tokenizer, conversations, sizes.context)

@@ -21,12 +21,34 @@ class Picture:
 
 
 def read_height(path, side):
-    """(side, side), mean 0 and standard deviation 1: means over cells of the picture."""
-    image = numpy.asarray(Image.open(path)).astype(numpy.float32)
+    """(side, side) float32, mean 0 and standard deviation 1: means over cells of the picture, a sample in two cells
+    counting in each by its share."""
+    image = numpy.asarray(Image.open(path)).astype(numpy.float64)
     if image.ndim != 2:
         raise ValueError(f"{path} has {image.shape} samples; a height map is grey")
-    image = numpy.asarray(Image.fromarray(image, "F").resize((side, side), Image.BOX))
-    return (image - image.mean()) / max(float(image.std()), 1e-6)
+    image = _shares(image.shape[0], side) @ image @ _shares(image.shape[1], side).T
+    return ((image - image.mean()) / max(float(image.std()), 1e-6)).astype(numpy.float32)
+
+
+def _shares(samples, side):
+    """(side, samples): how much of each of `side` cells each sample makes up."""
+    cells, edges = numpy.arange(side)[:, None] * (samples / side), numpy.arange(samples)[None]
+    overlaps = numpy.minimum(cells + samples / side, edges + 1) - numpy.maximum(cells, edges)
+    return overlaps.clip(0) * (side / samples)
+
+
+# What LatticeWorld says of a height map that it shows, after what it says of it in words.
+RELIEF_WORDS = "Heights of the land: "
+PICTURE_WORDS = "The picture shows the same heights: north is up, black is the lowest ground, white the highest."
+
+
+def told_of_picture(content):
+    """A message as LatticeWorld writes it for a model that sees; one that says nothing of the relief stays."""
+    lines = content.split("\n")
+    for number, line in enumerate(lines):
+        if line.startswith(RELIEF_WORDS):
+            return "\n".join(lines[: number + 1] + [PICTURE_WORDS] + lines[number + 1 :])
+    return content
 
 
 def read_pictures(path, side, images=None):
@@ -43,7 +65,7 @@ def read_pictures(path, side, images=None):
                 name = record["images"][0]
                 if name not in known:
                     known[name] = read_height(os.path.join(images, name), side)
-                messages = [(message["role"], message["content"]) for message in record["messages"]]
+                messages = [(message["role"], told_of_picture(message["content"])) for message in record["messages"]]
                 pictures.append(Picture(known[name], messages))
             except (ValueError, KeyError, TypeError, OSError) as error:
                 raise ValueError(f"{path}, line {number}: no height map with words: {error}") from error

@@ -9,7 +9,8 @@
 
 namespace latticeworld {
 
-// A value, or the Status that says why there is none.
+// A value, or the Status that says why there is none. What a temporary Result holds is handed out
+// by value, so that `for (auto& x : *F())` walks over something that lives as long as the loop.
 template <typename T>
 class [[nodiscard]] Result {
  public:
@@ -23,11 +24,11 @@ class [[nodiscard]] Result {
 
   const T& value() const& { return Checked(), *value_; }
   T& value() & { return Checked(), *value_; }
-  T&& value() && { return Checked(), *std::move(value_); }
+  T value() && { return Checked(), *std::move(value_); }
 
   const T& operator*() const& { return value(); }
   T& operator*() & { return value(); }
-  T&& operator*() && { return std::move(*this).value(); }
+  T operator*() && { return std::move(*this).value(); }
   const T* operator->() const { return &value(); }
   T* operator->() { return &value(); }
 

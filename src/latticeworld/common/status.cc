@@ -1,5 +1,6 @@
 #include "latticeworld/common/status.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace latticeworld {
@@ -52,10 +53,14 @@ Status Status::FromViolations(std::string_view what, std::vector<Violation> viol
   std::string message(what);
   message +=
       violations.size() == 1 ? ": " : " (" + std::to_string(violations.size()) + " violations): ";
-  for (std::size_t i = 0; i < violations.size(); ++i) {
+  const std::size_t told = std::min<std::size_t>(violations.size(), kViolationsTold);
+  for (std::size_t i = 0; i < told; ++i) {
     if (i > 0) message += "; ";
     if (!violations[i].pointer.empty()) message += violations[i].pointer + ": ";
     message += violations[i].message;
+  }
+  if (told < violations.size()) {
+    message += "; and " + std::to_string(violations.size() - told) + " more";
   }
   return Status(StatusCode::kInvalidArgument, std::move(message), std::move(violations));
 }

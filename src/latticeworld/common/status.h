@@ -46,7 +46,9 @@ class [[nodiscard]] Status {
   Status() = default;  // OK
   Status(StatusCode code, std::string message, std::vector<Violation> violations = {});
 
-  // INVALID_ARGUMENT whose message is `what` followed by every violation; OK when there is none.
+  // INVALID_ARGUMENT whose message is `what` followed by the first kViolationsTold violations and
+  // how many more there are; OK when there is none. violations() has them all.
+  static constexpr int kViolationsTold = 20;
   static Status FromViolations(std::string_view what, std::vector<Violation> violations);
 
   bool ok() const { return code_ == StatusCode::kOk; }

@@ -163,6 +163,10 @@ std::string Limits(const DatasetFacts& facts) {
     text +=
         "- The places are laid out by a program from random plans. Their classes, shapes and "
         "shares are not those of the earth.\n";
+  if (facts.options.layouts == LayoutsBy::kGrounded)
+    text +=
+        "- Layouts are the embedded generator's answers to the instructions, not the places that "
+        "these were written for.\n";
   if (TallyOf(facts.tallies, "relief") < SumBelow(facts.tallies, "instances/"))
     text += "- Places without a relief are scenes of fixed height.\n";
   if (facts.options.prompts == PromptForm::kShort)
@@ -223,6 +227,7 @@ std::string ManifestJson(const DatasetFacts& facts) {
                      {"environment", options.environment},
                      {"images", options.images},
                      {"prompts", NameOf(options.prompts)},
+                     {"layouts", NameOf(options.layouts)},
                      {"train_share", options.train_share},
                      {"validation_share", options.validation_share},
                      {"sketch_share", options.sketch_share},

@@ -40,12 +40,21 @@ constexpr std::array<EnumName<PromptForm>, 2> EnumNames(PromptForm) {
   return {{{PromptForm::kFull, "full"}, {PromptForm::kShort, "short"}}};
 }
 
+// Who answers an instruction for a layout: the place that it was written for, or the embedded
+// generator, whose layout has what the words say and little else.
+enum class LayoutsBy : std::uint8_t { kSource, kGrounded };
+
+constexpr std::array<EnumName<LayoutsBy>, 2> EnumNames(LayoutsBy) {
+  return {{{LayoutsBy::kSource, "source"}, {LayoutsBy::kGrounded, "grounded"}}};
+}
+
 struct DatasetOptions {
   std::uint64_t seed = 0;   // of the words; a source has its own
   bool layout = true;       // which tasks are written
   bool environment = true;  //
   bool images = true;       // height maps, sketches, and with them the task relief
   PromptForm prompts = PromptForm::kFull;
+  LayoutsBy layouts = LayoutsBy::kSource;
   double train_share = 0.9;        // of the groups, [0, 1]
   double validation_share = 0.05;  // [0, 1]; the rest is for tests
   double sketch_share = 0.02;  // of a sketch's pixels, at most, for each kind of stroke, (0, 0.5)

@@ -11,6 +11,7 @@
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/dataset/instance_images.h"
+#include "latticeworld/dataset/laid_out_anew.h"
 #include "latticeworld/layout/claims_json.h"
 
 namespace latticeworld {
@@ -68,7 +69,7 @@ class PartInTheMaking {
   Status AddGroup(std::size_t index) {
     LW_RETURN_IF_ERROR(progress_.CheckCancelled());
     const std::string group = maker_.source->GroupName(index);
-    const auto instances = maker_.source->ReadGroup(index);
+    auto instances = maker_.source->ReadGroup(index);
     if (!instances.ok()) {
       if (instances.status().code() == StatusCode::kCancelled) return instances.status();
       part_.failed.push_back({group, "", instances.status().ToString()});
@@ -76,12 +77,12 @@ class PartInTheMaking {
     }
     const DatasetSplit split = SplitOf(group, *maker_.options);
     std::size_t made = 0;
-    for (const Instance& instance : *instances) {
+    for (Instance& instance : *instances) {
       Described described;
       described.instance = &instance;
       described.split = split;
       const Status status = instance.group == group && IsIdentifier(instance.id)
-                                ? Describe(&described)
+                                ? Describe(&instance, &described)
                                 : Internal("the source gave the instance " + Quote(instance.id) +
                                            " of the group " + Quote(instance.group));
       if (!status.ok()) {
@@ -103,11 +104,14 @@ class PartInTheMaking {
  private:
   const DatasetOptions& options() const { return *maker_.options; }
 
-  Status Describe(Described* described) {
-    const Instance& instance = *described->instance;
+  Status Describe(Instance* place, Described* described) {
+    const Instance& instance = *place;
     const std::uint64_t seed = StreamSeed(options().seed, "dataset/" + instance.id);
     LW_ASSIGN_OR_RETURN(described->layout,
                         maker_.annotator->DescribeLayout(instance, seed, progress_));
+    if (options().layouts == LayoutsBy::kGrounded) {
+      LW_ASSIGN_OR_RETURN(place->layout, LaidOutAnew(instance, described->layout, seed, progress_));
+    }
     if (options().environment) {
       LW_ASSIGN_OR_RETURN(described->environment, maker_.annotator->DescribeEnvironment(
                                                       instance, described->layout,

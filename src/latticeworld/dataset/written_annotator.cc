@@ -25,9 +25,14 @@ Voice DrawVoice(RandomStream* random) {
 
 class WrittenAnnotator final : public Annotator {
  public:
-  explicit WrittenAnnotator(const WrittenOptions& options) : options_(options) {}
+  explicit WrittenAnnotator(const WrittenOptions& options) : options_(options), name_("written") {
+    const WrittenOptions usual;
+    if (options.least_facts == usual.least_facts && options.most_facts == usual.most_facts) return;
+    name_ += " (" + std::to_string(options.least_facts) + " to " +
+             std::to_string(options.most_facts) + " facts)";
+  }
 
-  std::string_view name() const override { return "written"; }
+  std::string_view name() const override { return name_; }
 
   Result<LayoutCaption> DescribeLayout(const Instance& instance, std::uint64_t seed,
                                        const Progress& progress) override {
@@ -79,6 +84,7 @@ class WrittenAnnotator final : public Annotator {
 
  private:
   const WrittenOptions options_;
+  std::string name_;  // a continuation has to have the same
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ std::vector<Violation> Validate(const RemoteBackendOptions& options);
 struct LocalBackendOptions {
   std::string layout_model;       // GGUF file of LLM_L; "": there is no such back end
   std::string environment_model;  // of LLM_C; "": the layout's; "grounded": that back end answers
-  double temperature = 0.7;       // 0 .. 2
+  double temperature = 1.0;       // 0 .. 2; 1: as the model has learned
   bool fallback = false;  // true: where an answer stays illegal the grounded back end answers
 
   bool is_wanted() const { return !layout_model.empty(); }

@@ -35,7 +35,6 @@ constexpr DirectionWord kDirections[] = {
     {"top", kNorth},
     {"upper", kNorth},
     {"uppermost", kNorth, false, true},
-    {"highest", kNorth, false, true},
     {"topmost", kNorth, false, true},
     {"south", kSouth},
     {"southern", kSouth},

@@ -107,8 +107,11 @@ Status SimulatorImpl::CheckFree(const Species& species, WorldPoint place, AgentI
 
 Result<WorldPoint> SimulatorImpl::PlaceFor(const SpawnRequest& request, const Species& species) {
   if (request.position.has_value()) {
-    LW_RETURN_IF_ERROR(CheckSpawn(*scene_, weather_->now(), species.category, species.radius_m,
-                                  *request.position, &changes_));
+    const Status fits = CheckSpawn(*scene_, weather_->now(), species.category, species.radius_m,
+                                   *request.position, &changes_);
+    if (!fits.ok()) {
+      return species.name == NameOf(species.category) ? fits : fits.WithContext(species.name);
+    }
     LW_RETURN_IF_ERROR(CheckFree(species, *request.position, 0));
     return *request.position;
   }

@@ -45,8 +45,6 @@ TEST(MendMeasuresTest, ComparedCountsAreCounted) {
 
 TEST(MendMeasuresTest, TurnsOfPhraseAreSaidPlainly) {
   EXPECT_EQ(Mended("four up north"), "four in the north");
-  EXPECT_EQ(Mended("three no four drones"), "four drones");
-  EXPECT_EQ(Mended("no four drones"), "no four drones");
   EXPECT_EQ(Mended("they chase one another"), "they chase each other");
   EXPECT_EQ(Mended("cancel the rain"), "no rain");
 }

@@ -469,6 +469,10 @@ TEST(ReadingTest, BackgroundIsALetterOfTheVocabularyThatNobodyDenied) {
   EXPECT_EQ(Read("no grass, a lake").background, 'A');
   EXPECT_EQ(Read("The rest is forest. A lake.").background, 'F');
   EXPECT_EQ(Read("mostly farmland").background, 'A');
+  // Nothing is said of what the rest is, and it is no grass.
+  EXPECT_EQ(Read("Grass takes up about 75 % of the land.").background, 'A');
+  EXPECT_EQ(Read("Mostly grass, about 80 %, and a lake.").background, 'A');
+  EXPECT_EQ(Read("Two thirds grass, the rest forest.").background, 'F');
 }
 
 bool IsSound(const LayoutPlan& plan) {

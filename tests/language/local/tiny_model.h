@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct TinyModel {
   std::size_t context = 4096;
   bool ties_output = false;  // the embeddings serve as output weights
   bool adds_space = false;
+  std::optional<float> guidance;     // what the file says of it
+  bool sees = false;                 // the same: it has eyes
   std::string chat_template;         // "": none
   std::vector<std::string> without;  // keys and tensors that are left out
   std::uint64_t seed = 1;

@@ -56,6 +56,8 @@ struct PlannedFeature {
   double meander = 1.0;       // 0 straight, 1 gentle, 2 winding
   bool wide = false;
 
+  bool supposed = false;  // no words speak of it, and nothing is claimed of it: it stands only for
+                          // what others need, the pool around an island in a river
   std::string words;
 };
 

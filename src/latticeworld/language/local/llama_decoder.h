@@ -23,6 +23,7 @@ class LlamaDecoder {
   // model: never null.
   explicit LlamaDecoder(std::shared_ptr<const LlamaModel> model);
 
+  const LlamaModel& model() const { return *model_; }
   std::size_t length() const { return length_; }
   // Forgets what comes after the first `length` places, at most length().
   void Truncate(std::size_t length);

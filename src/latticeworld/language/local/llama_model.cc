@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "latticeworld/language/local/gguf_file.h"
+#include "latticeworld/language/local/weight_reader.h"
 
 namespace latticeworld {
 namespace {
@@ -64,33 +65,7 @@ Result<LlamaSizes> ReadSizes(const GgufFile& file) {
   return sizes;
 }
 
-// The weights of one file, read by name until one is not as it should be.
-class Weights {
- public:
-  explicit Weights(const GgufFile& file) : file_(file) {}
-
-  WeightMatrix Matrix(const std::string& name, std::size_t rows, std::size_t columns) {
-    Result<GgufTensor> tensor = file_.Tensor(name, rows, columns);
-    if (!tensor.ok()) {
-      if (status_.ok()) status_ = tensor.status();
-      return WeightMatrix();
-    }
-    return WeightMatrix(*tensor);
-  }
-  std::vector<float> Vector(const std::string& name, std::size_t size) {
-    const WeightMatrix matrix = Matrix(name, 1, size);
-    std::vector<float> values(matrix.columns());
-    if (!values.empty()) matrix.Row(0, values.data());
-    return values;
-  }
-  const Status& status() const { return status_; }
-
- private:
-  const GgufFile& file_;
-  Status status_;
-};
-
-LlamaLayer ReadLayer(std::size_t number, const LlamaSizes& sizes, Weights* weights) {
+LlamaLayer ReadLayer(std::size_t number, const LlamaSizes& sizes, WeightReader* weights) {
   const std::string block = "blk." + std::to_string(number) + ".";
   const std::size_t width = sizes.width;
   const std::size_t kv_width = sizes.kv_heads * sizes.head_width;
@@ -107,47 +82,29 @@ LlamaLayer ReadLayer(std::size_t number, const LlamaSizes& sizes, Weights* weigh
   return layer;
 }
 
-// Whatever is not asked for would be left out of the sums: a model that has it
-// is another one.
-Status CheckNothingElse(const GgufFile& file, std::size_t read) {
-  if (file.tensors().size() == read) return Status();
-  for (const auto& [name, tensor] : file.tensors()) {
-    const bool bias = name.size() > 5 && name.compare(name.size() - 5, 5, ".bias") == 0;
-    if (bias) return DataLoss("the tensor '" + name + "': biases are not read here");
-  }
-  return DataLoss("the file has " + std::to_string(file.tensors().size()) + " tensors where " +
-                  std::to_string(read) + " are read");
-}
-
 }  // namespace
 
 Result<LlamaModel> ReadLlamaModel(const GgufFile& file) {
   LlamaModel model;
   LW_ASSIGN_OR_RETURN(model.sizes, ReadSizes(file));
   const LlamaSizes& sizes = model.sizes;
-  Weights weights(file);
-  std::size_t read = 2;
+  WeightReader weights(&file);
   model.embeddings = weights.Matrix("token_embd.weight", sizes.tokens, sizes.width);
   model.output_norm = weights.Vector("output_norm.weight", sizes.width);
   if (file.tensors().count("output.weight") != 0) {
     model.output = weights.Matrix("output.weight", sizes.tokens, sizes.width);
-    ++read;
   }
   model.rope_factors.assign(sizes.head_width / 2, 1.0f);
   if (file.tensors().count("rope_freqs.weight") != 0) {
     model.rope_factors = weights.Vector("rope_freqs.weight", sizes.head_width / 2);
-    ++read;
   }
-  constexpr std::size_t kTensorsOfLayer = 9;
-  for (std::size_t i = 0; i < sizes.layers && weights.status().ok(); ++i) {
+  for (std::size_t i = 0; i < sizes.layers && weights.status().ok(); ++i)
     model.layers.push_back(ReadLayer(i, sizes, &weights));
-    read += kTensorsOfLayer;
-  }
   LW_RETURN_IF_ERROR(weights.status());
   for (const float factor : model.rope_factors)
     if (!(std::isfinite(factor) && factor > 0.0f))
       return DataLoss("the tensor 'rope_freqs.weight' holds what is no positive number");
-  LW_RETURN_IF_ERROR(CheckNothingElse(file, read));
+  LW_RETURN_IF_ERROR(weights.CheckAllRead());
   return model;
 }
 

@@ -17,14 +17,21 @@ namespace latticeworld {
 // What an earlier request's messages have in common with the next one's is not
 // computed again.
 //
-// Safe to use from several threads; requests wait for each other. Errors of
-// Complete: INVALID_ARGUMENT (a form that cannot be read, pictures, temperature
-// below 0), RESOURCE_EXHAUSTED (messages longer than the model's context; an
-// answer that reaches the context's end is cut, with the reason "length"),
-// CANCELLED between two tokens.
+// Two things a file may say of its model. `latticeworld.sees`: it was trained
+// to look at height maps, and what shows them to it lies beside it
+// ("layouts.eyes.gguf" beside "layouts.gguf", see HeightEyes).
+// `latticeworld.guidance` g, 1 to 20: it was trained without a prompt now and
+// then, and answers are drawn from u + g (p - u), where p are the logits after
+// the prompt and u those after none (Ho and Salimans 2022), at twice the cost.
 //
-// Errors: those of GgufFile::Open; DATA_LOSS: a model or tokenizer that is not
-// read here.
+// Safe to use from several threads; requests wait for each other. Errors of
+// Complete: INVALID_ARGUMENT (a form that cannot be read, pictures that it does not see or
+// that are none, temperature below 0), RESOURCE_EXHAUSTED (messages longer than the model's
+// context; an answer that reaches the context's end is cut, with the reason "length"), CANCELLED
+// between two tokens.
+//
+// Errors: those of GgufFile::Open; DATA_LOSS: a model, tokenizer or eyes that
+// are not read here, or do not go together.
 Result<std::shared_ptr<ChatServer>> MakeLocalChatServer(const std::string& model_file);
 
 }  // namespace latticeworld

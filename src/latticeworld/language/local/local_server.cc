@@ -12,7 +12,8 @@
 #include "latticeworld/language/local/chat_text.h"
 #include "latticeworld/language/local/gguf_file.h"
 #include "latticeworld/language/local/grammar.h"
-#include "latticeworld/language/local/llama_decoder.h"
+#include "latticeworld/language/local/heard_text.h"
+#include "latticeworld/language/local/height_eyes.h"
 #include "latticeworld/language/local/llama_model.h"
 #include "latticeworld/language/local/local.h"
 #include "latticeworld/language/local/schema_grammar.h"
@@ -32,18 +33,22 @@ double SecondsSince(Clock::time_point begin) {
 class LocalServer : public ChatServer {
  public:
   LocalServer(std::string name, ChatStyle style, Tokenizer tokenizer,
-              std::shared_ptr<const LlamaModel> model)
+              std::shared_ptr<const LlamaModel> model, std::optional<HeightEyes> eyes,
+              float guidance)
       : name_(std::move(name)),
         style_(style),
         tokenizer_(std::move(tokenizer)),
         tree_(tokenizer_),
         model_(std::move(model)),
-        decoder_(model_) {
+        eyes_(std::move(eyes)),
+        guidance_(guidance),
+        asked_(model_) {
+    if (guidance_ != 1.0f) unasked_.emplace(model_);
     for (TokenId token = 0; token < tokenizer_.size(); ++token)
       if (!tokenizer_.BytesOf(token).empty() || token == end()) any_token_.push_back(token);
   }
 
-  bool sees() const override { return false; }
+  bool sees() const override { return eyes_.has_value(); }
 
   Result<ChatReply> Complete(const ChatRequest& request, const AnswerListener& listener,
                              const Progress& progress) override {
@@ -52,9 +57,6 @@ class LocalServer : public ChatServer {
     if (!(request.temperature >= 0.0 && request.temperature < 1e6))
       return InvalidArgument("the temperature is " + std::to_string(request.temperature) +
                              "; legal is what is not below 0");
-    for (const ChatMessage& message : request.messages)
-      if (!message.image_png.empty())
-        return InvalidArgument("the model '" + name_ + "' sees no pictures");
     LW_ASSIGN_OR_RETURN(const Grammar* grammar, GrammarOf(request.form));
     return Answer(request, grammar, listener, progress);
   }
@@ -78,22 +80,31 @@ class LocalServer : public ChatServer {
     return &grammars_.emplace(key, std::move(grammar)).first->second;
   }
 
-  // Makes the decoder stand behind the prompt, of which it keeps what it has
-  // read before.
-  Status ReadPrompt(const std::vector<TokenId>& prompt, const Progress& progress) {
-    std::size_t same = 0;
-    while (same < prompt.size() && same < heard_.size() && prompt[same] == heard_[same]) ++same;
-    if (same == prompt.size() && same > 0) --same;  // its last token gives the logits
-    decoder_.Truncate(same);
-    heard_.resize(same);
-    return Hear({prompt.begin() + static_cast<std::ptrdiff_t>(same), prompt.end()}, progress);
+  // What the eyes make of the pictures of the messages, one behind the other.
+  Result<std::vector<float>> Seen(const std::vector<ChatMessage>& messages) const {
+    std::vector<float> seen;
+    for (const ChatMessage& message : messages) {
+      if (message.image_png.empty()) continue;
+      if (!eyes_) return InvalidArgument("the model '" + name_ + "' sees no pictures");
+      LW_ASSIGN_OR_RETURN(const std::vector<float> more, eyes_->See(message.image_png));
+      seen.insert(seen.end(), more.begin(), more.end());
+    }
+    return seen;
   }
+
   Status Hear(const std::vector<TokenId>& tokens, const Progress& progress) {
-    const Status status = decoder_.Append(tokens, progress);
-    const std::size_t heard = decoder_.length() - heard_.size();  // all but where it was cancelled
-    heard_.insert(heard_.end(), tokens.begin(),
-                  tokens.begin() + static_cast<std::ptrdiff_t>(heard));
-    return status;
+    LW_RETURN_IF_ERROR(asked_.Add(tokens, progress));
+    return unasked_ ? unasked_->Add(tokens, progress) : Status();
+  }
+
+  // Logits of what was asked; guided ones have moved away from what the model would say to nothing
+  // (classifier-free guidance: Ho and Salimans 2022; of language models: Sanchez et al. 2023).
+  const std::vector<float>& Logits() {
+    if (!unasked_) return asked_.logits();
+    guided_ = unasked_->logits();
+    for (std::size_t i = 0; i < guided_.size(); ++i)
+      guided_[i] += guidance_ * (asked_.logits()[i] - guided_[i]);
+    return guided_;
   }
 
   Result<ChatReply> Answer(const ChatRequest& request, const Grammar* grammar,
@@ -101,7 +112,10 @@ class LocalServer : public ChatServer {
     const Clock::time_point begin = Clock::now();
     const std::vector<TokenId> prompt = ChatTokens(tokenizer_, style_, request.messages);
     if (prompt.empty()) return InvalidArgument("there are no messages to answer");
-    LW_RETURN_IF_ERROR(ReadPrompt(prompt, progress));
+    LW_ASSIGN_OR_RETURN(const std::vector<float> seen, Seen(request.messages));
+    LW_RETURN_IF_ERROR(asked_.Begin(seen, prompt, progress));
+    if (unasked_)
+      LW_RETURN_IF_ERROR(unasked_->Begin({}, ChatTokens(tokenizer_, style_, {}), progress));
     ChatReply reply;
     reply.model = name_;
     reply.prompt_tokens = static_cast<int>(prompt.size());
@@ -110,7 +124,8 @@ class LocalServer : public ChatServer {
     std::optional<TokenMask> mask;
     if (grammar != nullptr) mask.emplace(*grammar, tokenizer_, tree_, end());
     std::vector<TokenId> unheard;  // that were taken without asking the model
-    const std::size_t room = model_->sizes.context - prompt.size();
+    const std::size_t room =
+        model_->sizes.context - seen.size() / model_->sizes.width - prompt.size();
     while (reply.completion_tokens < request.max_tokens &&
            static_cast<std::size_t>(reply.completion_tokens) < room) {
       const std::vector<TokenId>& allowed = mask ? mask->Allowed() : any_token_;
@@ -123,9 +138,9 @@ class LocalServer : public ChatServer {
         LW_RETURN_IF_ERROR(Hear(unheard, progress));
         unheard.clear();
       }
-      const TokenId token = allowed.size() == 1 ? allowed.front()
-                                                : ChooseToken(decoder_.logits(), allowed,
-                                                              request.temperature, &random);
+      const TokenId token = allowed.size() == 1
+                                ? allowed.front()
+                                : ChooseToken(Logits(), allowed, request.temperature, &random);
       if (token == end()) {
         reply.finish_reason = "stop";
         break;
@@ -149,12 +164,38 @@ class LocalServer : public ChatServer {
   const Tokenizer tokenizer_;
   const TokenTree tree_;
   const std::shared_ptr<const LlamaModel> model_;
+  const std::optional<HeightEyes> eyes_;
+  const float guidance_;  // 1: none
   std::vector<TokenId> any_token_;
   std::mutex mutex_;  // guards what follows
-  LlamaDecoder decoder_;
-  std::vector<TokenId> heard_;  // that decoder_ has read
+  HeardText asked_;
+  std::optional<HeardText> unasked_;  // the answer as if nothing had been asked, where guided
+  std::vector<float> guided_;
   std::map<std::string, Grammar> grammars_;
 };
+
+// How far answers move away from what the model says to nothing; models that were trained without a
+// prompt now and then say so of themselves.
+Result<float> ReadGuidance(const GgufFile& file) {
+  constexpr std::string_view kKey = "latticeworld.guidance";
+  if (!file.Has(kKey)) return 1.0f;
+  LW_ASSIGN_OR_RETURN(const double guidance, file.Number(kKey));
+  if (!(guidance >= 1.0 && guidance <= 20.0))
+    return DataLoss("'" + std::string(kKey) + "' is " + std::to_string(guidance) +
+                    "; legal are 1 to 20");
+  return static_cast<float>(guidance);
+}
+
+// The eyes of a model that was trained with some: "layouts.eyes.gguf" beside "layouts.gguf".
+Result<std::optional<HeightEyes>> ReadEyes(const std::string& model_file, const LlamaModel& model) {
+  const std::string path = std::filesystem::path(model_file).replace_extension(".eyes.gguf");
+  LW_ASSIGN_OR_RETURN(HeightEyes eyes, HeightEyes::Open(path));
+  if (eyes.embedding() != model.sizes.width)
+    return DataLoss("'" + path + "' makes embeddings of " + std::to_string(eyes.embedding()) +
+                    " values, where those of '" + model_file + "' have " +
+                    std::to_string(model.sizes.width));
+  return std::optional<HeightEyes>(std::move(eyes));
+}
 
 }  // namespace
 
@@ -167,12 +208,19 @@ Result<std::shared_ptr<ChatServer>> MakeLocalChatServer(const std::string& model
   if (!tokenizer.ok()) return context(tokenizer.status());
   Result<LlamaModel> model = ReadLlamaModel(file);
   if (!model.ok()) return context(model.status());
+  const Result<float> guidance = ReadGuidance(file);
+  if (!guidance.ok()) return context(guidance.status());
+  std::optional<HeightEyes> eyes;
+  if (file.Has("latticeworld.sees")) {
+    LW_ASSIGN_OR_RETURN(eyes, ReadEyes(model_file, *model));
+  }
   const Result<std::string> chat_template = file.Text("tokenizer.chat_template");
   const ChatStyle style = ChatStyleOf(chat_template.ok() ? *chat_template : std::string());
   const Result<std::string> name = file.Text("general.name");
   return std::shared_ptr<ChatServer>(std::make_shared<LocalServer>(
       name.ok() && !name->empty() ? *name : std::filesystem::path(model_file).stem().string(),
-      style, *std::move(tokenizer), std::make_shared<const LlamaModel>(*std::move(model))));
+      style, *std::move(tokenizer), std::make_shared<const LlamaModel>(*std::move(model)),
+      std::move(eyes), *guidance));
 }
 
 }  // namespace latticeworld

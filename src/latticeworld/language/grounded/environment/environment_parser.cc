@@ -16,6 +16,7 @@
 #include "latticeworld/language/grounded/environment/fine_reader.h"
 #include "latticeworld/language/grounded/environment/known_spelling.h"
 #include "latticeworld/language/grounded/environment/measure_reader.h"
+#include "latticeworld/language/grounded/environment/mend_counts.h"
 #include "latticeworld/language/grounded/environment/mend_measures.h"
 #include "latticeworld/language/grounded/environment/token_notes.h"
 #include "latticeworld/language/grounded/environment/word_tables.h"
@@ -191,6 +192,7 @@ HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction,
   MendSpelling(added, &tokens, &heard.warnings);
   MendPlaces(&tokens);
   DropSubstitutes(&tokens);
+  MendCounts(words, &tokens);
   MendMeasures(&tokens);
   NotedTokens noted = NoteScopes(instruction, std::move(tokens), words);
   std::vector<HeardMeasure> measures = ReadMeasures(&noted);

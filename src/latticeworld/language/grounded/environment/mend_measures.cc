@@ -217,8 +217,8 @@ void MendCancels(std::vector<Token>* tokens) {
   }
 }
 
-// "up north": in the north; "chase one another": each other; "three, no, four"; "two more like
-// him"; "perched, not one of them in the air".
+// "up north": in the north; "chase one another": each other; "two more like him"; "perched, not one
+// of them in the air".
 void MendPhrases(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
     const std::string word(WordAt(*tokens, at));
@@ -236,10 +236,6 @@ void MendPhrases(std::vector<Token>* tokens) {
       (*tokens)[at + 1].text = "other";
     }
     if (word == "like" && IsAny(next, {"him", "her", "it", "them"})) Erase(tokens, at, 2);
-    // A number that takes the place of the one before it.
-    const bool corrected = next == "no" && MatchNumber(*tokens, at).tokens == 1 &&
-                           MatchNumber(*tokens, at + 2).tokens > 0;
-    if (corrected) Erase(tokens, at, 2);
     if (word == "not" && next == "one" && WordAt(*tokens, at + 2) == "of" && at > 0 &&
         (*tokens)[at - 1].kind == TokenKind::kComma) {
       std::size_t end = at;

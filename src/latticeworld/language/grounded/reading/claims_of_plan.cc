@@ -26,7 +26,8 @@ class ClaimMaker {
   explicit ClaimMaker(const LayoutPlan& plan) : plan_(plan) {}
 
   std::vector<Claim> Make() {
-    for (const PlannedFeature& feature : plan_.features) ClaimFeature(feature);
+    for (const PlannedFeature& feature : plan_.features)
+      if (!feature.supposed) ClaimFeature(feature);
     for (const PlannedFeature& feature : plan_.features) ClaimCount(feature);
     for (const PlannedRelation& relation : plan_.relations) ClaimRelation(relation);
     for (const PlannedOrder& order : plan_.orders) ClaimOrder(order);
@@ -55,9 +56,9 @@ class ClaimMaker {
     return plan_.features[static_cast<std::size_t>(index)];
   }
   int FeaturesOf(char letter) const {
-    return static_cast<int>(
-        std::count_if(plan_.features.begin(), plan_.features.end(),
-                      [&](const PlannedFeature& other) { return other.letter == letter; }));
+    return static_cast<int>(std::count_if(
+        plan_.features.begin(), plan_.features.end(),
+        [&](const PlannedFeature& other) { return other.letter == letter && !other.supposed; }));
   }
   bool IsAlone(const PlannedFeature& feature) const { return FeaturesOf(feature.letter) == 1; }
   // The relation makes the feature only what lies around another: a ring, an island.
@@ -268,11 +269,12 @@ class ClaimMaker {
 
   void ClaimOrder(const PlannedOrder& order) {
     Claim claim = Of(ClaimKind::kOrder, '?', order.words);
-    for (const int index : order.features) {
-      const char letter = At(index).letter;
-      // A class that comes twice, or elsewhere too, has no one place in the order.
-      if (claim.sequence.find(letter) != std::string::npos || !IsAlone(At(index))) continue;
-      claim.sequence += letter;
+    const std::vector<int>& features = order.features;
+    for (std::size_t first = 0, next = 0; first < features.size(); first = next) {
+      const char letter = At(features[first]).letter;
+      while (next < features.size() && At(features[next]).letter == letter) ++next;
+      // A class that comes again later, or elsewhere too, has no one place in the order.
+      if (FeaturesOf(letter) == static_cast<int>(next - first)) claim.sequence += letter;
     }
     if (claim.sequence.size() < 2) return;
     claim.subject = claim.sequence.front();

@@ -333,6 +333,20 @@ void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chu
                                 [&](int index) { return d_.feature(index).fills_rest; }),
                  owners.end());
   }
+  // "mostly grass and a single building in the middle": the building is there.
+  if (owners.size() > 1) {
+    const int placed = owners.back();
+    const bool counted = d_.feature(placed).form == FeatureForm::kPatch &&
+                         (d_.feature(placed).pieces_least > 0 || !d_.thing(placed).plural);
+    owners.erase(std::remove_if(owners.begin(), owners.end(),
+                                [&](int index) {
+                                  const PlannedFeature& land = d_.feature(index);
+                                  return counted && index != placed &&
+                                         land.form == FeatureForm::kSpread &&
+                                         (land.dominant || land.texture == Texture::kScattered);
+                                }),
+                 owners.end());
+  }
   // "roads reaching every side of the map"
   const bool all_sides = zones.size() == 4 || (zones.size() == 1 && zones.front().name == "edges");
   if (all_sides && owners.size() == 1 && IsLine(owners[0]) && SaysReach()) {

@@ -64,6 +64,19 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
         const std::vector<int> many = d_.Antecedent(about, /*many=*/true);
         // "Fields in the east, woods in the west; a brook separates them."
         const bool two = frame_.has_value() && frame_->expecting && WantsTwo(frame_->sense);
+        // "A village north of the lake, another one south of it, and a road connects them."
+        if (two && !many.empty() && many.size() <= 2) {
+          const int one = many.back();
+          const bool alike =
+              many.size() == 2 && d_.feature(many[0]).letter == d_.feature(one).letter;
+          for (int i = one - 1; i >= 0 && !alike; --i) {
+            const bool fellow = !d_.thing(i).dropped &&
+                                d_.feature(one).form == FeatureForm::kPatch &&
+                                d_.feature(i).form == FeatureForm::kPatch &&
+                                d_.feature(i).letter == d_.feature(one).letter;
+            if (fellow) return {i, one};
+          }
+        }
         const bool single = many.size() == 1 && d_.feature(many[0]).pieces_most <= 1;
         if (two && single) {
           const std::vector<int> last = d_.LastTwo(about);

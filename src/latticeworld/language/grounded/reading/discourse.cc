@@ -8,7 +8,6 @@
 namespace latticeworld {
 namespace {
 
-constexpr std::size_t kMaxFeatures = 32;
 constexpr std::size_t kMaxRelations = 48;
 constexpr int kMaxPieces = 24;
 constexpr int kSmallCells = 6;  // "houses" of this size stand together, "lakes" apart

@@ -87,6 +87,7 @@ class Discourse {
   void WidenQuarters();
   void SettleDenials();
   void SettleIslands();
+  bool WidenRiverAround(int island);
   void SettleRest();
   void SettleCrossroads();
   void SettleChains();
@@ -96,6 +97,8 @@ class Discourse {
   void PlaceContained();
   void SettleOpenEnds();
   bool Matches(const NounPhrase& phrase, int index) const;
+
+  static constexpr std::size_t kMaxFeatures = 32;  // more than anybody can lay out on one map
 
   std::string_view instruction_;
   LayoutPlan plan_;

@@ -129,7 +129,9 @@ class Asserter {
         }
         break;
       case Sense::kConnects:
-        AssertTwo(RelationKind::kConnects, subject_, frame_.objects);
+        // "a hedge runs between the fields"
+        AssertTwo(IsLine(subject()) ? RelationKind::kConnects : RelationKind::kBetween, subject_,
+                  frame_.objects);
         break;
       case Sense::kSeparatedBy:
         AssertTwo(RelationKind::kBetween, object_, frame_.subjects);
@@ -338,7 +340,7 @@ class Asserter {
                d_.feature(ends[0]).shape == ClaimShape::kGridded) {
       Relate(RelationKind::kAdjacent, middle, ends[0], kTouchingSteps);  // between the streets
       return;
-    } else if (const int other = Sibling(ends[0]); other >= 0) {
+    } else if (const int other = Sibling(ends[0], IsLine(d_.feature(middle))); other >= 0) {
       relation.object = other;
       relation.second_object = ends[0];
     } else if (d_.feature(ends[0]).pieces >= 2 || d_.thing(ends[0]).plural ||
@@ -375,13 +377,21 @@ class Asserter {
     d_.Relate(std::move(relation));
   }
 
-  // The other of two things that were split off each other: "two villages, one ..., one ...".
-  int Sibling(int index) const {
-    if (d_.feature(index).pieces != 1) return -1;
+  // One of a kind: counted as one, or (placed) a thing with a place of its own.
+  bool IsOne(int index, bool placed) const {
+    const PlannedFeature& feature = d_.feature(index);
+    return feature.pieces == 1 ||
+           (placed && feature.pieces == 0 && !d_.thing(index).plural && feature.zones.size() == 1);
+  }
+
+  // The other of two things that were split off each other: "two villages, one ..., one ...", or
+  // that have places of their own: "a village in the east and a village in the west".
+  int Sibling(int index, bool placed) const {
+    if (!IsOne(index, placed)) return -1;
     int sibling = -1;
     for (int i = 0; i < d_.size(); ++i) {
       if (i == index || d_.thing(i).dropped || d_.thing(i).noun != d_.thing(index).noun) continue;
-      if (d_.feature(i).pieces != 1) continue;
+      if (!IsOne(i, placed)) continue;
       if (sibling >= 0) return -1;
       sibling = i;
     }

@@ -93,6 +93,18 @@ int OthersAt(const std::vector<Token>& tokens, std::size_t at, const TakenPlaces
   return count;
 }
 
+// What follows is spoken of anew: "..., the other two are grass".
+void BeginSentence(std::vector<Token>* words) {
+  while (!words->empty() &&
+         IsOneOf(WordAt(*words, words->size() - 1), {"the", "and", "but", "while", "with"})) {
+    words->pop_back();
+  }
+  if (words->empty() || words->back().kind == TokenKind::kStop) return;
+  if (words->back().kind == TokenKind::kComma) words->pop_back();
+  if (!words->empty())
+    words->push_back({TokenKind::kStop, ".", words->back().end, words->back().end});
+}
+
 }  // namespace
 
 // "fields in the NW and SE quadrant, forest in the other two"
@@ -138,6 +150,8 @@ std::vector<Token> WithOtherPlaces(std::vector<Token> tokens) {
     const std::vector<Heading> left = places.Left();
     if (count > 0 && static_cast<std::size_t>(count) == left.size()) {
       const Token beside = tokens[at];
+      if (IsOneOf(WordAt(tokens, end), {"is", "are", "should", "must", "shall", "stay", "stays"}))
+        BeginSentence(&whole);
       for (std::size_t i = 0; i < left.size(); ++i) {
         if (i > 0) whole.push_back(WordLike("and", beside));
         whole.push_back(WordLike("the", beside));

@@ -19,6 +19,18 @@ void TurnComparisons(std::vector<Token>* tokens) {
     bool more = false;
     bool less = false;
     const std::string word(WordAt(*tokens, at));
+    // "more forest than anything else"
+    if (word == "more") {
+      const ClassWordMatch noun = MatchClassWord(*tokens, at + 1);
+      const std::size_t than = at + 1 + noun.tokens;
+      if (noun.word != nullptr && WordAt(*tokens, than) == "than" &&
+          IsOneOf(WordAt(*tokens, than + 1), {"anything", "everything"}) &&
+          WordAt(*tokens, than + 2) == "else") {
+        EraseTokens(tokens, than, 3);
+        (*tokens)[at].text = "mostly";
+        continue;
+      }
+    }
     if (IsOneOf(word, {"twice", "double", "thrice"})) {
       more = true;
       ++as;

@@ -171,7 +171,8 @@ void TurnNamedCorner(std::vector<Token>* tokens) {
       InsertTokens(tokens, at, {WordLike("opposite", (*tokens)[at])});
       continue;
     }
-    if (!IsOneOf(WordAt(*tokens, at - 1), {"one", "a"}) || !IsMark(*tokens, at + 1)) continue;
+    if (!IsOneOf(WordAt(*tokens, at - 1), {"one", "a", "far"}) || !IsMark(*tokens, at + 1))
+      continue;
     const std::size_t place = at + 2 + (WordAt(*tokens, at + 2) == "namely" ? 1 : 0);
     Heading heading;
     std::size_t end = TakeHeading(*tokens, place, &heading);
@@ -184,8 +185,9 @@ void TurnNamedCorner(std::vector<Token>* tokens) {
     EraseTokens(tokens, at + 1, end + (closes ? 1 : 0) - at - 1);
     std::vector<Token> turned = side;
     if (WordAt(side, 0) != "the") turned.insert(turned.begin(), WordLike("the", side.front()));
-    EraseTokens(tokens, at - 1, 1);
-    InsertTokens(tokens, at - 1, turned);
+    const std::size_t one = WordAt(*tokens, at - 2) == "the" ? 2 : 1;  // "the far corner"
+    EraseTokens(tokens, at - one, one);
+    InsertTokens(tokens, at - one, turned);
   }
 }
 

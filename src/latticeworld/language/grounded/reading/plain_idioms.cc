@@ -67,6 +67,29 @@ bool TurnAdverb(std::vector<Token>* tokens, std::size_t at) {
   return false;
 }
 
+// "Scatter some trees over the meadow": some trees scattered over it.
+void TurnScattering(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 2 < tokens->size(); ++at) {
+    // "dotted around the meadow"
+    if (IsOneOf(WordAt(*tokens, at), {"dotted", "strewn", "sprinkled", "scattered"}) &&
+        IsOneOf(WordAt(*tokens, at + 1), {"around", "about", "round"}) &&
+        IsOneOf(WordAt(*tokens, at + 2), {"the", "a", "an", "this"})) {
+      (*tokens)[at].text = "scattered";
+      (*tokens)[at + 1].text = "over";
+    }
+    if (!IsOneOf(WordAt(*tokens, at), {"scatter", "sprinkle", "strew", "sow", "dot"})) continue;
+    std::size_t over = at + 1;
+    while (!IsPauseAt(*tokens, over) &&
+           !IsOneOf(WordAt(*tokens, over), {"over", "across", "among", "around", "throughout",
+                                            "about", "on", "in", "through"})) {
+      ++over;
+    }
+    if (IsPauseAt(*tokens, over) || over == at + 1) continue;
+    InsertTokens(tokens, over, {WordLike("scattered", (*tokens)[over])});
+    EraseTokens(tokens, at, 1);
+  }
+}
+
 }  // namespace
 
 // "form top too bottom": from top to bottom. "forest all": everywhere. "A road? There isn't one.":
@@ -112,6 +135,13 @@ void TurnSlips(std::vector<Token>* tokens) {
         MatchClassWord(*tokens, at + 1).word != nullptr) {
       InsertTokens(tokens, at, {WordLike("a", (*tokens)[at])});
       ++at;
+    }
+    // "Nothing but grass and one building in the middle": mostly grass.
+    if (begins && word == "nothing" && WordAt(*tokens, at + 1) == "but") {
+      const ClassWordMatch noun = MatchClassWord(*tokens, at + 2);
+      const bool more = noun.word != nullptr && noun.word->shape == WordShape::kMass &&
+                        IsOneOf(WordAt(*tokens, at + 2 + noun.tokens), {"and", "with"});
+      if (more) ReplaceTokens(tokens, at, 2, {"mostly"});
     }
     if (begins) {
       const ClassWordMatch noun = MatchClassWord(*tokens, at);
@@ -211,6 +241,7 @@ void TurnMatrix(std::vector<Token>* tokens) {
 // "no forest outside the left corner": only there. "keeps them apart": separates them. "an
 // otherwise bare plain": a mostly bare one. "road: town to lake": from the town.
 void TurnOthers(std::vector<Token>* tokens) {
+  TurnScattering(tokens);
   constexpr std::size_t kReach = 6;
   std::string participle;
   for (std::size_t at = 0; at < tokens->size(); ++at) {

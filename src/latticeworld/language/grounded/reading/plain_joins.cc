@@ -43,6 +43,37 @@ std::vector<Token> NextToBoth(const std::vector<Token>& first, const std::vector
   return turned;
 }
 
+// "A mill stands where the brook flows into the lake": next to both.
+void TurnMouth(std::vector<Token>* tokens) {
+  for (std::size_t at = 1; at + 4 < tokens->size(); ++at) {
+    if (WordAt(*tokens, at) != "where" || IsPauseAt(*tokens, at - 1)) continue;
+    std::size_t line = 0;
+    const std::size_t count = LineAt(*tokens, at + 1, &line);
+    std::size_t next = line + count;
+    if (count == 0 ||
+        !IsOneOf(WordAt(*tokens, next), {"flows", "runs", "empties", "enters", "meets", "reaches",
+                                         "joins", "drains", "leaves"})) {
+      continue;
+    }
+    ++next;
+    if (IsOneOf(WordAt(*tokens, next), {"into", "in"})) ++next;
+    if (IsOneOf(WordAt(*tokens, next), {"the", "a"})) ++next;
+    const ClassWordMatch lake = MatchClassWord(*tokens, next);
+    if (lake.word == nullptr || lake.word->shape == WordShape::kLine) continue;
+    const std::size_t end = next + lake.tokens;
+    if (!IsPauseAt(*tokens, end)) continue;
+    const Token beside = (*tokens)[at];
+    std::vector<Token> turned =
+        NextToBoth(Copied(*tokens, line, count), Copied(*tokens, next, lake.tokens), beside);
+    turned.push_back({TokenKind::kStop, ".", beside.begin, beside.begin});
+    const std::vector<Token> said = Copied(*tokens, at + 1, end - at - 1);
+    turned.insert(turned.end(), said.begin(), said.end());
+    EraseTokens(tokens, at, end - at);
+    InsertTokens(tokens, at, turned);
+    at += turned.size();
+  }
+}
+
 // "A mill stands where the river and the road cross": next to both, and the one crosses the other.
 void TurnNamedMeeting(std::vector<Token>* tokens) {
   for (std::size_t at = 1; at + 4 < tokens->size(); ++at) {
@@ -289,6 +320,7 @@ void TurnCrosses(std::vector<Token>* tokens) {
 }  // namespace
 
 void TurnJoins(std::vector<Token>* tokens) {
+  TurnMouth(tokens);
   TurnNamedMeeting(tokens);
   TurnMeeting(tokens);
   TurnCrosses(tokens);

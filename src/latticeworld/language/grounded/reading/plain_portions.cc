@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -5,6 +6,7 @@
 
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
+#include "latticeworld/language/grounded/reading/side_words.h"
 #include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/numbers.h"
 #include "latticeworld/language/place_words.h"
@@ -165,10 +167,136 @@ void TurnMore(std::vector<Token>* tokens) {
   }
 }
 
+// The first line that the sentence before `at` speaks of; of none: no words.
+std::vector<Token> LineBefore(const std::vector<Token>& tokens, std::size_t at) {
+  std::size_t begin = at;
+  while (begin > 0 && !IsStopAt(tokens, begin - 1)) --begin;
+  for (; begin < at; ++begin) {
+    const ClassWordMatch match = MatchClassWord(tokens, begin);
+    if (match.word == nullptr || match.word->shape != WordShape::kLine || match.plural) continue;
+    return {tokens.begin() + static_cast<std::ptrdiff_t>(begin),
+            tokens.begin() + static_cast<std::ptrdiff_t>(begin + match.tokens)};
+  }
+  return {};
+}
+
+// "A road from the left edge to the village and another one from there": another road.
+void TurnAnotherLine(std::vector<Token>* tokens) {
+  for (std::size_t at = 1; at + 2 < tokens->size(); ++at) {
+    std::size_t one = at + 1;
+    const bool again = WordAt(*tokens, at) == "another" ||
+                       (WordAt(*tokens, at) == "a" && OrdinalAt(*tokens, one++) >= 2);
+    if (!again || WordAt(*tokens, one) != "one" ||
+        !IsOneOf(WordAt(*tokens, one + 1), {"from", "to", "along", "through", "leading", "going",
+                                            "running", "leads", "goes", "runs", "across"})) {
+      continue;
+    }
+    const std::vector<Token> line = LineBefore(*tokens, at);
+    if (line.empty()) continue;
+    EraseTokens(tokens, one, 1);
+    std::vector<Token> name;
+    for (const Token& token : line) name.push_back(WordLike(token.text, (*tokens)[at]));
+    InsertTokens(tokens, one, name);
+  }
+}
+
+// "three islands, each with trees on it": each wooded.
+void TurnClothed(std::vector<Token>* tokens) {
+  for (std::size_t at = 1; at + 3 < tokens->size(); ++at) {
+    if (!IsOneOf(WordAt(*tokens, at - 1), {"islands", "islets"}) || !IsPauseAt(*tokens, at) ||
+        IsStopAt(*tokens, at) || !IsOneOf(WordAt(*tokens, at + 1), {"each", "all", "both"})) {
+      continue;
+    }
+    std::size_t with = at + 2;
+    if (WordAt(*tokens, with) == "of" && WordAt(*tokens, with + 1) == "them") with += 2;
+    if (WordAt(*tokens, with) != "with") continue;
+    const ClassWordMatch match = MatchClassWord(*tokens, with + 1);
+    if (match.word == nullptr || match.word->shape != WordShape::kMass) continue;
+    std::size_t end = with + 1 + match.tokens;
+    const std::size_t on = end;
+    if (WordAt(*tokens, end) == "on") ++end;
+    if (end > on && IsOneOf(WordAt(*tokens, end), {"it", "them", "each", "top"})) ++end;
+    if (!IsPauseAt(*tokens, end)) continue;
+    EraseTokens(tokens, on, end - on);
+    EraseTokens(tokens, at + 2, with + 1 - (at + 2));
+  }
+}
+
+// "makes two sharp turns": bends. "With two bends": with a bend.
+void TurnBends(std::vector<Token>* tokens, std::size_t at) {
+  std::size_t bends = at + 1;
+  while (bends < at + 4 && IsOneOf(WordAt(*tokens, bends), {"sharp", "wide", "gentle", "big",
+                                                            "slight", "large", "tight", "hard"})) {
+    ++bends;
+  }
+  if (!IsOneOf(WordAt(*tokens, bends), {"turns", "bends", "curves", "twists"})) return;
+  if (IsOneOf(WordAt(*tokens, at - 1), {"makes", "takes", "making", "taking"})) {
+    ReplaceTokens(tokens, at - 1, bends + 2 - at, {"bends"});
+  } else if (IsOneOf(WordAt(*tokens, at - 1), {"with", "has", "having"})) {
+    ReplaceTokens(tokens, at, bends + 1 - at, {"a", "bend"});
+  }
+}
+
+// "three lonely groves": three. "One of them bigger and covered with forest": covered with forest.
+void DropAsides(std::vector<Token>* tokens) {
+  for (std::size_t at = 1; at + 1 < tokens->size(); ++at) {
+    const bool many = (*tokens)[at - 1].kind == TokenKind::kNumber ||
+                      IsOneOf(WordAt(*tokens, at - 1), {"two", "three", "four", "five", "six"});
+    if (many && IsOneOf(WordAt(*tokens, at), {"lonely", "lone", "solitary", "single"})) {
+      EraseTokens(tokens, at, 1);
+    }
+    const bool some = (*tokens)[at].kind == TokenKind::kNumber ||
+                      IsOneOf(WordAt(*tokens, at), {"two", "three", "four", "several", "a"});
+    if (some) TurnBends(tokens, at);
+    // "between the two a village"
+    if (WordAt(*tokens, at - 1) == "the" && WordAt(*tokens, at) == "two" && at >= 2 &&
+        IsOneOf(WordAt(*tokens, at - 2), {"between", "separates", "separate"}) &&
+        IsOneOf(WordAt(*tokens, at + 1),
+                {"a", "an", "one", "there", "is", "lies", "stands", "runs"})) {
+      ReplaceTokens(tokens, at - 1, 2, {"them"});
+    }
+    if (at >= 3 && WordAt(*tokens, at - 3) == "one" && WordAt(*tokens, at - 2) == "of" &&
+        WordAt(*tokens, at - 1) == "them" && WordAt(*tokens, at + 1) == "and" &&
+        IsOneOf(WordAt(*tokens, at), {"bigger", "larger", "smaller", "big", "large", "small"})) {
+      EraseTokens(tokens, at, 2);
+    }
+  }
+}
+
+// "From the farm in the north to the farm in the south": to another farm.
+void TurnNamesakes(std::vector<Token>* tokens) {
+  struct Placed {
+    const ClassWord* word;
+    Heading heading;
+  };
+  std::vector<Placed> placed;
+  for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
+    if (IsStopAt(*tokens, at)) placed.clear();
+    if (WordAt(*tokens, at) != "the") continue;
+    const ClassWordMatch match = MatchClassWord(*tokens, at + 1);
+    const std::size_t in = at + 1 + match.tokens;
+    if (match.word == nullptr || match.plural || !IsOneOf(WordAt(*tokens, in), {"in", "on", "at"}))
+      continue;
+    Heading heading;
+    const std::size_t end = TakeHeading(*tokens, in + 1, &heading);
+    if (end == 0 || WordAt(*tokens, end) == "of") continue;
+    const bool elsewhere = std::any_of(placed.begin(), placed.end(), [&](const Placed& other) {
+      return other.word == match.word &&
+             (other.heading.east != heading.east || other.heading.south != heading.south);
+    });
+    if (elsewhere) (*tokens)[at].text = "another";
+    placed.push_back({match.word, heading});
+  }
+}
+
 }  // namespace
 
 void TurnPortions(std::vector<Token>* tokens) {
   constexpr int kSentences = 3;
+  TurnNamesakes(tokens);
+  DropAsides(tokens);
+  TurnAnotherLine(tokens);
+  TurnClothed(tokens);
   TurnClusters(tokens);
   TurnMore(tokens);
   for (std::size_t at = 0; at < tokens->size(); ++at) {

@@ -134,9 +134,69 @@ bool TurnPlacedRow(std::vector<Token>* tokens, std::size_t begin, std::size_t en
   return true;
 }
 
+// The words between two things that somebody comes by: ", then you reach".
+bool IsStep(const std::vector<Token>& tokens, std::size_t at) {
+  if (at < tokens.size() && tokens[at].kind == TokenKind::kComma) return true;
+  return IsOneOf(
+      WordAt(tokens, at),
+      {"there",  "is",      "are",   "you",   "one",    "we",     "first",   "then",   "next",
+       "after",  "that",    "comes", "come",  "cross",  "and",    "finally", "lastly", "last",
+       "behind", "it",      "this",  "them",  "begins", "starts", "follows", "reach",  "see",
+       "meet",   "find",    "pass",  "enter", "get",    "to",     "at",      "beyond", "which",
+       "have",   "through", "begin", "start", "over",   "into",   "its",     "of",     "follow"});
+}
+
+// "Coming from the west you first cross fields, then a river, then you reach the town": from west
+// to east.
+void TurnWalk(std::vector<Token>* tokens, std::size_t begin) {
+  std::size_t at = begin;
+  while (IsOneOf(WordAt(*tokens, at), {"coming", "going", "walking", "moving", "driving", "when",
+                                       "if", "you", "come", "travelling", "starting"})) {
+    ++at;
+  }
+  if (WordAt(*tokens, at) != "from") return;
+  at += WordAt(*tokens, at + 1) == "the" ? 2 : 1;
+  const AxisMatch axis = MatchAxis(*tokens, at);
+  Heading way = axis.to;
+  if (axis.tokens > 0) {
+    at += axis.tokens;
+  } else {
+    PlaceCursor cursor(*tokens, at);
+    const Direction from = TakeDirection(&cursor);
+    if (!from.found) return;
+    way = {-from.heading.east, -from.heading.south};
+    at = cursor.at();
+  }
+  if (way.IsDiagonal()) return;
+  constexpr std::size_t kLongest = 3;  // words before a noun
+  std::vector<Listed> list;
+  bool then = false;
+  while (!IsStopAt(*tokens, at)) {
+    then = then || IsOneOf(WordAt(*tokens, at), {"then", "first", "behind", "next"});
+    if (IsStep(*tokens, at)) {
+      ++at;
+      continue;
+    }
+    Listed item;
+    item.first = at;
+    while (at < item.first + kLongest && MatchClassWord(*tokens, at).word == nullptr) ++at;
+    const ClassWordMatch match = MatchClassWord(*tokens, at);
+    if (match.word == nullptr) return;
+    at += match.tokens;
+    item.last = at;
+    item.word = match.word;
+    for (const Listed& other : list)
+      if (other.word == item.word) return;
+    list.push_back(item);
+  }
+  if (then && list.size() >= 3) PutOrder(tokens, begin, at, list, way);
+}
+
 }  // namespace
 
 void TurnRows(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 2 < tokens->size(); ++at)
+    if (at == 0 || IsStopAt(*tokens, at - 1)) TurnWalk(tokens, at);
   for (std::size_t at = 1; at + 2 < tokens->size(); ++at) {
     const bool row = WordAt(*tokens, at) == "in" && WordAt(*tokens, at + 1) == "a" &&
                      IsOneOf(WordAt(*tokens, at + 2), {"row", "line"});

@@ -42,6 +42,18 @@ void FillBanks(std::vector<Token>* tokens) {
   }
 }
 
+// "a forest at their foot": next to them.
+void TurnFeet(std::vector<Token>* tokens) {
+  for (std::size_t at = 1; at + 1 < tokens->size(); ++at) {
+    if (IsOneOf(WordAt(*tokens, at), {"its", "their"}) &&
+        IsOneOf(WordAt(*tokens, at + 1), {"foot", "feet", "base"}) &&
+        IsOneOf(WordAt(*tokens, at - 1), {"at", "around", "round", "along"})) {
+      const std::string_view whom = WordAt(*tokens, at) == "its" ? "it" : "them";
+      ReplaceTokens(tokens, at - 1, 3, {"next", "to", whom});
+    }
+  }
+}
+
 // "a lake whose northern shore is wooded": its northern shore is. "South of the road it is all
 // houses": there are houses. "Surrounded by fields on three sides; the fourth, the eastern, is
 // forest": to the east of it.
@@ -64,6 +76,20 @@ void TurnOwnSides(std::vector<Token>* tokens) {
       }
       continue;
     }
+    // "bordered by forest on its west side and by rocks on its east side": it has forest ...
+    if (IsOneOf(WordAt(*tokens, at), {"bordered", "flanked", "fringed", "edged", "lined"}) &&
+        IsOneOf(WordAt(*tokens, at - 1), {"is", "are"}) && WordAt(*tokens, at + 1) == "by") {
+      std::size_t its = at + 2;
+      while (!IsStopAt(*tokens, its) && WordAt(*tokens, its) != "its") ++its;
+      const std::size_t side = TakeHeading(*tokens, its + 1, &heading);
+      if (WordAt(*tokens, its) == "its" && side > 0 && IsFlank(WordAt(*tokens, side))) {
+        for (std::size_t i = its; !IsStopAt(*tokens, i); ++i)
+          if (WordAt(*tokens, i) == "and" && WordAt(*tokens, i + 1) == "by")
+            EraseTokens(tokens, i + 1, 1);
+        ReplaceTokens(tokens, at - 1, 3, {"has"});
+      }
+      continue;
+    }
     // Behind "of it" or "of the road" at the beginning of a clause.
     const bool owns = IsOneOf(WordAt(*tokens, at - 1), {"of", "above", "below"});
     if (WordAt(*tokens, at) == "it" && owns && IsOneOf(WordAt(*tokens, at + 1), {"all", "only"}) &&
@@ -83,7 +109,9 @@ void TurnOwnSides(std::vector<Token>* tokens) {
       if (WordAt(*tokens, begin) == "to" || WordAt(*tokens, begin) == "and") ++begin;
       const bool above = IsOneOf(WordAt(*tokens, begin), {"above", "below", "behind", "beyond"});
       const std::size_t of = TakeHeading(*tokens, begin, &heading);
-      if (begin < at && (above || (of > 0 && of < at && WordAt(*tokens, of) == "of"))) {
+      // "to the south it is open fields", of what was spoken of
+      const bool flank = of == at && begin > 0 && WordAt(*tokens, begin - 1) == "to";
+      if (begin < at && (above || flank || (of > 0 && of < at && WordAt(*tokens, of) == "of"))) {
         (*tokens)[at].text = "there";
       }
       continue;
@@ -113,10 +141,24 @@ void TurnOwnSides(std::vector<Token>* tokens) {
   }
 }
 
-// "forest on its southern side, heath on the north": on its northern side.
+// The words "of it", "of the lake" at `at`; empty: it says nothing of the kind.
+std::vector<Token> OwnerAt(const std::vector<Token>& tokens, std::size_t at) {
+  if (WordAt(tokens, at) != "of") return {};
+  const bool it = WordAt(tokens, at + 1) == "it";
+  const std::size_t thing = at + (WordAt(tokens, at + 1) == "the" ? 2 : 1);
+  const ClassWordMatch noun = MatchClassWord(tokens, thing);
+  if (!it && noun.word == nullptr) return {};
+  const std::size_t end = it ? at + 2 : thing + noun.tokens;
+  return {tokens.begin() + static_cast<std::ptrdiff_t>(at),
+          tokens.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
+// "forest on its southern side, heath on the north": on its northern side. "Forest on the north
+// side of the lake, heath on the south side": of the lake.
 void FillOwners(std::vector<Token>* tokens) {
   Heading side;
   std::string noun;
+  std::vector<Token> of;
   for (std::size_t at = 0; at + 2 < tokens->size(); ++at) {
     if (IsStopAt(*tokens, at)) noun.clear();
     if (!IsOneOf(WordAt(*tokens, at), {"on", "to", "along"})) continue;
@@ -124,18 +166,23 @@ void FillOwners(std::vector<Token>* tokens) {
     Heading heading;
     const std::size_t end = TakeHeading(*tokens, at + 1, &heading);
     if (end == 0) continue;
-    if (owner == "its" && IsFlank(WordAt(*tokens, end))) {
+    const std::vector<Token> owned = OwnerAt(*tokens, end + 1);
+    if (IsFlank(WordAt(*tokens, end)) && (owner == "its" || (owner == "the" && !owned.empty()))) {
       side = heading;
       noun = WordAt(*tokens, end);
+      of = owned;
       continue;
     }
     const bool opposite = heading.east == -side.east && heading.south == -side.south;
     if (noun.empty() || owner != "the" || !opposite) continue;
     const bool said = WordAt(*tokens, end) == noun;
-    if (!said && !IsPauseAt(*tokens, end)) continue;
+    if (!IsPauseAt(*tokens, said ? end + 1 : end)) continue;
     (*tokens)[at].text = "on";
-    (*tokens)[at + 1].text = "its";
-    if (!said) InsertTokens(tokens, end, {WordLike(noun, (*tokens)[end - 1])});
+    if (of.empty()) (*tokens)[at + 1].text = "its";
+    std::vector<Token> left_out;
+    if (!said) left_out.push_back(WordLike(noun, (*tokens)[end - 1]));
+    for (const Token& word : of) left_out.push_back(WordLike(word.text, (*tokens)[end - 1]));
+    InsertTokens(tokens, end + (said ? 1 : 0), left_out);
   }
 }
 
@@ -143,6 +190,7 @@ void FillOwners(std::vector<Token>* tokens) {
 
 void TurnShores(std::vector<Token>* tokens) {
   FillBanks(tokens);
+  TurnFeet(tokens);
   TurnOwnSides(tokens);
   FillOwners(tokens);
 }

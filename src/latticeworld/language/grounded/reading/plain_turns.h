@@ -43,6 +43,10 @@ void TurnShores(std::vector<Token>* tokens);
 // the top right corner.
 void TurnFlanks(std::vector<Token>* tokens);
 
+// plain_detours.cc: "a road all the way around it", "bends north around a lake": around it,
+// passes north of a lake.
+void TurnDetours(std::vector<Token>* tokens);
+
 // plain_corrections.cc: "a pond in the north, sorry, in the south": in the south.
 void TurnCorrections(std::vector<Token>* tokens);
 
@@ -65,8 +69,27 @@ void TurnOutward(std::vector<Token>* tokens);
 // river", "the southern half is split between fields on the left and houses on the right".
 void TurnLists(std::vector<Token>* tokens);
 
-// plain_linked.cc: "..., connected by roads", "a hamlet halfway along", "it gets sandier towards
-// the north".
+// plain_halfway.cc: "a road from left to right and a hamlet halfway along": next to the road in the
+// center.
+void TurnHalfway(std::vector<Token>* tokens);
+
+// plain_spans.cc: "a strip 5 cells wide", "a lake 10 cells across": no number of strips; covering
+// about 8 percent of the map.
+void TurnSpans(std::vector<Token>* tokens);
+
+// plain_rings.cc: "forest on all four sides, a meadow within", "a town inside a ring road, fields
+// outside": a meadow surrounded by forest, the rest is fields.
+void TurnRings(std::vector<Token>* tokens);
+
+// plain_ends.cc: "a village at each end of the road", "roads leave the town in all four
+// directions": two villages, to the northern edge, the southern edge, ...
+void TurnEnds(std::vector<Token>* tokens);
+
+// plain_fellows.cc: "a village north of the lake, another one south of it", "half of the houses are
+// in the north": another village, the houses.
+void TurnFellows(std::vector<Token>* tokens);
+
+// plain_linked.cc: "..., connected by roads", "it gets sandier towards the north".
 void TurnLinked(std::vector<Token>* tokens);
 
 // plain_amounts.cc: comparisons, negations, exceptions.

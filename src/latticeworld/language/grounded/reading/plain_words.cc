@@ -9,6 +9,10 @@ namespace latticeworld {
 // Each step reads what the steps before it have left.
 std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnCorrections(&tokens);
+  TurnSpans(&tokens);
+  TurnRings(&tokens);
+  TurnEnds(&tokens);
+  TurnFellows(&tokens);
   TurnRows(&tokens);
   TurnStripes(&tokens);
   TurnSlants(&tokens);
@@ -16,10 +20,12 @@ std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnLists(&tokens);
   TurnSizes(&tokens);
   TurnOutward(&tokens);
+  TurnHalfway(&tokens);
   TurnLinked(&tokens);
   TurnSlips(&tokens);
   TurnPossessives(&tokens);
   TurnFlanks(&tokens);
+  TurnDetours(&tokens);
   TurnBanks(&tokens);
   TurnShores(&tokens);
   TurnJoins(&tokens);

@@ -99,40 +99,6 @@ void Discourse::WidenQuarters() {
   }
 }
 
-// An island needs water to lie in.
-void Discourse::SettleIslands() {
-  bool water = false;
-  for (int i = 0; i < size(); ++i) {
-    water = water || (!thing(i).dropped && feature(i).letter == 'W' &&
-                      feature(i).form != FeatureForm::kLine);
-  }
-  for (int i = 0; i < size() && !water; ++i) {
-    if (thing(i).dropped || !thing(i).is_island) continue;
-    plan_.warnings.push_back("there is no lake or sea for " +
-                             Quote(Words(thing(i).begin, thing(i).end)) + " to lie in");
-    Drop(i);
-  }
-  // "A lake. An island.": in the first water there is.
-  for (int i = 0; i < size() && water; ++i) {
-    if (thing(i).dropped || !thing(i).is_island) continue;
-    const bool placed = std::any_of(
-        plan_.relations.begin(), plan_.relations.end(), [&](const PlannedRelation& relation) {
-          return relation.kind == RelationKind::kWithin && relation.subject == i;
-        });
-    for (int j = 0; j < size() && !placed; ++j) {
-      if (thing(j).dropped || feature(j).letter != 'W' || feature(j).form == FeatureForm::kLine) {
-        continue;
-      }
-      PlannedRelation relation;
-      relation.kind = RelationKind::kWithin;
-      relation.subject = i;
-      relation.object = j;
-      Relate(std::move(relation));
-      break;
-    }
-  }
-}
-
 // "a river and jungle, nothing else": what spreads takes all the land, the first where it is two.
 void Discourse::SettleRest() {
   if (!all_is_said_) return;

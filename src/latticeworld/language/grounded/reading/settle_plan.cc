@@ -72,13 +72,41 @@ char Outermost(const LayoutPlan& plan) {
   return '\0';
 }
 
+// The share of the map that a feature takes at most, roughly.
+double MostOf(const PlannedFeature& feature) {
+  constexpr double kLine = 0.06, kCells = kLayoutSize * kLayoutSize;
+  switch (feature.form) {
+    case FeatureForm::kLine:
+      return kLine;
+    case FeatureForm::kPatch:
+      return std::max({feature.pieces, feature.pieces_most, feature.pieces_least, 1}) *
+             feature.cells / kCells;
+    case FeatureForm::kSpread:
+      break;
+  }
+  LayoutMask covered;
+  for (const Zone& zone : feature.zones) covered = covered | MaskOf(zone);
+  const double open = feature.zones.empty() ? 1.0 : covered.count() / kCells;
+  return std::min(open, feature.share_most.value_or(1.0));
+}
+
+// "Grass takes up 75 % of the land", and nothing is said of what could be the rest.
+bool LeavesLandOver(const LayoutPlan& plan, const PlannedFeature& feature) {
+  if (feature.share_most.value_or(1.0) >= 1.0) return false;
+  double others = 0.0;
+  for (const PlannedFeature& other : plan.features)
+    if (other.letter != feature.letter) others += MostOf(other);
+  return others < 1.0 - *feature.share_most;
+}
+
 char Background(const LayoutPlan& plan) {
   for (const PlannedFeature& feature : plan.features) {
     if (feature.fills_rest && feature.form != FeatureForm::kLine) return feature.letter;
   }
   // What covers most of the whole map is what everything else lies on.
   for (const PlannedFeature& feature : plan.features) {
-    if (feature.dominant && feature.zones.empty() && feature.form != FeatureForm::kLine) {
+    if (feature.dominant && feature.zones.empty() && feature.form != FeatureForm::kLine &&
+        !LeavesLandOver(plan, feature)) {
       return feature.letter;
     }
   }
@@ -99,7 +127,8 @@ char Background(const LayoutPlan& plan) {
       std::any_of(plan.features.begin(), plan.features.end(), [&](const PlannedFeature& feature) {
         // "two parks" do not show on grass.
         const bool counted = feature.form == FeatureForm::kPatch && feature.pieces_least > 0;
-        return feature.letter == usual && (counted || feature.share_most.value_or(1.0) < 0.7);
+        return feature.letter == usual &&
+               (counted || feature.share_most.value_or(1.0) < 0.7 || LeavesLandOver(plan, feature));
       });
   if (!bounded) return usual;
   // "rocky desert with a few bushes": what was asked for without bounds is.

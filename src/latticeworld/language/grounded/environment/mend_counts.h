@@ -1,0 +1,20 @@
+#ifndef LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_MEND_COUNTS_H_
+#define LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_MEND_COUNTS_H_
+
+#include <vector>
+
+#include "latticeworld/language/grounded/environment/word_tables.h"
+#include "latticeworld/language/tokens.h"
+
+namespace latticeworld {
+
+// Numbers of agents in the form that is read best:
+// - "ten, I mean twelve, sheep", "three, no, four drones": twelve, four;
+// - "there used to be goblins": no goblins, unless "now there are only three" follows;
+// - "four rovers: two stand still, two patrol": two of them stand still, two of them patrol.
+// Words that are put in share the bytes of those that they stand beside.
+void MendCounts(const EnvironmentWords& words, std::vector<Token>* tokens);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_MEND_COUNTS_H_

@@ -1,0 +1,85 @@
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "latticeworld/language/class_words.h"
+#include "latticeworld/language/grounded/reading/plain_turns.h"
+#include "latticeworld/language/grounded/reading/token_edits.h"
+#include "latticeworld/language/place_words.h"
+
+// Ends of what runs.
+namespace latticeworld {
+namespace {
+
+// "each end of", "either end of", "both ends of": the token behind it, or `at`.
+std::size_t TakeEnds(const std::vector<Token>& tokens, std::size_t at) {
+  const bool each = IsOneOf(WordAt(tokens, at), {"each", "either"}) &&
+                    IsOneOf(WordAt(tokens, at + 1), {"end", "ends"});
+  const bool both = WordAt(tokens, at) == "both" && WordAt(tokens, at + 1) == "ends";
+  return each || both ? at + 2 : at;
+}
+
+// "Two villages, one at each end of the road": at each end of it. "A village at each end": two
+// villages.
+void TurnOneAtEachEnd(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "at" || TakeEnds(*tokens, at + 1) == at + 1) return;
+  const bool one = at > 0 && ((*tokens)[at - 1].text == "one" || (*tokens)[at - 1].text == "1");
+  if (one && at > 1 && (*tokens)[at - 2].kind == TokenKind::kComma) {
+    EraseTokens(tokens, at - 2, 2);
+    return;
+  }
+  constexpr std::size_t kLongest = 4;
+  for (std::size_t back = 1; back <= kLongest && back <= at; ++back) {
+    const std::size_t article = at - back;
+    if (!IsOneOf(WordAt(*tokens, article), {"a", "an", "one"})) continue;
+    for (std::size_t noun = article + 1; noun < at; ++noun) {
+      const ClassWordMatch match = MatchClassWord(*tokens, noun);
+      if (match.word == nullptr || noun + match.tokens != at) continue;
+      if (match.word->shape == WordShape::kThing) ReplaceTokens(tokens, article, 1, {"two"});
+      return;
+    }
+    return;
+  }
+}
+
+// "Roads leave the town in all four directions": they run from the town to the four edges.
+void TurnAllDirections(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "in") return;
+  std::size_t end = at + 1;
+  if (!IsOneOf(WordAt(*tokens, end), {"all", "every"})) return;
+  ++end;
+  if (end < tokens->size() && (WordAt(*tokens, end) == "four" || (*tokens)[end].text == "4")) ++end;
+  if (!IsOneOf(WordAt(*tokens, end), {"direction", "directions"})) return;
+  ++end;
+  std::size_t verb = at;
+  while (verb > 0 && !IsPauseAt(*tokens, verb - 1) &&
+         !IsOneOf(WordAt(*tokens, verb), {"leave", "leaves", "leaving", "lead", "leading", "run",
+                                          "running", "go", "going", "radiate", "radiating"})) {
+    --verb;
+  }
+  const bool leaves = IsOneOf(WordAt(*tokens, verb), {"leave", "leaves", "leaving"});
+  if (verb == 0 || MatchClassWord(*tokens, verb).word != nullptr) return;
+  const ClassWordMatch line = MatchClassWord(*tokens, verb - 1);
+  if (line.word == nullptr || line.word->shape != WordShape::kLine) return;
+  const bool owned = verb + 1 < at;  // "from the town", "the town"
+  if (!owned && !leaves) return;
+  ReplaceTokens(tokens, at, end - at,
+                {"to", "the", "northern", "edge", "the", "southern", "edge", "the", "eastern",
+                 "edge", "and", "the", "western", "edge"});
+  const Token comma{TokenKind::kComma, ",", (*tokens)[at].begin, (*tokens)[at].end};
+  InsertTokens(tokens, at + 10, {comma});
+  InsertTokens(tokens, at + 7, {comma});
+  InsertTokens(tokens, at + 4, {comma});
+  if (leaves) ReplaceTokens(tokens, verb, 1, {"run", "from"});
+}
+
+}  // namespace
+
+void TurnEnds(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at < tokens->size(); ++at) {
+    TurnOneAtEachEnd(tokens, at);
+    TurnAllDirections(tokens, at);
+  }
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,96 @@
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "latticeworld/language/class_words.h"
+#include "latticeworld/language/grounded/reading/plain_turns.h"
+#include "latticeworld/language/grounded/reading/side_words.h"
+#include "latticeworld/language/grounded/reading/token_edits.h"
+#include "latticeworld/language/place_words.h"
+
+// One more of a kind, and some of a kind.
+namespace latticeworld {
+namespace {
+
+// "south of", "next to", "beside": where something stands, told by another.
+bool IsBeside(const std::vector<Token>& tokens, std::size_t at) {
+  if (IsOneOf(WordAt(tokens, at), {"beside", "near", "by", "behind", "opposite", "below", "above",
+                                   "beyond", "next", "close"})) {
+    return true;
+  }
+  Heading heading;
+  const std::size_t start =
+      at + (WordAt(tokens, at) == "to" && WordAt(tokens, at + 1) == "the" ? 2 : 0);
+  const std::size_t end = TakeHeading(tokens, start, &heading);
+  return end > 0 && WordAt(tokens, end) == "of";
+}
+
+// The class word of "a village" or "a small village" that comes first in the sentence of `at`.
+std::vector<Token> SubjectOf(const std::vector<Token>& tokens, std::size_t at) {
+  std::size_t begin = at;
+  while (begin > 0 && !IsStopAt(tokens, begin - 1)) --begin;
+  bool article = false;
+  for (; begin < at; ++begin) {
+    const ClassWordMatch match = MatchClassWord(tokens, begin);
+    if (match.word == nullptr) {
+      article = article || IsOneOf(WordAt(tokens, begin), {"a", "an", "one"});
+      continue;
+    }
+    const bool thing = article && !match.plural && match.word->shape == WordShape::kThing;
+    if (!thing) return {};
+    const auto first = tokens.begin() + static_cast<std::ptrdiff_t>(begin);
+    return {first, first + static_cast<std::ptrdiff_t>(match.tokens)};
+  }
+  return {};
+}
+
+// "A village north of the lake, another one south of it": another village.
+void NameAnother(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "another") return;
+  const std::size_t one = WordAt(*tokens, at + 1) == "one" ? 1 : 0;
+  if (!IsBeside(*tokens, at + 1 + one)) return;
+  std::vector<Token> name;
+  for (const Token& token : SubjectOf(*tokens, at))
+    name.push_back(WordLike(token.text, (*tokens)[at]));
+  if (name.empty()) return;
+  EraseTokens(tokens, at + 1, one);
+  InsertTokens(tokens, at + 1, name);
+}
+
+// "Half of the houses are in the north, the other half in the south": the houses both times, for
+// nothing is said of halves of the map. "Most of the houses": the houses.
+void NameSome(std::vector<Token>* tokens, std::size_t at) {
+  if (!IsOneOf(WordAt(*tokens, at), {"half", "most", "many", "some"})) return;
+  std::size_t the = at + 1;
+  if (WordAt(*tokens, the) == "of") ++the;
+  if (WordAt(*tokens, the) != "the") return;
+  const ClassWordMatch match = MatchClassWord(*tokens, the + 1);
+  if (match.word == nullptr || !match.plural || match.word->shape != WordShape::kThing) return;
+  const bool half = WordAt(*tokens, at) == "half";
+  const std::vector<Token> name(
+      tokens->begin() + static_cast<std::ptrdiff_t>(the),
+      tokens->begin() + static_cast<std::ptrdiff_t>(the + 1 + match.tokens));
+  EraseTokens(tokens, at, the - at);
+  for (std::size_t i = at + name.size(); half && !IsStopAt(*tokens, i); ++i) {
+    if (WordAt(*tokens, i) != "half") continue;
+    const bool other = WordAt(*tokens, i - 1) == "other";
+    if (!other && !IsPauseAt(*tokens, i - 1) && WordAt(*tokens, i - 1) != "and") continue;
+    const std::size_t first = i - (other ? 1 + (WordAt(*tokens, i - 2) == "the" ? 1 : 0) : 0);
+    std::vector<Token> again;
+    for (const Token& token : name) again.push_back(WordLike(token.text, (*tokens)[first]));
+    EraseTokens(tokens, first, i + 1 - first);
+    InsertTokens(tokens, first, again);
+    return;
+  }
+}
+
+}  // namespace
+
+void TurnFellows(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at < tokens->size(); ++at) {
+    NameAnother(tokens, at);
+    NameSome(tokens, at);
+  }
+}
+
+}  // namespace latticeworld
