@@ -104,7 +104,8 @@ std::string CommandText(const CLI::App& command) {
       continue;
     text += " " + name;
     if (option->get_expected_min() == 0) continue;  // a flag
-    const bool place = name == "--loveda" || name == "--scenes" || StartsWith(name, "--remote-");
+    const bool place = name == "--loveda" || name == "--scenes" || name == "--instructions" ||
+                       StartsWith(name, "--remote-");
     text += " " + (place ? option->get_type_name() : option->results().front());
   }
   return text + " --out DIR";

@@ -5,12 +5,14 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/dataset/generated_source.h"
+#include "latticeworld/dataset/given_instructions.h"
 #include "latticeworld/dataset/loveda_source.h"
 #include "latticeworld/dataset/remote_annotator.h"
 #include "latticeworld/dataset/scenes_source.h"
@@ -83,6 +85,13 @@ void AddDatasetSourceOptions(CLI::App* command) {
   AddValueOption(command, "--loveda", "DIR", "The images of a LoveDA folder as published.");
   AddValueOption(command, "--scenes", "DIR",
                  "Tiles of scenes with segmentation.png and elevation.tif (docs/datasets.md).");
+  AddValueOption(command, "--instructions", "FILE",
+                 "The instructions of a JSON file, as those of a fidelity benchmark, answered by "
+                 "the embedded generator.");
+  AddValueOption(command, "--answers", "N",
+                 "With --instructions: different layouts for each, 1 to 1000 [8].");
+  AddValueOption(command, "--leave-out", "N",
+                 "With --instructions: every Nth, from the first on, is not used [0: all are].");
   AddValueOption(command, "--relief-share", "SHARE",
                  "With --generate: of the places that have a relief, 0 to 1 [0.5].");
   AddValueOption(command, "--loveda-scenes", "WHICH", "rural, urban or all [rural].");
@@ -113,17 +122,31 @@ Result<std::unique_ptr<InstanceSource>> MakeDatasetSource(const CLI::App& comman
   ScenesOptions scenes;
   scenes.folder = ValueOf(command, "--scenes").value_or("");
   scenes.erosion = reader.Number("--erosion", scenes.erosion);
-  reader.AllowOneOf({"--generate", "--loveda", "--scenes"});
+  GivenInstructionsOptions given;
+  given.answers = static_cast<int>(reader.Integer("--answers", 1, 1000, given.answers));
+  given.leave_out = static_cast<int>(reader.Integer("--leave-out", 0, 1000, given.leave_out));
+  given.seed = generated.seed;
+  reader.AllowOneOf({"--generate", "--loveda", "--scenes", "--instructions"});
+  reader.RequireBeside("--answers", "--instructions");
+  reader.RequireBeside("--leave-out", "--instructions");
   reader.RequireBeside("--relief-share", "--generate");
   reader.RequireBeside("--loveda-scenes", "--loveda");
   reader.RequireBeside("--erosion", "--scenes");
   LW_RETURN_IF_ERROR(reader.status());
   LW_RETURN_IF_ERROR(Unusable(Validate(generated)));
   LW_RETURN_IF_ERROR(Unusable(Validate(scenes)));
+  if (const auto file = ValueOf(command, "--instructions")) {
+    LW_ASSIGN_OR_RETURN(std::vector<GivenInstruction> instructions, ReadGivenInstructions(*file));
+    return MakeGivenSource(std::move(instructions),
+                           "Instructions of " + std::filesystem::path(*file).filename().string(),
+                           given);
+  }
   if (command.count("--loveda") > 0) return MakeLoveDaSource(loveda);
   if (command.count("--scenes") > 0) return MakeScenesSource(scenes);
   if (command.count("--generate") > 0) return MakeGeneratedSource(generated);
-  return InvalidArgument("a source is missing; legal is --generate N, --loveda DIR, --scenes DIR");
+  return InvalidArgument(
+      "a source is missing; legal is --generate N, --loveda DIR, --scenes DIR, "
+      "--instructions FILE");
 }
 
 Result<std::unique_ptr<Annotator>> MakeDatasetAnnotator(const CLI::App& command, double size_m) {
@@ -140,6 +163,12 @@ Result<std::unique_ptr<Annotator>> MakeDatasetAnnotator(const CLI::App& command,
   if (has_url && command.count("--facts") > 0)
     return InvalidArgument("--facts is the written annotator's; a model writes as it likes");
   if (has_url) return MakeRemote(command, std::move(server), size_m);
+  if (const auto file = ValueOf(command, "--instructions")) {
+    if (command.count("--facts") > 0)
+      return InvalidArgument("--facts is the written annotator's; --instructions are given");
+    LW_ASSIGN_OR_RETURN(std::vector<GivenInstruction> instructions, ReadGivenInstructions(*file));
+    return MakeGivenAnnotator(std::move(instructions), size_m);
+  }
   LW_ASSIGN_OR_RETURN(const WrittenOptions written, ReadWritten(command, size_m));
   return MakeWrittenAnnotator(written);
 }
