@@ -54,6 +54,7 @@ std::vector<Sample> Fellows() {
        kSuburb,
        {"present B@northern third"},
        {"dominant B@northern third"}},
+      {"Five ponds and paths between them.", kSuburb, {"count W 5..5", "between R W W"}},
       {"Half of the map is forest, the other half fields.", kSuburb, {"amount F", "amount A"}},
   };
 }
@@ -95,6 +96,10 @@ std::vector<Sample> Backgrounds() {
        kSuburb,
        {"scattered F", "present W@center"},
        {"present F@center"}},
+      {"Suburb with streets in a grid and a park in the center.",
+       kSuburb,
+       {"shape R gridded", "present G@center"},
+       {"present R@center"}},
       {"A forest and a lake in the north.",
        kSuburb,
        {"present F@northern third", "present W@northern third"}},

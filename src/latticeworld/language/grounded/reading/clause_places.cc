@@ -340,10 +340,12 @@ void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chu
                          (d_.feature(placed).pieces_least > 0 || !d_.thing(placed).plural);
     owners.erase(std::remove_if(owners.begin(), owners.end(),
                                 [&](int index) {
-                                  const PlannedFeature& land = d_.feature(index);
-                                  return counted && index != placed &&
-                                         land.form == FeatureForm::kSpread &&
-                                         (land.dominant || land.texture == Texture::kScattered);
+                                  const PlannedFeature& other = d_.feature(index);
+                                  const bool land =
+                                      other.form == FeatureForm::kSpread &&
+                                      (other.dominant || other.texture == Texture::kScattered);
+                                  const bool grid = other.shape == ClaimShape::kGridded;
+                                  return counted && index != placed && (land || grid);
                                 }),
                  owners.end());
   }

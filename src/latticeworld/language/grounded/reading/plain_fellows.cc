@@ -8,7 +8,7 @@
 #include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/place_words.h"
 
-// One more of a kind, and some of a kind.
+// One more of a kind, some of a kind, and what lies between them.
 namespace latticeworld {
 namespace {
 
@@ -84,12 +84,33 @@ void NameSome(std::vector<Token>* tokens, std::size_t at) {
   }
 }
 
+// "Five ponds and paths between them": with paths between them.
+void JoinBetween(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "between" ||
+      !IsOneOf(WordAt(*tokens, at + 1), {"them", "these", "those"}) ||
+      !IsPauseAt(*tokens, at + 2)) {
+    return;
+  }
+  constexpr std::size_t kLongest = 4;
+  for (std::size_t back = 1; back <= kLongest && back < at; ++back) {
+    const std::size_t and_at = at - back;
+    if (IsPauseAt(*tokens, and_at)) return;
+    if (WordAt(*tokens, and_at) != "and") continue;
+    const ClassWordMatch line = MatchClassWord(*tokens, and_at + 1);
+    const bool runs = line.word != nullptr && line.word->shape == WordShape::kLine &&
+                      and_at + 1 + line.tokens == at;
+    if (runs) (*tokens)[and_at].text = "with";
+    return;
+  }
+}
+
 }  // namespace
 
 void TurnFellows(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     NameAnother(tokens, at);
     NameSome(tokens, at);
+    JoinBetween(tokens, at);
   }
 }
 
