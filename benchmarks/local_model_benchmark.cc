@@ -1,11 +1,14 @@
 // How fast a language model in this process reads and writes, beside llama.cpp on the same files.
-// Weights are random: speed does not depend on what they say.
-// Usage: local_model_benchmark [DIRECTORY of llama.cpp as the tests install it]
+// Weights are random, for speed does not depend on what they say, but for those of the model that
+// is shipped. Usage: local_model_benchmark [DIRECTORY of llama.cpp as the tests install it]
+
+#include <unistd.h>
 
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -38,8 +41,8 @@ std::vector<TokenId> Prompt() {
   return tokens;
 }
 
-Speeds Ours(const ModelFile& file) {
-  const GgufFile opened = GgufFile::Open(file.path()).value();
+Speeds Ours(const std::string& file) {
+  const GgufFile opened = GgufFile::Open(file).value();
   LlamaDecoder decoder(std::make_shared<const LlamaModel>(ReadLlamaModel(opened).value()));
   const Progress progress;
   Speeds speeds;
@@ -54,23 +57,25 @@ Speeds Ours(const ModelFile& file) {
 }
 
 // llama.cpp answers one question a line; its time is that between two lines.
-Speeds Theirs(const ModelFile& file, const std::string& directory) {
+Speeds Theirs(const std::string& file, const std::string& directory) {
   std::string tokens;
   for (const TokenId token : Prompt())
     tokens += (tokens.empty() ? "" : ",") + std::to_string(token);
-  const std::string asked = file.path() + ".questions";
+  const std::string asked =
+      std::filesystem::temp_directory_path() / ("questions-" + std::to_string(getpid()));
   std::ofstream out(asked);
   for (const int count : {1, 1, 1 + kWritten})
     out << "{\"tokens\":[" << tokens << "],\"count\":" << count << "}\n";
   out.close();
-  const std::string command = "cd '" + directory + "' && ./node '" LLAMA_ANSWERS "' '" +
-                              file.path() + "' < '" + asked + "'";
+  const std::string command =
+      "cd '" + directory + "' && ./node '" LLAMA_ANSWERS "' '" + file + "' < '" + asked + "'";
   FILE* answers = popen(command.c_str(), "r");
   if (answers == nullptr) return {};
   std::vector<Clock::time_point> heard;
   for (int c = std::fgetc(answers); c != EOF; c = std::fgetc(answers))
     if (c == '\n') heard.push_back(Clock::now());
   pclose(answers);
+  std::filesystem::remove(asked);
   if (heard.size() != 3) return {};
   const auto between = [&](int i) {
     return std::chrono::duration<double>(heard[i + 1] - heard[i]).count();
@@ -79,8 +84,8 @@ Speeds Theirs(const ModelFile& file, const std::string& directory) {
 }
 
 // Seconds of one layout under its grammar, with the prompt of the remote back end.
-double LayoutSeconds(const ModelFile& file) {
-  const auto server = MakeLocalChatServer(file.path()).value();
+double LayoutSeconds(const std::string& file) {
+  const auto server = MakeLocalChatServer(file).value();
   ChatRequest request;
   request.messages = {{ChatRole::kUser, "A lake lies in the north, and a wood south of it.", ""}};
   request.form = LayoutForm(Vocabulary::kSuburb);
@@ -89,15 +94,7 @@ double LayoutSeconds(const ModelFile& file) {
   return SecondsSince(begin);
 }
 
-void Measure(const char* name, std::uint32_t type, std::size_t layers, std::size_t width,
-             std::size_t hidden, const std::string& llama) {
-  TinyModel model;
-  model.weight_type = type;
-  model.layers = layers;
-  model.width = width;
-  model.hidden = hidden;
-  model.heads = model.kv_heads = width / 32;
-  const ModelFile file(TinyGguf(model));
+void Measure(const char* name, const std::string& file, const std::string& llama) {
   const Speeds ours = Ours(file);
   std::printf("%-12s reads %7.0f, writes %6.0f tokens/s, a layout in %5.2f s", name, ours.read,
               ours.written, LayoutSeconds(file));
@@ -110,14 +107,27 @@ void Measure(const char* name, std::uint32_t type, std::size_t layers, std::size
   std::fflush(stdout);
 }
 
+void MeasureRandom(const char* name, std::uint32_t type, std::size_t layers, std::size_t width,
+                   std::size_t hidden, const std::string& llama) {
+  TinyModel model;
+  model.weight_type = type;
+  model.layers = layers;
+  model.width = width;
+  model.hidden = hidden;
+  model.heads = model.kv_heads = width / 32;
+  Measure(name, ModelFile(TinyGguf(model)).path(), llama);
+}
+
 }  // namespace
 }  // namespace latticeworld
 
 int main(int argc, char** argv) {
   const std::string llama = argc > 1 ? argv[1] : "";
-  latticeworld::Measure("1 M f32", 0, 2, 192, 512, llama);
-  latticeworld::Measure("10 M f32", 0, 6, 384, 1024, llama);
-  latticeworld::Measure("10 M q8_0", 8, 6, 384, 1024, llama);
-  latticeworld::Measure("50 M q8_0", 8, 12, 576, 1536, llama);
+  using latticeworld::MeasureRandom;
+  latticeworld::Measure("shipped", SHIPPED_MODELS "/layouts.gguf", llama);
+  MeasureRandom("1 M f32", 0, 2, 192, 512, llama);
+  MeasureRandom("10 M f32", 0, 6, 384, 1024, llama);
+  MeasureRandom("10 M q8_0", 8, 6, 384, 1024, llama);
+  MeasureRandom("50 M q8_0", 8, 12, 576, 1536, llama);
   return EXIT_SUCCESS;
 }

@@ -133,4 +133,4 @@ catkin_install_python(PROGRAMS scripts/generate_world.py scripts/launch_stack.py
                       DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(FILES scripts/stack_bridge.py clients/latticeworld_stack/latticeworld_stack.py
         DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-install(DIRECTORY launch_cfg DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+install(DIRECTORY launch_cfg models DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})

@@ -70,8 +70,10 @@ Status ScoreBenchmark(const CLI::App& command) {
                       ReadFidelityBenchmark(*ValueOf(command, "--benchmark"), part));
 
   ProgressDisplay display;
-  Progress progress(
-      [&display](std::string_view stage, double fraction) { display.Show(stage, fraction); });
+  // What the generators say of a single answer is not shown.
+  Progress progress([&display](std::string_view stage, double fraction) {
+    if (stage == "layouts" || stage == "environments") display.Show(stage, fraction);
+  });
   const CancelOnInterrupt cancel_on_interrupt(&progress);
   auto layouts = ScoreLayouts(benchmark.layouts, seed, backend->second.layout.get(), progress);
   auto environments = layouts.ok() ? ScoreEnvironments(benchmark.environments, seed,

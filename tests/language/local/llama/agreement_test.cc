@@ -1,10 +1,12 @@
 // The decoder and the tokenizer beside real llama.cpp on the same files.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,6 +15,7 @@
 
 #include "language/local/tiny_model.h"
 #include "latticeworld/common/random.h"
+#include "latticeworld/language/local/chat_text.h"
 #include "latticeworld/language/local/gguf_file.h"
 #include "latticeworld/language/local/llama_decoder.h"
 #include "latticeworld/language/local/llama_model.h"
@@ -23,21 +26,55 @@ namespace {
 
 using Json = nlohmann::json;
 
-// What llama.cpp answers to each question about the model.
-std::vector<Json> Ask(const ModelFile& model, const std::vector<Json>& questions) {
-  const std::string asked = model.path() + ".questions", said = model.path() + ".answers";
+// What llama.cpp answers to each question about the model in a file.
+std::vector<Json> Ask(const std::string& model, const std::vector<Json>& questions) {
+  const std::string scratch =
+      std::filesystem::temp_directory_path() / ("agreement-" + std::to_string(getpid()));
+  const std::string asked = scratch + ".questions", said = scratch + ".answers";
   std::ofstream out(asked);
   for (const Json& question : questions) out << question.dump() << "\n";
   out.close();
-  const std::string command = "cd '" LLAMA_DIRECTORY "' && ./node '" LLAMA_ANSWERS "' '" +
-                              model.path() + "' < '" + asked + "' > '" + said + "'";
+  const std::string command = "cd '" LLAMA_DIRECTORY "' && ./node '" LLAMA_ANSWERS "' '" + model +
+                              "' < '" + asked + "' > '" + said + "'";
   EXPECT_EQ(std::system(command.c_str()), 0);
   std::vector<Json> answers;
   std::ifstream in(said);
   for (std::string line; std::getline(in, line);) answers.push_back(Json::parse(line));
   EXPECT_EQ(answers.size(), questions.size());
   answers.resize(questions.size());
+  std::filesystem::remove(asked);
+  std::filesystem::remove(said);
   return answers;
+}
+
+// Expects that what llama.cpp writes after the prompts is the likeliest here too. Activations that
+// lie between two int8 go either way, so that there what is nearly as likely may change places.
+void ExpectAgreement(const std::string& file, const std::vector<std::vector<TokenId>>& prompts,
+                     int tokens, bool int8) {
+  const auto opened = GgufFile::Open(file);
+  ASSERT_TRUE(opened.ok()) << opened.status().ToString();
+  const auto model = std::make_shared<const LlamaModel>(*ReadLlamaModel(*opened));
+  const TokenId end = Tokenizer::Read(*opened)->end();
+  std::vector<Json> questions;
+  for (const auto& prompt : prompts) questions.push_back({{"tokens", prompt}, {"count", tokens}});
+  const std::vector<Json> answers = Ask(file, questions);
+  const Progress progress;
+  int same = 0, all = 0;
+  for (std::size_t i = 0; i < prompts.size(); ++i) {
+    LlamaDecoder decoder(model);
+    ASSERT_TRUE(decoder.Append(prompts[i], progress).ok());
+    for (const TokenId theirs : answers[i].get<std::vector<TokenId>>()) {
+      const auto& logits = decoder.logits();
+      const auto ours = std::max_element(logits.begin(), logits.end());
+      EXPECT_LT(*ours - logits[theirs], int8 ? 0.06f : 0.005f);
+      same += ours - logits.begin() == static_cast<std::ptrdiff_t>(theirs) ? 1 : 0;
+      ++all;
+      if (theirs == end) break;
+      ASSERT_TRUE(decoder.Append({theirs}, progress).ok());
+    }
+  }
+  EXPECT_GT(all, static_cast<int>(prompts.size()) * 20);
+  EXPECT_GE(same, int8 ? all * 97 / 100 : all);
 }
 
 class AgreementTest : public testing::TestWithParam<std::uint32_t> {};
@@ -50,42 +87,30 @@ TEST_P(AgreementTest, TheLikeliestTokensAreTheSame) {
   tiny.hidden = 256;
   tiny.seed = 11;
   const ModelFile file(TinyGguf(tiny));
-  const auto opened = GgufFile::Open(file.path());
-  const auto model = std::make_shared<const LlamaModel>(*ReadLlamaModel(*opened));
-
-  constexpr int kPrompts = 4, kTokens = 48;
   RandomStream random(3, "prompts");
-  std::vector<Json> questions;
-  std::vector<std::vector<TokenId>> prompts(kPrompts);
+  std::vector<std::vector<TokenId>> prompts(4);
   for (auto& prompt : prompts) {
     prompt = {1};
     const int size = random.UniformInt(1, 200);
-    for (int i = 0; i < size; ++i) prompt.push_back(random.UniformInt(5, 370));
-    questions.push_back({{"tokens", prompt}, {"count", kTokens}});
+    for (int k = 0; k < size; ++k) prompt.push_back(random.UniformInt(5, 370));
   }
-  const std::vector<Json> answers = Ask(file, questions);
-  const Progress progress;
-  int same = 0, all = 0;
-  for (int i = 0; i < kPrompts; ++i) {
-    LlamaDecoder decoder(model);
-    ASSERT_TRUE(decoder.Append(prompts[i], progress).ok());
-    for (const TokenId theirs : answers[i].get<std::vector<TokenId>>()) {
-      const auto& logits = decoder.logits();
-      const auto ours = std::max_element(logits.begin(), logits.end());
-      EXPECT_LT(*ours - logits[theirs], GetParam() == 8 ? 0.06f : 0.005f);
-      same += ours - logits.begin() == static_cast<std::ptrdiff_t>(theirs) ? 1 : 0;
-      ++all;
-      if (theirs == 2) break;
-      ASSERT_TRUE(decoder.Append({theirs}, progress).ok());
-    }
-  }
-  EXPECT_GT(all, kPrompts * 20);
-  // Activations that lie between two int8 go either way, so that there what is nearly as likely may
-  // change places.
-  EXPECT_GE(same, GetParam() == 8 ? all * 97 / 100 : all);
+  ExpectAgreement(file.path(), prompts, 48, GetParam() == 8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Types, AgreementTest, testing::Values(0u, 1u, 8u));
+
+TEST(ShippedModelTest, WritesTheLayoutsThatLlamaCppWrites) {
+  const std::string file = SHIPPED_MODELS "/layouts.gguf";
+  const auto opened = GgufFile::Open(file);
+  ASSERT_TRUE(opened.ok()) << opened.status().ToString();
+  const Tokenizer tokenizer = *Tokenizer::Read(*opened);
+  std::vector<std::vector<TokenId>> prompts;
+  for (const char* words : {"A lake in the north.", "Mostly forest, with a village in the east."}) {
+    std::vector<ChatMessage> messages = {{ChatRole::kUser, words, ""}};
+    prompts.push_back(ChatTokens(tokenizer, ChatStyle::kChatMl, messages));
+  }
+  ExpectAgreement(file, prompts, 300, /*int8=*/true);
+}
 
 TEST(TokenizerAgreementTest, TextsBecomeTheSameTokens) {
   const ModelFile file(TinyGguf(TinyModel()));
@@ -105,7 +130,7 @@ TEST(TokenizerAgreementTest, TextsBecomeTheSameTokens) {
     texts.push_back(text);
     questions.push_back({{"text", text}});
   }
-  const std::vector<Json> answers = Ask(file, questions);
+  const std::vector<Json> answers = Ask(file.path(), questions);
   for (std::size_t i = 0; i < texts.size(); ++i)
     EXPECT_EQ(tokenizer->Encode(texts[i]), answers[i].get<std::vector<TokenId>>()) << texts[i];
 }
