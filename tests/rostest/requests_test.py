@@ -22,9 +22,9 @@ from latticeworld.msg import (GenerateWorldTaskAction, GenerateWorldTaskActionRe
 from latticeworld.srv import GenerateWorldRequest
 from world_client import ENVIRONMENT, LAYOUT, TIMEOUT_S, Collector, WorldTest, run, wait_until
 
-HOME = pathlib.Path(os.environ["HOME"])
-WORLDS = HOME / ".ros/latticeworld/worlds"
-VISUALS = HOME / ".ros/latticeworld/visuals"
+ROS_HOME = pathlib.Path(os.environ["ROS_HOME"])  # in place of ~/.ros
+WORLDS = ROS_HOME / "latticeworld/worlds"
+VISUALS = ROS_HOME / "latticeworld/visuals"
 
 
 class RawText(str):
