@@ -6,23 +6,13 @@
 #include <string_view>
 
 #include "latticeworld/language/numbers.h"
+#include "latticeworld/language/token_edits.h"
 
 namespace latticeworld {
 namespace {
 
-std::string_view WordAt(const std::vector<Token>& tokens, std::size_t at) {
-  return at < tokens.size() && tokens[at].kind == TokenKind::kWord
-             ? std::string_view(tokens[at].text)
-             : std::string_view();
-}
-
 bool IsCommaAt(const std::vector<Token>& tokens, std::size_t at) {
   return at < tokens.size() && tokens[at].kind == TokenKind::kComma;
-}
-
-void Erase(std::vector<Token>* tokens, std::size_t first, std::size_t count) {
-  const auto begin = tokens->begin() + static_cast<std::ptrdiff_t>(first);
-  tokens->erase(begin, begin + static_cast<std::ptrdiff_t>(count));
 }
 
 // The token behind "I mean", "no", "or rather"; `at`: nothing of the kind.
@@ -53,8 +43,8 @@ void MendRetractions(std::vector<Token>* tokens) {
     next = taken_back + (IsCommaAt(*tokens, taken_back) ? 1 : 0);
     const NumberMatch meant = MatchNumber(*tokens, next);
     if (meant.tokens == 0) continue;
-    Erase(tokens, at, next - at);
-    if (IsCommaAt(*tokens, at + meant.tokens)) Erase(tokens, at + meant.tokens, 1);
+    EraseTokens(tokens, at, next - at);
+    if (IsCommaAt(*tokens, at + meant.tokens)) EraseTokens(tokens, at + meant.tokens, 1);
   }
 }
 
@@ -74,7 +64,7 @@ void MendFormer(std::vector<Token>* tokens) {
     const bool used = WordAt(*tokens, at) == "used" && WordAt(*tokens, at + 1) == "to" &&
                       WordAt(*tokens, at + 2) == "be";
     if (!used || SaysWhatIsLeft(*tokens, at)) continue;
-    Erase(tokens, at + 1, 2);
+    EraseTokens(tokens, at + 1, 2);
     (*tokens)[at].text = "no";
   }
 }
@@ -116,10 +106,8 @@ void MendParts(const EnvironmentWords& words, std::vector<Token>* tokens) {
     if (behind.size() < 2 || sum != whole) continue;
     std::reverse(behind.begin(), behind.end());
     for (const std::size_t at : behind) {
-      const Token& beside = (*tokens)[at];
-      const Token of{TokenKind::kWord, "of", beside.begin, beside.begin};
-      const Token them{TokenKind::kWord, "them", beside.begin, beside.begin};
-      tokens->insert(tokens->begin() + static_cast<std::ptrdiff_t>(at), {of, them});
+      const Token beside = (*tokens)[at];
+      InsertTokens(tokens, at, {WordLike("of", beside), WordLike("them", beside)});
     }
   }
 }

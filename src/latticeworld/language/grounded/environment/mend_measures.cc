@@ -7,23 +7,13 @@
 #include <string_view>
 
 #include "latticeworld/language/numbers.h"
+#include "latticeworld/language/token_edits.h"
 
 namespace latticeworld {
 namespace {
 
-std::string_view WordAt(const std::vector<Token>& tokens, std::size_t at) {
-  return at < tokens.size() && tokens[at].kind == TokenKind::kWord
-             ? std::string_view(tokens[at].text)
-             : std::string_view();
-}
-
 bool IsAny(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-void Erase(std::vector<Token>* tokens, std::size_t first, std::size_t count) {
-  const auto begin = tokens->begin() + static_cast<std::ptrdiff_t>(first);
-  tokens->erase(begin, begin + static_cast<std::ptrdiff_t>(count));
 }
 
 // "half", "one third", "two thirds"; `tokens` 0: no fraction.
@@ -51,7 +41,7 @@ void PutDensity(std::vector<Token>* tokens, std::size_t first, std::size_t count
                 std::string_view decimal) {
   const std::size_t begin = (*tokens)[first].begin;
   const std::size_t end = (*tokens)[first + count - 1].end;
-  Erase(tokens, first + 2, count - 2);
+  EraseTokens(tokens, first + 2, count - 2);
   (*tokens)[first] = {TokenKind::kWord, "density", begin, end};
   (*tokens)[first + 1] = {TokenKind::kNumber, std::string(decimal), begin, end};
 }
@@ -84,7 +74,7 @@ void MendDottedNames(std::vector<Token>* tokens) {
                         (*tokens)[at - 1].kind == TokenKind::kWord &&
                         (*tokens)[at + 1].kind == TokenKind::kWord &&
                         (*tokens)[at - 1].end == stop.begin && (*tokens)[at + 1].begin == stop.end;
-    if (inside) Erase(tokens, at, 1);
+    if (inside) EraseTokens(tokens, at, 1);
   }
 }
 
@@ -109,7 +99,7 @@ void MendTotals(std::vector<Token>* tokens) {
       total.push_back({TokenKind::kWord, std::string(word), beside.begin, beside.end});
     }
     tokens->insert(tokens->begin() + static_cast<std::ptrdiff_t>(end), total.begin(), total.end());
-    Erase(tokens, at, stop + 1 - at);
+    EraseTokens(tokens, at, stop + 1 - at);
   }
 }
 
@@ -128,7 +118,7 @@ void MendLevels(std::vector<Token>* tokens) {
     const Token beside = (*tokens)[at];
     tokens->insert(tokens->begin() + static_cast<std::ptrdiff_t>(unit + 1),
                    {TokenKind::kWord, low ? "lower" : "higher", beside.begin, beside.end});
-    Erase(tokens, at, 2);
+    EraseTokens(tokens, at, 2);
   }
 }
 
@@ -153,7 +143,7 @@ void MendKinds(std::vector<Token>* tokens) {
                       IsAny(WordAt(*tokens, of + 4), {"robot", "robots"});
     if (!each) continue;
     const Token count = (*tokens)[at];
-    Erase(tokens, of, 5);
+    EraseTokens(tokens, of, 5);
     std::size_t next = of;
     for (const auto kind : {"wheeled", "humanoid", "dogs", "drones"}) {
       const std::string_view name(kind);
@@ -197,7 +187,7 @@ void MendMultiples(std::vector<Token>* tokens) {
                           (next > 0 && IsAny(WordAt(*tokens, next - 1), {"are", "is"}));
       if (!counts || said.value < 1 || said.value > 100) break;
       const Token beside = (*tokens)[at];
-      Erase(tokens, at, as + 2 - at);
+      EraseTokens(tokens, at, as + 2 - at);
       tokens->insert(tokens->begin() + static_cast<std::ptrdiff_t>(at),
                      {TokenKind::kNumber, std::to_string(times * static_cast<int>(said.value)),
                       beside.begin, beside.end});
@@ -213,7 +203,7 @@ void MendCancels(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
     if (WordAt(*tokens, at) != "cancel" || WordAt(*tokens, at + 1) != "the") continue;
     (*tokens)[at].text = "no";
-    Erase(tokens, at + 1, 1);
+    EraseTokens(tokens, at + 1, 1);
   }
 }
 
@@ -228,14 +218,14 @@ void MendPhrases(std::vector<Token>* tokens) {
                          (word == "down" && next == "south") ||
                          (word == "out" && (next == "west" || next == "east"));
     if (compass) {
-      Erase(tokens, at, 1);
+      EraseTokens(tokens, at, 1);
       Insert(tokens, at, {"in", "the"}, beside);
     }
     if (word == "one" && next == "another") {
       (*tokens)[at].text = "each";
       (*tokens)[at + 1].text = "other";
     }
-    if (word == "like" && IsAny(next, {"him", "her", "it", "them"})) Erase(tokens, at, 2);
+    if (word == "like" && IsAny(next, {"him", "her", "it", "them"})) EraseTokens(tokens, at, 2);
     if (word == "not" && next == "one" && WordAt(*tokens, at + 2) == "of" && at > 0 &&
         (*tokens)[at - 1].kind == TokenKind::kComma) {
       std::size_t end = at;
@@ -243,7 +233,7 @@ void MendPhrases(std::vector<Token>* tokens) {
              (*tokens)[end].kind != TokenKind::kStop) {
         ++end;
       }
-      Erase(tokens, at, end - at);
+      EraseTokens(tokens, at, end - at);
     }
   }
 }

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "latticeworld/language/class_words.h"
-#include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/places.h"
+#include "latticeworld/language/token_edits.h"
 
 namespace latticeworld {
 namespace {

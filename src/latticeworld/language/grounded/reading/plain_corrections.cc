@@ -6,10 +6,10 @@
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
 #include "latticeworld/language/grounded/reading/side_words.h"
-#include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/numbers.h"
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/places.h"
+#include "latticeworld/language/token_edits.h"
 
 // Second thoughts: a place, an axis or a number that takes the place of the one before.
 namespace latticeworld {

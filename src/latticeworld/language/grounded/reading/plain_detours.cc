@@ -5,8 +5,8 @@
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
 #include "latticeworld/language/grounded/reading/side_words.h"
-#include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/place_words.h"
+#include "latticeworld/language/token_edits.h"
 
 // What goes or lies around things.
 namespace latticeworld {

@@ -6,9 +6,9 @@
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
 #include "latticeworld/language/grounded/reading/side_words.h"
-#include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/places.h"
+#include "latticeworld/language/token_edits.h"
 
 // The other side of a thing, and what lies on a side of it.
 namespace latticeworld {

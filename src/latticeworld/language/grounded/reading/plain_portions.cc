@@ -7,10 +7,10 @@
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
 #include "latticeworld/language/grounded/reading/side_words.h"
-#include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/numbers.h"
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/places.h"
+#include "latticeworld/language/token_edits.h"
 
 // Parts of a number of things that was named before.
 namespace latticeworld {

@@ -5,9 +5,9 @@
 
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
-#include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/places.h"
+#include "latticeworld/language/token_edits.h"
 
 // Different things that stand in a row.
 namespace latticeworld {

@@ -9,9 +9,9 @@
 #include "latticeworld/language/extents.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
 #include "latticeworld/language/grounded/reading/side_words.h"
-#include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/places.h"
+#include "latticeworld/language/token_edits.h"
 
 // Sizes told by another size: "about half that size".
 namespace latticeworld {

@@ -7,8 +7,8 @@
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
 #include "latticeworld/language/grounded/reading/slants.h"
-#include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/place_words.h"
+#include "latticeworld/language/token_edits.h"
 
 // What lies on either side of a line that is drawn across the map for the telling only.
 namespace latticeworld {

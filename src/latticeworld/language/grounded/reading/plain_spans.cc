@@ -6,9 +6,9 @@
 
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
-#include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/numbers.h"
 #include "latticeworld/language/place_words.h"
+#include "latticeworld/language/token_edits.h"
 #include "latticeworld/layout/symbolic_layout.h"
 
 // What is measured in cells of the map, or in metres, and is no number of things.

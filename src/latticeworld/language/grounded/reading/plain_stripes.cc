@@ -8,8 +8,8 @@
 #include "latticeworld/language/grounded/reading/plain_turns.h"
 #include "latticeworld/language/grounded/reading/stripe_items.h"
 #include "latticeworld/language/grounded/reading/stripes.h"
-#include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/place_words.h"
+#include "latticeworld/language/token_edits.h"
 
 // A map that is cut into numbered or listed parts: each part is named by its band.
 namespace latticeworld {

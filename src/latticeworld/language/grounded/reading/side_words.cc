@@ -1,7 +1,7 @@
 #include "latticeworld/language/grounded/reading/side_words.h"
 
-#include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/place_words.h"
+#include "latticeworld/language/token_edits.h"
 
 namespace latticeworld {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "latticeworld/language/class_words.h"
-#include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/place_words.h"
+#include "latticeworld/language/token_edits.h"
 
 namespace latticeworld {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "latticeworld/language/grounded/reading/band_words.h"
 #include "latticeworld/language/grounded/reading/stripe_items.h"
-#include "latticeworld/language/grounded/reading/token_edits.h"
 #include "latticeworld/language/numbers.h"
 #include "latticeworld/language/place_words.h"
+#include "latticeworld/language/token_edits.h"
 
 namespace latticeworld {
 namespace {

@@ -1,5 +1,5 @@
-#ifndef LATTICEWORLD_LANGUAGE_GROUNDED_READING_TOKEN_EDITS_H_
-#define LATTICEWORLD_LANGUAGE_GROUNDED_READING_TOKEN_EDITS_H_
+#ifndef LATTICEWORLD_LANGUAGE_TOKEN_EDITS_H_
+#define LATTICEWORLD_LANGUAGE_TOKEN_EDITS_H_
 
 #include <cstddef>
 #include <string>
@@ -62,4 +62,4 @@ inline void ReplaceTokens(std::vector<Token>* tokens, std::size_t first, std::si
 
 }  // namespace latticeworld
 
-#endif  // LATTICEWORLD_LANGUAGE_GROUNDED_READING_TOKEN_EDITS_H_
+#endif  // LATTICEWORLD_LANGUAGE_TOKEN_EDITS_H_
