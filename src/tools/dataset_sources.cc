@@ -12,6 +12,7 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/dataset/generated_source.h"
+#include "latticeworld/dataset/given_environments.h"
 #include "latticeworld/dataset/given_instructions.h"
 #include "latticeworld/dataset/loveda_source.h"
 #include "latticeworld/dataset/remote_annotator.h"
@@ -88,10 +89,12 @@ void AddDatasetSourceOptions(CLI::App* command) {
   AddValueOption(command, "--instructions", "FILE",
                  "The instructions of a JSON file, as those of a fidelity benchmark, answered by "
                  "the embedded generator.");
+  AddValueOption(command, "--environment-instructions", "FILE",
+                 "The same for environments, of places of LatticeWorld's own generator.");
   AddValueOption(command, "--answers", "N",
-                 "With --instructions: different layouts for each, 1 to 1000 [8].");
+                 "With instructions: different answers to each, 1 to 1000 [8].");
   AddValueOption(command, "--leave-out", "N",
-                 "With --instructions: every Nth, from the first on, is not used [0: all are].");
+                 "With instructions: every Nth, from the first on, is not used [0: all are].");
   AddValueOption(command, "--relief-share", "SHARE",
                  "With --generate: of the places that have a relief, 0 to 1 [0.5].");
   AddValueOption(command, "--loveda-scenes", "WHICH", "rural, urban or all [rural].");
@@ -126,27 +129,30 @@ Result<std::unique_ptr<InstanceSource>> MakeDatasetSource(const CLI::App& comman
   given.answers = static_cast<int>(reader.Integer("--answers", 1, 1000, given.answers));
   given.leave_out = static_cast<int>(reader.Integer("--leave-out", 0, 1000, given.leave_out));
   given.seed = generated.seed;
-  reader.AllowOneOf({"--generate", "--loveda", "--scenes", "--instructions"});
-  reader.RequireBeside("--answers", "--instructions");
-  reader.RequireBeside("--leave-out", "--instructions");
+  reader.AllowOneOf(
+      {"--generate", "--loveda", "--scenes", "--instructions", "--environment-instructions"});
+  const bool asked_of_environments = command.count("--environment-instructions") > 0;
+  const char* const asked = asked_of_environments ? "--environment-instructions" : "--instructions";
+  reader.RequireBeside("--answers", asked);
+  reader.RequireBeside("--leave-out", asked);
   reader.RequireBeside("--relief-share", "--generate");
   reader.RequireBeside("--loveda-scenes", "--loveda");
   reader.RequireBeside("--erosion", "--scenes");
   LW_RETURN_IF_ERROR(reader.status());
   LW_RETURN_IF_ERROR(Unusable(Validate(generated)));
   LW_RETURN_IF_ERROR(Unusable(Validate(scenes)));
-  if (const auto file = ValueOf(command, "--instructions")) {
+  if (const auto file = ValueOf(command, asked)) {
     LW_ASSIGN_OR_RETURN(std::vector<GivenInstruction> instructions, ReadGivenInstructions(*file));
-    return MakeGivenSource(std::move(instructions),
-                           "Instructions of " + std::filesystem::path(*file).filename().string(),
-                           given);
+    const std::string title = "Instructions of " + std::filesystem::path(*file).filename().string();
+    return asked_of_environments ? MakeGivenEnvironmentSource(std::move(instructions), title, given)
+                                 : MakeGivenSource(std::move(instructions), title, given);
   }
   if (command.count("--loveda") > 0) return MakeLoveDaSource(loveda);
   if (command.count("--scenes") > 0) return MakeScenesSource(scenes);
   if (command.count("--generate") > 0) return MakeGeneratedSource(generated);
   return InvalidArgument(
       "a source is missing; legal is --generate N, --loveda DIR, --scenes DIR, "
-      "--instructions FILE");
+      "--instructions FILE, --environment-instructions FILE");
 }
 
 Result<std::unique_ptr<Annotator>> MakeDatasetAnnotator(const CLI::App& command, double size_m) {
@@ -168,6 +174,11 @@ Result<std::unique_ptr<Annotator>> MakeDatasetAnnotator(const CLI::App& command,
       return InvalidArgument("--facts is the written annotator's; --instructions are given");
     LW_ASSIGN_OR_RETURN(std::vector<GivenInstruction> instructions, ReadGivenInstructions(*file));
     return MakeGivenAnnotator(std::move(instructions), size_m);
+  }
+  if (const auto file = ValueOf(command, "--environment-instructions")) {
+    LW_ASSIGN_OR_RETURN(std::vector<GivenInstruction> instructions, ReadGivenInstructions(*file));
+    LW_ASSIGN_OR_RETURN(const WrittenOptions written, ReadWritten(command, size_m));
+    return MakeGivenEnvironmentAnnotator(std::move(instructions), written);
   }
   LW_ASSIGN_OR_RETURN(const WrittenOptions written, ReadWritten(command, size_m));
   return MakeWrittenAnnotator(written);

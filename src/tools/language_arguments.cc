@@ -23,6 +23,9 @@ void AddLanguageOptions(CLI::App* command) {
                  "The same for environments, or grounded for the embedded back end "
                  "[that of --local-model].");
   AddValueOption(command, "--local-temperature", "NUMBER", "0 to 2 [1].");
+  AddValueOption(command, "--local-threads", "N",
+                 "That compute an answer, which does not depend on them, 0 to 256 [0: as many as "
+                 "cores].");
   command->add_flag("--local-fallback",
                     "Where its answer stays illegal, grounded answers, with a warning.");
   AddServerOptions(command);
@@ -51,7 +54,8 @@ Result<LanguageBackends> MakeLanguageBackends(const CLI::App& command) {
   local.environment_model = ValueOf(command, "--local-environment-model").value_or("");
   local.fallback = command.count("--local-fallback") > 0;
   local.temperature = arguments.Number("--local-temperature", local.temperature);
-  for (const char* option : {"--local-environment-model", "--local-temperature"})
+  local.threads = static_cast<int>(arguments.Integer("--local-threads", 0, 256, local.threads));
+  for (const char* option : {"--local-environment-model", "--local-temperature", "--local-threads"})
     arguments.RequireBeside(option, "--local-model");
   LW_RETURN_IF_ERROR(arguments.status());
 

@@ -60,6 +60,15 @@ TEST(GivenInstructionsTest, WhatSaysNothingIsToldAsAFailureOfItsGroup) {
   EXPECT_EQ(source->ReadGroup(0).status().code(), StatusCode::kDataLoss);
 }
 
+TEST(GivenInstructionsTest, WhatCannotBeHadIsNoAnswer) {
+  const auto source =
+      MakeGivenSource(
+          {{"a", Vocabulary::kSuburb, "The north half is a lake. The north half is forest."}},
+          "Both", {})
+          .value();
+  EXPECT_EQ(source->ReadGroup(0).status().code(), StatusCode::kDataLoss);
+}
+
 class GivenFileTest : public ScratchDatasetTest {
  protected:
   Result<std::vector<GivenInstruction>> Read(const std::string& text) {

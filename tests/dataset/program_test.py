@@ -104,6 +104,32 @@ class DatasetProgramTest(unittest.TestCase):
             self.assertEqual(run.returncode, 2, run.stderr)
             self.assertRegex(run.stderr, f"--facts.*{told}|--facts.*{facts}")
 
+    def test_environments_that_were_asked_for(self):
+        asked = self.folder / "asked.json"
+        asked.write_text(json.dumps([
+            {"id": "eagles", "vocabulary": "suburb", "instruction": "Snow at night. Four eagles circle in the west."},
+            {"id": "other", "vocabulary": "wild", "instruction": "A foggy spring morning, and one goblin."}]))
+        arguments = ("--environment-instructions", asked, "--environment", "--no-images", "--answers", 3,
+                     "--split", "1,0")
+        self.must_run("asked", *arguments)
+        records = self.records("asked", "environment")
+        self.assertEqual(len(records), 6)
+        for record in records:
+            self.assertIn("Snow at night" if record["group"] == "eagles" else "foggy",
+                          record["messages"][-2]["content"])
+            answer = json.loads(record["messages"][-1]["content"])
+            if record["group"] != "eagles":
+                continue
+            self.assertEqual((answer["coarse"]["weather"], answer["coarse"]["time_of_day"]), ("snow", "night"))
+            self.assertIn({"category": "eagle", "quantity": 4, "state": "flying", "position": "middle left"},
+                          answer["agents"])
+        for wrong, told in ((("--generate", 3), "conflict|one of"), (("--remote-url", "http://127.0.0.1:1"), "annotator")):
+            run = self.run_dataset("no", *arguments, *wrong)
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertRegex(run.stderr, told)
+        run = self.run_dataset("no", "--generate", 3, "--answers", 3)
+        self.assertEqual(run.returncode, 2, run.stderr)
+
     def test_killed_again_and_again_it_ends_with_the_same_bytes(self):
         arguments = ("--generate", PLACES, "--threads", 1)
         self.must_run("whole", *arguments)

@@ -159,9 +159,8 @@ std::vector<Violation> Validate(const GivenInstructionsOptions& options) {
   return violations;
 }
 
-Result<std::unique_ptr<InstanceSource>> MakeGivenSource(std::vector<GivenInstruction> instructions,
-                                                        const std::string& title,
-                                                        const GivenInstructionsOptions& options) {
+Result<std::vector<GivenInstruction>> UsedInstructions(std::vector<GivenInstruction> instructions,
+                                                       const GivenInstructionsOptions& options) {
   LW_RETURN_IF_ERROR(Status::FromViolations("given instructions", Validate(options)));
   std::vector<GivenInstruction> used;
   for (std::size_t i = 0; i < instructions.size(); ++i) {
@@ -170,6 +169,14 @@ Result<std::unique_ptr<InstanceSource>> MakeGivenSource(std::vector<GivenInstruc
     if (!left_out) used.push_back(std::move(instructions[i]));
   }
   if (used.empty()) return InvalidArgument("no instruction is left of those that were given");
+  return used;
+}
+
+Result<std::unique_ptr<InstanceSource>> MakeGivenSource(std::vector<GivenInstruction> instructions,
+                                                        const std::string& title,
+                                                        const GivenInstructionsOptions& options) {
+  LW_ASSIGN_OR_RETURN(std::vector<GivenInstruction> used,
+                      UsedInstructions(std::move(instructions), options));
   return std::unique_ptr<InstanceSource>(new GivenSource(std::move(used), title, options));
 }
 

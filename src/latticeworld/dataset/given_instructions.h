@@ -18,7 +18,7 @@ namespace latticeworld {
 struct GivenInstruction {
   std::string id;  // unique; letters, digits, '_' and '-'
   Vocabulary vocabulary = Vocabulary::kSuburb;
-  std::string words;  // x_L
+  std::string words;  // x_L, or x_C where environments are asked for
 };
 
 // Reads a JSON array of objects with "id", "vocabulary" and "instruction"; other members, as those
@@ -27,16 +27,20 @@ struct GivenInstruction {
 Result<std::vector<GivenInstruction>> ReadGivenInstructions(const std::filesystem::path& file);
 
 struct GivenInstructionsOptions {
-  int answers = 8;    // [1, 1000] different layouts of the embedded generator for each
+  int answers = 8;    // [1, 1000] different ones of the embedded generator for each
   int leave_out = 0;  // [0, 1000]: every so many instructions, from the first on, are not used, so
                       // that they can judge what is trained; 0: all are
   std::uint64_t seed = 0;
 };
 std::vector<Violation> Validate(const GivenInstructionsOptions& options);
 
+// Those that are not left out. Errors: INVALID_ARGUMENT (options; no instruction is left).
+Result<std::vector<GivenInstruction>> UsedInstructions(std::vector<GivenInstruction> instructions,
+                                                       const GivenInstructionsOptions& options);
+
 // Places that the embedded generator lays out for the instructions, a group an instruction. A
-// layout without every claim that is read in the words is left out. Errors: INVALID_ARGUMENT
-// (options; no instruction is left).
+// layout without every claim that is read in the words is left out. Errors: those of
+// UsedInstructions.
 Result<std::unique_ptr<InstanceSource>> MakeGivenSource(std::vector<GivenInstruction> instructions,
                                                         const std::string& title,
                                                         const GivenInstructionsOptions& options);

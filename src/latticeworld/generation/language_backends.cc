@@ -35,7 +35,7 @@ LanguageBackend MakeRemote(const std::shared_ptr<ChatServer>& server, const Remo
 // reader as one from afar, and what no form can say goes back to the model in the same way.
 Result<LanguageBackend> MakeLocal(const LocalBackendOptions& options) {
   LW_ASSIGN_OR_RETURN(const std::shared_ptr<ChatServer> layout,
-                      MakeLocalChatServer(options.layout_model));
+                      MakeLocalChatServer(options.layout_model, options.threads));
   RemoteOptions model;
   model.name = "local";
   model.temperature = options.temperature;
@@ -48,7 +48,8 @@ Result<LanguageBackend> MakeLocal(const LocalBackendOptions& options) {
   }
   std::shared_ptr<ChatServer> environment = layout;
   if (!options.environment_model.empty() && options.environment_model != options.layout_model) {
-    LW_ASSIGN_OR_RETURN(environment, MakeLocalChatServer(options.environment_model));
+    LW_ASSIGN_OR_RETURN(environment,
+                        MakeLocalChatServer(options.environment_model, options.threads));
   }
   return WithFallback({MakeRemoteLayoutGenerator(layout, model),
                        MakeRemoteEnvironmentGenerator(environment, model)},
@@ -68,6 +69,7 @@ std::vector<Violation> Validate(const LocalBackendOptions& options) {
   std::vector<Violation> violations;
   if (!options.is_wanted()) return violations;
   CheckRange("temperature", options.temperature, {0.0, 2.0}, "", &violations);
+  CheckRange("threads", options.threads, {0.0, 256.0}, "", &violations);
   return violations;
 }
 

@@ -29,6 +29,7 @@ struct LocalBackendOptions {
   std::string layout_model;       // GGUF file of LLM_L; "": there is no such back end
   std::string environment_model;  // of LLM_C; "": the layout's; "grounded": that back end answers
   double temperature = 1.0;       // 0 .. 2; 1: as the model has learned
+  int threads = 0;        // 0 .. 256 that compute an answer; 0: as many as the machine has cores
   bool fallback = false;  // true: where an answer stays illegal the grounded back end answers
 
   bool is_wanted() const { return !layout_model.empty(); }

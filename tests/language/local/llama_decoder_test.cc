@@ -10,6 +10,7 @@
 
 #include "language/local/tiny_model.h"
 #include "latticeworld/common/random.h"
+#include "latticeworld/common/work_crew.h"
 #include "latticeworld/language/local/gguf_file.h"
 #include "latticeworld/language/local/llama_math.h"
 
@@ -49,6 +50,27 @@ TEST_P(LlamaDecoderTest, GivesTheSameBitsHoweverATextIsSplit) {
   for (const TokenId token : tokens) ASSERT_TRUE(one_by_one.Append({token}, progress_).ok());
   EXPECT_EQ(together.length(), 150u);
   EXPECT_EQ(together.logits(), one_by_one.logits());
+}
+
+TEST_P(LlamaDecoderTest, GivesTheSameBitsWhoeverComputes) {
+  // Wide enough that a crew shares matrices and heads.
+  TinyModel wide;
+  wide.weight_type = GetParam();
+  wide.width = 256;
+  wide.hidden = 512;
+  wide.heads = wide.kv_heads = 8;
+  const auto model = Model(wide);
+  const auto crew = std::make_shared<WorkCrew>(3);
+  LlamaDecoder alone(model), shared(model, crew);
+  const std::vector<TokenId> tokens = Tokens(100);
+  ASSERT_TRUE(alone.Append(tokens, progress_).ok());
+  ASSERT_TRUE(shared.Append(tokens, progress_).ok());
+  EXPECT_EQ(shared.logits(), alone.logits());
+  for (const TokenId token : Tokens(30)) {
+    ASSERT_TRUE(alone.Append({token}, progress_).ok());
+    ASSERT_TRUE(shared.Append({token}, progress_).ok());
+    ASSERT_EQ(shared.logits(), alone.logits());
+  }
 }
 
 TEST_P(LlamaDecoderTest, ForgetsWhatIsCutOff) {
@@ -112,16 +134,6 @@ TEST(LlamaMathTest, ExponentialsAreThoseOfTheLibrary) {
   float far = -1000.0f;
   Exponentials(&far, 1);
   EXPECT_EQ(far, 0.0f);
-}
-
-TEST(LlamaMathTest, AHeadLooksAtWhatItsQueryIsLike) {
-  // Two places whose keys are opposite: a long query takes the value of the one it points to.
-  const std::vector<float> keys = {1, 0, -1, 0}, values = {5, 6, 7, 8};
-  const std::vector<float> query = {-100, 0};
-  std::vector<float> scores(2), out(2);
-  AttendHead(query.data(), keys.data(), values.data(), 2, 2, 2, scores.data(), out.data());
-  EXPECT_NEAR(out[0], 7.0f, 1e-5);
-  EXPECT_NEAR(out[1], 8.0f, 1e-5);
 }
 
 }  // namespace

@@ -16,8 +16,9 @@ namespace latticeworld {
 // One thread owns it.
 class HeardText {
  public:
-  // model: never null.
-  explicit HeardText(std::shared_ptr<const LlamaModel> model) : decoder_(std::move(model)) {}
+  // As LlamaDecoder's.
+  HeardText(std::shared_ptr<const LlamaModel> model, std::shared_ptr<WorkCrew> crew)
+      : decoder_(std::move(model), std::move(crew)) {}
 
   // Makes it stand behind what is seen (places x width of the model; empty: nothing) and then said.
   // Errors: those of LlamaDecoder::Append; what was heard is then of no meaning to anybody but the

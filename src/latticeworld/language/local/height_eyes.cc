@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "latticeworld/language/local/area_means.h"
-#include "latticeworld/language/local/llama_math.h"
+#include "latticeworld/language/local/attention_cache.h"
 #include "latticeworld/relief/relief.h"
 
 namespace latticeworld {
@@ -96,13 +96,13 @@ void HeightEyes::Attend(const Layer& layer, std::vector<float>* places) const {
   const std::size_t count = places->size() / width_;
   const std::size_t stride = 3 * width_, head_width = width_ / heads_;
   const std::vector<float> parts = layer.queries_keys_values(layer.first_norm(*places), count);
-  std::vector<float> made(places->size()), scores(count);
-  for (std::size_t head = 0; head < heads_; ++head) {
-    const float* queries = parts.data() + head * head_width;
+  AttentionCache cache(heads_, head_width);
+  cache.Append(parts.data() + width_, parts.data() + 2 * width_, stride, count);
+  std::vector<float> made(places->size());
+  for (std::size_t head = 0; head < heads_; ++head)
     for (std::size_t i = 0; i < count; ++i)
-      AttendHead(queries + i * stride, queries + width_, queries + 2 * width_, stride, head_width,
-                 count, scores.data(), made.data() + i * width_ + head * head_width);
-  }
+      cache.Attend(head, parts.data() + i * stride + head * head_width, count,
+                   made.data() + i * width_ + head * head_width);
   AddTo(places, layer.attended(made, count));
 }
 

@@ -65,6 +65,33 @@ LATTICEWORLD_LANE_INLINE void DotProducts(const float* row, const float* others,
   }
 }
 
+// Powers of e: 2 to a whole number, made from the bits of a float, times a
+// polynomial of the rest in [-ln 2 / 2, ln 2 / 2] (Taylor's, whose seventh
+// power is below 2e-7 there).
+LATTICEWORLD_LANE_INLINE void ExpOfLanes(FloatLanes* lanes) {
+  FloatLanes x = *lanes;
+  constexpr float kLeast = -87.0f, kMost = 88.0f;
+  const Int32Lanes vanishes = x < kLeast;
+  const FloatLanes least = FloatLanes{} + kLeast, most = FloatLanes{} + kMost;
+  x = x < kLeast ? least : x;
+  x = x > kMost ? most : x;
+  constexpr float kLog2E = 1.44269504f, kLn2High = 0.693359375f, kLn2Low = -2.12194440e-4f;
+  constexpr float kRounder = 12582912.0f;  // 1.5 * 2^23: adding it rounds to whole numbers
+  const FloatLanes whole = (x * kLog2E + kRounder) - kRounder;
+  const FloatLanes rest = (x - whole * kLn2High) - whole * kLn2Low;
+  FloatLanes sum = rest * (1.0f / 720.0f) + (1.0f / 120.0f);
+  sum = sum * rest + (1.0f / 24.0f);
+  sum = sum * rest + (1.0f / 6.0f);
+  sum = sum * rest + 0.5f;
+  sum = sum * rest + 1.0f;
+  sum = sum * rest + 1.0f;
+  const Int32Lanes bits = (__builtin_convertvector(whole, Int32Lanes) + 127) << 23;
+  FloatLanes power;
+  std::memcpy(&power, &bits, sizeof(power));
+  const FloatLanes zero = {};
+  *lanes = vanishes ? zero : sum * power;
+}
+
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_LANGUAGE_LOCAL_LANE_MATH_H_

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "latticeworld/common/work_crew.h"
 #include "latticeworld/language/local/llama_math.h"
 
 namespace latticeworld {
@@ -13,6 +14,8 @@ namespace {
 // Places that go through the layers together: enough to share each reading of
 // the weights, few enough for their activations to stay in the cache.
 constexpr std::size_t kPiece = 64;
+// Below so many products of queries and keys a thread alone is as fast as a crew.
+constexpr std::size_t kLeastProducts = 32768;
 
 void AddTo(std::vector<float>* sums, const std::vector<float>& terms, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) (*sums)[i] += terms[i];
@@ -20,8 +23,11 @@ void AddTo(std::vector<float>* sums, const std::vector<float>& terms, std::size_
 
 }  // namespace
 
-LlamaDecoder::LlamaDecoder(std::shared_ptr<const LlamaModel> model)
-    : model_(std::move(model)), caches_(model_->sizes.layers) {
+LlamaDecoder::LlamaDecoder(std::shared_ptr<const LlamaModel> model, std::shared_ptr<WorkCrew> crew)
+    : model_(std::move(model)),
+      crew_(std::move(crew)),
+      caches_(model_->sizes.layers,
+              AttentionCache(model_->sizes.kv_heads, model_->sizes.head_width)) {
   const LlamaSizes& sizes = model_->sizes;
   for (std::size_t i = 0; i < sizes.head_width / 2; ++i)
     turns_per_place_.push_back(static_cast<float>(
@@ -31,11 +37,7 @@ LlamaDecoder::LlamaDecoder(std::shared_ptr<const LlamaModel> model)
 
 void LlamaDecoder::Truncate(std::size_t length) {
   length_ = std::min(length, length_);
-  const std::size_t kv_width = model_->sizes.kv_heads * model_->sizes.head_width;
-  for (Cache& cache : caches_) {
-    cache.keys.resize(length_ * kv_width);
-    cache.values.resize(length_ * kv_width);
-  }
+  for (AttentionCache& cache : caches_) cache.Truncate(length_);
   logits_.clear();
 }
 
@@ -100,7 +102,7 @@ void LlamaDecoder::Pass(std::vector<float> places, std::size_t count, bool last)
   logits_.resize(sizes.tokens);
   RootMeanSquareNorm(places.data() + (count - 1) * sizes.width, model_->output_norm.data(), 1,
                      sizes.width, sizes.norm_epsilon, normed_.data());
-  model_->OutputWeights().Multiply(normed_.data(), 1, logits_.data());
+  model_->OutputWeights().Multiply(normed_.data(), 1, logits_.data(), crew_.get());
 }
 
 // Rotates each pair of neighbouring values by the angle of its place (RoPE: Su et al. 2021).
@@ -119,35 +121,38 @@ void LlamaDecoder::Turn(float* heads, std::size_t count, std::size_t i) const {
 }
 
 void LlamaDecoder::Attend(const LlamaLayer& layer, std::size_t count, std::vector<float>* places,
-                          Cache* cache) {
+                          AttentionCache* cache) {
   const LlamaSizes& sizes = model_->sizes;
   const std::size_t kv_width = sizes.kv_heads * sizes.head_width;
   RootMeanSquareNorm(places->data(), layer.attention_norm.data(), count, sizes.width,
                      sizes.norm_epsilon, normed_.data());
   queries_.resize(count * sizes.width);
   attended_.resize(count * sizes.width);
-  scores_.resize(length_ + count);
-  cache->keys.resize((length_ + count) * kv_width);
-  cache->values.resize((length_ + count) * kv_width);
-  float* keys = cache->keys.data() + length_ * kv_width;
-  layer.query.Multiply(normed_.data(), count, queries_.data());
-  layer.key.Multiply(normed_.data(), count, keys);
-  layer.value.Multiply(normed_.data(), count, cache->values.data() + length_ * kv_width);
+  keys_.resize(count * kv_width);
+  values_.resize(count * kv_width);
+  layer.query.Multiply(normed_.data(), count, queries_.data(), crew_.get());
+  layer.key.Multiply(normed_.data(), count, keys_.data(), crew_.get());
+  layer.value.Multiply(normed_.data(), count, values_.data(), crew_.get());
   for (std::size_t i = 0; i < count; ++i) {
     Turn(queries_.data() + i * sizes.width, sizes.heads, i);
-    Turn(keys + i * kv_width, sizes.kv_heads, i);
+    Turn(keys_.data() + i * kv_width, sizes.kv_heads, i);
   }
+  cache->Append(keys_.data(), values_.data(), kv_width, count);
   const std::size_t share = sizes.heads / sizes.kv_heads;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t head = 0; head < sizes.heads; ++head) {
-      const std::size_t from = head / share * sizes.head_width;
-      const std::size_t to = i * sizes.width + head * sizes.head_width;
-      AttendHead(queries_.data() + to, cache->keys.data() + from, cache->values.data() + from,
-                 kv_width, sizes.head_width, length_ + i + 1, scores_.data(),
-                 attended_.data() + to);
+  const auto look_back = [&](int head_of_all) {
+    const auto head = static_cast<std::size_t>(head_of_all);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t at = i * sizes.width + head * sizes.head_width;
+      cache->Attend(head / share, queries_.data() + at, length_ + i + 1, attended_.data() + at);
     }
+  };
+  const auto heads = static_cast<int>(sizes.heads);
+  if (crew_ != nullptr && (length_ + count) * count * sizes.width >= kLeastProducts) {
+    crew_->Run(heads, look_back);
+  } else {
+    for (int head = 0; head < heads; ++head) look_back(head);
   }
-  layer.attention_output.Multiply(attended_.data(), count, added_.data());
+  layer.attention_output.Multiply(attended_.data(), count, added_.data(), crew_.get());
   AddTo(places, added_, count * sizes.width);
 }
 
@@ -158,10 +163,10 @@ void LlamaDecoder::FeedForward(const LlamaLayer& layer, std::size_t count,
                      sizes.norm_epsilon, normed_.data());
   gates_.resize(count * sizes.hidden);
   ups_.resize(count * sizes.hidden);
-  layer.gate.Multiply(normed_.data(), count, gates_.data());
-  layer.up.Multiply(normed_.data(), count, ups_.data());
+  layer.gate.Multiply(normed_.data(), count, gates_.data(), crew_.get());
+  layer.up.Multiply(normed_.data(), count, ups_.data(), crew_.get());
   GateWithSwish(gates_.data(), ups_.data(), count * sizes.hidden);
-  layer.down.Multiply(gates_.data(), count, added_.data());
+  layer.down.Multiply(gates_.data(), count, added_.data(), crew_.get());
   AddTo(places, added_, count * sizes.width);
 }
 

@@ -13,12 +13,6 @@ void RootMeanSquareNorm(const float* in, const float* gains, std::size_t count, 
 // gates[i] = gates[i] / (1 + exp(-gates[i])) * ups[i] (SwiGLU: Shazeer 2020).
 void GateWithSwish(float* gates, const float* ups, std::size_t size);
 
-// One head looking back on `length` places: out (width) = sum of values by the
-// softmax of the query's products with the keys, over the root of width. Keys
-// and values: `stride` floats from place to place. scores: room for `length`.
-void AttendHead(const float* query, const float* keys, const float* values, std::size_t stride,
-                std::size_t width, std::size_t length, float* scores, float* out);
-
 // exp of each, relative error below 3e-7; below -87 it is 0.
 void Exponentials(float* values, std::size_t size);
 

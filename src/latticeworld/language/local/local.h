@@ -24,6 +24,9 @@ namespace latticeworld {
 // then, and answers are drawn from u + g (p - u), where p are the logits after
 // the prompt and u those after none (Ho and Salimans 2022), at twice the cost.
 //
+// threads: that compute, with the one that asks; 0: as many as the machine has
+// cores. Answers do not depend on them.
+//
 // Safe to use from several threads; requests wait for each other. Errors of
 // Complete: INVALID_ARGUMENT (a form that cannot be read, pictures that it does not see or
 // that are none, temperature below 0), RESOURCE_EXHAUSTED (messages longer than the model's
@@ -32,7 +35,8 @@ namespace latticeworld {
 //
 // Errors: those of GgufFile::Open; DATA_LOSS: a model, tokenizer or eyes that
 // are not read here, or do not go together.
-Result<std::shared_ptr<ChatServer>> MakeLocalChatServer(const std::string& model_file);
+Result<std::shared_ptr<ChatServer>> MakeLocalChatServer(const std::string& model_file,
+                                                        int threads = 0);
 
 }  // namespace latticeworld
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/common/work_crew.h"
 #include "latticeworld/language/local/chat_text.h"
 #include "latticeworld/language/local/gguf_file.h"
 #include "latticeworld/language/local/grammar.h"
@@ -34,7 +35,7 @@ class LocalServer : public ChatServer {
  public:
   LocalServer(std::string name, ChatStyle style, Tokenizer tokenizer,
               std::shared_ptr<const LlamaModel> model, std::optional<HeightEyes> eyes,
-              float guidance)
+              float guidance, int threads)
       : name_(std::move(name)),
         style_(style),
         tokenizer_(std::move(tokenizer)),
@@ -42,8 +43,9 @@ class LocalServer : public ChatServer {
         model_(std::move(model)),
         eyes_(std::move(eyes)),
         guidance_(guidance),
-        asked_(model_) {
-    if (guidance_ != 1.0f) unasked_.emplace(model_);
+        crew_(std::make_shared<WorkCrew>(threads)),
+        asked_(model_, crew_) {
+    if (guidance_ != 1.0f) unasked_.emplace(model_, crew_);
     for (TokenId token = 0; token < tokenizer_.size(); ++token)
       if (!tokenizer_.BytesOf(token).empty() || token == end()) any_token_.push_back(token);
   }
@@ -168,6 +170,7 @@ class LocalServer : public ChatServer {
   const float guidance_;  // 1: none
   std::vector<TokenId> any_token_;
   std::mutex mutex_;  // guards what follows
+  const std::shared_ptr<WorkCrew> crew_;
   HeardText asked_;
   std::optional<HeardText> unasked_;  // the answer as if nothing had been asked, where guided
   std::vector<float> guided_;
@@ -199,7 +202,8 @@ Result<std::optional<HeightEyes>> ReadEyes(const std::string& model_file, const 
 
 }  // namespace
 
-Result<std::shared_ptr<ChatServer>> MakeLocalChatServer(const std::string& model_file) {
+Result<std::shared_ptr<ChatServer>> MakeLocalChatServer(const std::string& model_file,
+                                                        int threads) {
   LW_ASSIGN_OR_RETURN(const GgufFile file, GgufFile::Open(model_file));
   const auto context = [&](const Status& status) {
     return status.WithContext("'" + model_file + "'");
@@ -220,7 +224,7 @@ Result<std::shared_ptr<ChatServer>> MakeLocalChatServer(const std::string& model
   return std::shared_ptr<ChatServer>(std::make_shared<LocalServer>(
       name.ok() && !name->empty() ? *name : std::filesystem::path(model_file).stem().string(),
       style, *std::move(tokenizer), std::make_shared<const LlamaModel>(*std::move(model)),
-      std::move(eyes), *guidance));
+      std::move(eyes), *guidance, threads));
 }
 
 }  // namespace latticeworld

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "latticeworld/common/work_crew.h"
 #include "latticeworld/language/local/byte_rows.h"
 #include "latticeworld/language/local/lane_math.h"
 
@@ -12,20 +13,24 @@ namespace {
 
 constexpr std::size_t kBlock = kQ8BlockValues;
 constexpr int kTogether = 4;  // activations that share one reading of a row
+// A part of a multiplication takes as long as handing it out at least, and a thread that is slow
+// or elsewhere leaves its share to the others.
+constexpr std::size_t kLeastProducts = 16384;
+constexpr int kPartsEach = 4;
 
 LATTICEWORLD_LANE_CLONES
 void FloatRows(const float* weights, std::size_t rows, std::size_t columns, const float* in,
-               std::size_t count, float* out) {
+               std::size_t count, std::size_t stride, float* out) {
   for (std::size_t r = 0; r < rows; ++r) {
     const float* row = weights + r * columns;
     std::size_t t = 0;
     for (; t + kTogether <= count; t += kTogether) {
       float dots[kTogether];
       DotProducts<kTogether>(row, in + t * columns, columns, columns, dots);
-      for (int k = 0; k < kTogether; ++k) out[(t + k) * rows + r] = dots[k];
+      for (int k = 0; k < kTogether; ++k) out[(t + k) * stride + r] = dots[k];
     }
     for (; t < count; ++t)
-      DotProducts<1>(row, in + t * columns, columns, columns, out + t * rows + r);
+      DotProducts<1>(row, in + t * columns, columns, columns, out + t * stride + r);
   }
 }
 
@@ -84,13 +89,31 @@ void WeightMatrix::Row(std::size_t row, float* out) const {
   }
 }
 
-void WeightMatrix::Multiply(const float* in, std::size_t count, float* out) const {
+void WeightMatrix::MultiplyRows(std::size_t begin, std::size_t end, const float* in,
+                                const ByteRows& rounded, std::size_t count, float* out) const {
   if (!floats_.empty()) {
-    FloatRows(floats_.data(), rows_, columns_, in, count, out);
+    FloatRows(floats_.data() + begin * columns_, end - begin, columns_, in, count, rows_,
+              out + begin);
     return;
   }
-  const ByteRows rounded = RoundToBytes(in, count, columns_);
-  MultiplyBytes({bytes_.data(), scales_.data(), rows_}, rounded, out);
+  const ByteWeights weights = {bytes_.data() + begin * columns_,
+                               scales_.data() + begin * (columns_ / kBlock), end - begin};
+  MultiplyBytes(weights, rounded, rows_, out + begin);
+}
+
+void WeightMatrix::Multiply(const float* in, std::size_t count, float* out, WorkCrew* crew) const {
+  const ByteRows rounded = floats_.empty() ? RoundToBytes(in, count, columns_) : ByteRows();
+  const std::size_t products = rows_ * columns_ * count;
+  const std::size_t worth = std::min(products / kLeastProducts, rows_);
+  const int parts =
+      crew == nullptr ? 1 : std::clamp(static_cast<int>(worth), 1, kPartsEach * crew->threads());
+  if (parts == 1) {
+    MultiplyRows(0, rows_, in, rounded, count, out);
+    return;
+  }
+  crew->Run(parts, [&](int part) {
+    MultiplyRows(rows_ * part / parts, rows_ * (part + 1) / parts, in, rounded, count, out);
+  });
 }
 
 }  // namespace latticeworld

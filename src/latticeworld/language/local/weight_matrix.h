@@ -3,11 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "latticeworld/language/local/gguf_file.h"
+#include "latticeworld/language/local/large_memory.h"
 
 namespace latticeworld {
+
+class WorkCrew;
+struct ByteRows;
 
 // Weights (rows x columns) that activations are multiplied with: float32, or
 // int8 in blocks of 32 with a scale each. float16 weights are widened when they
@@ -27,15 +30,18 @@ class WeightMatrix {
   // out (count x rows) = in (count x columns) times the transposed weights;
   // both row-major, apart from each other. With int8 weights the activations
   // are rounded to int8 too, in blocks of 32, as llama.cpp does. The same in
-  // any split of `count`.
-  void Multiply(const float* in, std::size_t count, float* out) const;
+  // any split of `count`, and with any crew (null: the calling thread alone).
+  void Multiply(const float* in, std::size_t count, float* out, WorkCrew* crew = nullptr) const;
 
  private:
+  void MultiplyRows(std::size_t begin, std::size_t end, const float* in, const ByteRows& rounded,
+                    std::size_t count, float* out) const;
+
   std::size_t rows_ = 0;
   std::size_t columns_ = 0;
-  std::vector<float> floats_;       // (rows x columns), or empty
-  std::vector<std::int8_t> bytes_;  // the same, or empty
-  std::vector<float> scales_;       // (rows x columns / 32) of bytes_
+  LargeVector<float> floats_;       // (rows x columns), or empty
+  LargeVector<std::int8_t> bytes_;  // the same, or empty
+  LargeVector<float> scales_;       // (rows x columns / 32) of bytes_
 };
 
 // The value of a float16 by its bits.
