@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "latticeworld/language/local/large_memory.h"
+
 namespace latticeworld {
 
 // Keys and values of the places of a text, of one layer, and the looking back
@@ -30,8 +32,8 @@ class AttentionCache {
 
  private:
   struct Head {
-    std::vector<float> keys;    // (blocks of 16 places x width x 16)
-    std::vector<float> values;  // (places x padded width), 0 in the padding
+    LargeVector<float> keys;    // (blocks of 16 places x width x 16)
+    LargeVector<float> values;  // (places x padded width), 0 in the padding
   };
 
   std::size_t width_;

@@ -6,8 +6,11 @@
 
 namespace latticeworld {
 
-// Memory whose pages are large where the system has such: what is read from one
-// end to the other for every token is then found a fifth faster.
+// Memory that lies together in large pages (2 MB) where the system grants such.
+// A model is read from one end to the other for every token, and the machine
+// looks ahead within a page alone: in small pages one core of an AMD EPYC reads
+// half as fast. Blocks begin at a cache line. What is freed is of use again
+// when its neighbours are freed too. Safe to use from several threads.
 void* AllocateLarge(std::size_t bytes);  // throws std::bad_alloc
 void FreeLarge(void* memory) noexcept;
 
