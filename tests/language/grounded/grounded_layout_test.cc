@@ -309,6 +309,27 @@ int Islands(const SymbolicLayout& layout, char letter) {
   return islands;
 }
 
+// Whether there is such land, and no dry way from it to the edge.
+bool WaterShutsIn(const SymbolicLayout& layout, char letter) {
+  Grid<char> seen(kLayoutSize, kLayoutSize, 0);
+  std::vector<CellIndex> open;
+  for (const LayoutComponent& component : ComponentsOf(layout, letter))
+    open.insert(open.end(), component.cells.begin(), component.cells.end());
+  const bool found = !open.empty();
+  while (!open.empty()) {
+    const CellIndex cell = open.back();
+    open.pop_back();
+    if (!layout.cells.Contains(cell)) return false;
+    if (layout.cells[cell] == 'W' || seen[cell] != 0) continue;
+    seen[cell] = 1;
+    for (const CellIndex next :
+         {CellIndex{cell.row + 1, cell.col}, CellIndex{cell.row - 1, cell.col},
+          CellIndex{cell.row, cell.col + 1}, CellIndex{cell.row, cell.col - 1}})
+      open.push_back(next);
+  }
+  return found;
+}
+
 TEST(GroundedLayoutTest, PutsIslandsIntoTheirWater) {
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
     for (const std::string text : {"an island in the lake", "A lake with an island in it.",
@@ -321,7 +342,11 @@ TEST(GroundedLayoutTest, PutsIslandsIntoTheirWater) {
     EXPECT_EQ(Islands(wooded.layout, 'F'), 1);
     EXPECT_TRUE(wooded.warnings.empty());
   }
-  const LayoutAnswer dry = Generate("A field and an island.", kSuburb, 1);
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const LayoutAnswer answer = Generate("A castle on an island.", kSuburb, seed);
+    EXPECT_TRUE(WaterShutsIn(answer.layout, 'B')) << ToText(answer.layout);
+  }
+  const LayoutAnswer dry = Generate("A field and an island, and no water at all.", kSuburb, 1);
   ASSERT_EQ(dry.warnings.size(), 1u);
   EXPECT_NE(dry.warnings[0].find("island"), std::string::npos);
 }

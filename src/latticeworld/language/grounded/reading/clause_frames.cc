@@ -13,8 +13,8 @@ constexpr double kFarSteps = 6.0;
 // "Surround the city with a ring road."
 bool IsBareVerb(const std::string& words) {
   for (const std::string_view verb :
-       {"separate", "divide", "part", "surround", "encircle", "ring", "enclose", "frame", "line",
-        "border", "flank", "fringe", "buffer", "screen", "plant", "edge"}) {
+       {"separate", "divide", "part", "surround", "encircle", "circle", "girdle", "ring", "enclose",
+        "frame", "line", "border", "flank", "fringe", "buffer", "screen", "plant", "edge"}) {
     if (words == verb) return true;
   }
   return false;

@@ -61,7 +61,10 @@ void ClauseReader::BeginClause() {
 }
 
 void ClauseReader::EndSentence() {
+  const int host = host_;
   BeginClause();
+  // "A desert with grass around it. Its northern side ...": the desert's.
+  if (host >= 0) d_.SetTopic({host});
   FinishOrder();
   paused_.reset();
   lead_ = Lead();

@@ -87,6 +87,7 @@ class Discourse {
   void WidenQuarters();
   void SettleDenials();
   void SettleIslands();
+  int SupposeWaterAround(int island);
   bool WidenRiverAround(int island);
   void SettleRest();
   void SettleCrossroads();

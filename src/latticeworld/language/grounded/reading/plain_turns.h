@@ -89,6 +89,18 @@ void TurnEnds(std::vector<Token>* tokens);
 // in the north": another village, the houses.
 void TurnFellows(std::vector<Token>* tokens);
 
+// plain_fills.cc: "fill the north with houses and the south with fields", "circle it with grass",
+// "a hole in the middle with sand": houses fill the north, surround it, a patch of sand.
+void TurnFills(std::vector<Token>* tokens);
+
+// plain_scopes.cc: "the north is woods and there is no rock anywhere", "nobody lives here", "fields
+// on every other side": no rock on the whole map, no houses, around it.
+void TurnScopes(std::vector<Token>* tokens);
+
+// plain_chains.cc: "around the lake is sand, then forest", "first comes snow, second comes rock",
+// "until it reaches a town": around the sand is forest, then rock, to a town.
+void TurnChains(std::vector<Token>* tokens);
+
 // plain_linked.cc: "..., connected by roads", "it gets sandier towards the north".
 void TurnLinked(std::vector<Token>* tokens);
 

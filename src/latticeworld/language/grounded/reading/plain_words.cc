@@ -10,6 +10,9 @@ namespace latticeworld {
 std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnCorrections(&tokens);
   TurnSpans(&tokens);
+  TurnFills(&tokens);
+  TurnScopes(&tokens);
+  TurnChains(&tokens);
   TurnRings(&tokens);
   TurnEnds(&tokens);
   TurnFellows(&tokens);

@@ -9,10 +9,9 @@
 // Where islands lie.
 namespace latticeworld {
 
-// "a river with an island in it": a pool that it runs through, of which no words speak.
-bool Discourse::WidenRiverAround(int island) {
-  const int river = Latest('W', FeatureForm::kLine);
-  if (river < 0 || things_.size() >= kMaxFeatures) return false;
+// Water of which no words speak, four times as much as the island; -1: there is no room for it.
+int Discourse::SupposeWaterAround(int island) {
+  if (things_.size() >= kMaxFeatures) return -1;
   PlannedFeature water;
   water.letter = 'W';
   water.supposed = true;
@@ -21,7 +20,14 @@ bool Discourse::WidenRiverAround(int island) {
   water.cells = 4 * feature(island).cells * std::max(1, feature(island).pieces);
   plan_.features.push_back(std::move(water));
   things_.emplace_back();
-  const int pool = size() - 1;
+  return size() - 1;
+}
+
+// "a river with an island in it": a pool that it runs through.
+bool Discourse::WidenRiverAround(int island) {
+  const int river = Latest('W', FeatureForm::kLine);
+  const int pool = river < 0 ? -1 : SupposeWaterAround(island);
+  if (pool < 0) return false;
   Waypoint through;
   through.feature = pool;
   through.said = false;
@@ -31,7 +37,7 @@ bool Discourse::WidenRiverAround(int island) {
   return true;
 }
 
-// An island needs water to lie in.
+// An island needs water to lie in: where none is named, a river's, else a sea of its own.
 void Discourse::SettleIslands() {
   bool water = false;
   for (int i = 0; i < size(); ++i) {
@@ -40,7 +46,9 @@ void Discourse::SettleIslands() {
   }
   for (int i = 0; i < size() && !water; ++i) {
     if (thing(i).dropped || !thing(i).is_island) continue;
-    water = WidenRiverAround(i);
+    const bool denied = std::any_of(plan_.absences.begin(), plan_.absences.end(),
+                                    [](const PlannedAbsence& each) { return each.letter == 'W'; });
+    water = WidenRiverAround(i) || (!denied && SupposeWaterAround(i) >= 0);
     if (water) break;
     plan_.warnings.push_back("there is no lake or sea for " +
                              Quote(Words(thing(i).begin, thing(i).end)) + " to lie in");
