@@ -24,6 +24,10 @@ std::vector<Sample> Fills() {
        {"present F@eastern half"}},
       {"Put sand in the middle. Circle it with grassland.", kSuburb, {"surrounds G D"}},
       {"Lawns flank the stream.", kSuburb, {"both_sides G W"}},
+      {"Two small woods flank the village on the left and on the right.",
+       kSuburb,
+       {"both_sides F B", "count F 2..2"},
+       {"present B@western third"}},
       {"A forest, with a clearing of bare earth in the east.",
        kSuburb,
        {"present D@eastern third"},
@@ -87,6 +91,10 @@ std::vector<Sample> Scopes() {
        kSuburb,
        {"present W"},
        {"amount W"}},
+      {"A meadow enclosed on three sides by forest, open to the south.",
+       kSuburb,
+       {"adjacent F G"},
+       {"surrounds G F"}},
       {"A lake at the heart of the realm.", kSuburb, {"present W@center"}, {"present F"}},
   };
 }

@@ -75,7 +75,21 @@ void TurnFlanking(std::vector<Token>* tokens, std::size_t at) {
   bool after_noun = false;
   for (std::size_t i = at; i-- > 0 && i + 3 >= at;)
     after_noun = after_noun || i + MatchClassWord(*tokens, i).tokens == at;
-  if (things && after_noun) ReplaceTokens(tokens, at, 1, {"lie", "on", "both", "sides", "of"});
+  if (!things || !after_noun) return;
+  // "... the village on the left and on the right"
+  const std::size_t on = at + 2 + MatchClassWord(*tokens, at + 2).tokens;
+  std::size_t end = on;
+  for (const bool second : {false, true}) {
+    if (second && WordAt(*tokens, end) != "and") break;
+    std::size_t next = end + (second ? 1 : 0);
+    if (IsOneOf(WordAt(*tokens, next), {"on", "to", "in"})) ++next;
+    if (WordAt(*tokens, next) == "the") ++next;
+    PlaceCursor cursor(*tokens, next);
+    if (!TakeDirection(&cursor).found) break;
+    end = cursor.at();
+    if (second && IsPauseAt(*tokens, end)) EraseTokens(tokens, on, end - on);
+  }
+  ReplaceTokens(tokens, at, 1, {"lie", "on", "both", "sides", "of"});
 }
 
 bool IsGap(std::string_view word) {

@@ -74,6 +74,66 @@ void TurnMouth(std::vector<Token>* tokens) {
   }
 }
 
+// "A village where two roads meet", "a town at the crossing of two roads": next to the road, and
+// two roads cross each other.
+void TurnPairMeeting(std::vector<Token>* tokens) {
+  for (std::size_t at = 1; at + 2 < tokens->size(); ++at) {
+    std::size_t two = at + 1;
+    const bool where = WordAt(*tokens, at) == "where";
+    if (!where) {
+      if (WordAt(*tokens, at) != "at" || WordAt(*tokens, at + 1) != "the" ||
+          !IsOneOf(WordAt(*tokens, at + 2), {"crossing", "junction", "intersection"}) ||
+          WordAt(*tokens, at + 3) != "of") {
+        continue;
+      }
+      two = at + 4;
+    }
+    if (WordAt(*tokens, two) == "the") ++two;
+    if (WordAt(*tokens, two) != "two") continue;
+    const ClassWordMatch line = MatchClassWord(*tokens, two + 1);
+    std::size_t end = two + 1 + line.tokens;
+    if (line.word == nullptr || line.word->shape != WordShape::kLine || !line.plural) continue;
+    if (where && !IsMeeting(WordAt(*tokens, end))) continue;
+    if (where) ++end;
+    if (!IsPauseAt(*tokens, end)) continue;
+    std::size_t begin = at;
+    if (IsOneOf(WordAt(*tokens, begin - 1), {"exactly", "right", "just"})) --begin;
+    const Token beside = (*tokens)[at];
+    const std::vector<Token> lines = Copied(*tokens, two + 1, line.tokens);
+    std::vector<Token> said;
+    for (const std::string_view word : {"next", "to", "the"})
+      said.push_back(WordLike(word, beside));
+    said.insert(said.end(), lines.begin(), lines.end());
+    said.push_back({TokenKind::kStop, ".", beside.begin, beside.begin});
+    said.push_back(WordLike("two", beside));
+    said.insert(said.end(), lines.begin(), lines.end());
+    for (const std::string_view word : {"cross", "each", "other"})
+      said.push_back(WordLike(word, beside));
+    EraseTokens(tokens, begin, end - begin);
+    InsertTokens(tokens, begin, said);
+    at = begin + said.size();
+  }
+}
+
+// "A road from north to south and one from east to west": and another.
+void TurnOneMore(std::vector<Token>* tokens) {
+  bool line = false;
+  for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
+    if (IsStopAt(*tokens, at)) line = false;
+    const ClassWordMatch match = MatchClassWord(*tokens, at);
+    if (match.word != nullptr) {
+      line = match.word->shape == WordShape::kLine && !match.plural && at > 0 &&
+             IsOneOf(WordAt(*tokens, at - 1), {"a", "straight", "long", "wide", "winding"});
+      at += match.tokens - 1;
+      continue;
+    }
+    const bool another = line && at > 0 && WordAt(*tokens, at) == "one" &&
+                         WordAt(*tokens, at - 1) == "and" &&
+                         IsOneOf(WordAt(*tokens, at + 1), {"from", "running", "going"});
+    if (another) (*tokens)[at].text = "another";
+  }
+}
+
 // "A mill stands where the river and the road cross": next to both, and the one crosses the other.
 void TurnNamedMeeting(std::vector<Token>* tokens) {
   for (std::size_t at = 1; at + 4 < tokens->size(); ++at) {
@@ -320,6 +380,8 @@ void TurnCrosses(std::vector<Token>* tokens) {
 }  // namespace
 
 void TurnJoins(std::vector<Token>* tokens) {
+  TurnOneMore(tokens);
+  TurnPairMeeting(tokens);
   TurnMouth(tokens);
   TurnNamedMeeting(tokens);
   TurnMeeting(tokens);

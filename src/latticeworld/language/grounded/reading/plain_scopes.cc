@@ -242,6 +242,20 @@ void TurnOtherSide(std::vector<Token>* tokens, std::size_t at) {
   }
 }
 
+// "Enclosed on three sides by forest": bordered by it.
+void TurnSomeSides(std::vector<Token>* tokens, std::size_t at) {
+  if (!IsOneOf(WordAt(*tokens, at), {"enclosed", "surrounded", "bordered", "framed", "ringed",
+                                     "bounded", "hemmed", "walled"})) {
+    return;
+  }
+  std::size_t next = at + 1;
+  if (WordAt(*tokens, next) == "in") ++next;
+  const bool sides = WordAt(*tokens, next) == "on" &&
+                     IsOneOf(WordAt(*tokens, next + 1), {"two", "three", "most"}) &&
+                     WordAt(*tokens, next + 2) == "sides" && WordAt(*tokens, next + 3) == "by";
+  if (sides) ReplaceTokens(tokens, at, next + 3 - at, {"bordered"});
+}
+
 }  // namespace
 
 void TurnScopes(std::vector<Token>* tokens) {
@@ -254,6 +268,7 @@ void TurnScopes(std::vector<Token>* tokens) {
     TurnEveryOther(tokens, at);
     TurnItsSide(tokens, at);
     TurnOtherSide(tokens, at);
+    TurnSomeSides(tokens, at);
   }
 }
 

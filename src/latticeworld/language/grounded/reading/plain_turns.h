@@ -101,6 +101,10 @@ void TurnScopes(std::vector<Token>* tokens);
 // "until it reaches a town": around the sand is forest, then rock, to a town.
 void TurnChains(std::vector<Token>* tokens);
 
+// plain_ways.cc: "snow, then rock as you go down", "a wooded country", "grass wherever there is no
+// water": from north to south, mostly forest, elsewhere.
+void TurnWays(std::vector<Token>* tokens);
+
 // plain_linked.cc: "..., connected by roads", "it gets sandier towards the north".
 void TurnLinked(std::vector<Token>* tokens);
 
