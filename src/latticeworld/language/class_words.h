@@ -40,6 +40,8 @@ struct ClassWordMatch {
   const ClassWord* word = nullptr;  // nullptr: the tokens name no class
   std::size_t tokens = 0;           // how many of them the phrase takes
   bool plural = false;
+
+  bool is_line() const { return word != nullptr && word->shape == WordShape::kLine; }
 };
 
 // The longest class phrase that starts at tokens[at]; its first or last word may be a plural.

@@ -40,6 +40,21 @@ inline Token WordLike(std::string_view word, const Token& beside) {
   return {TokenKind::kWord, std::string(word), beside.begin, beside.end};
 }
 
+inline Token CommaLike(const Token& beside) {
+  return {TokenKind::kComma, ",", beside.begin, beside.end};
+}
+
+inline Token StopLike(const Token& beside) {
+  return {TokenKind::kStop, ".", beside.begin, beside.end};
+}
+
+// Copies of tokens [begin, end).
+inline std::vector<Token> TokensBetween(const std::vector<Token>& tokens, std::size_t begin,
+                                        std::size_t end) {
+  return {tokens.begin() + static_cast<std::ptrdiff_t>(begin),
+          tokens.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
 inline void EraseTokens(std::vector<Token>* tokens, std::size_t first, std::size_t count) {
   const auto begin = tokens->begin() + static_cast<std::ptrdiff_t>(first);
   tokens->erase(begin, begin + static_cast<std::ptrdiff_t>(count));

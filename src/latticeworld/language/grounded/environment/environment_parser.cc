@@ -18,6 +18,7 @@
 #include "latticeworld/language/grounded/environment/measure_reader.h"
 #include "latticeworld/language/grounded/environment/mend_counts.h"
 #include "latticeworld/language/grounded/environment/mend_measures.h"
+#include "latticeworld/language/grounded/environment/mend_speakers.h"
 #include "latticeworld/language/grounded/environment/token_notes.h"
 #include "latticeworld/language/grounded/environment/word_tables.h"
 #include "latticeworld/language/numbers.h"
@@ -193,6 +194,7 @@ HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction,
   MendPlaces(&tokens);
   DropSubstitutes(&tokens);
   MendCounts(words, &tokens);
+  MendSpeakers(&tokens);
   MendMeasures(&tokens);
   NotedTokens noted = NoteScopes(instruction, std::move(tokens), words);
   std::vector<HeardMeasure> measures = ReadMeasures(&noted);

@@ -54,8 +54,7 @@ void TurnRingAfterRing(std::vector<Token>* tokens, std::size_t at) {
     if (outer == 0 || NounPhraseAt(*tokens, outer) == 0) return;
     const std::size_t noun = subject + (length > MatchClassWord(*tokens, subject).tokens ? 1 : 0);
     const Token beside = (*tokens)[pause];
-    std::vector<Token> said = {{TokenKind::kComma, ",", beside.begin, beside.end},
-                               WordLike("around", beside),
+    std::vector<Token> said = {CommaLike(beside), WordLike("around", beside),
                                WordLike("the", beside)};
     for (std::size_t i = noun; i < pause; ++i) said.push_back((*tokens)[i]);
     said.push_back(WordLike("is", beside));

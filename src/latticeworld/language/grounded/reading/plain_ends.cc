@@ -66,7 +66,7 @@ void TurnAllDirections(std::vector<Token>* tokens, std::size_t at) {
   ReplaceTokens(tokens, at, end - at,
                 {"to", "the", "northern", "edge", "the", "southern", "edge", "the", "eastern",
                  "edge", "and", "the", "western", "edge"});
-  const Token comma{TokenKind::kComma, ",", (*tokens)[at].begin, (*tokens)[at].end};
+  const Token comma = CommaLike((*tokens)[at]);
   InsertTokens(tokens, at + 10, {comma});
   InsertTokens(tokens, at + 7, {comma});
   InsertTokens(tokens, at + 4, {comma});

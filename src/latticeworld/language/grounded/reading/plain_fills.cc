@@ -16,11 +16,6 @@ bool Opens(const std::vector<Token>& tokens, std::size_t at) {
          IsOneOf(WordAt(tokens, at - 1), {"and", "please", "then", "to", "now"});
 }
 
-std::vector<Token> Copied(const std::vector<Token>& tokens, std::size_t begin, std::size_t end) {
-  return {tokens.begin() + static_cast<std::ptrdiff_t>(begin),
-          tokens.begin() + static_cast<std::ptrdiff_t>(end)};
-}
-
 // "<place> with": where the "with" of a part of "fill ... with ..." stands; 0: there is none. The
 // place names nothing of the map's classes.
 std::size_t WithAfter(const std::vector<Token>& tokens, std::size_t at) {
@@ -53,11 +48,10 @@ void TurnFilledParts(std::vector<Token>* tokens, std::size_t at) {
       if (following > 0 || comma) break;
     }
     if (end == with + 1) break;
-    if (parts > 0)
-      said.push_back({TokenKind::kComma, ",", (*tokens)[with].begin, (*tokens)[with].end});
-    for (const Token& token : Copied(*tokens, with + 1, end)) said.push_back(token);
+    if (parts > 0) said.push_back(CommaLike((*tokens)[with]));
+    for (const Token& token : TokensBetween(*tokens, with + 1, end)) said.push_back(token);
     said.push_back(WordLike("fill", (*tokens)[with]));
-    for (const Token& token : Copied(*tokens, next, with)) said.push_back(token);
+    for (const Token& token : TokensBetween(*tokens, next, with)) said.push_back(token);
     ++parts;
     next = following > 0 ? following : end;
     if (following == 0) break;
@@ -117,8 +111,8 @@ void TurnGapOf(std::vector<Token>* tokens, std::size_t at) {
   const bool placed = IsOneOf(WordAt(*tokens, at + 1), {"in", "at", "near", "on"});
   if (length > 0 && placed && IsPauseAt(*tokens, noun + length)) {
     std::vector<Token> said = {WordLike("patch", (*tokens)[at]), WordLike("of", (*tokens)[at])};
-    for (const Token& token : Copied(*tokens, noun, noun + length)) said.push_back(token);
-    for (const Token& token : Copied(*tokens, at + 1, with)) said.push_back(token);
+    for (const Token& token : TokensBetween(*tokens, noun, noun + length)) said.push_back(token);
+    for (const Token& token : TokensBetween(*tokens, at + 1, with)) said.push_back(token);
     EraseTokens(tokens, at, noun + length - at);
     InsertTokens(tokens, at, said);
   } else if (IsOneOf(WordAt(*tokens, at), {"hole", "opening"}) && placed) {

@@ -14,15 +14,6 @@
 namespace latticeworld {
 namespace {
 
-bool IsLine(const ClassWordMatch& match) {
-  return match.word != nullptr && match.word->shape == WordShape::kLine;
-}
-
-std::vector<Token> Copied(const std::vector<Token>& tokens, std::size_t begin, std::size_t count) {
-  return std::vector<Token>(tokens.begin() + static_cast<std::ptrdiff_t>(begin),
-                            tokens.begin() + static_cast<std::ptrdiff_t>(begin + count));
-}
-
 // Whether the words before `end` say that a line crosses the map, and no place of it beside.
 bool CrossesMap(const std::vector<Token>& tokens, std::size_t line, std::size_t end) {
   bool crosses = false;
@@ -54,9 +45,9 @@ void TurnHalfway(std::vector<Token>* tokens) {
     std::size_t end = at + 2;
     std::vector<Token> line;
     if (IsOneOf(WordAt(*tokens, end), {"the", "this", "that"}) &&
-        IsLine(MatchClassWord(*tokens, end + 1))) {
+        MatchClassWord(*tokens, end + 1).is_line()) {
       const std::size_t count = MatchClassWord(*tokens, end + 1).tokens;
-      line = Copied(*tokens, end + 1, count);
+      line = TokensBetween(*tokens, end + 1, end + 1 + count);
       end += 1 + count;
     } else if (WordAt(*tokens, end) == "it") {
       ++end;
@@ -76,10 +67,10 @@ void TurnHalfway(std::vector<Token>* tokens) {
     for (std::size_t i = at > kReach ? at - kReach : 0; i < at; ++i) {
       const ClassWordMatch match = MatchClassWord(*tokens, i);
       if (match.word == nullptr) continue;
-      const std::vector<Token> noun = Copied(*tokens, i, match.tokens);
+      const std::vector<Token> noun = TokensBetween(*tokens, i, i + match.tokens);
       const bool same = line.empty() || found ||
                         JoinWords(noun, 0, noun.size()) == JoinWords(line, 0, line.size());
-      if (IsLine(match) && same) {
+      if (match.is_line() && same) {
         line = noun;
         said = i;
         found = true;

@@ -24,11 +24,6 @@ std::size_t LineAt(const std::vector<Token>& tokens, std::size_t at, std::size_t
   return match.word != nullptr && match.word->shape == WordShape::kLine ? match.tokens : 0;
 }
 
-std::vector<Token> Copied(const std::vector<Token>& tokens, std::size_t begin, std::size_t count) {
-  return std::vector<Token>(tokens.begin() + static_cast<std::ptrdiff_t>(begin),
-                            tokens.begin() + static_cast<std::ptrdiff_t>(begin + count));
-}
-
 // "next to the river and next to the road"
 std::vector<Token> NextToBoth(const std::vector<Token>& first, const std::vector<Token>& second,
                               const Token& beside) {
@@ -64,9 +59,10 @@ void TurnMouth(std::vector<Token>* tokens) {
     if (!IsPauseAt(*tokens, end)) continue;
     const Token beside = (*tokens)[at];
     std::vector<Token> turned =
-        NextToBoth(Copied(*tokens, line, count), Copied(*tokens, next, lake.tokens), beside);
+        NextToBoth(TokensBetween(*tokens, line, line + count),
+                   TokensBetween(*tokens, next, next + lake.tokens), beside);
     turned.push_back({TokenKind::kStop, ".", beside.begin, beside.begin});
-    const std::vector<Token> said = Copied(*tokens, at + 1, end - at - 1);
+    const std::vector<Token> said = TokensBetween(*tokens, at + 1, at + 1 + end - at - 1);
     turned.insert(turned.end(), said.begin(), said.end());
     EraseTokens(tokens, at, end - at);
     InsertTokens(tokens, at, turned);
@@ -99,7 +95,7 @@ void TurnPairMeeting(std::vector<Token>* tokens) {
     std::size_t begin = at;
     if (IsOneOf(WordAt(*tokens, begin - 1), {"exactly", "right", "just"})) --begin;
     const Token beside = (*tokens)[at];
-    const std::vector<Token> lines = Copied(*tokens, two + 1, line.tokens);
+    const std::vector<Token> lines = TokensBetween(*tokens, two + 1, two + 1 + line.tokens);
     std::vector<Token> said;
     for (const std::string_view word : {"next", "to", "the"})
       said.push_back(WordLike(word, beside));
@@ -155,8 +151,8 @@ void TurnNamedMeeting(std::vector<Token>* tokens) {
     // A place of its own says what stands there; "where X meets Y there is" is read as it is.
     if (!IsPauseAt(*tokens, end) || IsPauseAt(*tokens, at - 1)) continue;
     const Token beside = (*tokens)[at];
-    const std::vector<Token> a = Copied(*tokens, first, first_count);
-    const std::vector<Token> b = Copied(*tokens, second, second_count);
+    const std::vector<Token> a = TokensBetween(*tokens, first, first + first_count);
+    const std::vector<Token> b = TokensBetween(*tokens, second, second + second_count);
     std::vector<Token> turned = NextToBoth(a, b, beside);
     turned.push_back({TokenKind::kStop, ".", beside.begin, beside.begin});
     turned.push_back(WordLike("the", beside));
@@ -179,13 +175,13 @@ void TurnMeeting(std::vector<Token>* tokens) {
     const ClassWordMatch match = MatchClassWord(*tokens, at);
     if (match.word != nullptr) {
       if (match.word->shape == WordShape::kLine) {
-        const std::vector<Token> line = Copied(*tokens, at, match.tokens);
+        const std::vector<Token> line = TokensBetween(*tokens, at, at + match.tokens);
         if (last.empty() || JoinWords(line, 0, line.size()) != JoinWords(last, 0, last.size())) {
           before = last;
           last = line;
         }
       } else {
-        lands.push_back(Copied(*tokens, at, match.tokens));
+        lands.push_back(TokensBetween(*tokens, at, at + match.tokens));
       }
       at += match.tokens - 1;
       continue;

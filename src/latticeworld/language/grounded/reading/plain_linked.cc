@@ -15,15 +15,6 @@
 namespace latticeworld {
 namespace {
 
-bool IsLine(const ClassWordMatch& match) {
-  return match.word != nullptr && match.word->shape == WordShape::kLine;
-}
-
-std::vector<Token> Copied(const std::vector<Token>& tokens, std::size_t begin, std::size_t count) {
-  return std::vector<Token>(tokens.begin() + static_cast<std::ptrdiff_t>(begin),
-                            tokens.begin() + static_cast<std::ptrdiff_t>(begin + count));
-}
-
 // The nouns of different things in tokens [begin, end) that are no lines.
 std::vector<std::vector<Token>> ThingsIn(const std::vector<Token>& tokens, std::size_t begin,
                                          std::size_t end) {
@@ -32,9 +23,9 @@ std::vector<std::vector<Token>> ThingsIn(const std::vector<Token>& tokens, std::
   for (std::size_t at = begin; at < end; ++at) {
     const ClassWordMatch match = MatchClassWord(tokens, at);
     if (match.word == nullptr) continue;
-    if (!IsLine(match) && std::find(known.begin(), known.end(), match.word) == known.end()) {
+    if (!match.is_line() && std::find(known.begin(), known.end(), match.word) == known.end()) {
       known.push_back(match.word);
-      things.push_back(Copied(tokens, at, match.tokens));
+      things.push_back(TokensBetween(tokens, at, at + match.tokens));
     }
     at += match.tokens - 1;
   }
@@ -59,7 +50,7 @@ void TurnLinks(std::vector<Token>* tokens) {
       ++noun;
     }
     const ClassWordMatch line = MatchClassWord(*tokens, noun);
-    if (!IsLine(line)) continue;
+    if (!line.is_line()) continue;
     const std::size_t end = noun + line.tokens;
     if (!IsStopAt(*tokens, end)) continue;
     std::size_t first = at;
@@ -71,7 +62,7 @@ void TurnLinks(std::vector<Token>* tokens) {
     const std::vector<std::vector<Token>> things = ThingsIn(*tokens, begin, first);
     if (things.size() < 2) continue;
     const Token beside = (*tokens)[at];
-    const std::vector<Token> links = Copied(*tokens, next, end - next);
+    const std::vector<Token> links = TokensBetween(*tokens, next, next + end - next);
     std::vector<Token> turned = {{TokenKind::kStop, ".", beside.begin, beside.begin}};
     turned.insert(turned.end(), links.begin(), links.end());
     turned.push_back(WordLike(line.plural ? "connect" : "connects", beside));
@@ -217,7 +208,7 @@ void TurnHosts(std::vector<Token>* tokens) {
     for (std::size_t i = with; i-- > 0 && !IsPauseAt(*tokens, i) && host.empty();) {
       const ClassWordMatch match = MatchClassWord(*tokens, i);
       if (match.word == nullptr || i + match.tokens != with) continue;
-      host = Copied(*tokens, i, match.tokens);
+      host = TokensBetween(*tokens, i, i + match.tokens);
     }
     if (host.empty()) continue;
     for (std::size_t i = at + 2; !IsStopAt(*tokens, i); ++i) {

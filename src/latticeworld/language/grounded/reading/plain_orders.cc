@@ -94,8 +94,6 @@ Closeness TakeCloseness(const std::vector<Token>& tokens, std::size_t at) {
   return close;
 }
 
-Token CommaLike(const Token& beside) { return {TokenKind::kComma, ",", beside.begin, beside.end}; }
-
 }  // namespace
 
 void TurnOrders(std::vector<Token>* tokens) {

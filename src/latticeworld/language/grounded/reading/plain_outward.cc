@@ -13,11 +13,6 @@
 namespace latticeworld {
 namespace {
 
-std::vector<Token> Copied(const std::vector<Token>& tokens, std::size_t begin, std::size_t count) {
-  return std::vector<Token>(tokens.begin() + static_cast<std::ptrdiff_t>(begin),
-                            tokens.begin() + static_cast<std::ptrdiff_t>(begin + count));
-}
-
 void PutWords(std::vector<Token>* turned, const std::vector<std::string_view>& words,
               const Token& beside) {
   for (const std::string_view word : words) turned->push_back(WordLike(word, beside));
@@ -33,7 +28,7 @@ std::vector<Token> LastNoun(const std::vector<Token>& tokens, std::size_t begin,
   for (std::size_t at = begin; at < end; ++at) {
     const ClassWordMatch match = MatchClassWord(tokens, at);
     if (match.word == nullptr || at + match.tokens > end) continue;
-    noun = Copied(tokens, at, match.tokens);
+    noun = TokensBetween(tokens, at, at + match.tokens);
     at += match.tokens - 1;
   }
   return noun;
@@ -84,7 +79,7 @@ void TurnOwnersBetween(std::vector<Token>* tokens) {
       const Token beside = (*tokens)[i];
       sides.push_back({TokenKind::kStop, ".", beside.begin, beside.begin});
       PutWords(&sides, {"the"}, beside);
-      Put(&sides, Copied(*tokens, noun, end_of_noun - noun), beside);
+      Put(&sides, TokensBetween(*tokens, noun, noun + end_of_noun - noun), beside);
       PutWords(&sides, {"is", "to", "the", NameOf(heading), "of", "the"}, beside);
       Put(&sides, subject, beside);
       EraseTokens(tokens, i, end - i);
@@ -164,7 +159,7 @@ Edge EdgeBefore(const std::vector<Token>& tokens, std::size_t end) {
     const ClassWordMatch match = MatchClassWord(tokens, at);
     if (match.word == nullptr || at + match.tokens > end) continue;
     const bool side = at > begin && IsOneOf(WordAt(tokens, at), {"coast", "coastline", "shore"});
-    if (!side || edge.noun.empty()) edge.noun = Copied(tokens, at, match.tokens);
+    if (!side || edge.noun.empty()) edge.noun = TokensBetween(tokens, at, at + match.tokens);
     at += match.tokens - 1;
   }
   return edge;
@@ -235,7 +230,8 @@ void TurnInland(std::vector<Token>* tokens) {
     std::vector<Token> turned;
     std::vector<Token> last = edge.noun;
     for (std::size_t i = 0; i < firsts.size(); ++i) {
-      const std::vector<Token> step = Copied(*tokens, firsts[i], lasts[i] - firsts[i]);
+      const std::vector<Token> step =
+          TokensBetween(*tokens, firsts[i], firsts[i] + lasts[i] - firsts[i]);
       const Token beside = step.front();
       turned.push_back({TokenKind::kStop, ".", beside.begin, beside.begin});
       PutWords(&turned, {"to", "the", way, "of", "the"}, beside);
@@ -285,7 +281,7 @@ void TurnBehindRows(std::vector<Token>* tokens) {
     for (std::size_t i = begin; i < at; ++i) {
       const ClassWordMatch match = MatchClassWord(*tokens, i);
       const bool line = match.word != nullptr && match.word->shape == WordShape::kLine;
-      if (match.word != nullptr && !line) row = Copied(*tokens, i, match.tokens);
+      if (match.word != nullptr && !line) row = TokensBetween(*tokens, i, i + match.tokens);
       lined = lined || IsOneOf(WordAt(*tokens, i), {"line", "lining", "lined", "along"});
       Heading heading;
       placed = placed || (IsOneOf(WordAt(*tokens, i), {"the", "in", "to", "on"}) &&

@@ -20,11 +20,6 @@ std::size_t ClauseBegin(const std::vector<Token>& tokens, std::size_t at) {
   return at;
 }
 
-std::vector<Token> Copied(const std::vector<Token>& tokens, std::size_t first, std::size_t last) {
-  return {tokens.begin() + static_cast<std::ptrdiff_t>(first),
-          tokens.begin() + static_cast<std::ptrdiff_t>(last)};
-}
-
 bool HasClass(const std::vector<Token>& tokens, std::size_t first, std::size_t last) {
   for (std::size_t at = first; at < last; ++at) {
     if (MatchClassWord(tokens, at).word != nullptr) return true;
@@ -62,8 +57,8 @@ void TurnLeadingExceptions(std::vector<Token>* tokens) {
     const std::size_t end = PauseAfter(*tokens, comma + 1);
     if (!HasClass(*tokens, comma + 1, end)) continue;
     // The rule first, then what is taken out of it.
-    std::vector<Token> turned = Copied(*tokens, comma + 1, end);
-    const std::vector<Token> exception = Copied(*tokens, at + opening, comma);
+    std::vector<Token> turned = TokensBetween(*tokens, comma + 1, end);
+    const std::vector<Token> exception = TokensBetween(*tokens, at + opening, comma);
     turned.push_back(WordLike("except", (*tokens)[at]));
     turned.push_back(WordLike("for", (*tokens)[at]));
     turned.insert(turned.end(), exception.begin(), exception.end());
@@ -89,7 +84,7 @@ void TurnSeparations(std::vector<Token>* tokens) {
                        HasClass(*tokens, from, by) && HasClass(*tokens, by, end);
     if (!whole) continue;
     const Token beside = (*tokens)[at];
-    std::vector<Token> turned = Copied(*tokens, by + 1, end);
+    std::vector<Token> turned = TokensBetween(*tokens, by + 1, end);
     for (const std::string_view word : {"lies", "between"})
       turned.push_back(WordLike(word, beside));
     for (std::size_t i = begin; i + 1 < at; ++i) turned.push_back((*tokens)[i]);
@@ -128,11 +123,11 @@ void TurnParts(std::vector<Token>* tokens) {
     }
     // "runs through the town with the town on both sides of it"
     const Token beside = (*tokens)[at];
-    const std::vector<Token> name = Copied(*tokens, thing, end);
+    const std::vector<Token> name = TokensBetween(*tokens, thing, end);
     std::vector<Token> turned = {WordLike("runs", beside), WordLike("through", beside),
                                  WordLike("the", beside)};
     turned.insert(turned.end(), name.begin(), name.end());
-    turned.push_back({TokenKind::kComma, ",", beside.begin, beside.end});
+    turned.push_back(CommaLike(beside));
     for (const std::string_view word : {"with", "the"}) turned.push_back(WordLike(word, beside));
     turned.insert(turned.end(), name.begin(), name.end());
     for (const std::string_view word : {"on", "both", "sides", "of", "it"}) {
@@ -297,7 +292,7 @@ void TurnMeasures(std::vector<Token>* tokens) {
       for (std::size_t i = before; i + 1 < at; ++i) {
         const ClassWordMatch first = MatchClassWord(*tokens, i);
         if (first.word == nullptr) continue;
-        std::vector<Token> than = Copied(*tokens, i, i + first.tokens);
+        std::vector<Token> than = TokensBetween(*tokens, i, i + first.tokens);
         than.insert(than.begin(), WordLike("than", (*tokens)[at]));
         InsertTokens(tokens, at + 1 + noun.tokens, than);
         break;

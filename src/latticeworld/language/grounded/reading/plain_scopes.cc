@@ -13,8 +13,6 @@
 namespace latticeworld {
 namespace {
 
-Token StopLike(const Token& beside) { return {TokenKind::kStop, ".", beside.begin, beside.end}; }
-
 // "The far north is woods and there is no rock anywhere": no rock on the whole map, not in the
 // north alone.
 void TurnAnywhere(std::vector<Token>* tokens, std::size_t at) {

@@ -13,8 +13,6 @@
 namespace latticeworld {
 namespace {
 
-Token CommaLike(const Token& beside) { return {TokenKind::kComma, ",", beside.begin, beside.end}; }
-
 std::string_view Opposite(std::string_view heading) {
   if (heading == "north") return "south";
   if (heading == "south") return "north";
