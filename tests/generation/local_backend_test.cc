@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -77,6 +78,26 @@ TEST(LocalBackendTest, WhatTheModelCannotWriteIsAnErrorOrTheGroundedBackEnds) {
   EXPECT_EQ((*world)->replies.size(), 1u);
   ASSERT_FALSE((*world)->warnings.empty());
   EXPECT_NE((*world)->warnings[0].find("grounded back end answered"), std::string::npos);
+}
+
+TEST(LocalBackendTest, AnEnvironmentOfNoiseKeepsToTheRulesAndIsMadeAgain) {
+  TinyModel noise = Noise(3);
+  noise.context = 30000;  // an environment too
+  const ModelFile file(TinyGguf(noise));
+  LocalBackendOptions options;
+  options.layout_model = file.path();
+  const auto world = Generate(options);
+  ASSERT_TRUE(world.ok()) << world.status().ToString();
+  ASSERT_EQ((*world)->replies.size(), 2u) << "nothing went back to the model";
+  EXPECT_EQ((*world)->replies[1].purpose, "environment");
+  EXPECT_TRUE(Validate((*world)->environment).empty());
+  const auto& warnings = (*world)->warnings;
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+    return warning.find(" cannot be ") != std::string::npos;
+  })) << "noise knows no rules";
+  const auto rebuilt = RebuildWorld(**world, Progress());
+  ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
+  EXPECT_EQ((*rebuilt)->id, (*world)->id);
 }
 
 TEST(LocalBackendTest, AModelOfLayoutsGoesWithTheGroundedBackEndsEnvironments) {

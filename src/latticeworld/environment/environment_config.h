@@ -46,6 +46,9 @@ std::vector<Violation> Validate(const EnvironmentConfig& environment);
 // duplicate_key, and what Validate finds.
 Result<EnvironmentConfig> ParseEnvironment(std::string_view json, const Catalogue& catalogue);
 Result<EnvironmentConfig> ParseEnvironment(std::string_view json);
+// The same without what Validate finds: shape and names are right, and no rule was asked.
+Result<EnvironmentConfig> ParseUncheckedEnvironment(std::string_view json,
+                                                    const Catalogue& catalogue);
 // Indented by two, keys in schema order.
 std::string ToJson(const EnvironmentConfig& environment, const Catalogue& catalogue);
 std::string ToJson(const EnvironmentConfig& environment);

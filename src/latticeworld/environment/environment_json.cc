@@ -80,9 +80,15 @@ void ReadAgents(const Json& json, std::vector<AgentGroup>* groups,
   }
 }
 
+Status Illegal(std::vector<Violation> violations) {
+  LimitViolations(&violations);
+  return Status::FromViolations("illegal environment", std::move(violations));
+}
+
 }  // namespace
 
-Result<EnvironmentConfig> ParseEnvironment(std::string_view text, const Catalogue& catalogue) {
+Result<EnvironmentConfig> ParseUncheckedEnvironment(std::string_view text,
+                                                    const Catalogue& catalogue) {
   std::vector<Violation> violations;
   Json json;
   EnvironmentConfig environment;
@@ -106,12 +112,14 @@ Result<EnvironmentConfig> ParseEnvironment(std::string_view text, const Catalogu
       ReadAgents(*agents, &environment.agents, &violations);
     }
   }
+  LW_RETURN_IF_ERROR(Illegal(std::move(violations)));
+  return environment;
+}
+
+Result<EnvironmentConfig> ParseEnvironment(std::string_view text, const Catalogue& catalogue) {
   // Where the shape is wrong, the values that were not read would only be reported twice.
-  if (violations.empty()) violations = Validate(environment, catalogue);
-  LimitViolations(&violations);
-  if (!violations.empty()) {
-    return Status::FromViolations("illegal environment", std::move(violations));
-  }
+  LW_ASSIGN_OR_RETURN(EnvironmentConfig environment, ParseUncheckedEnvironment(text, catalogue));
+  LW_RETURN_IF_ERROR(Illegal(Validate(environment, catalogue)));
   return environment;
 }
 

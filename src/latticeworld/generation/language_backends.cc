@@ -31,16 +31,22 @@ LanguageBackend MakeRemote(const std::shared_ptr<ChatServer>& server, const Remo
       fallback);
 }
 
-// An answer of a model in this process has its form by construction; it is read by the same strict
-// reader as one from afar, and what no form can say goes back to the model in the same way.
+// As of a model in this process, which is asked as one from afar is. Its answers have their form by
+// construction; models of this size cannot be talked into what no form says.
+RemoteOptions LocalModelOptions() {
+  RemoteOptions model;
+  model.name = "local";
+  model.mends = true;
+  // Every letter may be a token, and longer answers cost no more than their tokens.
+  model.environment_max_tokens = 16384;
+  return model;
+}
+
 Result<LanguageBackend> MakeLocal(const LocalBackendOptions& options) {
   LW_ASSIGN_OR_RETURN(const std::shared_ptr<ChatServer> layout,
                       MakeLocalChatServer(options.layout_model, options.threads));
-  RemoteOptions model;
-  model.name = "local";
+  RemoteOptions model = LocalModelOptions();
   model.temperature = options.temperature;
-  // Every letter may be a token, and longer answers cost no more than their tokens.
-  model.environment_max_tokens = 16384;
   if (options.environment_model == "grounded") {
     return WithFallback(
         {MakeRemoteLayoutGenerator(layout, model), MakeGroundedEnvironmentGenerator()},
@@ -102,9 +108,10 @@ LanguageBackends MakeReplayBackends(std::vector<ModelReply> replies) {
   LanguageBackends backends;
   backends.by_name["grounded"] = MakeGrounded();
   backends.by_name["remote"] = MakeRemote(MakeReplayServer(replies), options, /*fallback=*/true);
-  options.name = "local";
+  RemoteOptions local = LocalModelOptions();
+  local.repair_turns = options.repair_turns;
   backends.by_name["local"] =
-      MakeRemote(MakeReplayServer(std::move(replies)), options, /*fallback=*/true);
+      MakeRemote(MakeReplayServer(std::move(replies)), local, /*fallback=*/true);
   return backends;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/environment/keep_to_rules.h"
 #include "latticeworld/language/remote/thinking_filter.h"
 
 namespace latticeworld {
@@ -48,9 +49,10 @@ std::vector<std::string_view> ObjectsIn(std::string_view text) {
   return objects;
 }
 
-}  // namespace
+using Parser = Result<EnvironmentConfig> (*)(std::string_view, const Catalogue&);
 
-Result<EnvironmentConfig> ReadEnvironmentAnswer(std::string_view text, const Catalogue& catalogue) {
+Result<EnvironmentConfig> ReadWith(Parser parse, std::string_view text,
+                                   const Catalogue& catalogue) {
   const std::string answer = WithoutThinking(text);
   const std::vector<std::string_view> objects = ObjectsIn(answer);
   if (objects.empty()) {
@@ -61,14 +63,29 @@ Result<EnvironmentConfig> ReadEnvironmentAnswer(std::string_view text, const Cat
                                     Quote(answer)}});
   }
   for (auto object = objects.rbegin(); object != objects.rend(); ++object) {
-    Result<EnvironmentConfig> environment = ParseEnvironment(*object, catalogue);
+    Result<EnvironmentConfig> environment = parse(*object, catalogue);
     if (environment.ok()) return environment;
   }
   std::string_view longest;
   for (const std::string_view object : objects) {
     if (object.size() >= longest.size()) longest = object;
   }
-  return ParseEnvironment(longest, catalogue);
+  return parse(longest, catalogue);
+}
+
+}  // namespace
+
+Result<EnvironmentConfig> ReadEnvironmentAnswer(std::string_view text, const Catalogue& catalogue) {
+  return ReadWith(&ParseEnvironment, text, catalogue);
+}
+
+Result<EnvironmentConfig> ReadMendedEnvironmentAnswer(std::string_view text,
+                                                      const Catalogue& catalogue,
+                                                      std::vector<std::string>* changes) {
+  LW_ASSIGN_OR_RETURN(EnvironmentConfig environment,
+                      ReadWith(&ParseUncheckedEnvironment, text, catalogue));
+  *changes = KeepToRules(catalogue, &environment);
+  return environment;
 }
 
 }  // namespace latticeworld

@@ -17,7 +17,9 @@ struct RemoteOptions {
   double temperature = 0.7;           // 0 .. 2
   int layout_max_tokens = 2048;       // of one answer, thinking included; 64 .. 65536
   int environment_max_tokens = 4096;  // the same
-  std::string name = "remote";        // by which the generators go
+  bool mends = false;  // of environments, what only the rules forbid becomes the nearest legal
+                       // value, with a warning, and does not go back to the model
+  std::string name = "remote";  // by which the generators go
 };
 std::vector<Violation> Validate(const RemoteOptions& options);
 

@@ -50,8 +50,11 @@ class RemoteEnvironmentGenerator final : public EnvironmentGenerator {
     question.first.seed = request.seed;
     question.repair_turns = options_.repair_turns;
     question.make_listener = [&progress] { return MakeListener(&progress); };
-    question.read = [&answer, &request](std::string_view text) {
-      LW_ASSIGN_OR_RETURN(answer.environment, ReadEnvironmentAnswer(text, *request.catalogue));
+    question.read = [&](std::string_view text) {
+      LW_ASSIGN_OR_RETURN(
+          answer.environment,
+          options_.mends ? ReadMendedEnvironmentAnswer(text, *request.catalogue, &answer.warnings)
+                         : ReadEnvironmentAnswer(text, *request.catalogue));
       return Status();
     };
     question.repair_text = EnvironmentRepairText;

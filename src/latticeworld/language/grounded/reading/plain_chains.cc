@@ -23,7 +23,12 @@ std::size_t NounPhraseAt(const std::vector<Token>& tokens, std::size_t at) {
 void TurnRingAfterRing(std::vector<Token>* tokens, std::size_t at) {
   const bool opens = at == 0 || IsPauseAt(*tokens, at - 1);
   if (!opens || WordAt(*tokens, at) != "around") return;
-  const std::size_t object = NounPhraseAt(*tokens, at + 1);
+  // "A mountain in the middle, around is rock": around it.
+  if (at > 0 && IsOneOf(WordAt(*tokens, at + 1), {"is", "are"}) &&
+      NounPhraseAt(*tokens, at + 2) > 0) {
+    InsertTokens(tokens, at + 1, {WordLike("it", (*tokens)[at])});
+  }
+  const std::size_t object = WordAt(*tokens, at + 1) == "it" ? 1 : NounPhraseAt(*tokens, at + 1);
   std::size_t next = at + 1 + object;
   if (object == 0 || !IsOneOf(WordAt(*tokens, next), {"is", "are", "lies", "comes", "runs"})) {
     return;

@@ -293,6 +293,49 @@ void TurnNeverCrossing(std::vector<Token>* tokens, std::size_t at) {
   EraseTokens(tokens, at - (comma ? 1 : 0), comma ? 3 : 2);
 }
 
+// "The wood is cut in two by a road going from the left to the right": a road going from the left
+// to the right runs through the wood.
+void TurnCutInTwo(std::vector<Token>* tokens, std::size_t at) {
+  if (at > 0 && !IsStopAt(*tokens, at - 1)) return;
+  const std::size_t article = IsOneOf(WordAt(*tokens, at), {"a", "the"}) ? 1 : 0;
+  const ClassWordMatch noun = MatchClassWord(*tokens, at + article);
+  const std::size_t is = at + article + noun.tokens;
+  if (noun.word == nullptr || noun.is_line() || !IsOneOf(WordAt(*tokens, is), {"is", "are"}) ||
+      !IsOneOf(WordAt(*tokens, is + 1), {"cut", "split", "divided"}) ||
+      WordAt(*tokens, is + 2) != "in" ||
+      !IsOneOf(WordAt(*tokens, is + 3), {"two", "half", "halves"}) ||
+      WordAt(*tokens, is + 4) != "by") {
+    return;
+  }
+  std::size_t end = is + 5;
+  bool goes = false;
+  for (; !IsPauseAt(*tokens, end); ++end)
+    goes = goes || IsOneOf(WordAt(*tokens, end), {"going", "running", "flowing", "from"});
+  if (!goes) return;
+  std::vector<Token> said = TokensBetween(*tokens, is + 5, end);
+  said.push_back(WordLike("through", (*tokens)[is]));
+  for (const Token& token : TokensBetween(*tokens, at, is)) said.push_back(token);
+  EraseTokens(tokens, at, end - at);
+  InsertTokens(tokens, at, said);
+}
+
+// "River no.": no river. "No bridges": which says nothing of where there are any.
+void TurnDenials(std::vector<Token>* tokens, std::size_t at) {
+  const std::size_t length = MatchClassWord(*tokens, at).tokens;
+  const bool opens = at == 0 || IsPauseAt(*tokens, at - 1);
+  if (opens && length > 0 && WordAt(*tokens, at + length) == "no" &&
+      IsStopAt(*tokens, at + length + 1)) {
+    const Token no = (*tokens)[at + length];
+    EraseTokens(tokens, at + length, 1);
+    InsertTokens(tokens, at, {no});
+    return;
+  }
+  if (opens && WordAt(*tokens, at) == "no" &&
+      IsOneOf(WordAt(*tokens, at + 1), {"bridge", "bridges"}) && IsPauseAt(*tokens, at + 2)) {
+    EraseTokens(tokens, at, 2);
+  }
+}
+
 // "N: forest, S: lake, center: village": a sentence each.
 void TurnLabels(std::vector<Token>* tokens, std::size_t at) {
   if (at == 0 || (*tokens)[at].kind != TokenKind::kComma || (*tokens)[at].text == ":") return;
@@ -311,6 +354,8 @@ void TurnLabels(std::vector<Token>* tokens, std::size_t at) {
 void TurnWays(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     TurnLabels(tokens, at);
+    TurnCutInTwo(tokens, at);
+    TurnDenials(tokens, at);
     TurnWayBehind(tokens, at);
     TurnWayAhead(tokens, at);
     TurnOrdinalsBehind(tokens, at);
