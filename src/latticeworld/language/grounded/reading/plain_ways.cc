@@ -281,8 +281,7 @@ void TurnUpTheSide(std::vector<Token>* tokens, std::size_t at) {
                  "the", side, edge ? "edge" : what});
 }
 
-// "Side by side, never crossing": side by side. "A second road parallel to the first": two roads
-// parallel to each other.
+// "Side by side, never crossing": side by side.
 void TurnNeverCrossing(std::vector<Token>* tokens, std::size_t at) {
   if (WordAt(*tokens, at) != "never" ||
       !IsOneOf(WordAt(*tokens, at + 1), {"crossing", "touching", "meeting"}) ||
