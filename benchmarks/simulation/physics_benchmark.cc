@@ -51,10 +51,13 @@ BodySpec Box() {
   return box;
 }
 
-// Ours and the bare loop, over one scene.
+// Ours and the bare loop, over one scene. Ours in several threads is timed by the wall.
 struct Pair {
-  Pair(std::shared_ptr<const Scene> made, AssetSpace assets)
-      : scene(std::move(made)), ours(MakeOdeWorld(scene)), bare(*scene, assets) {}
+  Pair(std::shared_ptr<const Scene> made, AssetSpace assets, int threads = 1)
+      : scene(std::move(made)),
+        ours(MakeOdeWorld(scene, threads)),
+        bare(*scene, assets),
+        our_times(threads == 1 ? &ProcessorTime : &WallTime) {}
 
   void Add(const BodySpec& spec, const std::vector<WorldPoint>& places) {
     for (const WorldPoint& at : places) {
@@ -116,28 +119,34 @@ void DriveInTurns(benchmark::State& state, Pair* pair, bool with_bare) {
   state.SetItemsProcessed(state.iterations() * kRound);
 }
 
-// Four-wheel robots of five bodies, all driving. Argument: robots.
+// Four-wheel robots of five bodies, all driving; the bare loop has one thread. Arguments: robots,
+// our threads.
 void BM_DrivingRobots(benchmark::State& state) {
   MadeScene made;
   made.resolution_m = 0.5;
-  Pair pair(made.Build(), AssetSpace::kNone);
+  Pair pair(made.Build(), AssetSpace::kNone, static_cast<int>(state.range(1)));
   const int robots = static_cast<int>(state.range(0));
   pair.Add(FourWheelRobot(), Lattice(robots, 24.0));
   DriveInTurns(state, &pair, true);
   ReportBeside(state, pair.our_times, pair.bare_times, kStep_s);
 }
 BENCHMARK(BM_DrivingRobots)
-    ->Arg(10)
+    ->ArgNames({"robots", "threads"})
+    ->Args({10, 1})
     ->Iterations(50)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_DrivingRobots)
-    ->Arg(100)
+    ->ArgNames({"robots", "threads"})
+    ->Args({100, 1})
+    ->Args({100, 2})
     ->Iterations(20)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_DrivingRobots)
-    ->Arg(1000)
+    ->ArgNames({"robots", "threads"})
+    ->Args({1000, 1})
+    ->Args({1000, 2})
     ->Iterations(5)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);

@@ -16,9 +16,10 @@
 namespace latticeworld {
 namespace {
 
-std::unique_ptr<Simulator> Begin(const MadeScene& made, double step_s) {
+std::unique_ptr<Simulator> Begin(const MadeScene& made, double step_s, int threads = 1) {
   SimulatorOptions options;
   options.step_s = step_s;
+  options.physics_threads = threads;
   options.pursuit_distance_m = 60.0;
   return Simulator::Create(made.Build(), options, 1).value();
 }
@@ -51,12 +52,12 @@ bool IsFighting(const AgentSnapshot& agent) {
   }
 }
 
-// Times `rounds` runs of that long from the same moment.
+// Times `rounds` runs of that long from the same moment; several threads by the wall.
 void RunRounds(benchmark::State& state, Simulator* simulator, double round_s) {
   const auto begin = simulator->Save();
   const double step_s = simulator->options().step_s;
   const int steps = static_cast<int>(std::lround(round_s / step_s));
-  StepTimes times;
+  StepTimes times(simulator->options().physics_threads == 1 ? &ProcessorTime : &WallTime);
   double contacts = 0.0, alive = 0.0, fighting = 0.0;
   for (auto _ : state) {
     if (!simulator->Restore(*begin).ok()) state.SkipWithError("cannot go back");
@@ -119,14 +120,22 @@ MadeScene Battle(int trees) {
   return made;
 }
 
-// 200 agents fight on 1 km x 1 km. Argument: trees.
+// 200 agents fight on 1 km x 1 km. Arguments: trees, threads for physics.
 void BM_Battle(benchmark::State& state) {
-  const auto simulator = Begin(Battle(static_cast<int>(state.range(0))), 0.005);
+  const auto simulator =
+      Begin(Battle(static_cast<int>(state.range(0))), 0.005, static_cast<int>(state.range(1)));
   StepFor(simulator.get(), 3.0);
   RunRounds(state, simulator.get(), 10.0);
 }
-BENCHMARK(BM_Battle)->Arg(0)->Arg(10000)->Arg(100000)->Iterations(2)->UseManualTime()->Unit(
-    benchmark::kMillisecond);
+BENCHMARK(BM_Battle)
+    ->ArgNames({"trees", "threads"})
+    ->Args({0, 1})
+    ->Args({10000, 1})
+    ->Args({100000, 1})
+    ->Args({100000, 2})
+    ->Iterations(2)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 
 // Nine of ten graze or stand, the tenth patrols. Arguments: agents, side of the world [m].
 MadeScene Peace(int agents, double size_m, int trees) {
@@ -160,14 +169,22 @@ MadeScene Peace(int agents, double size_m, int trees) {
   return made;
 }
 
-// 1 km x 1 km with 10,000 trees. Argument: agents.
+// 1 km x 1 km with 10,000 trees. Arguments: agents, threads for physics.
 void BM_Agents(benchmark::State& state) {
-  const auto simulator = Begin(Peace(static_cast<int>(state.range(0)), 1024.0, 10000), 0.01);
+  const auto simulator = Begin(Peace(static_cast<int>(state.range(0)), 1024.0, 10000), 0.01,
+                               static_cast<int>(state.range(1)));
   StepFor(simulator.get(), 5.0);
   RunRounds(state, simulator.get(), 10.0);
 }
-BENCHMARK(BM_Agents)->Arg(10)->Arg(100)->Arg(1000)->Iterations(2)->UseManualTime()->Unit(
-    benchmark::kMillisecond);
+BENCHMARK(BM_Agents)
+    ->ArgNames({"agents", "threads"})
+    ->Args({10, 1})
+    ->Args({100, 1})
+    ->Args({1000, 1})
+    ->Args({1000, 2})
+    ->Iterations(2)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 
 // A hundred agents as far apart as they are on 256 m, no trees. Argument: side of the world [m].
 void BM_WorldSize(benchmark::State& state) {

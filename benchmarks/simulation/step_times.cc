@@ -12,6 +12,12 @@ double ProcessorTime() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+double WallTime() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 double StepTimes::Mean() const {
   return std::accumulate(times_s_.begin(), times_s_.end(), 0.0) /
          static_cast<double>(std::max<std::size_t>(1, times_s_.size()));

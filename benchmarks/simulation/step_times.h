@@ -10,18 +10,22 @@ namespace latticeworld {
 
 // Processor time of the process [s]: other programs on the machine do not count.
 double ProcessorTime();
+// By the clock on the wall [s]: for what several threads do together.
+double WallTime();
 
 // How long each step of a run took.
 class StepTimes {
  public:
+  explicit StepTimes(double (*clock)() = &ProcessorTime) : clock_(clock) {}
+
   // Times step() so many times; answers the seconds in all.
   template <typename Step>
   double Run(int steps, Step&& step) {
     double sum_s = 0.0;
     for (int i = 0; i < steps; ++i) {
-      const double begin_s = ProcessorTime();
+      const double begin_s = clock_();
       step();
-      times_s_.push_back(ProcessorTime() - begin_s);
+      times_s_.push_back(clock_() - begin_s);
       sum_s += times_s_.back();
     }
     return sum_s;
@@ -36,6 +40,7 @@ class StepTimes {
   std::size_t count() const { return times_s_.size(); }
 
  private:
+  double (*clock_)();
   std::vector<double> times_s_;
 };
 

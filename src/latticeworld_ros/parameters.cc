@@ -20,6 +20,7 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"step", Bind(&options->simulator.step_s)},
       {"command_timeout", Bind(&options->simulator.command_timeout_s)},
       {"pursuit_distance", Bind(&options->simulator.pursuit_distance_m)},
+      {"physics_threads", Bind(&options->simulator.physics_threads)},
       {"day_length", Bind(&options->simulator.day_length_s)},
       {"species", Bind(&options->species)},
       {"robot_species", Bind(&options->simulator.robot_species)},

@@ -19,8 +19,8 @@ struct WorldServerOptions {
   // Time.
   double real_time_factor = 1.0;  // 0: as fast as possible; else [0.01, 1000]
   bool start_paused = false;
-  // step_s, command_timeout_s, pursuit_distance_m, day_length_s, robot_species; its catalogue is
-  // made from `species`.
+  // step_s, physics_threads, command_timeout_s, pursuit_distance_m, day_length_s, robot_species;
+  // its catalogue is made from `species`.
   SimulatorOptions simulator;
   std::string species;  // "": the built-in ones, else a file or directory that adds to them
 

@@ -63,6 +63,26 @@ TEST(ParametersTest, EveryNumberRefusesWhatIsNoNumber) {
   }
 }
 
+TEST(ParametersTest, PhysicsThreadsAreACount) {
+  EXPECT_EQ(WorldServerOptions().simulator.physics_threads, 0);
+  for (const int threads : {0, 1, 256}) {
+    XmlRpc::XmlRpcValue parameters;
+    parameters["physics_threads"] = threads;
+    const auto options = OptionsFromParameters(parameters);
+    ASSERT_TRUE(options.ok()) << options.status().ToString();
+    EXPECT_EQ(options->simulator.physics_threads, threads);
+  }
+  for (const int threads : {-1, 257}) {
+    XmlRpc::XmlRpcValue parameters;
+    parameters["physics_threads"] = threads;
+    const auto options = OptionsFromParameters(parameters);
+    ASSERT_FALSE(options.ok());
+    EXPECT_NE(options.status().message().find("physics_threads must be from 0 to 256"),
+              std::string::npos)
+        << options.status().ToString();
+  }
+}
+
 TEST(ParametersTest, SpeciesThatCannotBeReadAreNamed) {
   XmlRpc::XmlRpcValue parameters;
   parameters["species"] = std::string("/nowhere/species.json");

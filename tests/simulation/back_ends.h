@@ -22,7 +22,9 @@ struct BackEnd {
   std::string name;
   std::unique_ptr<PhysicsWorld> (*make)(std::shared_ptr<const Scene> scene);
 };
-inline std::vector<BackEnd> BackEnds() { return {{"Ode", &MakeOdeWorld}}; }
+inline std::vector<BackEnd> BackEnds() {
+  return {{"Ode", [](std::shared_ptr<const Scene> scene) { return MakeOdeWorld(scene); }}};
+}
 
 class PhysicsContract : public testing::TestWithParam<BackEnd> {
  protected:

@@ -83,8 +83,11 @@ std::shared_ptr<const Scene> BattleScene() {
   return scene.Build();
 }
 
-std::unique_ptr<Simulator> BeginBattle(std::shared_ptr<const Scene> scene, std::uint64_t seed) {
-  auto made = Simulator::Create(std::move(scene), {}, seed);
+std::unique_ptr<Simulator> BeginBattle(std::shared_ptr<const Scene> scene, std::uint64_t seed,
+                                       int physics_threads) {
+  SimulatorOptions options;
+  options.physics_threads = physics_threads;
+  auto made = Simulator::Create(std::move(scene), options, seed);
   LW_CHECK(made.ok(), made.status().ToString());
   std::unique_ptr<Simulator> simulator = std::move(made).value();
   SpawnRow(simulator.get(), "goblin", 40, 2, -18.0, -22.0);

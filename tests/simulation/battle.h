@@ -15,7 +15,8 @@ std::shared_ptr<const Scene> BattleScene();
 
 // Some 100 agents in it: goblins against warriors, each team with a policy of its own, dogs and
 // vehicles in between, sheep that flee, and a tractor that is driven into the trees.
-std::unique_ptr<Simulator> BeginBattle(std::shared_ptr<const Scene> scene, std::uint64_t seed);
+std::unique_ptr<Simulator> BeginBattle(std::shared_ptr<const Scene> scene, std::uint64_t seed,
+                                       int physics_threads = 0);
 
 // One step, before it whatever somebody outside does in that step of the episode: commands, joints,
 // blows, gates, weather, agents that come and go.

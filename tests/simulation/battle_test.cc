@@ -48,10 +48,10 @@ int CountOf(const std::vector<Event>& events, EventKind kind) {
                                         [&](const Event& event) { return event.kind == kind; }));
 }
 
-TEST(BattleTest, IsTheSameInOneProcessInTwoAndAfterRestore) {
+TEST(BattleTest, IsTheSameInOneProcessInTwoAfterRestoreAndWithAnyThreads) {
   OtherProcess other;  // runs beside this one
   const auto scene = BattleScene();
-  const auto one = BeginBattle(scene, kSeed);
+  const auto one = BeginBattle(scene, kSeed, 1);
   EXPECT_GE(one->State()->agents.size(), 100u);
   std::vector<std::string> hashes;
   RunBattle(one.get(), kMiddle, &hashes);
@@ -69,7 +69,7 @@ TEST(BattleTest, IsTheSameInOneProcessInTwoAndAfterRestore) {
   EXPECT_EQ(CountOf(events, EventKind::kLeftWorld), 0);
 
   std::vector<std::string> again;
-  const auto two = BeginBattle(scene, kSeed);
+  const auto two = BeginBattle(scene, kSeed, 3);
   RunBattle(two.get(), kMiddle, &again);
   // The rest from the first one's snapshot, after a detour of its own.
   for (int i = 0; i < 100; ++i) two->Step();

@@ -175,6 +175,7 @@ class Run {
 Result<TrialOutcome> RunTrial(const TrialSetup& setup, RobotStack* stack) {
   SimulatorOptions options;
   options.step_s = setup.step_s;
+  options.physics_threads = 1;  // trials run beside each other
   LW_ASSIGN_OR_RETURN(const auto simulator, Simulator::Create(setup.scene, options, setup.seed));
   if (!IsEmpty(setup.condition.weather))
     LW_RETURN_IF_ERROR(simulator->SetWeather(setup.condition.weather));

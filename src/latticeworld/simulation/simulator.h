@@ -20,6 +20,9 @@ struct SimulatorOptions {
   double command_timeout_s = 0.5;    // a robot without a newer command stops; [0.05, 60]
   double pursuit_distance_m = 25.0;  // adversaries pursue enemies nearer than this; (0, 1000]
   double day_length_s = 0.0;         // from noon to noon; 0: the hour stands still; else [60, 1e6]
+  // That step bodies where enough of them move, [0, 256]; 0: as many as cores. States do not depend
+  // on it.
+  int physics_threads = 0;
   std::shared_ptr<const SpeciesCatalogue> species = SpeciesCatalogue::BuiltIn();  // never null
   std::string robot_species = "wheeled robot";  // of the scene's wheeled robots; of their category
 };

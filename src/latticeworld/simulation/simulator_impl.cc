@@ -46,7 +46,7 @@ void SimulatorImpl::Reset(std::uint64_t seed) {
   // Both hold the physics: they go before it goes.
   elements_.reset();
   felling_.reset();
-  physics_ = MakeOdeWorld(scene_);
+  physics_ = MakeOdeWorld(scene_, options_.physics_threads);
   physics_->SetJudge(this);
   felling_.emplace(*scene_, physics_.get());
   elements_.emplace(*scene_, physics_.get());

@@ -29,6 +29,7 @@ std::vector<Violation> Validate(const SimulatorOptions& options) {
   if (options.day_length_s != 0.0) {
     CheckRange("day_length_s", options.day_length_s, {60.0, 1e6}, " s, or 0", &violations);
   }
+  CheckRange("physics_threads", options.physics_threads, {0.0, 256.0}, "", &violations);
   if (options.species == nullptr) {
     violations.push_back({"missing_species", "species", "species must be given", ""});
   } else {

@@ -25,8 +25,8 @@ constexpr double kSliding_mps = 0.01;
 // holds, of the pull of gravity along the surface.
 Eigen::Vector3d FrictionDirection(const ContactJoint& joint) {
   const Eigen::Vector3d& normal = joint.normal;
-  Eigen::Vector3d sliding = VelocityAt(joint.a, joint.position_m);
-  if (joint.b != nullptr) sliding -= VelocityAt(joint.b, joint.position_m);
+  Eigen::Vector3d sliding = VelocityAt(joint.a.id(), joint.position_m);
+  if (joint.b.body != nullptr) sliding -= VelocityAt(joint.b.id(), joint.position_m);
   sliding -= sliding.dot(normal) * normal;
   const double speed_mps = sliding.norm();
   if (speed_mps > kSliding_mps) return sliding / speed_mps;
@@ -38,6 +38,8 @@ Eigen::Vector3d FrictionDirection(const ContactJoint& joint) {
   return other.cross(normal).normalized();
 }
 
+BodyId IdOf(const ContactSide& side) { return side.body != nullptr ? side.body->id() : 0; }
+
 }  // namespace
 
 ContactJoints::ContactJoints(dWorldID world) : world_(world), group_(dJointGroupCreate(0)) {}
@@ -48,13 +50,14 @@ ContactJoints::~ContactJoints() { dJointGroupDestroy(group_); }
 void ContactJoints::DropBeyondLimit() {
   BodyId highest = 0;
   for (const ContactJoint& joint : found_) {
-    highest = std::max({highest, joint.body_a, joint.body_b});
+    if (joint.counts) highest = std::max({highest, IdOf(joint.a), IdOf(joint.b)});
   }
   if (highest == 0) return;
   if (of_body_.size() <= highest) of_body_.resize(highest + 1, 0);
   bool too_many = false;
   for (const ContactJoint& joint : found_) {
-    for (const BodyId body : {joint.body_a, joint.body_b}) {
+    if (!joint.counts) continue;
+    for (const BodyId body : {IdOf(joint.a), IdOf(joint.b)}) {
       if (body != 0) too_many = ++of_body_[body] > kMaxBodyContacts || too_many;
     }
   }
@@ -66,14 +69,14 @@ void ContactJoints::DropBeyondLimit() {
     });
     std::vector<bool> dropped(found_.size(), false);
     for (const std::size_t i : order) {
-      const ContactJoint& joint = found_[i];
-      if (joint.body_a == 0) continue;
-      const bool over = of_body_[joint.body_a] > kMaxBodyContacts ||
-                        (joint.body_b != 0 && of_body_[joint.body_b] > kMaxBodyContacts);
+      if (!found_[i].counts) continue;
+      const BodyId a = IdOf(found_[i].a), b = IdOf(found_[i].b);
+      const bool over =
+          of_body_[a] > kMaxBodyContacts || (b != 0 && of_body_[b] > kMaxBodyContacts);
       if (!over) continue;
       dropped[i] = true;
-      --of_body_[joint.body_a];
-      if (joint.body_b != 0) --of_body_[joint.body_b];
+      --of_body_[a];
+      if (b != 0) --of_body_[b];
     }
     std::size_t kept = 0;
     for (std::size_t i = 0; i < found_.size(); ++i) {
@@ -81,10 +84,15 @@ void ContactJoints::DropBeyondLimit() {
     }
     found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(kept), found_.end());
   }
-  for (const ContactJoint& joint : found_) of_body_[joint.body_a] = of_body_[joint.body_b] = 0;
+  for (const ContactJoint& joint : found_) {
+    if (joint.counts) of_body_[IdOf(joint.a)] = of_body_[IdOf(joint.b)] = 0;
+  }
 }
 
 void ContactJoints::Join(double step_s) {
+  found_.erase(std::remove_if(found_.begin(), found_.end(),
+                              [](const ContactJoint& joint) { return joint.gives_way; }),
+               found_.end());
   DropBeyondLimit();
   std::size_t reported = 0;
   for (const ContactJoint& joint : found_) reported += joint.reported >= 0 ? 1 : 0;
@@ -102,7 +110,7 @@ void ContactJoints::JoinOne(const ContactJoint& joint, double step_s, dJointFeed
   surface.mode = dContactApprox1 | dContactMu2 | dContactFDir1 | dContactSoftERP | dContactSoftCFM;
   surface.mu = traction.friction_along;
   surface.mu2 = traction.friction_across;
-  double max_speed_mps = joint.b == nullptr ? kMaxCorrectingSpeed_mps : kMaxPartingSpeed_mps;
+  double max_speed_mps = joint.b.body == nullptr ? kMaxCorrectingSpeed_mps : kMaxPartingSpeed_mps;
   surface.soft_erp = kErrorReduction;
   surface.soft_cfm = kContactSoftness;
   if (joint.compliance.stiffness_npm > 0.0) {
@@ -133,18 +141,19 @@ void ContactJoints::JoinOne(const ContactJoint& joint, double step_s, dJointFeed
   contact.geom.g1 = contact.geom.g2 = nullptr;
   contact.geom.side1 = contact.geom.side2 = 0;
   const dJointID made = dJointCreateContact(world_, group_, &contact);
-  dJointAttach(made, joint.a, joint.b);
+  dJointAttach(made, joint.a.id(), joint.b.id());
   if (feedback != nullptr) {
     *feedback = {};
     dJointSetFeedback(made, feedback);
   }
 }
 
-void ContactJoints::Finish(std::vector<Contact>* contacts) {
+void ContactJoints::Finish(std::vector<Contact>* of_two, std::vector<Contact>* of_one) {
   std::size_t next = 0;
   for (const ContactJoint& joint : found_) {
     if (joint.reported < 0) continue;
     const dReal* force = feedback_[next++].f1;
+    std::vector<Contact>* contacts = joint.of_two ? of_two : of_one;
     (*contacts)[static_cast<std::size_t>(joint.reported)].force_n =
         Eigen::Vector3d(force[0], force[1], force[2]);
   }

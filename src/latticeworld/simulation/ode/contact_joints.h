@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "latticeworld/simulation/ode/ode_body.h"
 #include "latticeworld/simulation/physics_world.h"
 
 namespace latticeworld {
@@ -25,20 +26,31 @@ struct Compliance {
   double damping_nspm = 0.0;
 };
 
+// One side of a contact.
+struct ContactSide {
+  OdeBody* body = nullptr;
+  std::size_t part = 0;
+
+  dBodyID id() const { return body != nullptr ? body->part(part) : nullptr; }
+};
+
 // A contact to be solved.
 struct ContactJoint {
-  dBodyID a;  // never null
-  dBodyID b;  // null: the world
+  ContactSide a;  // never nobody
+  ContactSide b;  // nobody: what stands fast
   Eigen::Vector3d position_m;
   Eigen::Vector3d normal;  // into a
   double depth_m;
   Traction traction;
   Compliance compliance{};
-  int reported = -1;              // index of the Contact that takes its force
-  BodyId body_a = 0, body_b = 0;  // for the limit of contacts a body; 0: not counted
+  int reported = -1;       // index of the Contact that takes its force
+  bool of_two = false;     // bodies, of which the second one may stand fast
+  bool counts = false;     // towards the limit of contacts a body
+  bool gives_way = false;  // what is hit holds nothing up
 };
 
-// The contacts of one step, from when they are found until their forces are known.
+// The contacts of the bodies of one world of ODE in one step, from when they are found until their
+// forces are known.
 class ContactJoints {
  public:
   explicit ContactJoints(dWorldID world);
@@ -48,11 +60,13 @@ class ContactJoints {
 
   void Add(const ContactJoint& joint) { found_.push_back(joint); }
   const std::vector<ContactJoint>& found() const { return found_; }
-  // Makes joints of them in the order in which they were added; of a body's contacts that are
-  // counted only the deepest.
+  void LetGiveWay(std::size_t i) { found_[i].gives_way = true; }
+  // Makes joints of them in the order in which they were added, but for what gives way; of a body's
+  // contacts that are counted only the deepest.
   void Join(double step_s);
-  // After the world's step: writes what the contacts exerted, and forgets them.
-  void Finish(std::vector<Contact>* contacts);
+  // After the world's step: writes what the contacts exerted to those that are reported, two
+  // bodies' and others in a list each, and forgets them.
+  void Finish(std::vector<Contact>* of_two, std::vector<Contact>* of_one);
 
  private:
   void DropBeyondLimit();

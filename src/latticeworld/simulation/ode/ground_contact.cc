@@ -87,7 +87,8 @@ GroundContacts TouchGround(const HeightField& ground, const Eigen::Vector3d& cen
   for (const auto& offset : offsets) {
     const double x_m = center_m.x() + offset[0] * radius_m;
     const double y_m = center_m.y() + offset[1] * radius_m;
-    const Facet facet = FacetAt(ground, x_m, y_m, 0.0, nullptr);
+    const Facet facet =
+        known_count == 0 ? below : FacetAt(ground, x_m, y_m, 0.0, nullptr);  // the first is below
     const Eigen::Vector3d on_ground(x_m, y_m, facet.height_m);
     if ((on_ground - center_m).squaredNorm() < (nearest - center_m).squaredNorm()) {
       nearest = on_ground;

@@ -40,6 +40,26 @@ dBodyID MakePart(dWorldID world, const dMass& mass, const Eigen::Vector3d& cente
 
 OdeBody::OdeBody(dWorldID world, BodyId id, std::shared_ptr<const BodySpec> spec)
     : id_(id), spec_(std::move(spec)), mass_kg_(spec_->total_mass_kg()) {
+  Make(world);
+  control_.wheels.resize(wheels_.size());
+  control_.joints.resize(links_.size());
+  control_.upright = spec_->upright;
+  SetInertia();
+  before_.resize(parts_.size());
+  MakeSolids();
+  if (spec_->anchor) SetAnchored(true);
+}
+
+OdeBody::~OdeBody() { Unmake(); }
+
+void OdeBody::MoveTo(dWorldID world) {
+  const BodyState state = Save();
+  Unmake();
+  Make(world);
+  Restore(state);
+}
+
+void OdeBody::Make(dWorldID world) {
   dMass mass;
   dMassSetParameters(&mass, spec_->mass_kg, 0.0, 0.0, 0.0, spec_->inertia_kgm2.x(),
                      spec_->inertia_kgm2.y(), spec_->inertia_kgm2.z(), 0.0, 0.0, 0.0);
@@ -81,21 +101,15 @@ OdeBody::OdeBody(dWorldID world, BodyId id, std::shared_ptr<const BodySpec> spec
     dJointSetHingeParam(anchor_, dParamFMax, spec_->anchor->friction_nm);
     dJointDisable(anchor_);
   }
-
-  control_.wheels.resize(wheels_.size());
-  control_.joints.resize(links_.size());
-  control_.upright = spec_->upright;
-  SetInertia();
-  before_.resize(parts_.size());
-  MakeSolids();
-  if (spec_->anchor) SetAnchored(true);
 }
 
-OdeBody::~OdeBody() {
+void OdeBody::Unmake() {
   if (anchor_ != nullptr) dJointDestroy(anchor_);
+  anchor_ = nullptr;
   links_.clear();
   wheels_.clear();
   for (const dBodyID part : parts_) dBodyDestroy(part);
+  parts_.clear();
 }
 
 void OdeBody::MakeSolids() {
@@ -144,6 +158,7 @@ void OdeBody::MakeBall() {
     travel_m = std::max(travel_m, wheel.spring_npm > 0.0 ? 2.0 * wheel.travel_m : 0.0);
   }
   ball_radius_m_ += travel_m;
+  Moved();
 }
 
 std::vector<OdeBody::BodySolid>& OdeBody::PosedSolids() {

@@ -61,6 +61,8 @@ class OdeBody {
   ~OdeBody();
   OdeBody(const OdeBody&) = delete;
   OdeBody& operator=(const OdeBody&) = delete;
+  // Is made anew in that world, as the last of its bodies, between steps: same state, same bits.
+  void MoveTo(dWorldID world);
 
   BodyId id() const { return id_; }
   const BodySpec& spec() const { return *spec_; }
@@ -137,7 +139,7 @@ class OdeBody {
   };
   std::vector<BodySolid>& PosedSolids();
   // Ball around all solids and ground samples; radius < 0: there are no solids.
-  Eigen::Vector3d BallCenter() const { return TrunkPoint(ball_center_m_); }
+  const Eigen::Vector3d& BallCenter() const { return ball_in_map_m_; }
   double ball_radius_m() const { return ball_radius_m_; }
 
   // Around a step: motors, springs and what to go back to before it; then, after it, speed limits
@@ -150,6 +152,9 @@ class OdeBody {
   void AddTo(Digest* digest) const;
 
  private:
+  // Its parts and joints in a world of ODE, as they begin.
+  void Make(dWorldID world);
+  void Unmake();
   void MakeSolids();
   void MakeBall();
   void SetInertia();
@@ -176,7 +181,11 @@ class OdeBody {
   double FastestPart() const;
   void PutBack();
   void UpdateRest(double step_s);
-  void Moved() { posed_ = false; }
+  // Is called whenever the trunk or another part is elsewhere.
+  void Moved() {
+    posed_ = false;
+    ball_in_map_m_ = TrunkPoint(ball_center_m_);
+  }
 
   const BodyId id_;
   std::shared_ptr<const BodySpec> spec_;
@@ -190,6 +199,7 @@ class OdeBody {
   std::vector<BodySolid> solids_;
   bool posed_ = false;
   Eigen::Vector3d ball_center_m_ = Eigen::Vector3d::Zero();  // in base_link
+  Eigen::Vector3d ball_in_map_m_ = Eigen::Vector3d::Zero();  // where that is: asked of all at once
   double ball_radius_m_ = -1.0;
 
   struct Before {

@@ -200,7 +200,6 @@ void OdeBody::LimitSpeed() {
 }
 
 bool OdeBody::FinishStep(double step_s) {
-  Moved();
   bool sound = !control_.spoiled;
   for (const dBodyID part : parts_) sound = sound && IsFinite(part);
   sound = sound && FastestPart() <= fastest_before_mps_ + kMostGain_mps;
@@ -209,6 +208,7 @@ bool OdeBody::FinishStep(double step_s) {
   sound = sound && control_.overdrawn_s <= kLongestOverdrawn_s;
   if (!sound) {
     PutBack();
+    Moved();
     control_.spoiled = false;
     control_.still_s = 0.0;
     control_.overdrawn_s = 0.0;
@@ -216,6 +216,7 @@ bool OdeBody::FinishStep(double step_s) {
   }
   LimitSpeed();
   if (control_.upright) KeepUpright();
+  Moved();
   UpdateRest(step_s);
   return true;
 }

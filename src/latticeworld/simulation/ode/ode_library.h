@@ -10,9 +10,8 @@ namespace latticeworld {
 // Readies ODE for the calling thread; cheap after the first call of a thread.
 void ReadyOde();
 
-// One step of the world. ODE's random state, which orders the constraints, belongs to the process:
-// it is seeded here and held until the step ends, so that worlds do not see each other. Worlds of
-// one process thus solve one after the other, also on several threads.
+// One step of the world; several threads may step a world each. Constraints are shuffled by the
+// seed alone: whatever else the world holds, bodies that touch each other move the same.
 void StepOde(dWorldID world, double step_s, std::uint64_t solver_seed);
 
 }  // namespace latticeworld

@@ -13,8 +13,7 @@
 namespace latticeworld {
 namespace {
 
-constexpr double kErrorReduction = 0.3;    // of joints
-constexpr double kSurfaceLayer_m = 0.001;  // depth at which contacts rest
+constexpr std::size_t kGroups = 64;  // enough to share among cores, not too many to step
 constexpr double kPlacingClearance_m = 0.002;
 constexpr double kWakingFriction = 0.02;  // a change of friction that what rests may feel
 constexpr double kWakingReach_m = 0.05;
@@ -44,26 +43,19 @@ void CheckSpec(const BodySpec& spec) {
 
 }  // namespace
 
-OdeWorld::OdeWorld(std::shared_ptr<const Scene> scene)
-    : scene_(std::move(scene)), ground_(scene_->atmosphere.ground()), surfaces_(*scene_, ground_) {
+OdeWorld::OdeWorld(std::shared_ptr<const Scene> scene, int threads)
+    : scene_(std::move(scene)),
+      ground_(scene_->atmosphere.ground()),
+      surfaces_(*scene_, ground_),
+      threads_(threads) {
   ReadyOde();
-  world_ = dWorldCreate();
-  joints_ = std::make_unique<ContactJoints>(world_);
-  dWorldSetGravity(world_, 0.0, 0.0, -kGravity_mps2);
-  dWorldSetERP(world_, kErrorReduction);
-  dWorldSetCFM(world_, 1e-9);
-  dWorldSetContactSurfaceLayer(world_, kSurfaceLayer_m);
-  dWorldSetAutoDisableFlag(world_, 0);
+  for (std::size_t i = 0; i < kGroups; ++i) groups_.push_back(std::make_unique<IslandGroup>());
   for (const auto& entry : EnumNames(SurfaceClass{})) {
     woken_friction_[static_cast<std::size_t>(entry.value)] = surfaces_.Of(entry.value).friction;
   }
 }
 
-OdeWorld::~OdeWorld() {
-  joints_.reset();
-  bodies_.clear();
-  dWorldDestroy(world_);
-}
+OdeWorld::~OdeWorld() = default;
 
 std::size_t OdeWorld::IndexOf(BodyId id) const {
   const auto found =
@@ -80,7 +72,9 @@ BodyId OdeWorld::Place(const BodySpec& spec, const BodyMotion& motion, bool lift
   CheckSpec(spec);
   const BodyId id = ++last_id_;
   auto shared = std::make_shared<const BodySpec>(spec);
-  bodies_.push_back({id, std::make_unique<OdeBody>(world_, id, std::move(shared)), {}});
+  const std::size_t home = HomeOf(id);
+  const dWorldID world = groups_[home]->world();
+  bodies_.push_back({id, std::make_unique<OdeBody>(world, id, std::move(shared)), home, {}});
   OdeBody* body = bodies_.back().body.get();
   // What is put nowhere begins in the middle of the world, and has strayed.
   const bool finite = IsSomewhere(motion);
@@ -286,8 +280,8 @@ void OdeWorld::WakeAround(OdeBody* body) {
   }
 }
 
-std::unique_ptr<PhysicsWorld> MakeOdeWorld(std::shared_ptr<const Scene> scene) {
-  return std::make_unique<OdeWorld>(std::move(scene));
+std::unique_ptr<PhysicsWorld> MakeOdeWorld(std::shared_ptr<const Scene> scene, int threads) {
+  return std::make_unique<OdeWorld>(std::move(scene), threads);
 }
 
 std::chrono::nanoseconds CollisionTime(const PhysicsWorld& world) {

@@ -12,10 +12,11 @@ namespace latticeworld {
 // A PhysicsWorld on the Open Dynamics Engine: its bodies, joints and solver, with our own contacts
 // against the ground grid and the assets near each body (ODE's height field is slower and gets
 // stuck on creases).
-std::unique_ptr<PhysicsWorld> MakeOdeWorld(std::shared_ptr<const Scene> scene);
+// threads: that step it where enough bodies move, 0: as many as cores; motions do not depend on it.
+std::unique_ptr<PhysicsWorld> MakeOdeWorld(std::shared_ptr<const Scene> scene, int threads = 1);
 
-// How long the last step of a world that MakeOdeWorld made looked for contacts, by the clock on the
-// wall; 0 for another.
+// How long the last step of a world that MakeOdeWorld made looked for contacts, all threads taken
+// together; 0 for another.
 std::chrono::nanoseconds CollisionTime(const PhysicsWorld& world);
 
 }  // namespace latticeworld

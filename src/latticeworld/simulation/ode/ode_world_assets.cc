@@ -18,7 +18,7 @@ Eigen::Vector3d PositionOf(const dContactGeom& geom) { return ToEigen(geom.pos);
 
 }  // namespace
 
-void OdeWorld::TouchAssetsOf(Entry* entry) {
+void OdeWorld::TouchAssetsOf(IslandGroup* group, Entry* entry) const {
   OdeBody* body = entry->body.get();
   const Eigen::Vector3d center = body->BallCenter();
   const double radius_m = body->ball_radius_m();
@@ -30,18 +30,20 @@ void OdeWorld::TouchAssetsOf(Entry* entry) {
     if (gone_assets_.count(asset.index) != 0) continue;
     for (const OdeBody::BodySolid& one : body->PosedSolids()) {
       if (!one.solid.bounds().Meets(asset.solid.bounds())) continue;
-      touch_.count = 0;
-      Collide(one.solid, asset.solid, &touch_);
-      for (int k = 0; k < touch_.count; ++k) {
-        PushAsset({body, one.part}, asset, touch_.contact[static_cast<std::size_t>(k)]);
+      SolidContacts* touch = &group->solid_touch;
+      touch->count = 0;
+      Collide(one.solid, asset.solid, touch);
+      for (int k = 0; k < touch->count; ++k) {
+        PushAsset(group, {body, one.part}, asset, touch->contact[static_cast<std::size_t>(k)]);
       }
     }
   }
 }
 
-void OdeWorld::PushAsset(Side side, const NearAsset& asset, const dContactGeom& geom) {
+void OdeWorld::PushAsset(IslandGroup* group, ContactSide side, const NearAsset& asset,
+                         const dContactGeom& geom) const {
   const Eigen::Vector3d at = PositionOf(geom), normal = ToEigen(geom.normal);
-  const dBodyID part = side.body->part(side.part);
+  const dBodyID part = side.id();
   const Contact contact{side.body->id(),
                         ContactKind::kAsset,
                         asset.index,
@@ -49,10 +51,7 @@ void OdeWorld::PushAsset(Side side, const NearAsset& asset, const dContactGeom& 
                         normal,
                         geom.depth,
                         std::max(0.0, -VelocityAt(part, at).dot(normal))};
-  const bool yields = GivesWay(contact);
-  contacts_.push_back(contact);
-  if (yields) return;
-  ContactJoint joint{part, nullptr, at, normal, geom.depth, SolidTraction(side, normal)};
+  ContactJoint joint{side, {}, at, normal, geom.depth, SolidTraction(side, normal)};
   if (asset.base_stiffness_nmprad > 0.0) {
     // A stem that leans about its base, seen from where it is hit.
     const double lever_m = std::max(kLowestLever_m, at.z() - asset.z_m);
@@ -66,15 +65,20 @@ void OdeWorld::PushAsset(Side side, const NearAsset& asset, const dContactGeom& 
         std::min(joint.depth_m, std::max(kHardestPush_mps2 * mass_kg / stiffness,
                                          contact.approach_mps * std::sqrt(mass_kg / stiffness)));
   }
-  joint.reported = static_cast<int>(contacts_.size()) - 1;
-  joint.body_a = side.body->id();
-  joints_->Add(joint);
+  joint.reported = static_cast<int>(group->contacts.size());
+  joint.counts = true;
+  if (judge_ != nullptr && contact.approach_mps > kJudgedApproach_mps) {
+    group->asked.push_back(
+        {side.body->id(), group->contacts.size(), group->joints()->found().size()});
+  }
+  group->contacts.push_back(contact);
+  group->joints()->Add(joint);
 }
 
 // The edge of the world is a soft wall. It acts at the height of the centre, so that it stops the
 // body without tipping it. What is so fast that it would go far beyond the edge in this step is
 // stopped before it.
-void OdeWorld::TouchBoundaryOf(OdeBody* body, double step_s) {
+void OdeWorld::TouchBoundaryOf(IslandGroup* group, OdeBody* body, double step_s) const {
   if (!body->spec().meets_boundary) return;
   const double half_m = scene_->geometry().half_size_m();
   const Eigen::Vector3d center = body->BallCenter();
@@ -96,11 +100,11 @@ void OdeWorld::TouchBoundaryOf(OdeBody* body, double step_s) {
     normal[axis] = above ? -1.0 : 1.0;
     const Eigen::Vector3d at = latticeworld::PositionOf(body->trunk());
     const double approach_mps = std::max(0.0, -VelocityAt(body->trunk(), at).dot(normal));
-    contacts_.push_back(
+    group->contacts.push_back(
         {body->id(), ContactKind::kBoundary, 0, at, normal, beyond_m, approach_mps});
     Traction traction;
     traction.friction_along = traction.friction_across = kObstacleFriction;
-    joints_->Add({body->trunk(), nullptr, at, normal, beyond_m, traction});
+    group->joints()->Add({{body, 0}, {}, at, normal, beyond_m, traction});
   }
 }
 

@@ -11,13 +11,13 @@ namespace {
 
 constexpr double kDeckFriction = 0.6;  // of what stands on something: wood
 constexpr double kOnTop = 0.5;         // z of the normal from which on a body stands on another
-constexpr double kJudgedApproach_mps = 0.05;
 
 Eigen::Vector3d PositionOf(const dContactGeom& geom) { return ToEigen(geom.pos); }
 
 }  // namespace
 
 void OdeWorld::TouchBodies() {
+  pair_joints_.clear();
   sweep_.Sort();
   sweep_.ForEachPair([this](OdeBody* a, OdeBody* b) {
     if (!a->control().anchored || !b->control().anchored) TouchPair(a, b);
@@ -85,7 +85,7 @@ void OdeWorld::TouchPair(OdeBody* a, OdeBody* b) {
 }
 
 // Whoever stands on something drives and walks on it; what is beside it only rubs.
-Traction OdeWorld::SolidTraction(const Side& side, const Eigen::Vector3d& normal) const {
+Traction OdeWorld::SolidTraction(const ContactSide& side, const Eigen::Vector3d& normal) const {
   Traction traction;
   traction.friction_along = traction.friction_across = kObstacleFriction;
   if (normal.z() < kOnTop) return traction;
@@ -111,7 +111,7 @@ bool OdeWorld::GivesWay(const Contact& contact) const {
          judge_->GivesWay(contact);
 }
 
-void OdeWorld::PushBodies(Side a, Side b, const dContactGeom& geom) {
+void OdeWorld::PushBodies(ContactSide a, ContactSide b, const dContactGeom& geom) {
   Eigen::Vector3d normal = ToEigen(geom.normal);
   // The first one is what moves; of two that move, what is not anchored; of those, the upper one.
   const bool swap = a.body->stands() != b.body->stands() ? a.body->stands()
@@ -123,13 +123,8 @@ void OdeWorld::PushBodies(Side a, Side b, const dContactGeom& geom) {
     normal = -normal;
   }
   const Eigen::Vector3d at = PositionOf(geom);
-  const dBodyID part_a = a.body->part(a.part);
-  Eigen::Vector3d closing = VelocityAt(part_a, at);
-  dBodyID part_b = nullptr;
-  if (!b.body->stands()) {
-    part_b = b.body->part(b.part);
-    closing -= VelocityAt(part_b, at);
-  }
+  Eigen::Vector3d closing = VelocityAt(a.id(), at);
+  if (!b.body->stands()) closing -= VelocityAt(b.id(), at);
   Contact contact{a.body->id(),
                   ContactKind::kBody,
                   b.body->id(),
@@ -140,11 +135,12 @@ void OdeWorld::PushBodies(Side a, Side b, const dContactGeom& geom) {
   const bool yields = b.body->control().anchored && GivesWay(contact);
   contacts_.push_back(contact);
   if (yields) return;
-  ContactJoint joint{part_a, part_b, at, normal, geom.depth, SolidTraction(a, normal)};
+  const ContactSide other = b.body->stands() ? ContactSide() : b;
+  ContactJoint joint{a, other, at, normal, geom.depth, SolidTraction(a, normal)};
   joint.reported = static_cast<int>(contacts_.size()) - 1;
-  joint.body_a = a.body->id();
-  joint.body_b = part_b != nullptr ? b.body->id() : 0;
-  joints_->Add(joint);
+  joint.of_two = true;
+  joint.counts = true;
+  pair_joints_.push_back(joint);
 }
 
 }  // namespace latticeworld

@@ -9,25 +9,27 @@
 #include <set>
 #include <vector>
 
+#include "latticeworld/common/work_crew.h"
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/scene/surface_table.h"
 #include "latticeworld/simulation/ode/asset_window.h"
 #include "latticeworld/simulation/ode/body_sweep.h"
 #include "latticeworld/simulation/ode/contact_joints.h"
-#include "latticeworld/simulation/ode/ground_contact.h"
+#include "latticeworld/simulation/ode/island_group.h"
 #include "latticeworld/simulation/ode/ode_body.h"
 #include "latticeworld/simulation/physics_world.h"
 
 namespace latticeworld {
 
 inline constexpr double kObstacleFriction = 0.3;  // of bodies beside trunks, walls and each other
+inline constexpr double kJudgedApproach_mps = 0.05;  // from which on the judge is asked
 
 // ode_world.cc has what callers ask for, ode_world_state.cc how it is kept, ode_world_step.cc how a
-// step goes, and ode_world_ground.cc, ode_world_assets.cc and ode_world_bodies.cc how it finds
-// contacts.
+// step goes, ode_world_groups.cc which bodies are stepped together, and ode_world_ground.cc,
+// ode_world_assets.cc and ode_world_bodies.cc how it finds contacts.
 class OdeWorld : public PhysicsWorld {
  public:
-  explicit OdeWorld(std::shared_ptr<const Scene> scene);
+  OdeWorld(std::shared_ptr<const Scene> scene, int threads);
   ~OdeWorld() override;
 
   BodyId Add(const BodySpec& spec, const Eigen::Vector3d& position_m, double yaw_rad) override;
@@ -80,12 +82,8 @@ class OdeWorld : public PhysicsWorld {
   struct Entry {
     BodyId id;
     std::unique_ptr<OdeBody> body;
+    std::size_t group;  // in groups_
     AssetWindow window;
-  };
-  // One side of a contact.
-  struct Side {
-    OdeBody* body;
-    std::size_t part;
   };
 
   const HeightField& ground() const { return scene_->terrain->ground; }
@@ -99,36 +97,42 @@ class OdeWorld : public PhysicsWorld {
   void WakeNear(const Bounds& bounds);
   void WakeAround(OdeBody* body);
 
-  // One step of ODE for what is awake: bodies with links or brakes on, and what they touch, with
-  // more iterations than others.
-  void Solve(double step_s, std::uint64_t solver_seed);
-  // Finds the bodies to which a step gave more energy than anything that acted on them, and slows
-  // them down to what can have been given.
-  void WatchEnergy(double step_s);
-  // Notes what touches what, and the joints that keep it apart.
-  void FindContacts(double step_s);
+  // Has each group done, several at once where enough moves to be worth it.
+  template <typename Do>
+  void ForEachGroup(const Do& one);
+  // The parts of a step, in their order. Notes which bodies touch each other.
   void TouchBodies();
+  // Puts those that touch into one group.
+  void Regroup();
+  // Lists the members of groups and the joints between them.
+  void GatherGroups();
+  // Notes what else the members of a group touch, and the joints that keep it apart.
+  void FindContacts(IslandGroup* group, double step_s);
+  // Asks the judge about what was hit; false: nothing was of which it is to be asked.
+  bool AskJudge();
+  // Lists what the groups found and did.
+  void Collect();
+
+  std::size_t HomeOf(BodyId id) const { return id % groups_.size(); }
+
   void TouchPair(OdeBody* a, OdeBody* b);
   void TouchDeck(OdeBody* body, OdeBody* deck);
   static void WakeEachOther(OdeBody* a, OdeBody* b);
-  void TouchGroundOf(OdeBody* body, double step_s);
-  void TouchGroundWithWheels(OdeBody* body, double step_s);
-  void TouchGroundWithSamples(OdeBody* body);
-  void TouchAssetsOf(Entry* entry);
-  void TouchBoundaryOf(OdeBody* body, double step_s);
-  void AddGroundContact(OdeBody* body, dBodyID part, const GroundContact& touch,
-                        const Traction& traction);
+  void TouchGroundOf(IslandGroup* group, OdeBody* body, double step_s) const;
+  void TouchGroundWithWheels(IslandGroup* group, OdeBody* body, double step_s) const;
+  void TouchGroundWithSamples(IslandGroup* group, OdeBody* body) const;
+  void TouchAssetsOf(IslandGroup* group, Entry* entry) const;
+  void TouchBoundaryOf(IslandGroup* group, OdeBody* body, double step_s) const;
   // Whether an anchored body or asset gives way.
   bool GivesWay(const Contact& contact) const;
-  void PushBodies(Side a, Side b, const dContactGeom& geom);
-  void PushAsset(Side side, const NearAsset& asset, const dContactGeom& geom);
+  void PushBodies(ContactSide a, ContactSide b, const dContactGeom& geom);
+  void PushAsset(IslandGroup* group, ContactSide side, const NearAsset& asset,
+                 const dContactGeom& geom) const;
   Traction GroundTraction(const OdeBody& body, const Eigen::Vector3d& at,
                           const Eigen::Vector3d& normal, bool walks) const;
-  Traction SolidTraction(const Side& side, const Eigen::Vector3d& normal) const;
+  Traction SolidTraction(const ContactSide& side, const Eigen::Vector3d& normal) const;
 
   std::shared_ptr<const Scene> scene_;
-  dWorldID world_ = nullptr;
-  std::unique_ptr<ContactJoints> joints_;
   GroundState ground_;
   SurfaceTable surfaces_;  // under that state
   // Friction by SurfaceClass when a change of it last woke the bodies up.
@@ -136,24 +140,23 @@ class OdeWorld : public PhysicsWorld {
   std::set<std::uint32_t> gone_assets_;
   ContactJudge* judge_ = nullptr;
   BodyId last_id_ = 0;
-  std::vector<Entry> bodies_;  // by id
+  std::vector<std::unique_ptr<IslandGroup>> groups_;
+  std::vector<Entry> bodies_;  // by id; in worlds of groups_, which outlive them
   std::vector<Contact> contacts_;
   std::vector<BodyId> strayed_;
-  std::vector<BodyId> slowed_;  // by WatchEnergy in the last step
+  std::vector<BodyId> slowed_;  // in the last step
   std::chrono::nanoseconds collision_time_{};
 
-  std::vector<double> gained_j_;  // by place in bodies_, in the step at hand
-  std::vector<char> overdrawn_;   // by place in bodies_, in the step at hand
-  std::vector<char> fine_;    // by place in bodies_: 1 solved with more iterations, 2 by the rest
-  BodySweep<OdeBody> sweep_;  // of bodies with solids
-  SolidContacts touch_;       // of the pair at hand
-  struct SampleTouch {
-    GroundContact contact;
-    dBodyID part;
-    bool walks;
-  };
-  std::vector<SampleTouch> sample_touch_;    // of the body at hand
-  std::vector<GroundContacts> wheel_touch_;  // of the body at hand
+  const int threads_;
+  std::unique_ptr<WorkCrew> crew_;  // null: not needed yet
+  bool in_threads_ = false;         // this step
+  int steps_since_homing_ = 0;
+
+  BodySweep<OdeBody> sweep_;                 // of bodies with solids
+  SolidContacts touch_;                      // of the pair of bodies at hand
+  std::vector<ContactJoint> pair_joints_;    // of two bodies, in the step at hand
+  std::vector<std::size_t> wanted_, first_;  // by place in bodies_: group, first that it touches
+  std::vector<std::size_t> next_;            // by group: the contact to be listed next
 };
 
 }  // namespace latticeworld

@@ -45,8 +45,7 @@ void OdeWorld::Restore(const PhysicsSnapshot& snapshot) {
   ReadyOde();
   const auto* saved = dynamic_cast<const OdeSnapshot*>(&snapshot);
   LW_CHECK(saved != nullptr, "a snapshot of another back end");
-  // ODE steps bodies in the order of their making, backwards: where other bodies are about, all are
-  // made anew, in the order in which they once were.
+  // Where other bodies are about, all are made anew. In which groups they were makes no difference.
   bool same = bodies_.size() == saved->bodies.size();
   for (std::size_t i = 0; same && i < bodies_.size(); ++i) {
     same = bodies_[i].id == saved->bodies[i].id &&
@@ -56,7 +55,9 @@ void OdeWorld::Restore(const PhysicsSnapshot& snapshot) {
     sweep_.Clear();
     bodies_.clear();
     for (const OdeSnapshot::Body& one : saved->bodies) {
-      bodies_.push_back({one.id, std::make_unique<OdeBody>(world_, one.id, one.spec), {}});
+      const std::size_t home = HomeOf(one.id);
+      const dWorldID world = groups_[home]->world();
+      bodies_.push_back({one.id, std::make_unique<OdeBody>(world, one.id, one.spec), home, {}});
       OdeBody* body = bodies_.back().body.get();
       if (body->ball_radius_m() >= 0.0) sweep_.Add(body);
     }

@@ -1,5 +1,6 @@
-// How a step of OdeWorld goes, and how its contacts are solved.
+// How a step of OdeWorld goes.
 
+#include <algorithm>
 #include <cmath>
 
 #include "latticeworld/common/check.h"
@@ -9,85 +10,102 @@
 namespace latticeworld {
 namespace {
 
-constexpr int kSolverIterations = 12;
-// Chains of hinges converge slowly, and so do brakes that hold a robot on a slope.
-constexpr int kFineSolverIterations = 30;
+// Parts of bodies that move from which on several threads gain more than waking them costs: some
+// twenty robots.
+constexpr std::size_t kWorthThreads = 100;
 
 }  // namespace
 
+template <typename Do>
+void OdeWorld::ForEachGroup(const Do& one) {
+  const auto run = [&](int i) {
+    ReadyOde();
+    one(groups_[static_cast<std::size_t>(i)].get());
+  };
+  const int count = static_cast<int>(groups_.size());
+  if (in_threads_) return crew_->Run(count, run);
+  for (int i = 0; i < count; ++i) run(i);
+}
+
 void OdeWorld::Step(double step_s, std::uint64_t solver_seed) {
   LW_CHECK(step_s > 0.0 && std::isfinite(step_s), "a step takes some time");
+  const auto begin = std::chrono::steady_clock::now();
   contacts_.clear();
-  strayed_.clear();
-  FindContacts(step_s);
-  joints_->Join(step_s);
-  Solve(step_s, solver_seed);
-  WatchEnergy(step_s);
-  joints_->Finish(&contacts_);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    OdeBody* body = bodies_[i].body.get();
-    const bool sound = body->stands() ? !body->Mend() : body->FinishStep(step_s);
-    if (!sound) strayed_.push_back(bodies_[i].id);
+  TouchBodies();
+  Regroup();
+  GatherGroups();
+  collision_time_ = std::chrono::steady_clock::now() - begin;
+  const auto step = [&](IslandGroup* group) { group->Step(step_s, solver_seed, &contacts_); };
+  // At once while all of it is in the cache, where nobody is to be asked.
+  ForEachGroup([&](IslandGroup* group) {
+    FindContacts(group, step_s);
+    if (group->asked.empty()) step(group);
+  });
+  if (AskJudge()) {
+    ForEachGroup([&](IslandGroup* group) {
+      if (!group->asked.empty()) step(group);
+    });
   }
+  Collect();
 }
 
-void OdeWorld::FindContacts(double step_s) {
+void OdeWorld::GatherGroups() {
+  for (const auto& group : groups_) group->Clear();
+  std::size_t moving = 0;
+  for (const Entry& entry : bodies_) {
+    groups_[entry.group]->Add(entry.body.get());
+    if (!entry.body->stands()) moving += entry.body->part_count();
+  }
+  for (const ContactJoint& joint : pair_joints_) {
+    groups_[bodies_[IndexOf(joint.a.body->id())].group]->joints()->Add(joint);
+  }
+  in_threads_ = threads_ != 1 && moving >= kWorthThreads;
+  if (in_threads_ && crew_ == nullptr) crew_ = std::make_unique<WorkCrew>(threads_);
+}
+
+void OdeWorld::FindContacts(IslandGroup* group, double step_s) {
   const auto begin = std::chrono::steady_clock::now();
-  TouchBodies();
-  for (Entry& entry : bodies_) {
-    OdeBody* body = entry.body.get();
+  for (OdeBody* body : group->members()) {
     if (body->stands()) continue;
     body->BeginStep(step_s);
-    TouchGroundOf(body, step_s);
-    if (body->ball_radius_m() >= 0.0) TouchAssetsOf(&entry);
-    TouchBoundaryOf(body, step_s);
+    TouchGroundOf(group, body, step_s);
+    if (body->ball_radius_m() >= 0.0) TouchAssetsOf(group, &bodies_[IndexOf(body->id())]);
+    TouchBoundaryOf(group, body, step_s);
   }
-  collision_time_ = std::chrono::steady_clock::now() - begin;
+  group->search_time = std::chrono::steady_clock::now() - begin;
 }
 
-void OdeWorld::Solve(double step_s, std::uint64_t solver_seed) {
-  // ODE has one number of iterations for all islands, but leaves out what is disabled.
-  constexpr char kOut = 0, kFine = 1, kCoarse = 2;
-  fine_.assign(bodies_.size(), kOut);
-  bool any_fine = false;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const OdeBody& body = *bodies_[i].body;
-    if (body.stands()) continue;
-    fine_[i] = body.link_count() > 0 || body.Brakes() ? kFine : kCoarse;
-    any_fine = any_fine || fine_[i] == kFine;
+bool OdeWorld::AskJudge() {
+  std::vector<std::pair<IslandGroup*, IslandGroup::Asked>> all;
+  for (const auto& group : groups_) {
+    for (const IslandGroup::Asked& one : group->asked) all.emplace_back(group.get(), one);
   }
-  dWorldSetQuickStepNumIterations(world_, kSolverIterations);
-  if (!any_fine) {
-    StepOde(world_, step_s, solver_seed);
-    return;
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.second.body < b.second.body; });
+  for (const auto& [group, one] : all) {
+    if (judge_->GivesWay(group->contacts[one.contact])) group->joints()->LetGiveWay(one.joint);
   }
-  for (bool spread = true; spread;) {
-    spread = false;
-    for (const ContactJoint& joint : joints_->found()) {
-      if (joint.body_a == 0 || joint.body_b == 0) continue;
-      char& a = fine_[IndexOf(joint.body_a)];
-      char& b = fine_[IndexOf(joint.body_b)];
-      if (a == b) continue;
-      a = b = kFine;
-      spread = true;
+  return !all.empty();
+}
+
+void OdeWorld::Collect() {
+  next_.assign(groups_.size(), 0);
+  for (const Entry& entry : bodies_) {
+    const std::vector<Contact>& of_group = groups_[entry.group]->contacts;
+    std::size_t& next = next_[entry.group];
+    for (; next < of_group.size() && of_group[next].body == entry.id; ++next) {
+      contacts_.push_back(of_group[next]);
     }
   }
-  const auto set_enabled = [this](char which, bool enabled) {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      if (fine_[i] != which) continue;
-      const OdeBody& body = *bodies_[i].body;
-      for (std::size_t k = 0; k < body.part_count(); ++k) {
-        enabled ? dBodyEnable(body.part(k)) : dBodyDisable(body.part(k));
-      }
-    }
-  };
-  set_enabled(kFine, false);
-  StepOde(world_, step_s, solver_seed);
-  set_enabled(kCoarse, false);
-  set_enabled(kFine, true);
-  dWorldSetQuickStepNumIterations(world_, kFineSolverIterations);
-  StepOde(world_, step_s, solver_seed);
-  set_enabled(kCoarse, true);
+  strayed_.clear();
+  slowed_.clear();
+  for (const auto& group : groups_) {
+    collision_time_ += group->search_time;
+    strayed_.insert(strayed_.end(), group->strayed().begin(), group->strayed().end());
+    slowed_.insert(slowed_.end(), group->slowed().begin(), group->slowed().end());
+  }
+  std::sort(strayed_.begin(), strayed_.end());
+  std::sort(slowed_.begin(), slowed_.end());
 }
 
 }  // namespace latticeworld
