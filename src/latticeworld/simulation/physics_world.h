@@ -60,8 +60,9 @@ class ContactJudge {
  public:
   virtual ~ContactJudge() = default;
   // True: what was hit (an asset, or an anchored body) gives way and holds nothing up in this step.
-  // Called in the order in which contacts are found, for those that approach faster than
-  // 0.05 m/s; force_n is zero.
+  // Called in the order in which contacts are listed, for those that approach faster than
+  // 0.05 m/s; force_n is zero. It may look at the contact's bodies, which the step has not moved
+  // yet, and at no others, and changes nothing of the world.
   virtual bool GivesWay(const Contact& contact) = 0;
 };
 

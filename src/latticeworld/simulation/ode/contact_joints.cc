@@ -38,8 +38,6 @@ Eigen::Vector3d FrictionDirection(const ContactJoint& joint) {
   return other.cross(normal).normalized();
 }
 
-BodyId IdOf(const ContactSide& side) { return side.body != nullptr ? side.body->id() : 0; }
-
 }  // namespace
 
 ContactJoints::ContactJoints(dWorldID world) : world_(world), group_(dJointGroupCreate(0)) {}
@@ -48,18 +46,15 @@ ContactJoints::~ContactJoints() { dJointGroupDestroy(group_); }
 
 // Bodies with too many contacts are rare: a crate in a heap.
 void ContactJoints::DropBeyondLimit() {
-  BodyId highest = 0;
-  for (const ContactJoint& joint : found_) {
-    if (joint.counts) highest = std::max({highest, IdOf(joint.a), IdOf(joint.b)});
-  }
-  if (highest == 0) return;
-  if (of_body_.size() <= highest) of_body_.resize(highest + 1, 0);
+  const auto for_each_body = [](const ContactJoint& joint, auto&& visit) {
+    if (joint.counts) visit(joint.a.body);
+    if (joint.counts && joint.b.body != nullptr) visit(joint.b.body);
+  };
   bool too_many = false;
   for (const ContactJoint& joint : found_) {
-    if (!joint.counts) continue;
-    for (const BodyId body : {IdOf(joint.a), IdOf(joint.b)}) {
-      if (body != 0) too_many = ++of_body_[body] > kMaxBodyContacts || too_many;
-    }
+    for_each_body(joint, [&](OdeBody* body) {
+      too_many = ++*body->contact_count() > kMaxBodyContacts || too_many;
+    });
   }
   if (too_many) {
     std::vector<std::size_t> order(found_.size());
@@ -69,14 +64,13 @@ void ContactJoints::DropBeyondLimit() {
     });
     std::vector<bool> dropped(found_.size(), false);
     for (const std::size_t i : order) {
-      if (!found_[i].counts) continue;
-      const BodyId a = IdOf(found_[i].a), b = IdOf(found_[i].b);
-      const bool over =
-          of_body_[a] > kMaxBodyContacts || (b != 0 && of_body_[b] > kMaxBodyContacts);
+      bool over = false;
+      for_each_body(found_[i], [&](OdeBody* body) {
+        over = over || *body->contact_count() > kMaxBodyContacts;
+      });
       if (!over) continue;
       dropped[i] = true;
-      --of_body_[a];
-      if (b != 0) --of_body_[b];
+      for_each_body(found_[i], [](OdeBody* body) { --*body->contact_count(); });
     }
     std::size_t kept = 0;
     for (std::size_t i = 0; i < found_.size(); ++i) {
@@ -85,7 +79,7 @@ void ContactJoints::DropBeyondLimit() {
     found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(kept), found_.end());
   }
   for (const ContactJoint& joint : found_) {
-    if (joint.counts) of_body_[IdOf(joint.a)] = of_body_[IdOf(joint.b)] = 0;
+    for_each_body(joint, [](OdeBody* body) { *body->contact_count() = 0; });
   }
 }
 

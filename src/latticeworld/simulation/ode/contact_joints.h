@@ -76,7 +76,6 @@ class ContactJoints {
   const dJointGroupID group_;
   std::vector<ContactJoint> found_;
   std::vector<dJointFeedback> feedback_;
-  std::vector<int> of_body_;  // contacts of a body, by BodyId; all 0 between steps
 };
 
 }  // namespace latticeworld

@@ -16,29 +16,20 @@ constexpr int kFineSolverIterations = 45;
 
 constexpr char kOut = 0, kFine = 1, kCoarse = 2;
 
-dWorldID MakeWorld(dThreadingImplementationID threading) {
-  const dWorldID world = dWorldCreate();
-  dWorldSetStepThreadingImplementation(world, dThreadingImplementationGetFunctions(threading),
-                                       threading);
+OdeWorldHandle MakeWorld(const OdeThreading& threading) {
+  OdeWorldHandle made = threading.MakeWorld();
+  const dWorldID world = made.get();
   dWorldSetGravity(world, 0.0, 0.0, -kGravity_mps2);
   dWorldSetERP(world, kErrorReduction);
   dWorldSetCFM(world, 1e-9);
   dWorldSetContactSurfaceLayer(world, kSurfaceLayer_m);
   dWorldSetAutoDisableFlag(world, 0);
-  return world;
+  return made;
 }
 
 }  // namespace
 
-IslandGroup::IslandGroup()
-    : threading_(dThreadingAllocateSelfThreadedImplementation()),
-      world_(MakeWorld(threading_)),
-      joints_(world_) {}
-
-IslandGroup::~IslandGroup() {
-  dWorldDestroy(world_);
-  dThreadingFreeImplementation(threading_);
-}
+IslandGroup::IslandGroup() : world_(MakeWorld(threading_)), joints_(world()) {}
 
 void IslandGroup::Clear() {
   members_.clear();
@@ -99,14 +90,14 @@ void IslandGroup::Solve(double step_s, std::uint64_t solver_seed) {
   }
   if (any_coarse) {
     if (any_fine) SetEnabled(kFine, false);
-    dWorldSetQuickStepNumIterations(world_, kSolverIterations);
-    StepOde(world_, step_s, solver_seed);
+    dWorldSetQuickStepNumIterations(world(), kSolverIterations);
+    StepOde(world(), step_s, solver_seed);
     if (any_fine) SetEnabled(kFine, true);
   }
   if (any_fine) {
     if (any_coarse) SetEnabled(kCoarse, false);
-    dWorldSetQuickStepNumIterations(world_, kFineSolverIterations);
-    StepOde(world_, step_s, solver_seed);
+    dWorldSetQuickStepNumIterations(world(), kFineSolverIterations);
+    StepOde(world(), step_s, solver_seed);
     if (any_coarse) SetEnabled(kCoarse, true);
   }
 }

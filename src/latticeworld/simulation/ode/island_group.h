@@ -11,6 +11,7 @@
 #include "latticeworld/simulation/ode/contact_joints.h"
 #include "latticeworld/simulation/ode/ground_contact.h"
 #include "latticeworld/simulation/ode/ode_body.h"
+#include "latticeworld/simulation/ode/ode_library.h"
 #include "latticeworld/simulation/physics_world.h"
 
 namespace latticeworld {
@@ -22,11 +23,10 @@ namespace latticeworld {
 class IslandGroup {
  public:
   IslandGroup();
-  ~IslandGroup();
   IslandGroup(const IslandGroup&) = delete;
   IslandGroup& operator=(const IslandGroup&) = delete;
 
-  dWorldID world() const { return world_; }
+  dWorldID world() const { return world_.get(); }
   // Forgets the members and the step before.
   void Clear();
   // In the order of their ids.
@@ -70,8 +70,9 @@ class IslandGroup {
   std::size_t PlaceOf(const OdeBody* member) const;
   void SetEnabled(char which, bool enabled);
 
-  dThreadingImplementationID threading_;  // ODE's common one is not for several threads
-  dWorldID world_;
+  // Released from the last to the first.
+  OdeThreading threading_;
+  OdeWorldHandle world_;
   ContactJoints joints_;
   std::vector<OdeBody*> members_;  // by id
   std::vector<BodyId> strayed_, slowed_;

@@ -45,13 +45,12 @@ void IslandGroup::WatchEnergy(double step_s) {
     const std::size_t of_b = FirstOf(&touching, PlaceOf(joint.b.body));
     touching[std::max(of_a, of_b)] = std::min(of_a, of_b);
   }
-  std::vector<double> given_j(members_.size(), 0.0), together_j(members_.size(), 0.0);
+  std::vector<double> together_j(members_.size(), 0.0);
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const OdeBody& body = *members_[i];
     if (body.stands()) continue;
     const double lost_j = std::isfinite(gained_j_[i]) ? std::max(0.0, -gained_j_[i]) : 0.0;
-    given_j[i] = lost_j + stems_j[i] + body.EnergyOfMotors(step_s);
-    together_j[FirstOf(&touching, i)] += given_j[i];
+    together_j[FirstOf(&touching, i)] += lost_j + stems_j[i] + body.EnergyOfMotors(step_s);
   }
   for (std::size_t i = 0; i < members_.size(); ++i) {
     if (!overdrawn_[i]) continue;

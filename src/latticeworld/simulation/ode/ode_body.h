@@ -141,6 +141,8 @@ class OdeBody {
   // Ball around all solids and ground samples; radius < 0: there are no solids.
   const Eigen::Vector3d& BallCenter() const { return ball_in_map_m_; }
   double ball_radius_m() const { return ball_radius_m_; }
+  // For whoever counts contacts of bodies, and leaves 0 behind.
+  int* contact_count() { return &contact_count_; }
 
   // Around a step: motors, springs and what to go back to before it; then, after it, speed limits
   // and rest. FinishStep: false when the body strayed (and was put back).
@@ -197,6 +199,7 @@ class OdeBody {
   BodyControl control_;
 
   std::vector<BodySolid> solids_;
+  int contact_count_ = 0;
   bool posed_ = false;
   Eigen::Vector3d ball_center_m_ = Eigen::Vector3d::Zero();  // in base_link
   Eigen::Vector3d ball_in_map_m_ = Eigen::Vector3d::Zero();  // where that is: asked of all at once

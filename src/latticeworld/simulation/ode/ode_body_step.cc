@@ -186,6 +186,7 @@ void OdeBody::PutBack() {
     dBodySetForce(parts_[i], 0.0, 0.0, 0.0);
     dBodySetTorque(parts_[i], 0.0, 0.0, 0.0);
   }
+  Moved();
 }
 
 void OdeBody::LimitSpeed() {
@@ -208,7 +209,6 @@ bool OdeBody::FinishStep(double step_s) {
   sound = sound && control_.overdrawn_s <= kLongestOverdrawn_s;
   if (!sound) {
     PutBack();
-    Moved();
     control_.spoiled = false;
     control_.still_s = 0.0;
     control_.overdrawn_s = 0.0;

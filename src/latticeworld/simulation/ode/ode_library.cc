@@ -1,7 +1,5 @@
 #include "latticeworld/simulation/ode/ode_library.h"
 
-#include <dlfcn.h>
-
 #include <mutex>
 
 #include "latticeworld/common/check.h"
@@ -34,14 +32,42 @@ std::uint64_t Mixed(std::uint64_t bits) {
   return bits ^ bits >> 31;
 }
 
+int ShufflesOf(int iterations) { return (iterations - 1) / kShuffleEvery; }
+
+// How many shuffles a step over one island takes from us.
+int ShufflesOfAnIsland(int iterations) {
+  const OdeThreading threading;
+  const OdeWorldHandle world = threading.MakeWorld();
+  const dJointID hinge = dJointCreateHinge(world.get(), nullptr);
+  dJointAttach(hinge, dBodyCreate(world.get()), nullptr);
+  dWorldSetQuickStepNumIterations(world.get(), iterations);
+  shuffling = {};
+  shuffling.of_island = iterations;
+  dWorldQuickStep(world.get(), 0.01);
+  return shuffling.begun;
+}
+
 }  // namespace
+
+OdeThreading::OdeThreading() : id_(dThreadingAllocateSelfThreadedImplementation()) {}
+
+OdeThreading::~OdeThreading() { dThreadingFreeImplementation(id_); }
+
+OdeWorldHandle OdeThreading::MakeWorld() const {
+  OdeWorldHandle world(dWorldCreate());
+  dWorldSetStepThreadingImplementation(world.get(), dThreadingImplementationGetFunctions(id_), id_);
+  return world;
+}
 
 void ReadyOde() {
   static std::once_flag once;
   std::call_once(once, [] {
     LW_CHECK(dInitODE2(dInitFlagManualThreadCleanup) != 0, "ODE cannot be initialized");
-    LW_CHECK(dlsym(RTLD_DEFAULT, "dRandInt") == reinterpret_cast<void*>(&dRandInt),
-             "ODE takes its random numbers from elsewhere");
+    LW_CHECK(dAllocateODEDataForThread(dAllocateMaskAll) != 0, "out of memory for ODE");
+    for (const int iterations : {1, 8, 9, 12, 45}) {
+      LW_CHECK(ShufflesOfAnIsland(iterations) == ShufflesOf(iterations),
+               "ODE shuffles constraints by other random numbers or at other times");
+    }
   });
   static thread_local const ThreadData data;
   (void)data;
@@ -50,7 +76,7 @@ void ReadyOde() {
 void StepOde(dWorldID world, double step_s, std::uint64_t solver_seed) {
   ReadyOde();
   shuffling.seed = solver_seed;
-  shuffling.of_island = (dWorldGetQuickStepNumIterations(world) - 1) / kShuffleEvery;
+  shuffling.of_island = ShufflesOf(dWorldGetQuickStepNumIterations(world));
   shuffling.begun = 0;
   dWorldQuickStep(world, step_s);
 }

@@ -4,11 +4,32 @@
 #include <ode/ode.h>
 
 #include <cstdint>
+#include <memory>
 
 namespace latticeworld {
 
+struct OdeWorldDelete {
+  void operator()(dxWorld* world) const { dWorldDestroy(world); }
+};
+using OdeWorldHandle = std::unique_ptr<dxWorld, OdeWorldDelete>;
+
 // Readies ODE for the calling thread; cheap after the first call of a thread.
 void ReadyOde();
+
+// What the worlds of one thread at a time are stepped by: ODE's common one is for one thread alone.
+class OdeThreading {
+ public:
+  OdeThreading();
+  ~OdeThreading();
+  OdeThreading(const OdeThreading&) = delete;
+  OdeThreading& operator=(const OdeThreading&) = delete;
+
+  // To be destroyed before this.
+  OdeWorldHandle MakeWorld() const;
+
+ private:
+  dThreadingImplementationID id_;
+};
 
 // One step of the world; several threads may step a world each. Constraints are shuffled by the
 // seed alone: whatever else the world holds, bodies that touch each other move the same.
