@@ -77,7 +77,7 @@ TEST(ParametersTest, PhysicsThreadsAreACount) {
     parameters["physics_threads"] = threads;
     const auto options = OptionsFromParameters(parameters);
     ASSERT_FALSE(options.ok());
-    EXPECT_NE(options.status().message().find("physics_threads must be from 0 to 256"),
+    EXPECT_NE(options.status().message().find("physics_threads: must be from 0 to 256"),
               std::string::npos)
         << options.status().ToString();
   }
