@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -99,9 +100,30 @@ TEST(PhysicsThreadsTest, EveryNumberOfThreadsGivesTheSame) {
   }
 }
 
-TEST(PhysicsThreadsTest, ContactsComeInOneOrder) {
+TEST(PhysicsThreadsTest, ContactsAndQuestionsComeInTheOrderOfTheBodies) {
   const auto scene = Wood().Build();
   const auto physics = MakeOdeWorld(scene, 2);
+  // A row of robots runs into a row of trunks; onlookers before them in the list, so that groups
+  // hold the robots in another order.
+  TestScene trees;
+  for (int i = 0; i < 20; ++i) trees.AddTree(3.0, 2.0 * i - 19.0, 0.3);
+  const auto row = MakeOdeWorld(trees.Build(), 2);
+  Judge judge;
+  row->SetJudge(&judge);
+  for (int i = 0; i < 55; ++i) row->Add(Ball(3.0, 0.2), {-10.0, 0.7 * i - 19.0, 0.2}, 0.0);
+  for (int i = 0; i < 20; ++i) {
+    DriveAll(row.get(), row->Add(Robot(), {0.0, 19.0 - 2.0 * i, 0.0}, 0.0), 10.0);
+  }
+  std::size_t most_in_a_step = 0;
+  for (int step = 0; step < 400; ++step) {
+    judge.asked.clear();
+    row->Step(kStep_s, static_cast<std::uint64_t>(step));
+    EXPECT_TRUE(std::is_sorted(judge.asked.begin(), judge.asked.end(),
+                               [](const auto& a, const auto& b) { return a.first < b.first; }));
+    most_in_a_step = std::max(most_in_a_step, judge.asked.size());
+  }
+  EXPECT_GE(most_in_a_step, 5u);
+
   const std::vector<BodyId> bodies = Throng(physics.get());
   for (int step = 0; step < 100; ++step) {
     Act(physics.get(), bodies, step);
