@@ -12,8 +12,11 @@
 #include "latticeworld/common/parallel.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/sensing/asset_tiles.h"
+#include "latticeworld/sensing/camera_renderer.h"
+#include "latticeworld/sensing/lidar_caster.h"
 #include "latticeworld/sensing/sensed_world.h"
 #include "latticeworld/sensing/sensor_scene.h"
+#include "latticeworld/sensing/sensor_suite.h"
 #include "latticeworld/sensing/surface_geometry.h"
 #include "sensing_rays.h"
 #include "wood.h"
@@ -23,13 +26,33 @@ namespace {
 
 enum Sensor { kLidar = 0, kDepth = 1 };
 
-Eigen::Vector3f Eye() {
-  const double ground_m = KilometreOfWood()->terrain->ground.HeightAt({0.3, 0.2});
-  return Eigen::Vector3f(0.3f, 0.2f, static_cast<float>(ground_m) + 1.2f);
+// Sensors here and there in the wood: how many crowns one looks through differs by half. Figures
+// are of all of them together, or of one in the mean where it says so.
+constexpr int kEyes = 4;
+
+std::vector<Eigen::Vector3d> Eyes() {
+  RandomStream random(5, "eyes");
+  std::vector<Eigen::Vector3d> eyes_m;
+  for (int i = 0; i < kEyes; ++i) {
+    const WorldPoint at = {random.Uniform(-200.0, 200.0), random.Uniform(-200.0, 200.0)};
+    eyes_m.emplace_back(at.x_m, at.y_m, KilometreOfWood()->terrain->ground.HeightAt(at) + 1.2);
+  }
+  return eyes_m;
+}
+
+// Of one eye after the other.
+std::vector<Ray> RaysFromAll(Sensor sensor) {
+  std::vector<Ray> rays;
+  for (const Eigen::Vector3d& eye_m : Eyes()) {
+    const std::vector<Ray> own =
+        sensor == kLidar ? LidarRays(eye_m.cast<float>()) : DepthRays(eye_m.cast<float>());
+    rays.insert(rays.end(), own.begin(), own.end());
+  }
+  return rays;
 }
 
 const std::vector<Ray>& RaysOf(Sensor sensor) {
-  static const std::vector<Ray> lidar = LidarRays(Eye()), depth = DepthRays(Eye());
+  static const std::vector<Ray> lidar = RaysFromAll(kLidar), depth = RaysFromAll(kDepth);
   return sensor == kLidar ? lidar : depth;
 }
 
@@ -45,7 +68,7 @@ SensedWorld Agents(int count) {
   const HeightField& ground = KilometreOfWood()->terrain->ground;
   for (int i = 0; i < count; ++i) {
     SensedAgent agent;
-    const WorldPoint at = {random.Uniform(-50.0, 50.0), random.Uniform(-50.0, 50.0)};
+    const WorldPoint at = {random.Uniform(-200.0, 200.0), random.Uniform(-200.0, 200.0)};
     agent.map_from_base = Eigen::Translation3d(at.x_m, at.y_m, ground.HeightAt(at)) *
                           Eigen::AngleAxisd(random.Uniform(0.0, 6.0), Eigen::Vector3d::UnitZ());
     world.agents.push_back(agent);
@@ -58,12 +81,19 @@ SensorScene* Sensors(bool baked) {
       SensorScene::Create(KilometreOfWood(), Options(false), Progress()).value(),
       SensorScene::Create(KilometreOfWood(), Options(true), Progress()).value()};
   SensorScene* scene = &scenes[baked ? 1 : 0];
-  benchmark::DoNotOptimize(scene->Focus({Eye().cast<double>()}));
+  benchmark::DoNotOptimize(scene->Focus(Eyes()));
   return scene;
 }
 
 void CountRays(benchmark::State& state, std::size_t rays) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays));
+}
+
+// Seconds that one sensor takes in the mean.
+void CountSensors(benchmark::State& state) {
+  state.counters["a_sensor"] =
+      benchmark::Counter(kEyes * static_cast<double>(state.iterations()),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 // sensor, baked near the eye, what is answered (0: distances, 1: hits).
@@ -83,27 +113,30 @@ void BM_Trace(benchmark::State& state) {
     }
   }
   CountRays(state, rays.size());
+  CountSensors(state);
 }
 BENCHMARK(BM_Trace)
     ->ArgNames({"depth", "baked", "hits"})
     ->ArgsProduct({{0, 1}, {0, 1}, {0, 1}})
     ->Unit(benchmark::kMillisecond);
 
-// The same scenes without our layer: packets are ready, and nothing is told of what is met.
-void BM_BareEmbree(benchmark::State& state) {
+RTCDevice Device() {
   static const EmbreeDevice device(rtcNewDevice("threads=1"));
-  static const EmbreeScene ground = [] {
-    EmbreeScene scene(rtcNewScene(device.get()));
-    rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
-    rtcAttachGeometry(scene.get(),
-                      GroundGeometry(device.get(), KilometreOfWood()->terrain->ground).get());
-    rtcCommitScene(scene.get());
-    return scene;
-  }();
-  const auto tiles =
-      AssetTiles::Create(device.get(), *KilometreOfWood(), Options(state.range(1) != 0), Progress())
-          .value();
-  benchmark::DoNotOptimize(tiles->Focus({Eye().cast<double>()}));
+  return device.get();
+}
+
+EmbreeScene SceneOf(const EmbreeGeometry& geometry) {
+  EmbreeScene scene(rtcNewScene(Device()));
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcAttachGeometry(scene.get(), geometry.get());
+  rtcCommitScene(scene.get());
+  return scene;
+}
+
+// Packets that are ready, and nothing is told of what is met.
+void TraceBare(benchmark::State& state, RTCScene trees) {
+  static const EmbreeScene ground =
+      SceneOf(GroundGeometry(Device(), KilometreOfWood()->terrain->ground));
   const auto packets = PacketsOf(RaysOf(static_cast<Sensor>(state.range(0))));
   alignas(64) int valid[16];
   std::fill(valid, valid + 16, -1);
@@ -112,31 +145,51 @@ void BM_BareEmbree(benchmark::State& state) {
     for (const RTCRayHit16& packet : packets) {
       alignas(64) RTCRayHit16 rays = packet;
       std::fill(rays.hit.geomID, rays.hit.geomID + 16, RTC_INVALID_GEOMETRY_ID);
-      rtcIntersect16(valid, tiles->scene(), &context, &rays);
+      rtcIntersect16(valid, trees, &context, &rays);
       rtcIntersect16(valid, ground.get(), &context, &rays);
       benchmark::DoNotOptimize(rays.ray.tfar);
     }
   }
   CountRays(state, 16 * packets.size());
+  CountSensors(state);
+}
+
+// The same scenes without our layer.
+void BM_BareEmbree(benchmark::State& state) {
+  const auto tiles =
+      AssetTiles::Create(Device(), *KilometreOfWood(), Options(state.range(1) != 0), Progress())
+          .value();
+  benchmark::DoNotOptimize(tiles->Focus(Eyes()));
+  TraceBare(state, tiles->scene());
 }
 BENCHMARK(BM_BareEmbree)
     ->ArgNames({"depth", "baked"})
     ->ArgsProduct({{0, 1}, {0, 1}})
     ->Unit(benchmark::kMillisecond);
 
+// Solid trees of 50 triangles in one mesh: how fast the machine is, and what leaves cost.
+void BM_BareSolidTrees(benchmark::State& state) {
+  static const EmbreeScene trees = SceneOf(SolidTrees(Device(), *KilometreOfWood()));
+  TraceBare(state, trees.get());
+}
+BENCHMARK(BM_BareSolidTrees)->ArgNames({"depth"})->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
 void BM_RayMarch(benchmark::State& state) {
+  // Of the first eye.
   const std::vector<Ray>& rays = RaysOf(static_cast<Sensor>(state.range(0)));
-  const RayMarch march(*KilometreOfWood(), Eye(), rays.front().to_m);
+  const std::size_t count = rays.size() / kEyes;
+  const RayMarch march(*KilometreOfWood(), rays.front().origin_m, rays.front().to_m);
   constexpr std::size_t kEvery = 97;
   for (auto _ : state) {
-    for (std::size_t i = 0; i < rays.size(); i += kEvery)
+    for (std::size_t i = 0; i < count; i += kEvery)
       benchmark::DoNotOptimize(march.Distance(rays[i]));
   }
-  CountRays(state, (rays.size() + kEvery - 1) / kEvery);
+  CountRays(state, (count + kEvery - 1) / kEvery);
 }
 BENCHMARK(BM_RayMarch)->ArgNames({"depth"})->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
-// A revolution and a picture, of a robot among others. core_at_10_hz: share of one core.
+// A revolution and a picture of each robot, among others. core_at_10_hz: share of one core that a
+// robot takes in the mean.
 void BM_LidarAndDepth(benchmark::State& state) {
   SensorScene* scene = Sensors(true);
   const SensedWorld world = Agents(static_cast<int>(state.range(0)));
@@ -151,19 +204,74 @@ void BM_LidarAndDepth(benchmark::State& state) {
   }
   benchmark::DoNotOptimize(scene->Update(SensedWorld()));
   state.counters["core_at_10_hz"] =
-      benchmark::Counter(0.1 * static_cast<double>(state.iterations()),
+      benchmark::Counter(0.1 * kEyes * static_cast<double>(state.iterations()),
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(BM_LidarAndDepth)->ArgNames({"agents"})->Arg(0)->Arg(100)->Unit(benchmark::kMillisecond);
+
+// The same as readings of the lidar and the camera of the suite "survey": echoes with their noise,
+// points, depth.
+void BM_LidarAndDepthReadings(benchmark::State& state) {
+  const SensorScene& scene = *Sensors(true);
+  const SensedWorld world;
+  const LidarModel& model = *SensorCatalogue::BuiltIn()->FindLidar("ouster os1-64");
+  const LidarCaster caster(model, 10.0);
+  const LidarSurfaces surfaces(KilometreOfWood());
+  const LidarReceiver receiver(model, world.atmosphere);
+  LidarCast cast;
+  cast.scene = &scene;
+  cast.surfaces = &surfaces;
+  cast.receiver = &receiver;
+  cast.world = &world;
+  CameraModel camera;
+  camera.width = 640;
+  camera.height = 480;
+  camera.fx_px = camera.fy_px = 320.0;
+  camera.cx_px = 319.5;
+  camera.cy_px = 239.5;
+  camera.depth_noise = 0.001;
+  const CameraRenderer renderer(camera);
+  CameraOutputs outputs;
+  outputs.depth = true;
+  Eigen::Matrix3d map_from_optical;
+  map_from_optical << 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, -1.0, 0.0;
+  for (auto _ : state) {
+    for (const Eigen::Vector3d& eye_m : Eyes()) {
+      std::vector<ColumnPose> poses(caster.columns());
+      for (int i = 0; i < caster.columns(); ++i) {
+        poses[i].column = i;
+        poses[i].origin_m = eye_m.cast<float>();
+      }
+      LidarSweep sweep = caster.Begin(0.0, 0.1);
+      caster.Fire(cast, poses, &sweep);
+      caster.AddPoints(&sweep);
+      benchmark::DoNotOptimize(sweep.points.data());
+      CameraShot shot;
+      shot.scene = &scene;
+      shot.world = &world;
+      shot.conditions = ConditionsIn(world.atmosphere);
+      shot.map_from_optical.linear() = map_from_optical;
+      shot.map_from_optical.translation() = eye_m;
+      CameraFrame frame;
+      renderer.Render(shot, outputs, &frame);
+      benchmark::DoNotOptimize(frame.depth_m.data());
+    }
+  }
+  state.counters["core_at_10_hz"] =
+      benchmark::Counter(0.1 * kEyes * static_cast<double>(state.iterations()),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(BM_LidarAndDepthReadings)->Unit(benchmark::kMillisecond);
 
 void BM_TraceInThreads(benchmark::State& state) {
   const std::vector<Ray>& rays = RaysOf(kDepth);
   const SensorScene& scene = *Sensors(true);
   std::vector<RayHit> hits(rays.size());
   for (auto _ : state) {
-    constexpr int kStrips = 120;
+    // As cameras do: 15 pieces a picture.
+    constexpr int kStrips = 120 * kEyes;
     const std::size_t strip = rays.size() / kStrips;
-    ParallelFor(kStrips, static_cast<int>(state.range(0)), [&](int begin, int end) {
+    ParallelInPieces(kStrips, 8, static_cast<int>(state.range(0)), [&](int begin, int end) {
       scene.Trace(&rays[begin * strip], (end - begin) * strip, kSeesAll, SensorScene::kNoAgent,
                   &hits[begin * strip]);
     });

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <mutex>
@@ -65,6 +66,39 @@ TEST(ParallelTest, NestsAndCountsLargeRanges) {
     }
   });
   EXPECT_EQ(inner, 40);
+}
+
+TEST(ParallelTest, PiecesAreTheSameWithAnyNumberOfThreads) {
+  for (const int count : {1, 2, 7, 64, 1000}) {
+    for (const int piece : {1, 3, 64, 5000}) {
+      for (const int threads : {0, 1, 2, 5}) {
+        std::vector<std::atomic<int>> visits(count);
+        ParallelInPieces(count, piece, threads, [&](int begin, int end) {
+          EXPECT_EQ(begin % piece, 0);
+          EXPECT_EQ(end, std::min(count, begin + piece));
+          for (int i = begin; i < end; ++i) ++visits[i];
+        });
+        for (const auto& times : visits) EXPECT_EQ(times, 1) << count << " by " << piece;
+      }
+    }
+  }
+  ParallelInPieces(0, 4, 2, [](int, int) { FAIL() << "called for an empty range"; });
+  std::atomic<std::int64_t> total{0};
+  ParallelInPieces(2'147'483'647, 1'000'000'000, 3,
+                   [&](int begin, int end) { total += end - begin; });
+  EXPECT_EQ(total, 2'147'483'647);
+}
+
+TEST(ParallelTest, WhoIsDoneTakesTheNextPiece) {
+  // The first piece ends when all others are done: were they its thread's, they would never be.
+  std::atomic<int> done{0};
+  ParallelInPieces(8, 1, 2, [&](int begin, int) {
+    if (begin == 0) {
+      while (done < 7) std::this_thread::yield();
+    }
+    ++done;
+  });
+  EXPECT_EQ(done, 8);
 }
 
 }  // namespace

@@ -2,16 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../mapping/hand_made_scene.h"
 #include "latticeworld/common/parallel.h"
 #include "latticeworld/common/random.h"
+#include "latticeworld/meshes/mesh.h"
 #include "latticeworld/scene/scene_changes.h"
+#include "latticeworld/sensing/asset_meshes.h"
 #include "latticeworld/sensing/sensor_scene.h"
 #include "sensed_things.h"
 
@@ -161,6 +166,56 @@ TEST(SensorRaysTest, HitsAreThoseOfTheRaySceneWhicheverTilesAreBaked) {
             << seed << " " << baked_within_m << Differences(hits, one_by_one);
       }
     }
+  }
+}
+
+// Points on edges and corners of the asset's triangles that are turned towards the eye.
+std::vector<Vector3f> SeamsOf(const Scene& scene, const Asset& asset, int detail,
+                              const Vector3f& eye_m, RandomStream* random) {
+  const Mesh mesh =
+      BuildMesh(scene.catalogue->models()[asset.model], 1.0, detail, MeshVariationOf(asset));
+  const Eigen::Matrix<float, 3, 4> map_from_mesh = MapFromMesh(StandingInstance(asset, 0));
+  std::vector<Vector3f> points;
+  for (const Vector3f& vertex : mesh.vertices)
+    points.push_back(map_from_mesh.leftCols<3>() * vertex + map_from_mesh.col(3));
+  // By their ends: how many triangles meet in it, all of them turned towards the eye.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vector3f normal = (points[b] - points[a]).cross(points[c] - points[a]).normalized();
+    if (normal.dot((eye_m - points[a]).normalized()) < 0.05f) continue;
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      ++edges[std::minmax(from, to)];
+  }
+  std::vector<Vector3f> seams;
+  for (const auto& [ends, triangles] : edges) {
+    if (triangles != 2) continue;
+    const Vector3f &from_m = points[ends.first], &to_m = points[ends.second];
+    for (int i = 0; i < 20; ++i)
+      seams.push_back(from_m + static_cast<float>(random->Uniform()) * (to_m - from_m));
+  }
+  return seams;
+}
+
+TEST(SensorRaysTest, NothingSlipsBetweenTheTrianglesOfStones) {
+  RandomStream random(3, "seams");
+  for (int i = 0; i < 20; ++i) {
+    Asset stone = MakeRound(AssetKind::kStone, static_cast<float>(random.Uniform(-3.0, 3.0)),
+                            static_cast<float>(random.Uniform(-3.0, 3.0)), 2.0f, 1.5f);
+    stone.yaw_rad = static_cast<float>(random.Uniform(-3.0, 3.0));
+    const auto scene = std::make_shared<Scene>(
+        WithAssets(MakeScene(96, kSize_m, [](double, double) { return 0.0; }), {stone}));
+    const SensorScene sensors = SensorsOf(scene, {}, true);
+    const Vector3f eye_m(15.0f, static_cast<float>(random.Uniform(-9.0, 9.0)), 4.0f);
+    std::vector<Ray> rays;
+    std::vector<float> seams_m;
+    for (const Vector3f& seam_m : SeamsOf(*scene, scene->assets[0], 1, eye_m, &random)) {
+      rays.push_back(MakeRay(eye_m, seam_m - eye_m));
+      seams_m.push_back((seam_m - eye_m).norm());
+    }
+    ASSERT_GT(rays.size(), 100u);
+    const std::vector<RayHit> hits = HitsOf(sensors, rays);
+    for (std::size_t k = 0; k < rays.size(); ++k)
+      EXPECT_LE(hits[k].distance_m, seams_m[k] + 1e-3f) << i << " " << k;
   }
 }
 

@@ -1,6 +1,7 @@
 #include "latticeworld/common/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <thread>
 #include <vector>
@@ -21,6 +22,20 @@ void ParallelFor(int count, int threads, const std::function<void(int begin, int
   }
   body(begin_of(0), begin_of(1));
   for (std::thread& other : others) other.join();
+}
+
+void ParallelInPieces(int count, int piece, int threads,
+                      const std::function<void(int begin, int end)>& body) {
+  if (count <= 0) return;
+  const int pieces = (count - 1) / piece + 1;
+  std::atomic<int> next{0};
+  // A thread may come too late for any piece.
+  ParallelFor(pieces, threads, [&](int, int) {
+    for (int i = next++; i < pieces; i = next++) {
+      const int begin = i * piece;
+      body(begin, piece < count - begin ? begin + piece : count);
+    }
+  });
 }
 
 }  // namespace latticeworld

@@ -11,6 +11,12 @@ namespace latticeworld {
 // every result has to be the same with any number of threads. body must not throw.
 void ParallelFor(int count, int threads, const std::function<void(int begin, int end)>& body);
 
+// The same, of parts of `piece` (> 0) that each thread takes when it is done with its last one: for
+// work of which some parts take longer than others. Where parts begin does not depend on the
+// number of threads.
+void ParallelInPieces(int count, int piece, int threads,
+                      const std::function<void(int begin, int end)>& body);
+
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_COMMON_PARALLEL_H_

@@ -67,7 +67,7 @@ Status AssetMeshes::Prepare(const std::vector<MeshKey>& wanted, int threads,
     progress.Report("ray scene", 0.8 * static_cast<double>(first) / missing.size());
     const std::size_t count = std::min(kBatch, missing.size() - first);
     std::vector<Status> statuses(count);
-    ParallelFor(static_cast<int>(count), threads, [&](int begin, int end) {
+    ParallelInPieces(static_cast<int>(count), 1, threads, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) {
         auto mesh = Make(device_, catalogue_, missing[first + i]);
         statuses[i] = mesh.status();

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kFarthestTile = 1e6;  // beyond it all is equally far
 
+bool IsPlant(AssetKind kind) { return kind != AssetKind::kStone && kind != AssetKind::kBuilding; }
+
 }  // namespace
 
 AssetTiles::AssetTiles(RTCDevice device, const Scene& scene, const SensorSceneOptions& options)
@@ -21,16 +23,17 @@ AssetTiles::AssetTiles(RTCDevice device, const Scene& scene, const SensorSceneOp
       options_(options),
       meshes_(device, *scene.catalogue),
       group_(device) {
-  std::map<Place, std::vector<std::uint32_t>> by_place;
+  std::map<std::pair<Place, bool>, std::vector<std::uint32_t>> by_place;
   for (std::size_t i = 0; i < scene.assets.size(); ++i) {
     const Asset& asset = scene.assets[i];
-    by_place[PlaceOf(asset.x_m, asset.y_m)].push_back(static_cast<std::uint32_t>(i));
+    by_place[{PlaceOf(asset.x_m, asset.y_m), IsPlant(asset.kind)}].push_back(
+        static_cast<std::uint32_t>(i));
   }
   tile_of_.resize(scene.assets.size());
   for (auto& [place, assets] : by_place) {
     for (const std::uint32_t asset : assets)
       tile_of_[asset] = static_cast<std::uint32_t>(tiles_.size());
-    tiles_.push_back({place, std::move(assets)});
+    tiles_.push_back({place.first, place.second, std::move(assets)});
   }
   looks_.resize(tiles_.size());
 }
@@ -100,8 +103,15 @@ Result<AssetTiles::Look> AssetTiles::Make(std::size_t tile, const Situation& sit
   Look look = {detail, baked, nullptr};
   const std::vector<std::uint32_t> standing = StandingIn(tile, situation);
   if (standing.empty()) return look;
-  const auto make = baked ? AssetTile::Baked : AssetTile::Instanced;
-  LW_ASSIGN_OR_RETURN(look.tile, make(device_, meshes_, scene_.assets, standing, detail));
+  const std::vector<Asset>& assets = scene_.assets;
+  if (baked) {
+    const bool closed = !tiles_[tile].plants;
+    LW_ASSIGN_OR_RETURN(look.tile,
+                        AssetTile::Baked(device_, meshes_, assets, standing, detail, closed));
+  } else {
+    LW_ASSIGN_OR_RETURN(look.tile,
+                        AssetTile::Instanced(device_, meshes_, assets, standing, detail));
+  }
   return look;
 }
 
@@ -136,7 +146,7 @@ Status AssetTiles::Change(Situation next, const Progress& progress) {
     }
   }
   std::vector<Status> statuses(missing.size());
-  ParallelFor(static_cast<int>(missing.size()), options_.threads, [&](int begin, int end) {
+  ParallelInPieces(static_cast<int>(missing.size()), 1, options_.threads, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
       const std::size_t tile = missing[k];
       if (progress.cancelled()) return;

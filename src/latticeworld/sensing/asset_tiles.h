@@ -19,9 +19,10 @@
 
 namespace latticeworld {
 
-// The standing assets of a scene, tile by tile: near the eyes baked and fine, elsewhere coarse
-// instances. Which tile is which is a function of the eyes and of what stands alone; tiles that
-// were baked before are kept for as long as all together have few enough triangles.
+// The standing assets of a scene, tile by tile, plants apart from the others: near the eyes baked
+// and fine, elsewhere coarse instances. Which tile is which is a function of the eyes and of what
+// stands alone; tiles that were baked before are kept for as long as all together have few enough
+// triangles.
 class AssetTiles {
  public:
   // Reports the stage "ray scene" up to 0.8. The device and the scene outlive it. Errors:
@@ -45,8 +46,10 @@ class AssetTiles {
 
  private:
   using Place = std::pair<int, int>;  // of a tile, eastward and northward
+  // Plants and what has walls in different ones.
   struct Tile {
     Place place;
+    bool plants;
     std::vector<std::uint32_t> assets;  // increasing
   };
   // How a tile is met.

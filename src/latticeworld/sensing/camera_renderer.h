@@ -50,7 +50,10 @@ class CameraRenderer {
                    CameraFrame* frame) const;
 
   CameraModel model_;
-  std::vector<Eigen::Vector2f> distorted_;  // (height x width) x / z and y / z; empty: undistorted
+  // x / z of the columns and y / z of the rows; or, of a lens that distorts, both of every pixel
+  // (height x width).
+  std::vector<float> column_slopes_, row_slopes_;
+  std::vector<Eigen::Vector2f> distorted_;
 };
 
 // Adds a camera's noise to its colour picture.

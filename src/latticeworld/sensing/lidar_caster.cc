@@ -89,27 +89,23 @@ void LidarCaster::Fire(const LidarCast& cast, const std::vector<ColumnPose>& pos
   const int count = static_cast<int>(poses.size());
   const int at_a_time = std::max(kBlockColumns, kRaysAtATime / rings());
   const int threads = std::clamp(count / kColumnsOfThread, 1, std::max(1, cast.threads));
-  ParallelFor(count, threads, [&](int begin, int end) {
+  ParallelInPieces(count, at_a_time, threads, [&](int begin, int end) {
     std::vector<Beam> beams;
+    AddBlocks(rings(), begin, end, &beams);
     std::vector<Ray> rays;
-    std::vector<RayHit> hits(static_cast<std::size_t>(at_a_time) * rings_.size());
-    for (int first = begin; first < end; first += at_a_time) {
-      beams.clear();
-      AddBlocks(rings(), first, std::min(end, first + at_a_time), &beams);
-      rays.clear();
-      for (const Beam& beam : beams) rays.push_back(RayOf(poses[beam.pose], beam.ring));
-      cast.scene->Trace(rays.data(), rays.size(), kSeesAll, cast.except_agent, hits.data());
-      for (std::size_t i = 0; i < beams.size(); ++i) {
-        const std::size_t place =
-            static_cast<std::size_t>(beams[i].ring) * columns_.size() + poses[beams[i].pose].column;
-        const float returned = hits[i].target == RayTarget::kNothing
-                                   ? 0.0f
-                                   : cast.surfaces->Return(rays[i], hits[i], *cast.world);
-        const LidarEcho echo =
-            cast.receiver->Receive(hits[i].distance_m, returned, cast.key, place);
-        sweep->ranges_m[place] = echo.range_m;
-        sweep->intensities[place] = echo.intensity;
-      }
+    rays.reserve(beams.size());
+    for (const Beam& beam : beams) rays.push_back(RayOf(poses[beam.pose], beam.ring));
+    std::vector<RayHit> hits(beams.size());
+    cast.scene->Trace(rays.data(), rays.size(), kSeesAll, cast.except_agent, hits.data());
+    for (std::size_t i = 0; i < beams.size(); ++i) {
+      const std::size_t place =
+          static_cast<std::size_t>(beams[i].ring) * columns_.size() + poses[beams[i].pose].column;
+      const float returned = hits[i].target == RayTarget::kNothing
+                                 ? 0.0f
+                                 : cast.surfaces->Return(rays[i], hits[i], *cast.world);
+      const LidarEcho echo = cast.receiver->Receive(hits[i].distance_m, returned, cast.key, place);
+      sweep->ranges_m[place] = echo.range_m;
+      sweep->intensities[place] = echo.intensity;
     }
   });
 }

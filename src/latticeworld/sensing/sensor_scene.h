@@ -23,7 +23,7 @@ struct SensorSceneOptions {
   // Tiles nearer than this are baked, the nearest first: their assets become plain triangles in one
   // mesh, which rays cross about twice as fast as overlapping instances. 0: none.
   double baked_within_m = 64.0;
-  std::size_t max_baked_triangles = 4'000'000;  // about 80 bytes each
+  std::size_t max_baked_triangles = 4'000'000;  // about 125 bytes each
   // Detail of meshes: 0 in tiles nearer than finest_within_m, 1 in those nearer than
   // medium_within_m, 2 beyond. Trees have 13,000, 1,900 and 250 triangles, and baking a million of
   // them takes about a second: in a dense wood a robot that comes into another tile waits for
