@@ -37,5 +37,24 @@ TEST(MendCountsTest, WhatUsedToBeIsNot) {
             "there used to be ten horses ; now there are only three");
 }
 
+TEST(MendCountsTest, WhatIsTakenBackBehindTheNounCounts) {
+  EXPECT_EQ(Mended("four white horses, no, five of them"), "five white horses");
+  EXPECT_EQ(Mended("four horses, five of them white"), "four horses , five of them white");
+}
+
+TEST(MendCountsTest, RoundNumbersAreAbout) {
+  EXPECT_EQ(Mended("twenty or so sheep"), "about twenty sheep");
+  EXPECT_EQ(Mended("twenty-odd sheep"), "about twenty sheep");
+  EXPECT_EQ(Mended("a couple of dozen sheep"), "two dozen sheep");
+  EXPECT_EQ(Mended("a couple of sheep"), "a couple of sheep");
+  EXPECT_EQ(Mended("two or three sheep"), "two or three sheep");
+}
+
+TEST(MendCountsTest, KindsOfRobotsAreRobots) {
+  EXPECT_EQ(Mended("robots: 3 wheeled, 2 aerial"), "robots : 3 wheeled robots , 2 aerial robots");
+  EXPECT_EQ(Mended("robots: 3 wheeled carts"), "robots : 3 wheeled carts");
+  EXPECT_EQ(Mended("3 wheeled, 2 aerial"), "3 wheeled , 2 aerial");
+}
+
 }  // namespace
 }  // namespace latticeworld

@@ -246,6 +246,10 @@ class FineReader {
     bool qualified = false;
     for (const Quality& quality : waiting_) {
       if (at > quality.last + kReach && !IsForList(quality)) continue;
+      // "thick, no flowers" is not said of the flowers, nor "the sheep are scattered all over the
+      // fields" of the fields.
+      if (negated && !quality.negated) continue;
+      if (IsOfAgents(at) && at > quality.last + 1) continue;
       for (const AssetType asset : nouns) {
         if (Apply(quality, asset, quality.first, end)) {
           used = qualified = true;

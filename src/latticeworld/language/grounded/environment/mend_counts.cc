@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 #include "latticeworld/language/numbers.h"
 #include "latticeworld/language/token_edits.h"
@@ -45,6 +46,75 @@ void MendRetractions(std::vector<Token>* tokens) {
     if (meant.tokens == 0) continue;
     EraseTokens(tokens, at, next - at);
     if (IsCommaAt(*tokens, at + meant.tokens)) EraseTokens(tokens, at + meant.tokens, 1);
+  }
+}
+
+// "Four white horses, no, five of them": five white horses.
+void MendLateRetractions(std::vector<Token>* tokens) {
+  for (std::size_t at = 1; at < tokens->size(); ++at) {
+    const std::size_t taken_back = TakeRetraction(*tokens, at);
+    if (taken_back == at) continue;
+    const std::size_t meant_at = taken_back + (IsCommaAt(*tokens, taken_back) ? 1 : 0);
+    const NumberMatch meant = MatchNumber(*tokens, meant_at);
+    const std::size_t of = meant_at + meant.tokens;
+    if (meant.tokens == 0 || WordAt(*tokens, of) != "of" || WordAt(*tokens, of + 1) != "them")
+      continue;
+    // The number that it takes back.
+    for (std::size_t first = at; first-- > 0 && (*tokens)[first].kind != TokenKind::kStop;) {
+      const NumberMatch said = MatchNumber(*tokens, first);
+      if (said.tokens == 0 || first + said.tokens > at) continue;
+      const std::vector<Token> number = TokensBetween(*tokens, meant_at, of);
+      const std::size_t begin = at - (IsCommaAt(*tokens, at - 1) ? 1 : 0);
+      EraseTokens(tokens, begin, of + 2 - begin);
+      EraseTokens(tokens, first, said.tokens);
+      InsertTokens(tokens, first, number);
+      break;
+    }
+  }
+}
+
+// "Twenty or so sheep", "twenty-odd sheep": about twenty. "A couple of dozen": two dozen.
+void MendRoundNumbers(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at < tokens->size(); ++at) {
+    if (WordAt(*tokens, at) == "couple" && at > 0 && WordAt(*tokens, at - 1) == "a") {
+      const std::size_t dozen = at + (WordAt(*tokens, at + 1) == "of" ? 2 : 1);
+      if (WordAt(*tokens, dozen) == "dozen") ReplaceTokens(tokens, at - 1, dozen + 1 - at, {"two"});
+    }
+    const NumberMatch number = MatchNumber(*tokens, at);
+    if (number.tokens == 0) continue;
+    const std::size_t end = at + number.tokens;
+    std::size_t round = 0;  // words
+    if (WordAt(*tokens, end) == "or" &&
+        (WordAt(*tokens, end + 1) == "so" || WordAt(*tokens, end + 1) == "thereabouts")) {
+      round = 2;
+    } else if (WordAt(*tokens, end) == "odd" || WordAt(*tokens, end) == "ish") {
+      round = 1;
+    }
+    if (round == 0) continue;
+    EraseTokens(tokens, end, round);
+    InsertTokens(tokens, at, {WordLike("about", (*tokens)[at])});
+    at += number.tokens;
+  }
+}
+
+// "Robots: 3 wheeled, 2 aerial": three wheeled robots, two aerial robots.
+void MendRobotKinds(std::vector<Token>* tokens) {
+  bool robots = false;
+  for (std::size_t at = 0; at < tokens->size(); ++at) {
+    robots = robots || WordAt(*tokens, at) == "robots";
+    if (!robots) continue;
+    const NumberMatch number = MatchNumber(*tokens, at);
+    const std::size_t kind = at + number.tokens;
+    const std::size_t next = kind + 1;
+    const bool ends = next >= tokens->size() || (*tokens)[next].kind != TokenKind::kWord ||
+                      WordAt(*tokens, next) == "and" || WordAt(*tokens, next) == "ones";
+    if (number.tokens == 0 || !ends) continue;
+    for (const std::string_view word : {"wheeled", "aerial", "flying", "legged", "humanoid"}) {
+      if (WordAt(*tokens, kind) != word) continue;
+      if (WordAt(*tokens, next) == "ones") EraseTokens(tokens, next, 1);
+      InsertTokens(tokens, next, {WordLike("robots", (*tokens)[kind])});
+      break;
+    }
   }
 }
 
@@ -115,9 +185,12 @@ void MendParts(const EnvironmentWords& words, std::vector<Token>* tokens) {
 }  // namespace
 
 void MendCounts(const EnvironmentWords& words, std::vector<Token>* tokens) {
+  MendLateRetractions(tokens);
   MendRetractions(tokens);
+  MendRoundNumbers(tokens);
   MendFormer(tokens);
   MendParts(words, tokens);
+  MendRobotKinds(tokens);
 }
 
 }  // namespace latticeworld

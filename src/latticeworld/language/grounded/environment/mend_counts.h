@@ -9,9 +9,12 @@
 namespace latticeworld {
 
 // Numbers of agents in the form that is read best:
-// - "ten, I mean twelve, sheep", "three, no, four drones": twelve, four;
+// - "ten, I mean twelve, sheep", "three, no, four drones", "four horses, no, five of them": twelve,
+//   four, five;
+// - "twenty or so sheep", "a couple of dozen sheep": about twenty, two dozen;
 // - "there used to be goblins": no goblins, unless "now there are only three" follows;
-// - "four rovers: two stand still, two patrol": two of them stand still, two of them patrol.
+// - "four rovers: two stand still, two patrol": two of them stand still, two of them patrol;
+// - "robots: 3 wheeled, 2 aerial": three wheeled robots, two aerial robots.
 // Words that are put in share the bytes of those that they stand beside.
 void MendCounts(const EnvironmentWords& words, std::vector<Token>* tokens);
 

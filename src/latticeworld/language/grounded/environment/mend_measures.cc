@@ -198,6 +198,18 @@ void MendMultiples(std::vector<Token>* tokens) {
   }
 }
 
+// "Christmas Eve": a day, and no evening.
+void MendEves(std::vector<Token>* tokens) {
+  for (std::size_t at = 1; at < tokens->size(); ++at) {
+    if (WordAt(*tokens, at) != "eve") continue;
+    for (const std::string_view feast : {"christmas", "xmas", "year", "years", "s", "midsummer"})
+      if (WordAt(*tokens, at - 1) == feast) {
+        EraseTokens(tokens, at, 1);
+        break;
+      }
+  }
+}
+
 // "cancel the rain": no rain.
 void MendCancels(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
@@ -249,6 +261,7 @@ void MendMeasures(std::vector<Token>* tokens) {
   MendKinds(tokens);
   MendMultiples(tokens);
   MendCancels(tokens);
+  MendEves(tokens);
 }
 
 }  // namespace latticeworld

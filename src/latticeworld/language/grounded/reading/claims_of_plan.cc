@@ -107,8 +107,12 @@ class ClaimMaker {
 
   void ClaimPresence(const PlannedFeature& feature) {
     if (feature.zones.empty()) {
-      const bool said_more = (IsLine(feature) && (feature.from || feature.to || feature.along)) ||
-                             feature.dominant || feature.fills_rest || feature.share.has_value();
+      const auto placed = [](const std::optional<Waypoint>& end) {
+        return end.has_value() && end->said;
+      };
+      const bool runs = placed(feature.from) || placed(feature.to) || feature.along.has_value();
+      const bool said_more = (IsLine(feature) && runs) || feature.dominant || feature.fills_rest ||
+                             feature.share.has_value();
       if (said_more) return;
       Claim claim = Of(ClaimKind::kPresent, feature.letter, feature.words);
       if (IsLine(feature)) claim.least = kLineShare;

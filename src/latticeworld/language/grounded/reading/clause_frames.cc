@@ -52,6 +52,7 @@ void ClauseReader::ReadDirection(const Chunk& chunk) {
     }
   }
   frame.touching = SaysClose(chunk);
+  frame.along = at_ > 0 && chunks_[at_ - 1].Is(Sense::kAlong);
   Open(std::move(frame));
 }
 

@@ -25,6 +25,7 @@ struct Frame {
   bool at_end = false;    // "at the head of the fjord": where it runs to
   bool both = false;      // in the heading and against it: "at both ends"
   bool touching = false;  // "on the western bank", "just south of": there and close by
+  bool along = false;     // "along the northern shore of": all the way
   bool inside = false;    // "in the lake", not "on the lake"
   double steps = 0.0;     // the gap that the words allow, where they are strict: "touching"
 };

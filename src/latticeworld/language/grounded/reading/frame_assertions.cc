@@ -69,6 +69,7 @@ class Asserter {
     relation.object = object_;
     relation.heading = {heading.east, heading.south};
     d_.Relate(std::move(relation));
+    if (frame_.along && IsLine(subject())) Relate(RelationKind::kAlong, subject_, object_);
     if (frame_.touching || (frame_.use == DirectionUse::kAtSide && !IsLine(object()))) {
       Relate(RelationKind::kAdjacent, subject_, object_,
              frame_.use == DirectionUse::kAtSide ? kTouchingSteps : kNearSteps);

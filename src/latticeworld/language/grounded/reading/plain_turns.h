@@ -105,6 +105,11 @@ void TurnChains(std::vector<Token>* tokens);
 // water": from north to south, mostly forest, elsewhere.
 void TurnWays(std::vector<Token>* tokens);
 
+// plain_journeys.cc: "walking north from the lake you pass a field, then reach a wood", "snow in
+// the north gives way to rock, then to forest", "the background is grass": from south to north, the
+// lake, then a field, then a wood; the rest is grass.
+void TurnJourneys(std::vector<Token>* tokens);
+
 // plain_linked.cc: "..., connected by roads", "it gets sandier towards the north".
 void TurnLinked(std::vector<Token>* tokens);
 

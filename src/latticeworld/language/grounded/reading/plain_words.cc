@@ -13,6 +13,7 @@ std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnFills(&tokens);
   TurnScopes(&tokens);
   TurnChains(&tokens);
+  TurnJourneys(&tokens);
   TurnWays(&tokens);
   TurnRings(&tokens);
   TurnEnds(&tokens);

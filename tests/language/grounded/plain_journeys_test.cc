@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "latticeworld/layout/vocabulary.h"
+#include "reading_sample.h"
+
+// Rows that are told as a journey, sides of what was named before, and what the rest is.
+namespace latticeworld {
+namespace {
+
+const Vocabulary kSuburb = Vocabulary::kSuburb;
+const Vocabulary kWild = Vocabulary::kWild;
+
+std::vector<Sample> Journeys() {
+  return {
+      {"Walking north from the lake in the south you pass a field, a wood and finally reach the "
+       "village.",
+       kSuburb,
+       {"order WAFB>N", "present W@southern third"},
+       {"adjacent A B"}},
+      {"Heading east you cross fields, then a wood, then reach a town.", kSuburb, {"order AFB>E"}},
+      {"Starting in the south-west with fields, moving through a village in the middle, and ending "
+       "with a forest in the north-east.",
+       kSuburb,
+       {"present A@lower left", "present B@center", "present F@upper right"},
+       {"within A B"}},
+      {"From the north: snow, followed by rock, followed by forest.", kWild, {"order SRF>S"}},
+      {"Snow-capped peaks in the north gradually give way to rocky slopes, then to forest and "
+       "finally to a lake in the south.",
+       kWild,
+       {"order SRFW>S"},
+       {"adjacent S F", "adjacent S W"}},
+      {"Fields on the left turn into meadow and then into forest.", kSuburb, {"order AGF>E"}},
+  };
+}
+
+std::vector<Sample> Sides() {
+  return {
+      {"A lake in the west, a village to the east of it and a wood to the east of that.",
+       kSuburb,
+       {"direction B W E", "direction F B E"}},
+      {"The fields are south of the village and the wood is south of those.",
+       kSuburb,
+       {"direction A B S", "direction F A S"}},
+      {"The village sits west of the river, the fields east of it, and further east still the "
+       "forest.",
+       kSuburb,
+       {"direction A W E", "direction F A E"},
+       {"present F@eastern third"}},
+      {"North of the town is a wood, and further north a lake.",
+       kSuburb,
+       {"direction W F N"},
+       {"present W@northern third"}},
+      {"A river divides the land into two halves, forest on the western side and fields on the "
+       "eastern one.",
+       kSuburb,
+       {"present F@western third", "present A@eastern third"},
+       {"count W 2..2", "through W F"}},
+      {"A river divides the map into two unequal parts.", kSuburb, {"present W"}, {"count W 2..2"}},
+      {"A river runs diagonally across the map.", kSuburb, {"present W"}},
+  };
+}
+
+std::vector<Sample> Followers() {
+  return {
+      {"A road runs along the northern shore of the lake.",
+       kSuburb,
+       {"along R W", "direction R W N"}},
+      {"A road hugs the river.", kSuburb, {"along R W"}},
+      {"The track skirts the forest.", kSuburb, {"along R F"}},
+      {"Two roads run parallel to each other from east to west, with houses between them.",
+       kSuburb,
+       {"parallel R R", "between B R R"}},
+      {"The road mirrors the course of the river.", kSuburb, {"parallel R W"}},
+      {"Three roads down the map, side by side.",
+       kSuburb,
+       {"parallel R R", "course R northern edge>southern edge"}},
+      {"A road runs the length of the map.", kSuburb, {"course R northern edge>southern edge"}},
+  };
+}
+
+std::vector<Sample> Bases() {
+  return {
+      {"A lake in the middle. The background is grass.",
+       kSuburb,
+       {"rest G"},
+       {"present G@northern third"}},
+      {"Houses in the north. Default terrain: forest.", kSuburb, {"rest F"}},
+      {"A road, a pond and some houses; grass fills in the gaps.", kSuburb, {"rest G"}},
+      {"A pond. Anything not mentioned can be forest.", kSuburb, {"rest F"}, {"absent F"}},
+      {"A lake in the foreground. The background is forest.",
+       kSuburb,
+       {"present F@northern third"}},
+      {"The bulk is forest.", kSuburb, {"dominant F"}},
+      {"The lion's share is farmland.", kSuburb, {"dominant A"}},
+  };
+}
+
+class PlainJourneysTest : public testing::TestWithParam<Sample> {};
+
+TEST_P(PlainJourneysTest, AreRead) {
+  ExpectRead(GetParam());
+  ExpectReadInCapitals(GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Journeys, PlainJourneysTest, testing::ValuesIn(Journeys()));
+INSTANTIATE_TEST_SUITE_P(Sides, PlainJourneysTest, testing::ValuesIn(Sides()));
+INSTANTIATE_TEST_SUITE_P(Followers, PlainJourneysTest, testing::ValuesIn(Followers()));
+INSTANTIATE_TEST_SUITE_P(Bases, PlainJourneysTest, testing::ValuesIn(Bases()));
+
+}  // namespace
+}  // namespace latticeworld
