@@ -48,6 +48,9 @@ std::vector<Sample> Sides() {
        kSuburb,
        {"direction A W E", "direction F A E"},
        {"present F@eastern third"}},
+      {"On the right there's a lake, to the left of it a village, and further left a forest.",
+       kSuburb,
+       {"direction B W W", "direction F B W"}},
       {"North of the town is a wood, and further north a lake.",
        kSuburb,
        {"direction W F N"},
@@ -80,6 +83,44 @@ std::vector<Sample> Followers() {
   };
 }
 
+std::vector<Sample> Others() {
+  return {
+      {"A forest occupies the western half; the other half is grassland.",
+       kSuburb,
+       {"dominant F@western half", "dominant G@eastern half"}},
+      {"Forest in the top half, with a cabin in it; the other half is open grass.",
+       kSuburb,
+       {"within B F", "dominant G@southern half"}},
+      {"The top third is forest, the other two thirds are water.",
+       kSuburb,
+       {"dominant W@southern two thirds"},
+       {"present W@northern third"}},
+      {"One half is water, the other half is forest.", kSuburb, {"amount W", "amount F"}},
+      {"The map is split into two halves: forest and grass.", kSuburb, {"amount F", "amount G"}},
+      {"A road with houses on one side and fields on the other.",
+       kSuburb,
+       {"between R B A", "adjacent B R", "adjacent A R"},
+       {"within B A", "adjacent B A"}},
+      {"Forest on one side of the river, grass on the other.",
+       kSuburb,
+       {"between W F G"},
+       {"adjacent G F"}},
+      {"A village where the sand meets the grass.", kSuburb, {"adjacent B D", "adjacent B G"}},
+      {"A lake inside a forest inside a desert.",
+       kSuburb,
+       {"within W F", "within F D"},
+       {"within W D"}},
+      {"A house in the fields in the north.", kSuburb, {"within B A", "present A@northern third"}},
+      {"A lake with forest on three sides.", kSuburb, {"surrounds F W"}, {"dominant F"}},
+      {"Keep the center empty.", kSuburb, {"dominant G@center"}},
+      {"2 rivers, both N->S.",
+       kSuburb,
+       {"course W northern edge>southern edge", "count W 2..2"},
+       {"present W@southern edge"}},
+      {"A road in the shape of an S.", kSuburb, {"shape R winding"}, {"present R@southern third"}},
+  };
+}
+
 std::vector<Sample> Bases() {
   return {
       {"A lake in the middle. The background is grass.",
@@ -107,6 +148,7 @@ TEST_P(PlainJourneysTest, AreRead) {
 INSTANTIATE_TEST_SUITE_P(Journeys, PlainJourneysTest, testing::ValuesIn(Journeys()));
 INSTANTIATE_TEST_SUITE_P(Sides, PlainJourneysTest, testing::ValuesIn(Sides()));
 INSTANTIATE_TEST_SUITE_P(Followers, PlainJourneysTest, testing::ValuesIn(Followers()));
+INSTANTIATE_TEST_SUITE_P(Others, PlainJourneysTest, testing::ValuesIn(Others()));
 INSTANTIATE_TEST_SUITE_P(Bases, PlainJourneysTest, testing::ValuesIn(Bases()));
 
 }  // namespace

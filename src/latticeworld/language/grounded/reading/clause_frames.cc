@@ -97,6 +97,7 @@ void ClauseReader::OpenSense(Sense sense, bool of_it) {
   frame.at_end =
       sense == Sense::kNextTo && (EndsWithWord(said, "end of") || EndsWithWord(said, "head of") ||
                                   EndsWithWord(said, "tip of"));
+  frame.partly = sense == Sense::kSurrounds && said.find("three sides") != std::string::npos;
   frame.inside =
       sense == Sense::kIn && ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[at_].end)) == "in";
   Open(std::move(frame));
@@ -201,6 +202,10 @@ void ClauseReader::Open(Frame frame) {
       frame_.has_value() && !was_fronted && !frame_->objects.empty() && after_object
           ? std::vector<int>{frame_->objects.back()}
           : std::vector<int>();
+  // "a lake inside a forest inside a desert": the forest is inside the desert.
+  const auto encloses = [](Sense one) { return one == Sense::kIn || one == Sense::kWithin; };
+  const bool nested = !nearest.empty() && encloses(frame_->sense) && encloses(sense) &&
+                      IsThing(at_ + 1) && !IsLine(nearest.front());
   if (frame_.has_value() && WantsTwo(frame_->sense) && frame_->objects.size() == 1 &&
       !was_fronted) {
     paused_ = std::move(frame_);
@@ -288,6 +293,8 @@ void ClauseReader::Open(Frame frame) {
     d_.SetTopic(subjects_);
     frame.subjects = nearest;
     subjects_ = nearest;
+  } else if (nested) {
+    frame.subjects = nearest;
   } else if (words.find(" in turn") != std::string::npos && d_.LastMentioned() >= 0) {
     frame.subjects = {d_.LastMentioned()};
   } else if (!verb_said_ && subjects_.size() > 1 && !IsParticiple(sense) &&
@@ -393,7 +400,7 @@ void ClauseReader::CloseFrame() {
                       relations.back().kind == RelationKind::kSurrounds &&
                       relations.back().subject == subject;
     if (said) continue;
-    if (frame.sense == Sense::kSurrounds && feature.form == FeatureForm::kSpread &&
+    if (frame.sense == Sense::kSurrounds && !frame.partly && feature.form == FeatureForm::kSpread &&
         feature.zones.empty()) {
       feature.dominant = true;
       if (IsLine(frame.objects.back())) continue;

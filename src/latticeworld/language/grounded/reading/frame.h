@@ -26,6 +26,7 @@ struct Frame {
   bool both = false;      // in the heading and against it: "at both ends"
   bool touching = false;  // "on the western bank", "just south of": there and close by
   bool along = false;     // "along the northern shore of": all the way
+  bool partly = false;    // "on three sides": not all around
   bool inside = false;    // "in the lake", not "on the lake"
   double steps = 0.0;     // the gap that the words allow, where they are strict: "touching"
 };

@@ -38,17 +38,25 @@ std::vector<Token> NextToBoth(const std::vector<Token>& first, const std::vector
   return turned;
 }
 
-// "A mill stands where the brook flows into the lake": next to both.
+// "A mill stands where the brook flows into the lake", "right where the sand meets the grass": next
+// to both.
 void TurnMouth(std::vector<Token>* tokens) {
   for (std::size_t at = 1; at + 4 < tokens->size(); ++at) {
     if (WordAt(*tokens, at) != "where" || IsPauseAt(*tokens, at - 1)) continue;
     std::size_t line = 0;
-    const std::size_t count = LineAt(*tokens, at + 1, &line);
+    std::size_t count = LineAt(*tokens, at + 1, &line);
+    const bool area = count == 0;
+    if (area) count = MatchClassWord(*tokens, line).tokens;
     std::size_t next = line + count;
-    if (count == 0 ||
-        !IsOneOf(WordAt(*tokens, next), {"flows", "runs", "empties", "enters", "meets", "reaches",
-                                         "joins", "drains", "leaves"})) {
-      continue;
+    const bool meets = IsOneOf(WordAt(*tokens, next), {"meets", "meet", "touches", "joins"});
+    const bool flows =
+        !area && IsOneOf(WordAt(*tokens, next),
+                         {"flows", "runs", "empties", "enters", "reaches", "drains", "leaves"});
+    if (count == 0 || (!meets && !flows)) continue;
+    if (area && IsOneOf(WordAt(*tokens, at - 1), {"right", "just", "exactly"})) {
+      EraseTokens(tokens, --at, 1);
+      --line;
+      --next;
     }
     ++next;
     if (IsOneOf(WordAt(*tokens, next), {"into", "in"})) ++next;

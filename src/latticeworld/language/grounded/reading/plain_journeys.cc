@@ -339,8 +339,7 @@ void PutSideOf(std::vector<Token>* tokens, std::size_t at, std::size_t count,
 void TurnFurther(std::vector<Token>* tokens, std::size_t at) {
   const bool further = IsOneOf(WordAt(*tokens, at), {"further", "farther"});
   const std::size_t side = at + (further ? 1 : 0);
-  const std::string heading(further ? HeadingWord(WordAt(*tokens, side))
-                                    : SideWord(WordAt(*tokens, side)));
+  const std::string heading(SideWord(WordAt(*tokens, side)));
   if (heading.empty()) return;
   std::size_t end = side + 1;
   if (further) {
@@ -405,9 +404,165 @@ void TurnUnequal(std::vector<Token>* tokens, std::size_t at) {
   if (IsStopAt(*tokens, next)) ReplaceTokens(tokens, at, next - at, {"crosses", "the", "map"});
 }
 
+// "A forest in the western half; the other half is grass", "the top third is forest, the other two
+// thirds are water": the eastern half, the southern two thirds. "One half is water, the other half
+// is forest": half of the map.
+void TurnOtherPart(std::vector<Token>* tokens) {
+  std::string side, part;
+  bool halved = false;  // "one half"
+  for (std::size_t at = 1; at < tokens->size(); ++at) {
+    const std::string_view word = WordAt(*tokens, at);
+    const bool half = word == "half";
+    if (!half && !IsOneOf(word, {"third", "thirds", "quarter", "quarters"})) continue;
+    const std::string said(SideWord(WordAt(*tokens, at - 1)));
+    if (!said.empty()) {
+      side = said;
+      part = word;
+      continue;
+    }
+    halved = halved || (half && WordAt(*tokens, at - 1) == "one");
+    const std::size_t other = at - (half ? 1 : 2);
+    if (other >= at || other == 0 || WordAt(*tokens, other - 1) != "the" ||
+        !IsOneOf(WordAt(*tokens, other), {"other", "opposite", "remaining"}) ||
+        WordAt(*tokens, at + 1) == "of") {
+      continue;
+    }
+    const bool rest =
+        half ? part == "half"
+             : (part == "third" && word == "thirds" && WordAt(*tokens, at - 1) == "two") ||
+                   (part == "quarter" && word == "quarters" && WordAt(*tokens, at - 1) == "three");
+    if (rest) {
+      (*tokens)[other].text = std::string(OppositeOf(side)) + "ern";
+      part.clear();
+    } else if (half && halved && part.empty()) {
+      ReplaceTokens(tokens, other - 1, 3, {"half", "of", "the", "map"});
+      halved = false;
+    }
+  }
+}
+
+// "A road with houses on one side and fields on the other", "houses on one side of the road, fields
+// on the other": on the other side of it.
+void TurnTwoSides(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "on" || WordAt(*tokens, at + 1) != "one" ||
+      WordAt(*tokens, at + 2) != "side") {
+    return;
+  }
+  std::size_t next = at + 3;
+  const bool own = WordAt(*tokens, next) == "of";
+  if (!own) {
+    // "a road with houses": whose sides they are.
+    std::size_t with = at;
+    while (with > 0 && with + kPhrase > at && WordAt(*tokens, with) != "with") --with;
+    bool line = false;
+    for (std::size_t i = with; i-- > 0 && i + 3 >= with && WordAt(*tokens, with) == "with";) {
+      const ClassWordMatch noun = MatchClassWord(*tokens, i);
+      line = line || (noun.word != nullptr && noun.word->shape == WordShape::kLine &&
+                      i + noun.tokens == with);
+    }
+    if (!line) return;
+  }
+  for (std::size_t i = next; !IsStopAt(*tokens, i); ++i) {
+    if (WordAt(*tokens, i) != "on" || WordAt(*tokens, i + 1) != "the" ||
+        !IsOneOf(WordAt(*tokens, i + 2), {"other", "opposite"})) {
+      continue;
+    }
+    std::size_t end = i + 3;
+    if (WordAt(*tokens, end) == "side") ++end;
+    if (!IsPauseAt(*tokens, end)) return;
+    const Token beside = (*tokens)[at + 2];
+    std::vector<Token> owner = {WordLike("of", beside), WordLike("it", beside)};
+    if (own) {
+      std::size_t close = next;
+      while (!IsPauseAt(*tokens, close) && WordAt(*tokens, close) != "and") ++close;
+      owner = TokensBetween(*tokens, next, close);
+    }
+    ReplaceTokens(tokens, i, end - i, {"on", "the", "other", "side"});
+    InsertTokens(tokens, i + 4, owner);
+    if (!own) InsertTokens(tokens, next, owner);
+    return;
+  }
+}
+
+// "Split into two halves: forest and grass": half forest and half grass.
+void TurnHalvesOf(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "two" || WordAt(*tokens, at + 1) != "halves" ||
+      at + 2 >= tokens->size() || (*tokens)[at + 2].text != ":") {
+    return;
+  }
+  const std::size_t first = at + 3, one = MatchClassWord(*tokens, first).tokens;
+  const std::size_t second = first + one + 1, other = MatchClassWord(*tokens, second).tokens;
+  if (one == 0 || other == 0 || !IsStopAt(*tokens, second + other) ||
+      (WordAt(*tokens, second - 1) != "and" && (*tokens)[second - 1].kind != TokenKind::kComma)) {
+    return;
+  }
+  InsertTokens(tokens, second, {WordLike("half", (*tokens)[second])});
+  ReplaceTokens(tokens, at, 3, {"x", "half"});
+  (*tokens)[at] = StopLike((*tokens)[at]);
+}
+
+// "Keep the center empty", "leave the middle open": the center is grass.
+void TurnKeptEmpty(std::vector<Token>* tokens, std::size_t at) {
+  if (!IsOneOf(WordAt(*tokens, at), {"keep", "leave"})) return;
+  PlaceCursor cursor(*tokens, at + 1 + (WordAt(*tokens, at + 1) == "the" ? 1 : 0));
+  if (!TakeDirection(&cursor).found) return;
+  std::size_t end = cursor.at();
+  if (IsOneOf(WordAt(*tokens, end), {"half", "third", "quarter", "corner", "part", "edge", "side"}))
+    ++end;
+  if (!IsOneOf(WordAt(*tokens, end), {"empty", "open", "clear", "free"}) ||
+      !IsPauseAt(*tokens, end + 1)) {
+    return;
+  }
+  ReplaceTokens(tokens, end, 1, {"is", "grass"});
+  EraseTokens(tokens, at, 1);
+}
+
+// "Two rivers, both N->S": they run so. "A lake, bigger than everything else": which says no more
+// than that it is big.
+void TurnAsides(std::vector<Token>* tokens, std::size_t at) {
+  const auto is_letter = [&](std::size_t i) {
+    return IsOneOf(WordAt(*tokens, i), {"n", "s", "e", "w"});
+  };
+  if (IsOneOf(WordAt(*tokens, at), {"both", "all", "each"}) && is_letter(at + 1) &&
+      is_letter(at + 2)) {
+    EraseTokens(tokens, at, 1);
+    return;
+  }
+  // "both N->S": both from N to S
+  if (IsOneOf(WordAt(*tokens, at), {"both", "all", "each"}) && is_letter(at + 1) &&
+      WordAt(*tokens, at + 2) == "to" && is_letter(at + 3)) {
+    ReplaceTokens(tokens, at, 1, {"from"});
+    return;
+  }
+  const bool bigger = at > 0 && IsOneOf(WordAt(*tokens, at), {"bigger", "larger"}) &&
+                      WordAt(*tokens, at + 1) == "than" &&
+                      IsOneOf(WordAt(*tokens, at + 2), {"everything", "anything"}) &&
+                      WordAt(*tokens, at + 3) == "else";
+  if (bigger && (*tokens)[at - 1].kind == TokenKind::kComma) EraseTokens(tokens, at, 4);
+}
+
+// "In the shape of an S", "shaped like the letter S": S-shaped.
+void TurnLetterShape(std::vector<Token>* tokens, std::size_t at) {
+  std::size_t next = at;
+  if (WordAt(*tokens, next) == "in" && WordAt(*tokens, next + 1) == "the" &&
+      WordAt(*tokens, next + 2) == "shape" && WordAt(*tokens, next + 3) == "of") {
+    next += 4;
+  } else if (WordAt(*tokens, next) == "shaped" && WordAt(*tokens, next + 1) == "like") {
+    next += 2;
+  } else {
+    return;
+  }
+  if (IsOneOf(WordAt(*tokens, next), {"a", "an", "the"})) ++next;
+  if (WordAt(*tokens, next) == "letter") ++next;
+  const std::string letter(WordAt(*tokens, next));
+  if (IsOneOf(letter, {"s", "u", "c"}) && IsPauseAt(*tokens, next + 1))
+    ReplaceTokens(tokens, at, next + 1 - at, {letter, "shaped"});
+}
+
 }  // namespace
 
 void TurnJourneys(std::vector<Token>* tokens) {
+  TurnOtherPart(tokens);
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     TurnWalk(tokens, at);
     TurnFromSide(tokens, at);
@@ -416,6 +571,11 @@ void TurnJourneys(std::vector<Token>* tokens) {
     TurnBase(tokens, at);
     TurnFurther(tokens, at);
     TurnUnequal(tokens, at);
+    TurnTwoSides(tokens, at);
+    TurnHalvesOf(tokens, at);
+    TurnKeptEmpty(tokens, at);
+    TurnAsides(tokens, at);
+    TurnLetterShape(tokens, at);
   }
 }
 
