@@ -62,6 +62,8 @@ INSTANTIATE_TEST_SUITE_P(
         {"at three in the afternoon", CoarseKey::kTimeOfDay, "afternoon"},
         {"the sun is directly overhead", CoarseKey::kTimeOfDay, "noon"},
         {"long shadows", CoarseKey::kTimeOfDay, "dusk"},
+        {"the sun has just gone down", CoarseKey::kTimeOfDay, "dusk"},
+        {"the sun is about to rise", CoarseKey::kTimeOfDay, "dawn"},
         {"pitch dark", CoarseKey::kTimeOfDay, "night"},
         {"it never rains", CoarseKey::kWeather, "sunny"},
         {"no sun at all", CoarseKey::kWeather, "cloudy"},
@@ -209,6 +211,19 @@ TEST(EnvironmentReadingTest, FineWishesAreHeardInOtherWords) {
   EXPECT_EQ(listed.fine_of(AssetType::kGrass).density, 0.8);
   EXPECT_EQ(listed.fine_of(AssetType::kStone).density, 0.2);
   EXPECT_EQ(listed.fine_of(AssetType::kDeadBranch).density, 0.4);
+}
+
+TEST(EnvironmentReadingTest, WhatIsSaidOfOneThingIsSaidOfNoOther) {
+  const auto bushes = GenerateInCountry("The grass is dense, the bushes sparse.").environment;
+  EXPECT_GT(bushes.fine_of(AssetType::kGrass).density, 0.65);
+  const auto flowers = GenerateInCountry("The grass is dense, no flowers.").environment;
+  EXPECT_LT(flowers.fine_of(AssetType::kFlower).density, 0.1);
+  const auto meadow = GenerateInCountry("Dense forest, sparse meadow.").environment;
+  EXPECT_GT(meadow.fine_of(AssetType::kForest).density, 0.65);
+  EXPECT_LT(meadow.fine_of(AssetType::kGrass).density, 0.4);
+  const auto plain = GenerateInCountry("Ten sheep.").environment;
+  const auto sheep = GenerateInCountry("Ten sheep are scattered all over the fields.").environment;
+  EXPECT_EQ(sheep.fine_of(AssetType::kCrops).density, plain.fine_of(AssetType::kCrops).density);
 }
 
 TEST(EnvironmentReadingTest, ASmallWorldHasNoLakeForAWhale) {

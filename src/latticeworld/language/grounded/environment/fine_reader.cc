@@ -36,6 +36,11 @@ class FineReader {
       } else if (tokens_[at].kind == TokenKind::kComma || noted_.notes[at].ignored ||
                  noted_.notes[at].measure) {
         ++at;
+      } else if (noted_.IsAnyWord(at, {"bushes", "shrubs", "hedges", "bush"})) {
+        // Nothing is set for them: what is said of them is said of nothing else.
+        waiting_.clear();
+        noun_.reset();
+        while (!noted_.IsPause(at) && !noted_.IsWord(at, "and")) ++at;
       } else if (IsAgentNoun(at)) {
         // "many sheep" is no density.
         waiting_.clear();

@@ -220,7 +220,7 @@ void MendCancels(std::vector<Token>* tokens) {
 }
 
 // "up north": in the north; "chase one another": each other; "two more like him"; "perched, not one
-// of them in the air".
+// of them in the air"; "one standing guard", which is no guard.
 void MendPhrases(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
     const std::string word(WordAt(*tokens, at));
@@ -233,6 +233,8 @@ void MendPhrases(std::vector<Token>* tokens) {
       EraseTokens(tokens, at, 1);
       Insert(tokens, at, {"in", "the"}, beside);
     }
+    if (word == "standing" && next == "guard")
+      ReplaceTokens(tokens, at, 2, {std::string_view("guarding")});
     if (word == "one" && next == "another") {
       (*tokens)[at].text = "each";
       (*tokens)[at + 1].text = "other";
