@@ -5,7 +5,7 @@
 #include "latticeworld/layout/vocabulary.h"
 #include "reading_sample.h"
 
-// Rows that are told as a journey, sides of what was named before, and what the rest is.
+// Rows that are told as a journey, what words point to, parts of the map and what the rest is.
 namespace latticeworld {
 namespace {
 
@@ -121,6 +121,51 @@ std::vector<Sample> Others() {
   };
 }
 
+std::vector<Sample> Pointers() {
+  return {
+      {"A small forest west of the house and a big one east of it.",
+       kSuburb,
+       {"direction F B W", "direction F B E"},
+       {"amount B"}},
+      {"There's a river, north of which everything is forest, and south of which everything is "
+       "fields.",
+       kSuburb,
+       {"direction F W N", "direction A W S"}},
+      {"A lake in the north, from which a river flows to the south edge.",
+       kSuburb,
+       {"course W northern third>southern edge"}},
+      {"A pond, around it sand, around that forest.",
+       kSuburb,
+       {"surrounds D W", "surrounds F D"},
+       {"surrounds D F"}},
+      {"Concentric rings: water in the middle, then sand, then grass, then forest at the edge.",
+       kSuburb,
+       {"surrounds D W", "surrounds G D", "surrounds F G", "present F@edges"}},
+  };
+}
+
+std::vector<Sample> Wholes() {
+  return {
+      {"The western third should be woodland. In the middle third put farms. The eastern third is "
+       "for the lake.",
+       kSuburb,
+       {"present A@middle columns"},
+       {"present A@middle rows"}},
+      {"Snow in the upper third, rock in the second third and forest in the bottom third.",
+       kWild,
+       {"dominant R@middle rows"},
+       {"within R S"}},
+      {"Buildings fill the whole map except for a park in the middle.",
+       kSuburb,
+       {"dominant B", "present G@center"},
+       {"scattered B"}},
+      {"Start from an all-forest map, then carve out a lake in the middle.",
+       kSuburb,
+       {"dominant F", "present W@center"}},
+      {"A frame of trees around the whole map.", kSuburb, {"present F@edges"}},
+  };
+}
+
 std::vector<Sample> Bases() {
   return {
       {"A lake in the middle. The background is grass.",
@@ -149,6 +194,8 @@ INSTANTIATE_TEST_SUITE_P(Journeys, PlainJourneysTest, testing::ValuesIn(Journeys
 INSTANTIATE_TEST_SUITE_P(Sides, PlainJourneysTest, testing::ValuesIn(Sides()));
 INSTANTIATE_TEST_SUITE_P(Followers, PlainJourneysTest, testing::ValuesIn(Followers()));
 INSTANTIATE_TEST_SUITE_P(Others, PlainJourneysTest, testing::ValuesIn(Others()));
+INSTANTIATE_TEST_SUITE_P(Pointers, PlainJourneysTest, testing::ValuesIn(Pointers()));
+INSTANTIATE_TEST_SUITE_P(Wholes, PlainJourneysTest, testing::ValuesIn(Wholes()));
 INSTANTIATE_TEST_SUITE_P(Bases, PlainJourneysTest, testing::ValuesIn(Bases()));
 
 }  // namespace

@@ -105,9 +105,17 @@ void TurnChains(std::vector<Token>* tokens);
 // water": from north to south, mostly forest, elsewhere.
 void TurnWays(std::vector<Token>* tokens);
 
+// plain_remainders.cc: "the western half is forest, the other half grass", "the background is
+// grass", "keep the center empty": the eastern half; the rest is grass; grass in the center.
+void TurnRemainders(std::vector<Token>* tokens);
+
+// plain_pointers.cc: "a wood east of that", "houses on one side and fields on the other", "north of
+// which", "a big one": east of the village, on the other side of the road, north of it, a big wood.
+void TurnPointers(std::vector<Token>* tokens);
+
 // plain_journeys.cc: "walking north from the lake you pass a field, then reach a wood", "snow in
-// the north gives way to rock, then to forest", "the background is grass": from south to north, the
-// lake, then a field, then a wood; the rest is grass.
+// the north gives way to rock, then to forest": from south to north, the lake, then a field, then a
+// wood; from north to south, snow, then rock, then forest.
 void TurnJourneys(std::vector<Token>* tokens);
 
 // plain_linked.cc: "..., connected by roads", "it gets sandier towards the north".

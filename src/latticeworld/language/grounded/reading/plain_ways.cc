@@ -13,35 +13,19 @@
 namespace latticeworld {
 namespace {
 
-std::string_view Opposite(std::string_view heading) {
-  if (heading == "north") return "south";
-  if (heading == "south") return "north";
-  if (heading == "east") return "west";
-  return heading == "west" ? "east" : "";
-}
-
 // "down": as on the map. "" where it is no heading of four.
 std::string_view HeadingOfWay(const std::vector<Token>& tokens, std::size_t at) {
   if (IsOneOf(WordAt(tokens, at), {"down", "downwards", "downward"})) return "south";
   if (IsOneOf(WordAt(tokens, at), {"up", "upwards", "upward"})) return "north";
-  for (const std::string_view heading : {"north", "south", "east", "west"}) {
-    const std::string_view word = WordAt(tokens, at);
-    const bool same =
-        word == heading ||
-        (word.size() == heading.size() + 5 && word.substr(0, heading.size()) == heading &&
-         word.substr(heading.size()) == "wards") ||
-        (word.size() == heading.size() + 4 && word.substr(0, heading.size()) == heading &&
-         word.substr(heading.size()) == "ward");
-    if (same) return heading;
-  }
-  return "";
+  const std::string_view word = WordAt(tokens, at);
+  return word.size() > 3 && word.substr(word.size() - 3) == "ern" ? "" : HeadingWord(word);
 }
 
 void InsertSpan(std::vector<Token>* tokens, std::size_t at, std::string_view to, bool pause) {
   const Token beside = (*tokens)[at];
   std::vector<Token> said;
   for (const std::string_view word :
-       {std::string_view("from"), Opposite(to), std::string_view("to"), to})
+       {std::string_view("from"), OppositeOf(to), std::string_view("to"), to})
     said.push_back(WordLike(word, beside));
   if (pause) said.push_back(CommaLike(beside));
   InsertTokens(tokens, at, said);
@@ -104,7 +88,7 @@ void TurnWayAhead(std::vector<Token>* tokens, std::size_t at) {
   for (std::size_t i = next; !IsStopAt(*tokens, i); ++i)
     rows = rows || WordAt(*tokens, i) == "then";
   if (!rows || !verb) return;
-  const std::string to(Opposite(start));
+  const std::string to(OppositeOf(start));
   EraseTokens(tokens, at, next - at);
   if (at < tokens->size()) InsertSpan(tokens, at, to, true);
 }

@@ -13,7 +13,9 @@ std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnFills(&tokens);
   TurnScopes(&tokens);
   TurnChains(&tokens);
+  TurnRemainders(&tokens);
   TurnJourneys(&tokens);
+  TurnPointers(&tokens);
   TurnWays(&tokens);
   TurnRings(&tokens);
   TurnEnds(&tokens);

@@ -13,6 +13,29 @@ bool IsMark(const std::vector<Token>& tokens, std::size_t at) {
   return at < tokens.size() && tokens[at].kind == TokenKind::kComma;
 }
 
+std::string_view HeadingWord(std::string_view word) {
+  for (const std::string_view heading : {"north", "south", "east", "west"}) {
+    if (word.substr(0, heading.size()) != heading) continue;
+    if (IsOneOf(word.substr(heading.size()), {"", "ward", "wards", "ern"})) return heading;
+  }
+  return "";
+}
+
+std::string_view SideWord(std::string_view word) {
+  if (IsOneOf(word, {"top", "upper"})) return "north";
+  if (IsOneOf(word, {"bottom", "lower"})) return "south";
+  if (word == "left") return "west";
+  if (word == "right") return "east";
+  return HeadingWord(word);
+}
+
+std::string_view OppositeOf(std::string_view heading) {
+  if (heading == "north") return "south";
+  if (heading == "south") return "north";
+  if (heading == "east") return "west";
+  return heading == "west" ? "east" : "";
+}
+
 std::string_view NameOf(Heading heading) {
   if (heading.south != 0 && heading.east != 0) {
     if (heading.south < 0) return heading.east < 0 ? "northwest" : "northeast";

@@ -15,6 +15,12 @@ namespace latticeworld {
 bool IsFlank(std::string_view word);
 // A comma, bracket, colon or dash.
 bool IsMark(const std::vector<Token>& tokens, std::size_t at);
+// "north", "northwards", "northern": "north"; "" where it is none of the four.
+std::string_view HeadingWord(std::string_view word);
+// The same, and "north" for "top" and "upper", "west" for "left".
+std::string_view SideWord(std::string_view word);
+// "south" of "north"; "" of what is none of the four.
+std::string_view OppositeOf(std::string_view heading);
 // "north", "southwest".
 std::string_view NameOf(Heading heading);
 // A direction, after an article or "its" or none; the token after it, 0: no direction.

@@ -1,0 +1,32 @@
+#include "latticeworld/language/grounded/reading/thing_words.h"
+
+#include "latticeworld/language/class_words.h"
+#include "latticeworld/language/token_edits.h"
+
+namespace latticeworld {
+
+bool NamesThing(const std::vector<Token>& tokens, std::size_t at) {
+  constexpr std::size_t kReach = 5;  // "a narrow strip of fields"
+  for (std::size_t i = at; i < at + kReach && !IsPauseAt(tokens, i); ++i)
+    if (MatchClassWord(tokens, i).tokens > 0) return true;
+  return false;
+}
+
+std::vector<NamedThing> NamedBefore(const std::vector<Token>& tokens, std::size_t at) {
+  std::vector<NamedThing> named;
+  int stops = 0;
+  for (std::size_t i = at; i-- > 0 && stops < 2;) {
+    if (IsStopAt(tokens, i)) ++stops;
+    const std::size_t end = i + MatchClassWord(tokens, i).tokens;
+    if (end == i || end > at) continue;
+    // "corn field": the longest.
+    if (!named.empty() && named.back().begin < end) {
+      if (named.back().end <= end) named.back().begin = i;
+      continue;
+    }
+    named.push_back({i, end});
+  }
+  return named;
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,23 @@
+#ifndef LATTICEWORLD_LANGUAGE_GROUNDED_READING_THING_WORDS_H_
+#define LATTICEWORLD_LANGUAGE_GROUNDED_READING_THING_WORDS_H_
+
+#include <cstddef>
+#include <vector>
+
+#include "latticeworld/language/tokens.h"
+
+// Things in the tokens of an instruction, for what rewrites them.
+namespace latticeworld {
+
+// Whether one is named within the next five words, before a pause.
+bool NamesThing(const std::vector<Token>& tokens, std::size_t at);
+
+struct NamedThing {
+  std::size_t begin, end;  // of its noun
+};
+// Those that are named before `at`, the nearest first, back to the sentence before.
+std::vector<NamedThing> NamedBefore(const std::vector<Token>& tokens, std::size_t at);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_GROUNDED_READING_THING_WORDS_H_
