@@ -144,6 +144,54 @@ std::vector<Sample> Pointers() {
   };
 }
 
+std::vector<Sample> Plainly() {
+  return {
+      {"From west to east I'd like first a forest, then open grassland, then some fields, and "
+       "finally a lake at the far right.",
+       kSuburb,
+       {"order FGAW>E"},
+       {"course F western edge>eastern edge"}},
+      {"A river comes in from the north, makes one wide bend in the middle, and flows out on the "
+       "east side.",
+       kSuburb,
+       {"course W northern edge>eastern edge", "shape W bent"}},
+      {"river runing along the souther edge", kSuburb, {"along W@southern edge"}},
+      {"The road is always near the shore of the lake, like half circle.",
+       kSuburb,
+       {"along R W"},
+       {"shape R ring"}},
+      {"Mostly bare ground, like a quarry.", kSuburb, {"dominant D"}},
+      {"A pond. Leave the remainder to cornfields.", kSuburb, {"rest A"}},
+      {"Sea in the north, and the rest of it forest.", kSuburb, {"rest F"}},
+      {"A city what is crossed by two streets, first from north to south and second from west to "
+       "east.",
+       kSuburb,
+       {"course R northern edge>southern edge", "course R western edge>eastern edge"}},
+      {"The ground east of the road is used for farming.", kSuburb, {"direction A R E"}},
+      {"A river that splits in two arms around a sandy iland.", kSuburb, {"surrounds W D"}},
+      {"Trees line the shore of the lake all around.",
+       kSuburb,
+       {"surrounds F W"},
+       {"surrounds W F"}},
+      {"The river makes many curves.", kSuburb, {"shape W winding"}, {"count W 4.."}},
+      {"A road passes south of all three. Fields, a village and a lake from west to east.",
+       kSuburb,
+       {"order ABW>E"},
+       {"count R 3..3"}},
+      {"A road crosses a river in the middle. Houses around the bridge.",
+       kSuburb,
+       {"adjacent B R", "adjacent B W"}},
+      {"lake. big. middle.", kSuburb, {"present W@center"}},
+      {"Two rivers, one in the west and one in the east. In the land between them: fields.",
+       kSuburb,
+       {"between A W W"}},
+      {"A wood in the upper right corner and a lake besides the wood.", kSuburb, {"adjacent W F"}},
+      {"Fields, and a track splitting it down the middle from north to south.",
+       kSuburb,
+       {"course R northern edge>southern edge"}},
+  };
+}
+
 std::vector<Sample> Wholes() {
   return {
       {"The western third should be woodland. In the middle third put farms. The eastern third is "
@@ -195,6 +243,7 @@ INSTANTIATE_TEST_SUITE_P(Sides, PlainJourneysTest, testing::ValuesIn(Sides()));
 INSTANTIATE_TEST_SUITE_P(Followers, PlainJourneysTest, testing::ValuesIn(Followers()));
 INSTANTIATE_TEST_SUITE_P(Others, PlainJourneysTest, testing::ValuesIn(Others()));
 INSTANTIATE_TEST_SUITE_P(Pointers, PlainJourneysTest, testing::ValuesIn(Pointers()));
+INSTANTIATE_TEST_SUITE_P(Plainly, PlainJourneysTest, testing::ValuesIn(Plainly()));
 INSTANTIATE_TEST_SUITE_P(Wholes, PlainJourneysTest, testing::ValuesIn(Wholes()));
 INSTANTIATE_TEST_SUITE_P(Bases, PlainJourneysTest, testing::ValuesIn(Bases()));
 

@@ -92,6 +92,9 @@ std::optional<std::string_view> ShortMistake(std::string_view word) {
       {"wal", "wall"},         {"lefft", "left"},       {"surounded", "surrounded"},
       {"wod", "wood"},         {"wods", "woods"},       {"rok", "rock"},
       {"roks", "rocks"},       {"rivr", "river"},       {"tres", "trees"},
+      {"souther", "southern"}, {"norther", "northern"}, {"streem", "stream"},
+      {"streems", "streams"},  {"leaveing", "leaving"}, {"entring", "entering"},
+      {"iland", "island"},     {"ilands", "islands"},   {"runing", "running"},
       {"rt", "right"},         {"lft", "left"},         {"btm", "bottom"},
       {"ctr", "center"},       {"rd", "road"},          {"btwn", "between"},
   };

@@ -141,6 +141,33 @@ void TurnFromSide(std::vector<Token>* tokens, std::size_t at) {
   if (!row.empty()) PutRow(tokens, at, end, OppositeOf(side), row);
 }
 
+// "From west to east I'd like first a forest, then fields": from west to east, a forest, then
+// fields.
+void TurnSpanWish(std::vector<Token>* tokens, std::size_t at) {
+  if ((at > 0 && !IsStopAt(*tokens, at - 1)) || WordAt(*tokens, at) != "from") return;
+  const auto side_at = [&](std::size_t i) { return i + (WordAt(*tokens, i) == "the" ? 1 : 0); };
+  const std::size_t first = side_at(at + 1), to = first + 1, second = side_at(to + 1);
+  if (SideWord(WordAt(*tokens, first)).empty() || WordAt(*tokens, to) != "to" ||
+      SideWord(WordAt(*tokens, second)).empty()) {
+    return;
+  }
+  const std::size_t begin = second + 1;
+  std::size_t next = begin;
+  while (IsOneOf(
+      WordAt(*tokens, next),
+      {"i",     "i'd",    "d",  "we",     "we'd",  "would", "like", "want", "need", "wish",
+       "there", "should", "be", "please", "first", "to",    "have", "put",  "you",  "see"})) {
+    ++next;
+  }
+  bool rows = false;
+  for (std::size_t i = next; !IsStopAt(*tokens, i); ++i)
+    rows = rows || WordAt(*tokens, i) == "then";
+  if (next == begin || !rows || !NamesThing(*tokens, next)) return;
+  const Token beside = (*tokens)[begin];
+  EraseTokens(tokens, begin, next - begin);
+  InsertTokens(tokens, begin, {CommaLike(beside)});
+}
+
 // "at the north edge", "in the top right": the first of its words that is a side, within a phrase.
 std::string_view SideIn(const std::vector<Token>& tokens, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i + 1 < end; ++i) {
@@ -261,6 +288,7 @@ void TurnJourneys(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     TurnWalk(tokens, at);
     TurnFromSide(tokens, at);
+    TurnSpanWish(tokens, at);
     TurnGivesWay(tokens, at);
     TurnStartingWith(tokens, at);
     TurnConcentric(tokens, at);

@@ -25,7 +25,8 @@ void PutSideOf(std::vector<Token>* tokens, std::size_t at, std::size_t count,
 // the fields.
 void TurnFurther(std::vector<Token>* tokens, std::size_t at) {
   const bool further = IsOneOf(WordAt(*tokens, at), {"further", "farther"});
-  const std::size_t side = at + (further ? 1 : 0);
+  std::size_t side = at + (further ? 1 : 0);
+  if (further && WordAt(*tokens, side) == "to" && WordAt(*tokens, side + 1) == "the") side += 2;
   const std::string heading(SideWord(WordAt(*tokens, side)));
   if (heading.empty()) return;
   std::size_t end = side + 1;
@@ -211,6 +212,113 @@ void TurnLetterShape(std::vector<Token>* tokens, std::size_t at) {
     ReplaceTokens(tokens, at, next + 1 - at, {letter, "shaped"});
 }
 
+// "South of all three", "in the land between them", "a lake besides the wood", "a road round our
+// town", "a track splitting it down the middle": south of them, between them, beside the wood,
+// around our town, down the middle.
+void TurnLooseWords(std::vector<Token>* tokens, std::size_t at) {
+  const std::string_view word = WordAt(*tokens, at), next = WordAt(*tokens, at + 1);
+  const bool after_word = at > 0 && !IsPauseAt(*tokens, at - 1);
+  if (word == "of" && next == "all" &&
+      IsOneOf(WordAt(*tokens, at + 2), {"three", "four", "five"}) && IsPauseAt(*tokens, at + 3)) {
+    ReplaceTokens(tokens, at + 1, 2, {"them"});
+  } else if (word == "in" && next == "the" &&
+             IsOneOf(WordAt(*tokens, at + 2), {"land", "space", "area", "gap", "country"}) &&
+             WordAt(*tokens, at + 3) == "between") {
+    EraseTokens(tokens, at, 3);
+  } else if (word == "besides" && after_word && IsOneOf(next, {"the", "a", "my", "our"})) {
+    (*tokens)[at].text = "beside";
+  } else if (word == "round" && after_word && IsOneOf(next, {"the", "a", "my", "our", "its"}) &&
+             !IsOneOf(WordAt(*tokens, at - 1), {"a", "the", "very", "perfectly", "all"})) {
+    (*tokens)[at].text = "around";
+  } else if (IsOneOf(word, {"splitting", "dividing", "cutting", "bisecting"}) && next == "it" &&
+             IsOneOf(WordAt(*tokens, at + 2), {"down", "through", "in"})) {
+    EraseTokens(tokens, at, 2);
+  } else if (IsOneOf(word, {"is", "are"}) && next == "used" && WordAt(*tokens, at + 2) == "for" &&
+             IsOneOf(WordAt(*tokens, at + 3),
+                     {"farming", "agriculture", "crops", "cultivation", "grazing", "housing"})) {
+    const std::string_view use = WordAt(*tokens, at + 3);
+    const std::string_view land = use == "grazing"   ? "pasture"
+                                  : use == "housing" ? "houses"
+                                                     : "farmland";
+    ReplaceTokens(tokens, at + 1, 3, {land});
+  } else if (IsOneOf(word, {"leave", "give"}) && next == "the" &&
+             IsOneOf(WordAt(*tokens, at + 2), {"rest", "remainder"}) &&
+             WordAt(*tokens, at + 3) == "to") {
+    (*tokens)[at + 3].text = "is";
+    EraseTokens(tokens, at, 1);
+  } else if (IsOneOf(word, {"first", "second"}) && at > 0 &&
+             IsOneOf(next, {"from", "going", "running"}) &&
+             (word == "first" ? IsPauseAt(*tokens, at - 1) : WordAt(*tokens, at - 1) == "and")) {
+    (*tokens)[at].text = "one";
+  } else if (IsOneOf(word, {"splits", "divides", "forks"}) && IsOneOf(next, {"in", "into"}) &&
+             WordAt(*tokens, at + 2) == "two" &&
+             IsOneOf(WordAt(*tokens, at + 3), {"arms", "branches", "channels"}) &&
+             WordAt(*tokens, at + 4) == "around") {
+    ReplaceTokens(tokens, at, 5, {"surrounds"});
+  } else if (IsOneOf(word, {"spit", "tongue", "bar", "neck"}) && next == "of" &&
+             NamesThing(*tokens, at + 2)) {
+    (*tokens)[at].text = "strip";
+  }
+}
+
+// "Mostly bare ground, like a quarry": which is a likeness.
+void TurnLikeA(std::vector<Token>* tokens, std::size_t at) {
+  if (at == 0 || (*tokens)[at].kind != TokenKind::kComma || WordAt(*tokens, at + 1) != "like" ||
+      !IsOneOf(WordAt(*tokens, at + 2), {"a", "an"}) ||
+      MatchClassWord(*tokens, at + 3).tokens == 0) {
+    return;
+  }
+  EraseTokens(tokens, at, PauseAfter(*tokens, at + 1) - at);
+}
+
+// "Trees line the shore of the lake all around": surround the lake.
+void TurnLinedAround(std::vector<Token>* tokens, std::size_t at) {
+  if (!IsOneOf(WordAt(*tokens, at), {"line", "lines", "follow", "follows"})) return;
+  const std::size_t pause = PauseAfter(*tokens, at);
+  if (pause < at + 4 || !IsOneOf(WordAt(*tokens, pause - 1), {"around", "round"}) ||
+      WordAt(*tokens, pause - 2) != "all") {
+    return;
+  }
+  EraseTokens(tokens, pause - 2, 2);
+  (*tokens)[at].text = "surround";
+  for (std::size_t i = at + 1; i + 1 < pause - 2; ++i)
+    if (IsOneOf(WordAt(*tokens, i), {"shore", "shores", "banks", "edge"}) &&
+        WordAt(*tokens, i + 1) == "of") {
+      EraseTokens(tokens, at + 1, i + 1 - at);
+      return;
+    }
+}
+
+// "Houses around the bridge", where a road and a river are named: near both.
+void TurnBridge(std::vector<Token>* tokens, std::size_t at) {
+  if (!IsOneOf(WordAt(*tokens, at), {"around", "at", "by", "near", "beside"}) ||
+      WordAt(*tokens, at + 1) != "the" || WordAt(*tokens, at + 2) != "bridge") {
+    return;
+  }
+  std::string road, river;
+  for (std::size_t i = 0; i < tokens->size(); ++i) {
+    const ClassWordMatch noun = MatchClassWord(*tokens, i);
+    if (noun.tokens != 1 || noun.word->shape != WordShape::kLine) continue;
+    (noun.word->wild == 'W' ? river : road) = (*tokens)[i].text;
+  }
+  if (road.empty() || river.empty() || road == "bridge") return;
+  ReplaceTokens(tokens, at, 3, {"near", "the", road, "and", "near", "the", river});
+}
+
+// "Lake. Big. Middle.": a sentence.
+void TurnTerse(std::vector<Token>* tokens, std::size_t at) {
+  if (at == 0 || at + 2 >= tokens->size() || !IsStopAt(*tokens, at) || (*tokens)[at].text != "." ||
+      !IsStopAt(*tokens, at + 2)) {
+    return;
+  }
+  const std::string_view word = WordAt(*tokens, at + 1);
+  std::size_t begin = at;  // of the sentence before, which is as terse
+  while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;
+  const bool terse = at - begin <= 2 && MatchClassWord(*tokens, begin).tokens > 0;
+  if (terse && (IsSize(word) || !SideWord(word).empty() || IsCenterWord(word)))
+    EraseTokens(tokens, at, 1);
+}
+
 }  // namespace
 
 void TurnPointers(std::vector<Token>* tokens) {
@@ -222,6 +330,11 @@ void TurnPointers(std::vector<Token>* tokens) {
     TurnAroundThat(tokens, at);
     TurnAsides(tokens, at);
     TurnLetterShape(tokens, at);
+    TurnLooseWords(tokens, at);
+    TurnLikeA(tokens, at);
+    TurnLinedAround(tokens, at);
+    TurnBridge(tokens, at);
+    TurnTerse(tokens, at);
   }
 }
 
