@@ -47,6 +47,12 @@ TEST(MendMeasuresTest, TurnsOfPhraseAreSaidPlainly) {
   EXPECT_EQ(Mended("four up north"), "four in the north");
   EXPECT_EQ(Mended("they chase one another"), "they chase each other");
   EXPECT_EQ(Mended("cancel the rain"), "no rain");
+  EXPECT_EQ(Mended("Christmas Eve"), "christmas");
+  EXPECT_EQ(Mended("a quiet eve"), "a quiet eve");
+  EXPECT_EQ(Mended("one standing guard"), "one guarding");
+  EXPECT_EQ(Mended("sky: grey"), "sky grey");
+  EXPECT_EQ(Mended("two sheep and, hmm, three horses"), "two sheep and , three horses");
+  EXPECT_EQ(Mended("two sheep, hmm, three"), "two sheep , hmm , three");
 }
 
 }  // namespace

@@ -233,6 +233,20 @@ void MendPhrases(std::vector<Token>* tokens) {
       EraseTokens(tokens, at, 1);
       Insert(tokens, at, {"in", "the"}, beside);
     }
+    if (word == "dessert") (*tokens)[at].text = "desert";
+    if (word == "nite") (*tokens)[at].text = "night";
+    // "a gang o' goblins"
+    if (word == "o" && at > 0 &&
+        IsAny(WordAt(*tokens, at - 1),
+              {"gang", "pack", "herd", "flock", "band", "lot", "couple"})) {
+      (*tokens)[at].text = "of";
+    }
+    // "and, hmm, two sheep": no correction
+    if (IsAny(word, {"hm", "hmm"}) && at > 1 && (*tokens)[at - 1].kind == TokenKind::kComma &&
+        WordAt(*tokens, at - 2) == "and") {
+      EraseTokens(tokens, at - 1, 2);
+    }
+    if (word == "sky" && (*tokens)[at + 1].text == ":") EraseTokens(tokens, at + 1, 1);
     if (word == "standing" && next == "guard")
       ReplaceTokens(tokens, at, 2, {std::string_view("guarding")});
     if (word == "one" && next == "another") {

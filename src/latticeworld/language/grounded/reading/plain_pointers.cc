@@ -261,6 +261,22 @@ void TurnLooseWords(std::vector<Token>* tokens, std::size_t at) {
   }
 }
 
+// "A road leads from the south up to a couple of sheds": to them, not at most so many.
+void TurnUpTo(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "up" || WordAt(*tokens, at + 1) != "to" || at == 0 ||
+      WordAt(*tokens, at - 1) == "from") {
+    return;
+  }
+  for (std::size_t i = at; i-- > 0 && !IsPauseAt(*tokens, i);) {
+    if (!IsOneOf(WordAt(*tokens, i), {"leads", "goes", "runs", "climbs", "winds", "leading",
+                                      "going", "running", "lead", "go", "run"})) {
+      continue;
+    }
+    EraseTokens(tokens, at, 1);
+    return;
+  }
+}
+
 // "Mostly bare ground, like a quarry": which is a likeness.
 void TurnLikeA(std::vector<Token>* tokens, std::size_t at) {
   if (at == 0 || (*tokens)[at].kind != TokenKind::kComma || WordAt(*tokens, at + 1) != "like" ||
@@ -332,6 +348,7 @@ void TurnPointers(std::vector<Token>* tokens) {
     TurnLetterShape(tokens, at);
     TurnLooseWords(tokens, at);
     TurnLikeA(tokens, at);
+    TurnUpTo(tokens, at);
     TurnLinedAround(tokens, at);
     TurnBridge(tokens, at);
     TurnTerse(tokens, at);
