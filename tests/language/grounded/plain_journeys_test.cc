@@ -192,6 +192,32 @@ std::vector<Sample> Plainly() {
   };
 }
 
+std::vector<Sample> Denials() {
+  return {
+      {"There's no forest anywhere, nor are there any roads.", kSuburb, {"absent F", "absent R"}},
+      {"Snow in the top half. Lake-free and boulder-free.", kWild, {"absent W", "absent R"}},
+      {"Fields. Never saw a house, a stream or so much as a puddle.",
+       kSuburb,
+       {"absent B", "absent W"}},
+      {"A barn well away from any trees, ten cells at the very least, but on the road.",
+       kSuburb,
+       {"apart B F"},
+       {"count B 10..10"}},
+      {"Snow 30, rock 30, forest 20, all figures in percent.",
+       kWild,
+       {"amount S", "amount R", "amount F"},
+       {"count S 24..24"}},
+      {"A glacier and a forest, the latter several times the size of the former.",
+       kWild,
+       {"more_than F S"},
+       {"count F 3.."}},
+      {"The forest on the right, no, hang on, on the left.",
+       kSuburb,
+       {"present F@western third"},
+       {"present F@eastern third"}},
+  };
+}
+
 std::vector<Sample> Wholes() {
   return {
       {"The western third should be woodland. In the middle third put farms. The eastern third is "
@@ -244,6 +270,7 @@ INSTANTIATE_TEST_SUITE_P(Followers, PlainJourneysTest, testing::ValuesIn(Followe
 INSTANTIATE_TEST_SUITE_P(Others, PlainJourneysTest, testing::ValuesIn(Others()));
 INSTANTIATE_TEST_SUITE_P(Pointers, PlainJourneysTest, testing::ValuesIn(Pointers()));
 INSTANTIATE_TEST_SUITE_P(Plainly, PlainJourneysTest, testing::ValuesIn(Plainly()));
+INSTANTIATE_TEST_SUITE_P(Denials, PlainJourneysTest, testing::ValuesIn(Denials()));
 INSTANTIATE_TEST_SUITE_P(Wholes, PlainJourneysTest, testing::ValuesIn(Wholes()));
 INSTANTIATE_TEST_SUITE_P(Bases, PlainJourneysTest, testing::ValuesIn(Bases()));
 

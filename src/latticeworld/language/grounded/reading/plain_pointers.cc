@@ -233,6 +233,24 @@ void TurnLooseWords(std::vector<Token>* tokens, std::size_t at) {
   } else if (IsOneOf(word, {"splitting", "dividing", "cutting", "bisecting"}) && next == "it" &&
              IsOneOf(WordAt(*tokens, at + 2), {"down", "through", "in"})) {
     EraseTokens(tokens, at, 2);
+  } else if (word == "on" && next == "the" && WordAt(*tokens, at + 2) == "other" &&
+             WordAt(*tokens, at + 3) == "hand") {
+    // With the commas around it.
+    const bool before = at > 0 && (*tokens)[at - 1].kind == TokenKind::kComma;
+    const bool after = IsPauseAt(*tokens, at + 4) && !IsStopAt(*tokens, at + 4);
+    EraseTokens(tokens, at - (before ? 1 : 0), 4 + (before ? 1 : 0) + (after ? 1 : 0));
+  } else if (word == "times" && next == "the" && WordAt(*tokens, at + 2) == "size" &&
+             WordAt(*tokens, at + 3) == "of" && at > 0 && !IsPauseAt(*tokens, at - 1)) {
+    ReplaceTokens(tokens, at - 1, 5, {"larger", "than"});
+  } else if (word == "all" && next == "the" && WordAt(*tokens, at + 2) == "way" &&
+             IsOneOf(WordAt(*tokens, at + 3), {"round", "around"}) && IsPauseAt(*tokens, at + 4)) {
+    EraseTokens(tokens, at, 4);
+  } else if (word == "cells" && next == "at" && at > 1 && IsPauseAt(*tokens, at - 2)) {
+    // "well away from it, ten cells at the very least"
+    std::size_t end = at + 2;
+    while (IsOneOf(WordAt(*tokens, end), {"the", "very", "least"})) ++end;
+    if (WordAt(*tokens, end - 1) == "least" && !IsStopAt(*tokens, at - 2))
+      EraseTokens(tokens, at - 2, end - at + 2);
   } else if (IsOneOf(word, {"is", "are"}) && next == "used" && WordAt(*tokens, at + 2) == "for" &&
              IsOneOf(WordAt(*tokens, at + 3),
                      {"farming", "agriculture", "crops", "cultivation", "grazing", "housing"})) {
@@ -258,6 +276,62 @@ void TurnLooseWords(std::vector<Token>* tokens, std::size_t at) {
   } else if (IsOneOf(word, {"spit", "tongue", "bar", "neck"}) && next == "of" &&
              NamesThing(*tokens, at + 2)) {
     (*tokens)[at].text = "strip";
+  }
+}
+
+// "Nor are there any roads", "lake-free", "never saw a house, a stream or so much as a puddle": no
+// roads, no lake, no house, no stream, no puddle.
+void TurnNone(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) == "nor" && IsOneOf(WordAt(*tokens, at + 1), {"are", "is"}) &&
+      WordAt(*tokens, at + 2) == "there") {
+    std::size_t end = at + 3;
+    if (IsOneOf(WordAt(*tokens, end), {"any", "a"})) ++end;
+    if (MatchClassWord(*tokens, end).tokens > 0) ReplaceTokens(tokens, at, end - at, {"no"});
+    return;
+  }
+  const std::size_t length = MatchClassWord(*tokens, at).tokens;
+  const std::size_t free = at + length;
+  if (length > 0 && WordAt(*tokens, free) == "free" &&
+      (IsPauseAt(*tokens, free + 1) || WordAt(*tokens, free + 1) == "and") &&
+      (at == 0 || IsPauseAt(*tokens, at - 1) || WordAt(*tokens, at - 1) == "and")) {
+    EraseTokens(tokens, free, 1);
+    InsertTokens(tokens, at, {WordLike("no", (*tokens)[at])});
+    return;
+  }
+  if (WordAt(*tokens, at) != "never" ||
+      !IsOneOf(WordAt(*tokens, at + 1), {"saw", "see", "met", "found"})) {
+    return;
+  }
+  bool more = false;
+  for (std::size_t i = at + 2; !IsStopAt(*tokens, i); ++i) {
+    if (WordAt(*tokens, i) == "so" && WordAt(*tokens, i + 1) == "much") {
+      EraseTokens(tokens, i, WordAt(*tokens, i + 2) == "as" ? 3 : 2);
+    }
+    if (!IsOneOf(WordAt(*tokens, i), {"a", "an", "any"})) continue;
+    if (WordAt(*tokens, i - 1) == "or") (*tokens)[i - 1].text = "and";
+    (*tokens)[i].text = "no";
+    more = true;
+  }
+  if (more) EraseTokens(tokens, at, 2);
+}
+
+// "Snow 30, rock 30, all figures in percent": 30 percent each.
+void TurnFigures(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
+    if (WordAt(*tokens, at) != "all" ||
+        !IsOneOf(WordAt(*tokens, at + 1), {"figures", "numbers", "values"}) ||
+        WordAt(*tokens, at + 2) != "in" || !IsOneOf(WordAt(*tokens, at + 3), {"percent", "per"})) {
+      continue;
+    }
+    std::size_t end = at + 4;
+    if (WordAt(*tokens, end) == "cent") ++end;
+    std::size_t begin = at;
+    if (begin > 0 && IsPauseAt(*tokens, begin - 1)) --begin;
+    EraseTokens(tokens, begin, end - begin);
+    for (std::size_t i = begin; i-- > 0 && !IsStopAt(*tokens, i);)
+      if ((*tokens)[i].kind == TokenKind::kNumber)
+        InsertTokens(tokens, i + 1, {WordLike("percent", (*tokens)[i])});
+    return;
   }
 }
 
@@ -307,8 +381,11 @@ void TurnLinedAround(std::vector<Token>* tokens, std::size_t at) {
 
 // "Houses around the bridge", where a road and a river are named: near both.
 void TurnBridge(std::vector<Token>* tokens, std::size_t at) {
-  if (!IsOneOf(WordAt(*tokens, at), {"around", "at", "by", "near", "beside"}) ||
-      WordAt(*tokens, at + 1) != "the" || WordAt(*tokens, at + 2) != "bridge") {
+  if (WordAt(*tokens, at) == "close" && WordAt(*tokens, at + 1) == "to") ++at;
+  if (!IsOneOf(WordAt(*tokens, at), {"around", "at", "by", "near", "beside", "to"}) ||
+      !IsOneOf(WordAt(*tokens, at + 1), {"the", "that", "this"}) ||
+      WordAt(*tokens, at + 2) != "bridge" ||
+      (WordAt(*tokens, at) == "to" && (at == 0 || WordAt(*tokens, at - 1) != "close"))) {
     return;
   }
   std::string road, river;
@@ -318,6 +395,7 @@ void TurnBridge(std::vector<Token>* tokens, std::size_t at) {
     (noun.word->wild == 'W' ? river : road) = (*tokens)[i].text;
   }
   if (road.empty() || river.empty() || road == "bridge") return;
+  if (WordAt(*tokens, at) == "to") EraseTokens(tokens, --at, 1);
   ReplaceTokens(tokens, at, 3, {"near", "the", road, "and", "near", "the", river});
 }
 
@@ -338,6 +416,7 @@ void TurnTerse(std::vector<Token>* tokens, std::size_t at) {
 }  // namespace
 
 void TurnPointers(std::vector<Token>* tokens) {
+  TurnFigures(tokens);
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     TurnFurther(tokens, at);
     TurnTwoSides(tokens, at);
@@ -349,6 +428,7 @@ void TurnPointers(std::vector<Token>* tokens) {
     TurnLooseWords(tokens, at);
     TurnLikeA(tokens, at);
     TurnUpTo(tokens, at);
+    TurnNone(tokens, at);
     TurnLinedAround(tokens, at);
     TurnBridge(tokens, at);
     TurnTerse(tokens, at);
