@@ -109,6 +109,10 @@ void TurnWays(std::vector<Token>* tokens);
 // grass", "keep the center empty": the eastern half; the rest is grass; grass in the center.
 void TurnRemainders(std::vector<Token>* tokens);
 
+// plain_loose.cc: "lake-free", "a road leads up to two sheds", "like a quarry", "lake. big.",
+// "south of all three": no lake, to two sheds, nothing, a big lake, south of them.
+void TurnLoose(std::vector<Token>* tokens);
+
 // plain_pointers.cc: "a wood east of that", "houses on one side and fields on the other", "north of
 // which", "a big one": east of the village, on the other side of the road, north of it, a big wood.
 void TurnPointers(std::vector<Token>* tokens);

@@ -16,6 +16,7 @@ std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnRemainders(&tokens);
   TurnJourneys(&tokens);
   TurnPointers(&tokens);
+  TurnLoose(&tokens);
   TurnWays(&tokens);
   TurnRings(&tokens);
   TurnEnds(&tokens);

@@ -1,6 +1,7 @@
 #include "latticeworld/language/grounded/reading/thing_words.h"
 
 #include "latticeworld/language/class_words.h"
+#include "latticeworld/language/place_words.h"
 #include "latticeworld/language/token_edits.h"
 
 namespace latticeworld {
@@ -10,6 +11,11 @@ bool NamesThing(const std::vector<Token>& tokens, std::size_t at) {
   for (std::size_t i = at; i < at + kReach && !IsPauseAt(tokens, i); ++i)
     if (MatchClassWord(tokens, i).tokens > 0) return true;
   return false;
+}
+
+bool IsSize(std::string_view word) {
+  return IsOneOf(word, {"small", "smaller", "little", "tiny", "big", "bigger", "large", "larger",
+                        "huge", "long", "short", "wide", "narrow"});
 }
 
 std::vector<NamedThing> NamedBefore(const std::vector<Token>& tokens, std::size_t at) {

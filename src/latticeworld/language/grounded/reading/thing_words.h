@@ -2,6 +2,7 @@
 #define LATTICEWORLD_LANGUAGE_GROUNDED_READING_THING_WORDS_H_
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "latticeworld/language/tokens.h"
@@ -11,6 +12,9 @@ namespace latticeworld {
 
 // Whether one is named within the next five words, before a pause.
 bool NamesThing(const std::vector<Token>& tokens, std::size_t at);
+
+// "big", "smaller", "narrow".
+bool IsSize(std::string_view word);
 
 struct NamedThing {
   std::size_t begin, end;  // of its noun
