@@ -199,6 +199,8 @@ std::vector<Sample> Denials() {
       {"Fields. Never saw a house, a stream or so much as a puddle.",
        kSuburb,
        {"absent B", "absent W"}},
+      {"A lake with forest all the way around.", kSuburb, {"surrounds F W"}},
+      {"A road along the bottom of the map.", kSuburb, {"along R@southern edge"}},
       {"A barn well away from any trees, ten cells at the very least, but on the road.",
        kSuburb,
        {"apart B F"},

@@ -87,8 +87,8 @@ void TurnLooseWords(std::vector<Token>* tokens, std::size_t at) {
              WordAt(*tokens, at + 3) == "of" && at > 0 && !IsPauseAt(*tokens, at - 1)) {
     ReplaceTokens(tokens, at - 1, 5, {"larger", "than"});
   } else if (word == "all" && next == "the" && WordAt(*tokens, at + 2) == "way" &&
-             IsOneOf(WordAt(*tokens, at + 3), {"round", "around"}) && IsPauseAt(*tokens, at + 4)) {
-    EraseTokens(tokens, at, 4);
+             WordAt(*tokens, at + 3) == "around" && IsPauseAt(*tokens, at + 4)) {
+    EraseTokens(tokens, at + 1, 2);
   } else if (word == "cells" && next == "at" && at > 1 && IsPauseAt(*tokens, at - 2)) {
     // "well away from it, ten cells at the very least"
     std::size_t end = at + 2;
@@ -171,7 +171,8 @@ void TurnNone(std::vector<Token>* tokens, std::size_t at) {
     return;
   }
   if (WordAt(*tokens, at) != "never" ||
-      !IsOneOf(WordAt(*tokens, at + 1), {"saw", "see", "met", "found"})) {
+      !IsOneOf(WordAt(*tokens, at + 1), {"saw", "see", "met", "found"}) ||
+      !IsOneOf(WordAt(*tokens, at + 2), {"a", "an", "any"})) {
     return;
   }
   bool more = false;
