@@ -3,7 +3,9 @@
 import threading
 import time
 import unittest
+import xmlrpc.client
 
+import rosgraph
 import rospy
 import rostest
 from std_srvs.srv import Trigger
@@ -59,8 +61,14 @@ class Collector:
             return self._messages[count]
 
     def wait_until_connected(self):
-        wait_until(lambda: self._subscriber.get_num_connections() > 0,
-                   f"a publisher of {self._subscriber.resolved_name}")
+        """Until a publisher counts this process among its subscribers.
+
+        The subscriber's own count goes up before its thread so much as connects, and what is
+        published in between is lost.
+        """
+        topic = self._subscriber.resolved_name
+        wait_until(lambda: any(sends_here(node, topic) for node in publishers_of(topic)),
+                   f"a publisher of {topic}")
 
     def close(self):
         self._subscriber.unregister()
@@ -70,6 +78,23 @@ class Collector:
 
     def __exit__(self, *_):
         self.close()
+
+
+def publishers_of(topic):
+    """The names of the nodes that the master knows as publishers of topic."""
+    publishers, _, _ = rosgraph.Master(rospy.get_name()).getSystemState()
+    return [node for name, nodes in publishers if name == topic for node in nodes]
+
+
+def sends_here(node, topic):
+    """Whether node has a link to this process over which it sends topic."""
+    try:
+        uri = rosgraph.Master(rospy.get_name()).lookupNode(node)
+        _, _, links = xmlrpc.client.ServerProxy(uri).getBusInfo(rospy.get_name())
+    except (rosgraph.MasterException, OSError):  # it has ended meanwhile
+        return False
+    return any(link[1] == rospy.get_name() and link[2] == "o" and link[4] == topic
+               for link in links)
 
 
 def wait_until(condition, what, timeout_s=TIMEOUT_S):
