@@ -24,6 +24,11 @@ class SketchNetworkOptions:
         return asdict(self)
 
 
+def _doubled(x):
+    """On a grid twice as fine, interpolated linearly: samples that are merely repeated leave their grid in the land."""
+    return functional.interpolate(x, scale_factor=2.0, mode="bilinear", align_corners=False)
+
+
 class ResidualBlock(nn.Module):
     """x + gain * f(x). The gain begins at 0, which takes the place of normalization (De and Smith 2020): whatever N
     is, and on a processor, a normalization would cost more than it gives. dilation: carries strokes far."""
@@ -66,9 +71,9 @@ class Generator(nn.Module):
         for block in self.blocks:
             x = block(x)
         for up in self.up:
-            x = functional.interpolate(x, scale_factor=2.0, mode="nearest")
+            x = _doubled(x)
             x = up(functional.leaky_relu(x, 0.2)) + levels.pop()
-        x = functional.interpolate(functional.leaky_relu(x, 0.2), scale_factor=2.0, mode="nearest")
+        x = _doubled(functional.leaky_relu(x, 0.2))
         x = functional.leaky_relu(self.fine(x) + self.strokes(ink), 0.2)
         return 0.5 + self.last(x)
 

@@ -304,7 +304,8 @@ bool IsMapWord(std::string_view word) {
        "page",        "screen",  "sheet",   "tile",     "level",       "territory",   "view",
        "environment", "arena",   "drawing", "painting", "composition", "countryside", "plan",
        "whole",       "zone",    "setting", "space",    "sector",      "property",    "wild",
-       "wilderness",  "wilds",   "parcel",  "biome",    "realm",       "kingdom"});
+       "wilderness",  "wilds",   "parcel",  "biome",    "realm",       "kingdom",     "parish",
+       "cells"});
 }
 
 bool TakeWholeMap(PlaceCursor* cursor) {

@@ -94,6 +94,33 @@ Glyph GlyphOfAscii(char c) {
   }
 }
 
+// Contractions as they are written in haste, without their apostrophe, and what they stand for.
+// "its" is left: it is a word as well.
+struct Contraction {
+  std::string_view written;
+  std::string_view words;
+};
+constexpr Contraction kContractions[] = {
+    {"isnt", "is not"},       {"arent", "are not"},
+    {"wasnt", "was not"},     {"werent", "were not"},
+    {"dont", "do not"},       {"doesnt", "does not"},
+    {"didnt", "did not"},     {"shouldnt", "should not"},
+    {"couldnt", "could not"}, {"wouldnt", "would not"},
+    {"mustnt", "must not"},   {"hasnt", "has not"},
+    {"havent", "have not"},   {"cant", "can not"},
+    {"wont", "will not"},     {"theres", "there is"},
+    {"heres", "here is"},     {"thats", "that is"},
+    {"theyre", "they are"},   {"im", "i"},
+    {"oclock", "o"},
+};
+
+std::string_view WordsOfContraction(std::string_view written) {
+  for (const Contraction& contraction : kContractions) {
+    if (contraction.written == written) return contraction.words;
+  }
+  return {};
+}
+
 // The typographic punctuation that editors put in the place of ASCII.
 Glyph GlyphOfCodePoint(std::uint32_t code) {
   if (code == 0x2019 || code == 0x02BC) return Glyph::kApostrophe;
@@ -186,10 +213,27 @@ class Tokenizer {
           break;
       }
     }
+    EndBeforeLabels();
     return std::move(tokens_);
   }
 
  private:
+  // "season: spring, weather: rain", "forest=70 %, water=10 %": a comma before up to kMostOfLabel
+  // words and a colon or "=" ends what went before.
+  void EndBeforeLabels() {
+    constexpr std::size_t kMostOfLabel = 3;
+    for (std::size_t colon = 0; colon < tokens_.size(); ++colon) {
+      if (tokens_[colon].text != ":" && tokens_[colon].text != "=") continue;
+      std::size_t at = colon;
+      while (at > 0 && tokens_[at - 1].kind == TokenKind::kWord) --at;
+      if (at == colon || at == 0 || colon - at > kMostOfLabel || tokens_[at - 1].text != ",")
+        continue;
+      // "to the left of it, in this order: ..."
+      if (tokens_[colon - 1].text == "order" || tokens_[colon - 1].text == "follows") continue;
+      tokens_[at - 1].kind = TokenKind::kStop;
+    }
+  }
+
   // '\0' outside the text, which holds none.
   char At(std::size_t i) const { return i < text_.size() ? text_[i] : '\0'; }
   Glyph GlyphAt(std::size_t i) const {
@@ -266,6 +310,12 @@ class Tokenizer {
         return;
       }
     }
+    if (const std::string_view words = WordsOfContraction(word); !words.empty()) {
+      AddWords(words, begin, at_);
+      return;
+    }
+    // "Id like" wishes, as "I'd like" does.
+    if (word == "id" && LowerAscii(text_.substr(at_, 5)) == " like") word = "i";
     if (word.size() == 1) TakeInitials(&word);
     // The full stop of an abbreviation ends no sentence.
     if (At(at_) == '.' && (word == "approx" || word == "ca" || word == "incl" || word == "vs" ||
@@ -285,8 +335,17 @@ class Tokenizer {
       return false;
     }
     if (At(at_ + 1) != ' ' || At(at_ + 2) < 'a' || At(at_ + 2) > 'z') return false;
-    // "villages: SE. lake: W": a key and its value follow.
-    return At(EndOfLetters(at_ + 2)) != ':';
+    // "both N to S. fields left of them": the one before has no full stop.
+    const std::size_t said = tokens_.size();
+    if (said > 1 && tokens_[said - 1].text == "to" && tokens_[said - 2].text.size() <= 2 &&
+        IsCompassLetter(tokens_[said - 2].text.front()) &&
+        text_[tokens_[said - 2].end - 1] != '.') {
+      return false;
+    }
+    // "villages: SE. lake: W", "SE. lake - W": a key and its value follow.
+    std::size_t key = EndOfLetters(at_ + 2);
+    while (At(key) == ' ') ++key;
+    return At(key) != ':' && At(key) != '=' && !(At(key) == '-' && At(key - 1) == ' ');
   }
 
   // "N.W.", "e.g.", "a.m.": single letters with stops between them are one word.

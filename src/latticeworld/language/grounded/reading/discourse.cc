@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/language/place_words.h"
 
 namespace latticeworld {
 namespace {
@@ -132,7 +133,7 @@ int Discourse::Create(const NounPhrase& phrase, std::size_t begin, std::size_t e
   if (phrase.noun->phrase.find("grid") != std::string_view::npos) {
     this->feature(index).shape = ClaimShape::kGridded;
   }
-  if (phrase.noun->phrase == "loop road" || phrase.noun->phrase == "circular road") {
+  if (IsOneOf(phrase.noun->phrase, {"loop road", "circular road", "ring road"})) {
     this->feature(index).shape = ClaimShape::kRing;
   }
   Describe(phrase.qualities, index);
@@ -294,7 +295,11 @@ void Discourse::Extend(int index, std::size_t end) {
 bool Discourse::Matches(const NounPhrase& phrase, int index) const {
   const Thing& thing = this->thing(index);
   const PlannedFeature& feature = this->feature(index);
-  if (thing.dropped || phrase.noun->LetterIn(plan_.vocabulary) != feature.letter) return false;
+  if (thing.dropped) return false;
+  // "a wooded island ...; the island": one that is told no closer.
+  const bool any_island =
+      thing.is_island && !phrase.indefinite && IsOneOf(phrase.noun->phrase, {"island", "islet"});
+  if (!any_island && phrase.noun->LetterIn(plan_.vocabulary) != feature.letter) return false;
   const bool line = phrase.noun->shape == WordShape::kLine;
   const bool was_line = thing.noun->shape == WordShape::kLine;
   return line == was_line && NamesIsland(*phrase.noun) == thing.is_island;

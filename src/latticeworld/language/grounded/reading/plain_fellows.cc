@@ -44,11 +44,17 @@ std::vector<Token> SubjectOf(const std::vector<Token>& tokens, std::size_t at) {
   return {};
 }
 
-// "A village north of the lake, another one south of it": another village.
+// "in the forest": in what it stands.
+bool IsInside(const std::vector<Token>& tokens, std::size_t at) {
+  return IsOneOf(WordAt(tokens, at), {"in", "inside", "within"}) &&
+         IsOneOf(WordAt(tokens, at + 1), {"the", "a"}) && MatchClassWord(tokens, at + 2).tokens > 0;
+}
+
+// "A village north of the lake, another one south of it", "another in the forest": another village.
 void NameAnother(std::vector<Token>* tokens, std::size_t at) {
   if (WordAt(*tokens, at) != "another") return;
   const std::size_t one = WordAt(*tokens, at + 1) == "one" ? 1 : 0;
-  if (!IsBeside(*tokens, at + 1 + one)) return;
+  if (!IsBeside(*tokens, at + 1 + one) && !IsInside(*tokens, at + 1 + one)) return;
   std::vector<Token> name;
   for (const Token& token : SubjectOf(*tokens, at))
     name.push_back(WordLike(token.text, (*tokens)[at]));
@@ -84,7 +90,8 @@ void NameSome(std::vector<Token>* tokens, std::size_t at) {
   }
 }
 
-// "Five ponds and paths between them": with paths between them.
+// "Five ponds and paths between them", "two lakes and some rock between them": with paths, with
+// some rock between them.
 void JoinBetween(std::vector<Token>* tokens, std::size_t at) {
   if (WordAt(*tokens, at) != "between" ||
       !IsOneOf(WordAt(*tokens, at + 1), {"them", "these", "those"}) ||
@@ -99,7 +106,10 @@ void JoinBetween(std::vector<Token>* tokens, std::size_t at) {
     const ClassWordMatch line = MatchClassWord(*tokens, and_at + 1);
     const bool runs = line.word != nullptr && line.word->shape == WordShape::kLine &&
                       and_at + 1 + line.tokens == at;
-    if (runs) (*tokens)[and_at].text = "with";
+    bool two = false;
+    for (std::size_t i = and_at; i > 0 && and_at - i < 4 && !IsPauseAt(*tokens, i - 1); --i)
+      two = two || IsOneOf((*tokens)[i - 1].text, {"two", "2", "both"});
+    if (runs || two) (*tokens)[and_at].text = "with";
     return;
   }
 }

@@ -86,6 +86,30 @@ void TurnFlanking(std::vector<Token>* tokens, std::size_t at) {
   ReplaceTokens(tokens, at, 1, {"lie", "on", "both", "sides", "of"});
 }
 
+// "Cover the top with forest, leave the middle empty and fill the bottom with water": a sentence
+// for each of what is to be done.
+void TurnCommands(std::vector<Token>* tokens, std::size_t at) {
+  const auto commands = [&](std::size_t i) {
+    return IsOneOf(WordAt(*tokens, i), {"fill", "cover", "leave", "put", "place", "add", "keep",
+                                        "plant", "make", "draw", "set"});
+  };
+  if (!commands(at) || at < 2) return;
+  const bool comma = (*tokens)[at - 1].kind == TokenKind::kComma && (*tokens)[at - 1].text == ",";
+  if (!comma && WordAt(*tokens, at - 1) != "and" && WordAt(*tokens, at - 1) != "then") return;
+  std::size_t begin = at - 1;
+  while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;
+  if (IsOneOf(WordAt(*tokens, begin), {"please", "now", "then"})) ++begin;
+  // "Put and place" things: two verbs of one command.
+  if (!commands(begin) || at - begin < 4) return;
+  std::size_t link = at - 1;
+  while (link > 0 && (WordAt(*tokens, link - 1) == "and" || WordAt(*tokens, link - 1) == "then" ||
+                      (*tokens)[link - 1].kind == TokenKind::kComma)) {
+    --link;
+  }
+  EraseTokens(tokens, link + 1, at - link - 1);
+  (*tokens)[link] = StopLike((*tokens)[link]);
+}
+
 bool IsGap(std::string_view word) {
   return IsOneOf(word, {"hole", "gap", "clearing", "opening", "spot"});
 }
@@ -133,6 +157,7 @@ void TurnValleyWith(std::vector<Token>* tokens, std::size_t at) {
 }  // namespace
 
 void TurnFills(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at < tokens->size(); ++at) TurnCommands(tokens, at);
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     TurnFilledParts(tokens, at);
     TurnFlanking(tokens, at);

@@ -25,7 +25,8 @@ std::size_t SkipLinks(const std::vector<Token>& tokens, std::size_t at) {
                  {"and",     "then", "finally", "lastly",   "eventually", "next",     "after",
                   "that",    "at",   "last",    "you",      "we",         "one",      "to",
                   "through", "into", "over",    "before",   "reaching",   "arriving", "arrive",
-                  "ending",  "end",  "up",      "followed", "by",         "with",     "in"}) ||
+                  "ending",  "end",  "up",      "followed", "by",         "with",     "in",
+                  "across",  "onto", "past",    "first"}) ||
          IsSeeing(WordAt(tokens, at))) {
     ++at;
   }
@@ -122,6 +123,33 @@ void TurnWalk(std::vector<Token>* tokens, std::size_t at) {
   }
   all.insert(all.end(), row.begin(), row.end());
   PutRow(tokens, at, end, to, all);
+}
+
+// "Runners go north: across a field, then through a wood, then up to a village", "you run north:
+// fields first, then the town": from south to north, a field, then ...
+void TurnGoing(std::vector<Token>* tokens, std::size_t at) {
+  if (!IsOneOf(WordAt(*tokens, at),
+               {"go", "goes", "run", "runs", "walk", "walks", "head", "heads", "travel", "drive",
+                "drives", "ride", "march", "climb", "move", "moves"})) {
+    return;
+  }
+  std::size_t next = at + 1;
+  if (IsOneOf(WordAt(*tokens, next), {"to", "towards"})) ++next;
+  if (WordAt(*tokens, next) == "the") ++next;
+  const std::string to(HeadingWord(WordAt(*tokens, next)));
+  if (to.empty() || ++next >= tokens->size() || (*tokens)[next].text != ":") return;
+  std::size_t begin = at;
+  while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;
+  const std::size_t end = StopAfter(*tokens, next);
+  // "fields first, then the town"
+  for (std::size_t i = next; i < end && !IsPauseAt(*tokens, i + 1); ++i) {
+    if (WordAt(*tokens, i + 1) != "first" || !IsPauseAt(*tokens, i + 2)) continue;
+    EraseTokens(tokens, i + 1, 1);
+    TurnGoing(tokens, at);
+    return;
+  }
+  const std::vector<Token> row = RowFrom(*tokens, next + 1, 2);
+  if (!row.empty() && !NamesThing(*tokens, begin)) PutRow(tokens, begin, end, to, row);
 }
 
 // "From the north: snow, followed by rock, followed by forest": from north to south, snow, then ...
@@ -287,6 +315,7 @@ void TurnConcentric(std::vector<Token>* tokens, std::size_t at) {
 void TurnJourneys(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     TurnWalk(tokens, at);
+    TurnGoing(tokens, at);
     TurnFromSide(tokens, at);
     TurnSpanWish(tokens, at);
     TurnGivesWay(tokens, at);

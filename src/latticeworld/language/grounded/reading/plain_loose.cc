@@ -52,7 +52,7 @@ void TurnLetterShape(std::vector<Token>* tokens, std::size_t at) {
   if (IsOneOf(WordAt(*tokens, next), {"a", "an", "the"})) ++next;
   if (WordAt(*tokens, next) == "letter") ++next;
   const std::string letter(WordAt(*tokens, next));
-  if (IsOneOf(letter, {"s", "u", "c"}) && IsPauseAt(*tokens, next + 1))
+  if (IsOneOf(letter, {"s", "u", "c", "l"}) && IsPauseAt(*tokens, next + 1))
     ReplaceTokens(tokens, at, next + 1 - at, {letter, "shaped"});
 }
 

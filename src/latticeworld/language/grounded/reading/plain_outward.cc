@@ -101,6 +101,7 @@ void TurnOuterRings(std::vector<Token>* tokens) {
     const std::size_t that = at + (WordAt(*tokens, at + 1) == "of" ? 2 : 1);
     if (!IsOneOf(WordAt(*tokens, that), {"that", "this"})) continue;
     std::size_t next = that + 1;
+    if (IsOneOf(WordAt(*tokens, next), {"ring", "circle", "loop", "belt"})) ++next;
     if (next < tokens->size() && (*tokens)[next].kind == TokenKind::kComma) ++next;
     const bool fronted = IsPauseAt(*tokens, at - 1) || WordAt(*tokens, at - 1) == "and";
     if (IsPauseAt(*tokens, next)) continue;

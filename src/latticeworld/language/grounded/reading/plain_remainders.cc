@@ -28,6 +28,8 @@ void TurnOtherPart(std::vector<Token>* tokens) {
     if (!said.empty()) {
       side = said;
       part = word;
+      const bool corner = at > 1 && !SideWord(WordAt(*tokens, at - 2)).empty();
+      if (corner) part = "corner";
       continue;
     }
     halved = halved || (half && WordAt(*tokens, at - 1) == "one");
@@ -41,7 +43,9 @@ void TurnOtherPart(std::vector<Token>* tokens) {
         half ? part == "half"
              : (part == "third" && word == "thirds" && WordAt(*tokens, at - 1) == "two") ||
                    (part == "quarter" && word == "quarters" && WordAt(*tokens, at - 1) == "three");
-    if (rest) {
+    if (part == "corner" && word == "quarters") {
+      EraseTokens(tokens, at, 1);  // "the other three"
+    } else if (rest) {
       (*tokens)[other].text = std::string(OppositeOf(side)) + "ern";
       part.clear();
     } else if (half && halved && part.empty()) {
@@ -203,6 +207,34 @@ void TurnWholeMap(std::vector<Token>* tokens, std::size_t at) {
     ReplaceTokens(tokens, at, map + 1 - at, {"at", "the", "edges"});
 }
 
+// "About a quarter water, the rest split evenly between forest and farmland": a sentence of its
+// own. "The rest is land": which land, nobody says.
+void TurnSplitRest(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "the" || !IsOneOf(WordAt(*tokens, at + 1), {"rest", "remainder"}))
+    return;
+  std::size_t next = at + 2;
+  while (IsOneOf(WordAt(*tokens, next), {"is", "being", "should", "be", "gets", "to"})) ++next;
+  if (IsOneOf(WordAt(*tokens, next), {"land", "dry"})) {
+    next += WordAt(*tokens, next) == "dry" ? 2 : 1;
+    if (WordAt(*tokens, next) == "with")
+      ++next;
+    else if (!IsPauseAt(*tokens, next))
+      return;
+    EraseTokens(tokens, at, next - at);
+    return;
+  }
+  std::size_t evenly = next;
+  const auto is_even = [&](std::size_t i) {
+    return IsOneOf(WordAt(*tokens, i), {"evenly", "equally"});
+  };
+  if (is_even(evenly)) ++evenly;
+  if (!IsOneOf(WordAt(*tokens, evenly), {"split", "divided", "shared"})) return;
+  if (is_even(evenly + 1)) EraseTokens(tokens, evenly + 1, 1);
+  if (evenly > next) EraseTokens(tokens, next, 1);
+  if (at > 0 && (*tokens)[at - 1].kind == TokenKind::kComma)
+    (*tokens)[at - 1] = StopLike((*tokens)[at - 1]);
+}
+
 }  // namespace
 
 void TurnRemainders(std::vector<Token>* tokens) {
@@ -214,6 +246,7 @@ void TurnRemainders(std::vector<Token>* tokens) {
     TurnHalvesOf(tokens, at);
     TurnKeptEmpty(tokens, at);
     TurnWholeMap(tokens, at);
+    TurnSplitRest(tokens, at);
   }
 }
 

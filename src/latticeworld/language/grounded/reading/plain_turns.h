@@ -9,6 +9,17 @@
 // Examples stand with their definitions.
 namespace latticeworld {
 
+// plain_labels.cc: "bare rock: 0", "on 3 sides": none, three sides.
+void TurnLabels(std::vector<Token>* tokens);
+
+// plain_uses.cc: "people live on both banks", "forget about forests", "one cottage on each bank":
+// houses, no forests, two cottages.
+void TurnUses(std::vector<Token>* tokens);
+
+// plain_divisions.cc: "divides the map into a forested north and an open south", "a lake in one
+// corner, a village in the opposite one", "half forest, half field, with a road along the border".
+void TurnDivisions(std::vector<Token>* tokens);
+
 // plain_stripes.cc: "Four stripes from the left. The first is forest, the second grass, ...",
 // "three equal columns: snow, rock, grass": the band of each.
 void TurnStripes(std::vector<Token>* tokens);

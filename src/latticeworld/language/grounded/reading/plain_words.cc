@@ -8,6 +8,9 @@ namespace latticeworld {
 
 // Each step reads what the steps before it have left.
 std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
+  TurnLabels(&tokens);
+  TurnUses(&tokens);
+  TurnDivisions(&tokens);
   TurnCorrections(&tokens);
   TurnSpans(&tokens);
   TurnFills(&tokens);

@@ -1,0 +1,179 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "latticeworld/layout/vocabulary.h"
+#include "reading_sample.h"
+
+// Keys and values, who uses the land, what divides it, and what lies over against what.
+namespace latticeworld {
+namespace {
+
+const Vocabulary kSuburb = Vocabulary::kSuburb;
+const Vocabulary kWild = Vocabulary::kWild;
+
+std::vector<Sample> Labels() {
+  return {
+      {"heath with tarns. bare rock: 0. ice: 0. rest = heath",
+       kWild,
+       {"absent R", "absent S", "rest B"},
+       {"present R", "present S"}},
+      {"trees=off; grass=off; houses=off", kSuburb, {"absent F", "absent G", "absent B"}},
+      {"forest=70 %, water=10 %, rock=20 %, snow=0 %. Rock only in the upper half.",
+       kWild,
+       {"amount F", "amount W", "amount R", "absent S", "located R@northern half"},
+       {"absent F", "absent W"}},
+      {"Northern half: taiga, southern half: bog.",
+       kSuburb,
+       {"dominant F@northern half", "dominant W@southern half"}},
+      {"villages - NE, SE. lake - W. woods - none.",
+       kSuburb,
+       {"present B@upper right", "present B@lower right", "present W@western third", "absent F"}},
+      {"Streets? None.", kSuburb, {"absent R"}, {"present R"}},
+      {"A round lake. Roads? None at all.", kSuburb, {"shape W round", "absent R"}},
+      {"Three ponds at least.", kSuburb, {"count W 3.."}, {"count W 3..3"}},
+      {"Huts dotted about, 5 clusters minimum.", kSuburb, {"count B 5.."}},
+      {"Fields in the NW and SE quadrant, forest in the other 2.",
+       kSuburb,
+       {"present F@north-eastern quarter", "present F@south-western quarter"}},
+      {"Two roads, both N to S. fields left of them and right of them.",
+       kSuburb,
+       {"course R northern edge>southern edge", "count R 2..2"},
+       {"course A northern edge>southern edge"}},
+      {"Theres a lake in the north. There isnt a road. I dont want houses.",
+       kSuburb,
+       {"present W@northern third", "absent R", "absent B"}},
+  };
+}
+
+std::vector<Sample> Uses() {
+  return {
+      {"About two thirds of the parish is open grass.", kSuburb, {"amount G"}, {"present B"}},
+      {"People live on both banks of the river.", kSuburb, {"present B", "both_sides B W"}},
+      {"A town in the upper left quarter; let cows graze the other three.",
+       kSuburb,
+       {"present G@north-eastern quarter", "present G@south-western quarter",
+        "present G@south-eastern quarter"}},
+      {"The north is under the plough.", kSuburb, {"present A@northern third"}},
+      {"You can forget about forests. A lake in the north.",
+       kSuburb,
+       {"absent F", "present W@northern third"}},
+      {"Mostly town, hardly any green.", kSuburb, {"dominant B", "amount G"}},
+      {"The road to the estate arrives from the west and not, as in your last draft, from the "
+       "east.",
+       kSuburb,
+       {"adjacent R B"},
+       {"present R@eastern edge"}},
+      {"Two cottages, one on each bank of the river.", kSuburb, {"count B 2..2", "both_sides B W"}},
+      {"Three lakes, lying one below the other, none touching the next. Pines round each of them.",
+       kWild,
+       {"count W 3..3"},
+       {"count W 1..1"}},
+      {"A round lake in the middle and a ring of cliffs about the lake.", kWild, {"surrounds R W"}},
+      {"All along the top it's snow.", kWild, {"present S@northern edge"}},
+      {"A hamlet. The nearest stream runs east of it, from north to south.",
+       kSuburb,
+       {"course W northern edge>southern edge", "direction W B E"}},
+      {"A corridor of heath from the southern edge to the northern, walled by rock on the left "
+       "hand and on the right.",
+       kWild,
+       {"both_sides B R"}},
+      {"A loop lane in the middle of the map with a lake inside the loop.",
+       kSuburb,
+       {"shape R ring", "surrounds R W"}},
+      {"The track is one closed loop. The infield is sand.",
+       kSuburb,
+       {"shape R ring", "surrounds R D"}},
+      {"One small pond in the middle, and that is the only water.",
+       kSuburb,
+       {"count W 1..1"},
+       {"count W 2..2"}},
+      {"A lake in the north. Anything you like except houses.", kSuburb, {"absent B"}},
+      {"There are two woods, a larger and a smaller one. The former fills the north-west, the "
+       "latter hides in the south-east.",
+       kSuburb,
+       {"count F 2..2", "present F@upper left", "present F@lower right"}},
+      {"Bare ground in the east, pasture in the west. A road follows the line where the two meet.",
+       kSuburb,
+       {"between R D G"}},
+      {"A lake in the north. Farmland in all the space that's left.", kSuburb, {"rest A"}},
+      {"Nothing much but forest.", kWild, {"dominant F"}},
+      {"Town in the middle, boxed in by a ring road.", kSuburb, {"surrounds R B"}},
+  };
+}
+
+std::vector<Sample> Journeys() {
+  return {
+      {"Runners go north: across a strip of grass, then through the trees, then up to a village.",
+       kSuburb,
+       {"order GFB>N"}},
+      {"You run north: fields first, then the town, then a forest, and finally a meadow.",
+       kSuburb,
+       {"order ABFG>N"}},
+      {"Layers from the top down: forest, fields, a village.", kSuburb, {"order FAB>S"}},
+  };
+}
+
+std::vector<Sample> Divisions() {
+  return {
+      {"A straight road divides the map into a forested north and an open south.",
+       kSuburb,
+       {"course R western edge>eastern edge", "dominant F@northern third",
+        "dominant G@southern third"},
+       {"present R@northern third"}},
+      {"Put a lake in one corner and a village in the opposite corner.",
+       kSuburb,
+       {"present W@north-west corner", "present B@south-east corner"},
+       {"present B@north-west corner"}},
+      {"Half forest, half field, with a road along the border.",
+       kSuburb,
+       {"between R F A"},
+       {"along R@edges"}},
+      {"A pond in front of the house and a forest behind it.",
+       kSuburb,
+       {"direction W B S", "direction F B N"},
+       {"direction F W S"}},
+      {"A river runs diagonally and a road runs parallel to it.", kSuburb, {"parallel R W"}},
+      {"The lower right quarter is a lake. The other three quarters are forest.",
+       kSuburb,
+       {"present W@south-eastern quarter", "present F@north-western quarter"},
+       {"present F@western three quarters"}},
+      {"Cover the top third with forest, leave the middle third empty and fill the bottom third "
+       "with water.",
+       kSuburb,
+       {"dominant F@northern third", "dominant G@middle rows", "dominant W@southern third"},
+       {"present W@northern third"}},
+      {"About a quarter water, the rest split evenly between forest and farmland.",
+       kSuburb,
+       {"amount W", "amount F", "amount A"},
+       {"rest W", "between W F A"}},
+      {"Half the map is water, and the rest is land with some houses.",
+       kSuburb,
+       {"amount W", "present B"},
+       {"dominant B", "rest B"}},
+      {"A village by the lake and another one in the forest.",
+       kSuburb,
+       {"adjacent B W", "within B F"},
+       {"within W F"}},
+      {"Two small lakes and some bare rock between them.",
+       kWild,
+       {"count W 2..2", "between R W W"}},
+      {"A rocky island in a lake. A forest in the middle of the island.",
+       kWild,
+       {"within R W", "within F R"},
+       {"within F B"}},
+      {"A lake shaped like an L.", kSuburb, {"shape W bent"}},
+  };
+}
+
+class PlainUses : public testing::TestWithParam<Sample> {};
+TEST_P(PlainUses, ReadsTheClaims) { ExpectRead(GetParam()); }
+TEST_P(PlainUses, ReadsCapitals) { ExpectReadInCapitals(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(Labels, PlainUses, testing::ValuesIn(Labels()));
+INSTANTIATE_TEST_SUITE_P(Uses, PlainUses, testing::ValuesIn(Uses()));
+INSTANTIATE_TEST_SUITE_P(Journeys, PlainUses, testing::ValuesIn(Journeys()));
+INSTANTIATE_TEST_SUITE_P(Divisions, PlainUses, testing::ValuesIn(Divisions()));
+
+}  // namespace
+}  // namespace latticeworld
