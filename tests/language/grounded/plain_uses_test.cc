@@ -5,7 +5,7 @@
 #include "latticeworld/layout/vocabulary.h"
 #include "reading_sample.h"
 
-// Keys and values, who uses the land, what divides it, and what lies over against what.
+// Keys and values, who uses the land, what divides it, twos and threes, and what the rest is.
 namespace latticeworld {
 namespace {
 
@@ -102,6 +102,54 @@ std::vector<Sample> Uses() {
   };
 }
 
+std::vector<Sample> Pairs() {
+  return {
+      {"There are two lakes, a big one in the north and a small one in the south.",
+       kSuburb,
+       {"count W 2..2", "present W@northern third", "present W@southern third"}},
+      {"One road leads from the village to the lake and another from the village to the forest.",
+       kSuburb,
+       {"connects R B W", "connects R B F"},
+       {"count R 1..1", "adjacent W F"}},
+      {"Ring road. Town inside.", kSuburb, {"shape R ring", "surrounds R B"}},
+      {"A ring of trees with a house inside it.", kSuburb, {"surrounds F B"}},
+      {"A road leads from the western edge into the village and ends there.",
+       kSuburb,
+       {"present R@western edge", "adjacent R B"},
+       {"present B@eastern edge"}},
+      {"A road from the village going north to the edge.",
+       kSuburb,
+       {"present R@northern edge", "adjacent R B"},
+       {"present B@northern third"}},
+      {"A single house in the middle of nowhere, just grass around it.",
+       kSuburb,
+       {"present B@center", "count B 1..1", "surrounds G B"},
+       {"absent B"}},
+      {"Make the left side more forested than the right side.",
+       kSuburb,
+       {"present F@western third"},
+       {"present F@eastern third"}},
+      {"Rocks scattered all over the grassland.", kWild, {"scattered R"}, {"scattered B"}},
+      {"No vegetation.", kWild, {"absent F", "absent B"}},
+      {"A wide river with rocky banks.", kWild, {"both_sides R W"}},
+  };
+}
+
+std::vector<Sample> Rests() {
+  return {
+      {"Everything except the lake is forest.", kSuburb, {"dominant F", "present W"}},
+      {"Aside from the lake it's all trees.", kSuburb, {"dominant F"}, {"adjacent F W"}},
+      {"Use meadow as filler. A lake in the north.", kSuburb, {"rest G"}},
+      {"A road and a house. Where there is no road or house, put grass.",
+       kSuburb,
+       {"rest G"},
+       {"adjacent G R"}},
+      {"Surround everything with forest.", kSuburb, {"present F@edges"}},
+      {"More than half of the map is forest.", kSuburb, {"amount F"}},
+      {"More than half of the houses are in the north.", kSuburb, {}, {"amount B"}},
+  };
+}
+
 std::vector<Sample> Journeys() {
   return {
       {"Runners go north: across a strip of grass, then through the trees, then up to a village.",
@@ -110,6 +158,10 @@ std::vector<Sample> Journeys() {
       {"You run north: fields first, then the town, then a forest, and finally a meadow.",
        kSuburb,
        {"order ABFG>N"}},
+      {"From the left edge inwards: water, sand, grass.", kSuburb, {"order WDG>E"}},
+      {"From the center outwards: water, sand, grass.",
+       kSuburb,
+       {"surrounds D W", "surrounds G D"}},
       {"Layers from the top down: forest, fields, a village.", kSuburb, {"order FAB>S"}},
   };
 }
@@ -163,17 +215,42 @@ std::vector<Sample> Divisions() {
        {"within R W", "within F R"},
        {"within F B"}},
       {"A lake shaped like an L.", kSuburb, {"shape W bent"}},
+      {"Half of the land is forest and the other half is rock, separated by a river.",
+       kSuburb,
+       {"amount F", "amount D", "between W F D"}},
+      {"The northern half is forest, the southern half is grass and a river runs along the "
+       "boundary.",
+       kSuburb,
+       {"dominant F@northern half", "dominant G@southern half", "between W F G"},
+       {"present W@southern half"}},
+      {"The fields are bordered by trees on the north and by a road on the south.",
+       kSuburb,
+       {"direction F A N", "direction R A S"},
+       {"present A@southern third"}},
+      {"Three horizontal bands. Top: forest. Middle: grass. Bottom: water.",
+       kSuburb,
+       {"present F@northern third", "present G@middle rows", "present W@southern third"}},
+      {"Trees line the river.", kSuburb, {"along F W"}},
+      {"A road runs beside the river all the way.", kSuburb, {"along R W"}},
+      {"The road makes a right angle turn in the center.",
+       kSuburb,
+       {"present R@center", "shape R bent"},
+       {"present R@eastern third"}},
+      {"Put trees everywhere except along the road.", kSuburb, {"apart F R"}, {"along F R"}},
+      {"Leave some space between the forest and the road.", kSuburb, {"apart F R"}},
   };
 }
 
-class PlainUses : public testing::TestWithParam<Sample> {};
-TEST_P(PlainUses, ReadsTheClaims) { ExpectRead(GetParam()); }
-TEST_P(PlainUses, ReadsCapitals) { ExpectReadInCapitals(GetParam()); }
+class PlainUsesTest : public testing::TestWithParam<Sample> {};
+TEST_P(PlainUsesTest, ReadsTheClaims) { ExpectRead(GetParam()); }
+TEST_P(PlainUsesTest, ReadsCapitals) { ExpectReadInCapitals(GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Labels, PlainUses, testing::ValuesIn(Labels()));
-INSTANTIATE_TEST_SUITE_P(Uses, PlainUses, testing::ValuesIn(Uses()));
-INSTANTIATE_TEST_SUITE_P(Journeys, PlainUses, testing::ValuesIn(Journeys()));
-INSTANTIATE_TEST_SUITE_P(Divisions, PlainUses, testing::ValuesIn(Divisions()));
+INSTANTIATE_TEST_SUITE_P(Labels, PlainUsesTest, testing::ValuesIn(Labels()));
+INSTANTIATE_TEST_SUITE_P(Uses, PlainUsesTest, testing::ValuesIn(Uses()));
+INSTANTIATE_TEST_SUITE_P(Pairs, PlainUsesTest, testing::ValuesIn(Pairs()));
+INSTANTIATE_TEST_SUITE_P(Rests, PlainUsesTest, testing::ValuesIn(Rests()));
+INSTANTIATE_TEST_SUITE_P(Journeys, PlainUsesTest, testing::ValuesIn(Journeys()));
+INSTANTIATE_TEST_SUITE_P(Divisions, PlainUsesTest, testing::ValuesIn(Divisions()));
 
 }  // namespace
 }  // namespace latticeworld

@@ -285,6 +285,8 @@ class Asserter {
     }
     if (IsLine(d_.feature(inner))) {
       AssertThrough(inner, outer);
+    } else if (d_.feature(outer).shape == ClaimShape::kRing) {
+      Relate(RelationKind::kSurrounds, outer, inner);
     } else if (IsLine(d_.feature(outer))) {
       Relate(RelationKind::kAdjacent, inner, outer, kTouchingSteps);
     } else {
@@ -300,7 +302,9 @@ class Asserter {
     // "a pond in a clearing"
     const bool area = frame_.inside && !IsLine(object()) && object().letter != 'B' &&
                       object().letter != 'W' && subject().letter != object().letter;
-    if (area) {
+    // "a town inside the ring road"
+    const bool ringed = frame_.inside && object().shape == ClaimShape::kRing;
+    if (area || ringed) {
       AssertWithin(subject_, object_);
       return;
     }

@@ -20,29 +20,6 @@ std::size_t SentenceBegin(const std::vector<Token>& tokens, std::size_t at) {
   return at;
 }
 
-// The land that an adjective tells: "forested" is forest; "": it tells none.
-std::string_view LandOf(std::string_view adjective) {
-  constexpr std::pair<std::string_view, std::string_view> kLands[] = {{"forested", "forest"},
-                                                                      {"wooded", "forest"},
-                                                                      {"grassy", "grass"},
-                                                                      {"open", "grass"},
-                                                                      {"green", "grass"},
-                                                                      {"rocky", "rocks"},
-                                                                      {"snowy", "snow"},
-                                                                      {"sandy", "sand"},
-                                                                      {"cultivated", "farmland"},
-                                                                      {"farmed", "farmland"},
-                                                                      {"agricultural", "farmland"},
-                                                                      {"urban", "houses"},
-                                                                      {"built", "houses"},
-                                                                      {"residential", "houses"},
-                                                                      {"flooded", "water"},
-                                                                      {"barren", "barren land"}};
-  for (const auto& [said, land] : kLands)
-    if (said == adjective) return land;
-  return "";
-}
-
 struct TaggedSide {
   std::string_view land;
   std::string side;
@@ -53,7 +30,7 @@ struct TaggedSide {
 TaggedSide TakeTaggedSide(const std::vector<Token>& tokens, std::size_t at) {
   if (!IsOneOf(WordAt(tokens, at), {"a", "an"})) return {};
   TaggedSide tagged;
-  tagged.land = LandOf(WordAt(tokens, at + 1));
+  tagged.land = LandOfAdjective(WordAt(tokens, at + 1));
   std::size_t next = at + 2;
   if (WordAt(tokens, at + 1) == "built" && WordAt(tokens, next) == "up") ++next;
   tagged.side = SideWord(WordAt(tokens, next));
@@ -107,6 +84,21 @@ void TurnOppositeCorners(std::vector<Token>* tokens, std::size_t at) {
   }
 }
 
+// "Half of the land is forest and half rock, separated by a river": with a river between them.
+void TurnSeparatedBy(std::vector<Token>* tokens, std::size_t at) {
+  if (at == 0 || (*tokens)[at - 1].kind != TokenKind::kComma ||
+      !IsOneOf(WordAt(*tokens, at), {"separated", "divided"}) || WordAt(*tokens, at + 1) != "by") {
+    return;
+  }
+  const std::size_t end = PauseAfter(*tokens, at);
+  int halves = 0;
+  for (std::size_t i = SentenceBegin(*tokens, at); i < at; ++i)
+    halves += WordAt(*tokens, i) == "half" ? 1 : 0;
+  if (halves != 2 || !IsStopAt(*tokens, end) || !NamesThing(*tokens, at + 2)) return;
+  InsertTokens(tokens, end, {WordLike("between", (*tokens)[at]), WordLike("them", (*tokens)[at])});
+  ReplaceTokens(tokens, at, 2, {"with"});
+}
+
 // "Half forest, half field, with a road along the border": between them.
 void TurnInnerBorder(std::vector<Token>* tokens, std::size_t at) {
   if (!IsOneOf(WordAt(*tokens, at), {"along", "on"}) || WordAt(*tokens, at + 1) != "the" ||
@@ -116,9 +108,11 @@ void TurnInnerBorder(std::vector<Token>* tokens, std::size_t at) {
   const std::size_t end = at + (WordAt(*tokens, at + 2) == "dividing" ? 4 : 3);
   if (!IsPauseAt(*tokens, end)) return;
   int halves = 0;
-  for (std::size_t i = SentenceBegin(*tokens, at); i < at; ++i)
-    halves += WordAt(*tokens, i) == "half" ? 1 : 0;
-  if (halves == 2) ReplaceTokens(tokens, at, end - at, {"between", "them"});
+  std::size_t begin = SentenceBegin(*tokens, at);
+  if (begin > 0) begin = SentenceBegin(*tokens, begin - 1);
+  for (std::size_t i = begin; i < at; ++i) halves += WordAt(*tokens, i) == "half" ? 1 : 0;
+  if (halves == 2)
+    ReplaceTokens(tokens, at, end - at, {"along", "the", "border", "between", "them"});
 }
 
 // "A pond in front of the house and a wood behind it", "the house has a pond in front of it and a
@@ -147,22 +141,168 @@ void TurnBehindIt(std::vector<Token>* tokens, std::size_t at) {
   }
 }
 
-// "A river runs diagonally and a road runs parallel to it": a sentence each.
-void TurnDiagonally(std::vector<Token>* tokens, std::size_t at) {
-  if (WordAt(*tokens, at) != "diagonally" || WordAt(*tokens, at + 1) != "and") return;
-  if (IsOneOf(WordAt(*tokens, at + 2), {"a", "the", "two"}) && NamesThing(*tokens, at + 2))
-    (*tokens)[at + 1] = StopLike((*tokens)[at + 1]);
+// "The south is grass and a river runs along the boundary", "a river runs diagonally and a road
+// runs parallel to it": a sentence each.
+void TurnAndRuns(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "and" || !IsOneOf(WordAt(*tokens, at + 1), {"a", "the", "one"}))
+    return;
+  std::size_t line = at + 2;
+  if (IsOneOf(WordAt(*tokens, line), {"small", "narrow", "wide", "straight", "winding"})) ++line;
+  const ClassWordMatch match = MatchClassWord(*tokens, line);
+  if (match.word == nullptr || match.word->shape != WordShape::kLine ||
+      !IsOneOf(WordAt(*tokens, line + match.tokens), {"runs", "flows", "winds"})) {
+    return;
+  }
+  const std::size_t begin = SentenceBegin(*tokens, at);
+  bool said = false;
+  for (std::size_t i = begin; i < at; ++i)
+    said = said || IsOneOf(WordAt(*tokens, i), {"is", "are", "diagonally"});
+  if (said) (*tokens)[at] = StopLike((*tokens)[at]);
+}
+
+// "Trees everywhere except along the road": away from it. "Leave some space between the
+// forest and the road": the forest away from it. "A third of the width of the map": a third of it.
+void TurnSpaces(std::vector<Token>* tokens, std::size_t at) {
+  const std::string_view word = WordAt(*tokens, at);
+  if (word == "everywhere" && IsOneOf(WordAt(*tokens, at + 1), {"except", "but"}) &&
+      IsOneOf(WordAt(*tokens, at + 2), {"along", "beside", "near"})) {
+    ReplaceTokens(tokens, at + 1, 2, {"away", "from"});
+    return;
+  }
+  if (word == "of" && WordAt(*tokens, at + 1) == "the" &&
+      IsOneOf(WordAt(*tokens, at + 2), {"width", "height"}) && WordAt(*tokens, at + 3) == "of") {
+    EraseTokens(tokens, at, 3);
+    return;
+  }
+  if (!IsOneOf(word, {"leave", "keep"})) return;
+  std::size_t next = at + 1;
+  while (IsOneOf(WordAt(*tokens, next), {"some", "a", "enough", "little", "bit", "of", "small"}))
+    ++next;
+  if (!IsOneOf(WordAt(*tokens, next), {"space", "room", "gap", "distance"}) ||
+      WordAt(*tokens, next + 1) != "between") {
+    return;
+  }
+  std::size_t and_at = next + 2;
+  while (!IsPauseAt(*tokens, and_at) && WordAt(*tokens, and_at) != "and") ++and_at;
+  if (WordAt(*tokens, and_at) != "and" || !NamesThing(*tokens, next + 2)) return;
+  ReplaceTokens(tokens, and_at, 1, {"is", "away", "from"});
+  EraseTokens(tokens, at, next + 2 - at);
+}
+
+// "Trees line the river": stand along it. "Runs alongside the river for its whole length", "a path
+// beside the stream, all the way": along it.
+void TurnAlong(std::vector<Token>* tokens, std::size_t at) {
+  const std::string_view word = WordAt(*tokens, at);
+  if (IsOneOf(word, {"line", "lines"}) && at > 0 &&
+      IsOneOf(WordAt(*tokens, at + 1), {"the", "a", "its", "this"}) &&
+      MatchClassWord(*tokens, at - 1).tokens > 0 && MatchClassWord(*tokens, at + 2).tokens > 0) {
+    ReplaceTokens(tokens, at, 1, {"stand", "along"});
+    return;
+  }
+  if (!IsOneOf(word, {"alongside", "beside", "next", "by"})) return;
+  const std::size_t the = at + (word == "next" ? 2 : 1);
+  if (WordAt(*tokens, the) != "the" && WordAt(*tokens, the) != "a") return;
+  std::size_t end = the + 1 + MatchClassWord(*tokens, the + 1).tokens;
+  if (end == the + 1) return;
+  const std::size_t noun_end = end;
+  if (!IsStopAt(*tokens, end) && (*tokens)[end].kind == TokenKind::kComma) ++end;
+  std::size_t after = end;
+  if (WordAt(*tokens, end) == "all" && WordAt(*tokens, end + 1) == "the" &&
+      WordAt(*tokens, end + 2) == "way") {
+    after = end + 3;
+  } else if (IsOneOf(WordAt(*tokens, end), {"for", "along"}) &&
+             IsOneOf(WordAt(*tokens, end + 1), {"its", "the"}) &&
+             IsOneOf(WordAt(*tokens, end + 2), {"whole", "entire", "full"}) &&
+             WordAt(*tokens, end + 3) == "length") {
+    after = end + 4;
+  }
+  if (after == end || !IsPauseAt(*tokens, after)) return;
+  EraseTokens(tokens, noun_end, after - noun_end);
+  ReplaceTokens(tokens, at, the - at, {"along"});
+}
+
+// "A right angle turn", "turns at a right angle": a bend, and nothing to the right.
+void TurnRightAngle(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "right" || WordAt(*tokens, at + 1) != "angle") return;
+  const std::size_t turn = at + 2;
+  const bool noun = IsOneOf(WordAt(*tokens, turn), {"turn", "bend", "corner", "curve"});
+  ReplaceTokens(tokens, at, noun ? 3 : 2, {"bend"});
+}
+
+// "Fields bordered by trees on the north and by a road on the south": by trees to the north of
+// them.
+void TurnBorderedOn(std::vector<Token>* tokens, std::size_t at) {
+  if (!IsOneOf(WordAt(*tokens, at), {"bordered", "bounded", "flanked"}) ||
+      WordAt(*tokens, at + 1) != "by") {
+    return;
+  }
+  const std::size_t and_at = [&] {
+    std::size_t i = at;
+    while (!IsPauseAt(*tokens, i) && WordAt(*tokens, i) != "and") ++i;
+    return i;
+  }();
+  if (WordAt(*tokens, and_at) != "and") return;
+  const auto side_before = [&](std::size_t end) -> std::string_view {
+    const bool on = end > at + 3 && WordAt(*tokens, end - 2) == "the" &&
+                    IsOneOf(WordAt(*tokens, end - 3), {"on", "to", "in"});
+    return on ? SideWord(WordAt(*tokens, end - 1)) : std::string_view();
+  };
+  const std::size_t end = PauseAfter(*tokens, and_at);
+  const std::string first(side_before(and_at)), second(side_before(end));
+  if (first.empty() || second.empty()) return;
+  std::size_t other = and_at + 1;
+  if (WordAt(*tokens, other) == "by") ++other;
+  if (!NamesThing(*tokens, other) || !NamesThing(*tokens, at + 2)) return;
+  const Token beside = (*tokens)[at];
+  std::vector<Token> said = {WordLike("with", beside)};
+  const auto put = [&](std::size_t begin, std::size_t until, const std::string& side) {
+    for (const Token& token : TokensBetween(*tokens, begin, until)) said.push_back(token);
+    for (const std::string_view word : {"to", "the"}) said.push_back(WordLike(word, beside));
+    said.push_back(WordLike(side, beside));
+    for (const std::string_view word : {"of", "it"}) said.push_back(WordLike(word, beside));
+  };
+  put(at + 2, and_at - 3, first);
+  said.push_back(WordLike("and", beside));
+  put(other, end - 3, second);
+  const bool is = at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"is", "are"});
+  if (is) said.front().text = "have";
+  const std::size_t from = at - (is ? 1 : 0);
+  EraseTokens(tokens, from, end - from);
+  InsertTokens(tokens, from, said);
+}
+
+// "Top: forest. Middle: grass. Bottom: water": the rows in the middle.
+void TurnMiddleRow(std::vector<Token>* tokens) {
+  const auto label = [&](std::size_t at, std::string_view word) {
+    return WordAt(*tokens, at) == word && at + 1 < tokens->size() &&
+           IsOneOf((*tokens)[at + 1].text, {":", "=", "-"}) &&
+           (at == 0 || IsPauseAt(*tokens, at - 1));
+  };
+  std::size_t middle = 0;
+  bool top = false, bottom = false;
+  for (std::size_t at = 0; at < tokens->size(); ++at) {
+    if (label(at, "middle")) middle = at;
+    top = top || label(at, "top");
+    bottom = bottom || label(at, "bottom");
+  }
+  if (top && bottom && middle > 0) ReplaceTokens(tokens, middle, 1, {"middle", "rows"});
 }
 
 }  // namespace
 
 void TurnDivisions(std::vector<Token>* tokens) {
+  TurnMiddleRow(tokens);
+  for (std::size_t at = 0; at < tokens->size(); ++at) TurnAndRuns(tokens, at);
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     TurnTaggedSides(tokens, at);
     TurnOppositeCorners(tokens, at);
     TurnInnerBorder(tokens, at);
+    TurnSeparatedBy(tokens, at);
     TurnBehindIt(tokens, at);
-    TurnDiagonally(tokens, at);
+    TurnSpaces(tokens, at);
+    TurnAlong(tokens, at);
+    TurnRightAngle(tokens, at);
+    TurnBorderedOn(tokens, at);
   }
 }
 

@@ -1,9 +1,11 @@
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
+#include "latticeworld/language/grounded/reading/side_words.h"
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/token_edits.h"
 
@@ -73,12 +75,51 @@ void TurnAllDirections(std::vector<Token>* tokens, std::size_t at) {
   if (leaves) ReplaceTokens(tokens, verb, 1, {"run", "from"});
 }
 
+// "Leads into the village and ends there": which it does. "Flows towards the center, where it ends
+// in a pond": to the center, and ends in a pond. "From the village going north to the edge": to the
+// northern edge. "Splits into two branches": it is one river.
+void TurnLastWords(std::vector<Token>* tokens, std::size_t at) {
+  const std::string_view word = WordAt(*tokens, at);
+  const auto ends = [&](std::size_t i) {
+    return IsOneOf(WordAt(*tokens, i), {"ends", "stops", "terminates", "finishes"});
+  };
+  if (word == "and" && ends(at + 1) && WordAt(*tokens, at + 2) == "there" &&
+      IsPauseAt(*tokens, at + 3)) {
+    EraseTokens(tokens, at, 3);
+    return;
+  }
+  if (word == "where" && WordAt(*tokens, at + 1) == "it" && ends(at + 2) && at > 0 &&
+      (*tokens)[at - 1].kind == TokenKind::kComma) {
+    for (std::size_t i = at; i-- > 0 && !IsStopAt(*tokens, i);)
+      if (IsOneOf(WordAt(*tokens, i), {"towards", "toward"})) (*tokens)[i].text = "to";
+    ReplaceTokens(tokens, at - 1, 3, {"and"});
+    return;
+  }
+  if (const std::string side(SideWord(word)); !side.empty() && WordAt(*tokens, at + 1) == "to" &&
+                                              WordAt(*tokens, at + 2) == "the" &&
+                                              WordAt(*tokens, at + 3) == "edge") {
+    const bool going =
+        at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"going", "running", "leading", "heading"});
+    const std::size_t begin = at - (going ? 1 : 0);
+    const std::string edge = side + "ern";
+    ReplaceTokens(tokens, begin, at + 4 - begin, {"to", "the", edge, "edge"});
+    return;
+  }
+  if (IsOneOf(word, {"splits", "divides", "forks"}) && WordAt(*tokens, at + 1) == "into" &&
+      IsOneOf(WordAt(*tokens, at + 2), {"two", "three", "several"}) &&
+      IsOneOf(WordAt(*tokens, at + 3), {"branches", "arms", "channels"})) {
+    const bool linked = at > 0 && WordAt(*tokens, at - 1) == "and";
+    EraseTokens(tokens, at - (linked ? 1 : 0), linked ? 5 : 4);
+  }
+}
+
 }  // namespace
 
 void TurnEnds(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     TurnOneAtEachEnd(tokens, at);
     TurnAllDirections(tokens, at);
+    TurnLastWords(tokens, at);
   }
 }
 

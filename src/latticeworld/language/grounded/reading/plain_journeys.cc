@@ -152,17 +152,26 @@ void TurnGoing(std::vector<Token>* tokens, std::size_t at) {
   if (!row.empty() && !NamesThing(*tokens, begin)) PutRow(tokens, begin, end, to, row);
 }
 
-// "From the north: snow, followed by rock, followed by forest": from north to south, snow, then ...
+// "From the north: snow, followed by rock, followed by forest", "from the northern edge inwards:
+// snow, rock, forest": from north to south, snow, then ... "From the center outwards: a lake, sand,
+// forest": concentric rings.
 void TurnFromSide(std::vector<Token>* tokens, std::size_t at) {
   if ((at > 0 && !IsStopAt(*tokens, at - 1)) || WordAt(*tokens, at) != "from") return;
   std::size_t next = at + 1 + (WordAt(*tokens, at + 1) == "the" ? 1 : 0);
+  const bool middle = IsOneOf(WordAt(*tokens, next), {"center", "middle", "inside"});
+  if (middle && IsOneOf(WordAt(*tokens, next + 1), {"outward", "outwards", "out"})) {
+    ReplaceTokens(tokens, at, next + 2 - at, {"concentric", "rings"});
+    return;
+  }
   const std::string_view side = SideWord(WordAt(*tokens, next));
   if (side.empty()) return;
   ++next;
   if (IsOneOf(WordAt(*tokens, next), {"edge", "side", "end", "border"})) ++next;
+  const bool inward = IsOneOf(WordAt(*tokens, next), {"inward", "inwards", "in", "on", "onwards"});
+  if (inward) EraseTokens(tokens, next, 1);
   if (next >= tokens->size() || (*tokens)[next].kind != TokenKind::kComma) return;
   const std::size_t end = StopAfter(*tokens, next);
-  bool rows = false;
+  bool rows = inward;
   for (std::size_t i = next; i < end; ++i)
     rows = rows || WordAt(*tokens, i) == "followed" || WordAt(*tokens, i) == "then";
   const std::vector<Token> row = rows ? RowFrom(*tokens, next + 1, 2) : std::vector<Token>();

@@ -97,6 +97,19 @@ void TurnDigits(std::vector<Token>* tokens, std::size_t at) {
   token.kind = TokenKind::kWord;
 }
 
+// "More than half of the map is forest": that is a number, not only more than of all else.
+void TurnMoreThanHalf(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "half" || at < 2 || WordAt(*tokens, at - 1) != "than" ||
+      WordAt(*tokens, at - 2) != "more") {
+    return;
+  }
+  std::size_t whole = at + 1;
+  while (IsOneOf(WordAt(*tokens, whole), {"of", "the", "this"})) ++whole;
+  if (!IsMapWord(WordAt(*tokens, whole)) && WordAt(*tokens, whole) != "it") return;
+  ReplaceTokens(tokens, at, 1, {"50", "percent"});
+  (*tokens)[at].kind = TokenKind::kNumber;
+}
+
 }  // namespace
 
 void TurnLabels(std::vector<Token>* tokens) {
@@ -105,6 +118,7 @@ void TurnLabels(std::vector<Token>* tokens) {
     TurnAskedAndDenied(tokens, at);
     TurnOff(tokens, at);
     TurnBoundsBehind(tokens, at);
+    TurnMoreThanHalf(tokens, at);
   }
 }
 

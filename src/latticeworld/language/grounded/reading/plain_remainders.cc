@@ -14,12 +14,20 @@
 namespace latticeworld {
 namespace {
 
+// "of the map", "the land"
+bool IsOfMap(const std::vector<Token>& tokens, std::size_t at) {
+  std::size_t whole = at;
+  while (IsOneOf(WordAt(tokens, whole), {"of", "the"})) ++whole;
+  return whole > at && IsMapWord(WordAt(tokens, whole));
+}
+
 // "A forest in the western half; the other half is grass", "the top third is forest, the other two
 // thirds are water": the eastern half, the southern two thirds. "One half is water, the other half
-// is forest": half of the map.
+// is forest", "half of the land is water, the other half forest": half of the map.
 void TurnOtherPart(std::vector<Token>* tokens) {
   std::string side, part;
-  bool halved = false;  // "one half"
+  // "one half", "half of the map"
+  bool halved = WordAt(*tokens, 0) == "half" && IsOfMap(*tokens, 1);
   for (std::size_t at = 1; at < tokens->size(); ++at) {
     const std::string_view word = WordAt(*tokens, at);
     const bool half = word == "half";
@@ -32,7 +40,7 @@ void TurnOtherPart(std::vector<Token>* tokens) {
       if (corner) part = "corner";
       continue;
     }
-    halved = halved || (half && WordAt(*tokens, at - 1) == "one");
+    halved = halved || (half && (WordAt(*tokens, at - 1) == "one" || IsOfMap(*tokens, at + 1)));
     const std::size_t other = at - (half ? 1 : 2);
     if (other >= at || other == 0 || WordAt(*tokens, other - 1) != "the" ||
         !IsOneOf(WordAt(*tokens, other), {"other", "opposite", "remaining"}) ||
@@ -235,6 +243,84 @@ void TurnSplitRest(std::vector<Token>* tokens, std::size_t at) {
     (*tokens)[at - 1] = StopLike((*tokens)[at - 1]);
 }
 
+// "Use meadow as filler", "where there is no road or house, put grass": the rest is.
+void TurnFiller(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) == "use") {
+    const std::size_t end = at + 1 + MatchClassWord(*tokens, at + 1).tokens;
+    if (end == at + 1 || !IsOneOf(WordAt(*tokens, end), {"as", "for"})) return;
+    const std::size_t what = end + 1 + (IsOneOf(WordAt(*tokens, end + 1), {"a", "the"}) ? 1 : 0);
+    if (!IsOneOf(WordAt(*tokens, what), {"filler", "background", "base", "default"})) return;
+    EraseTokens(tokens, end, what + 1 - end);
+    ReplaceTokens(tokens, at, 1, {"the", "rest", "is"});
+    return;
+  }
+  if (!IsOneOf(WordAt(*tokens, at), {"where", "wherever"}) || WordAt(*tokens, at + 1) != "there" ||
+      !IsOneOf(WordAt(*tokens, at + 2), {"is", "are"}) ||
+      !IsOneOf(WordAt(*tokens, at + 3), {"no", "not"}) || (at > 0 && !IsStopAt(*tokens, at - 1))) {
+    return;
+  }
+  std::size_t next = at + 4;
+  while (!IsStopAt(*tokens, next)) {
+    const std::size_t noun = MatchClassWord(*tokens, next).tokens;
+    const bool link = (*tokens)[next].kind == TokenKind::kComma ||
+                      IsOneOf(WordAt(*tokens, next), {"or", "and", "any", "a", "no"});
+    if (noun == 0 && !link) break;
+    next += noun == 0 ? 1 : noun;
+  }
+  std::size_t put = next;
+  while (IsOneOf(WordAt(*tokens, put),
+                 {"put", "use", "there", "should", "be", "is", "place", "it", "just", "have"})) {
+    ++put;
+  }
+  // "where there is no water forest grows": a class word was taken for one of those.
+  if (put == next || MatchClassWord(*tokens, put).tokens == 0) return;
+  ReplaceTokens(tokens, at, put - at, {"the", "rest", "is"});
+}
+
+// "Everything except the lake is forest", "aside from a lake it is all forest": everything is
+// forest except for the lake. "Surround everything with forest": forest at the edges.
+void TurnEverythingExcept(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) == "surround" && WordAt(*tokens, at + 1) == "everything" &&
+      IsOneOf(WordAt(*tokens, at + 2), {"with", "by"})) {
+    const std::size_t end = PauseAfter(*tokens, at + 3);
+    InsertTokens(tokens, end,
+                 {WordLike("at", (*tokens)[at]), WordLike("the", (*tokens)[at]),
+                  WordLike("edges", (*tokens)[at])});
+    EraseTokens(tokens, at, 3);
+    return;
+  }
+  if (at > 0 && !IsStopAt(*tokens, at - 1)) return;
+  std::size_t thing = at;
+  const bool everything = IsOneOf(WordAt(*tokens, at), {"everything", "all"});
+  if (everything) {
+    if (!IsOneOf(WordAt(*tokens, at + 1), {"except", "but"})) return;
+    thing = at + 2 + (WordAt(*tokens, at + 2) == "for" ? 1 : 0);
+  } else if (IsOneOf(WordAt(*tokens, at), {"apart", "aside"}) &&
+             WordAt(*tokens, at + 1) == "from") {
+    thing = at + 2;
+  } else {
+    return;
+  }
+  if (!IsOneOf(WordAt(*tokens, thing), {"the", "a", "an", "one"})) return;
+  std::size_t is = thing;
+  while (!IsPauseAt(*tokens, is) && !IsOneOf(WordAt(*tokens, is), {"is", "should", "must"})) ++is;
+  if (IsPauseAt(*tokens, is)) return;
+  const bool it = WordAt(*tokens, is - 1) == "it";
+  if (it == everything) return;
+  const std::vector<Token> exception = TokensBetween(*tokens, thing, is - (it ? 1 : 0));
+  std::size_t what = is + 1;
+  while (IsOneOf(WordAt(*tokens, what), {"be", "all", "just", "only"})) ++what;
+  const std::size_t end = PauseAfter(*tokens, what);
+  if (MatchClassWord(*tokens, what).tokens == 0) return;
+  const Token beside = (*tokens)[at];
+  std::vector<Token> said = {WordLike("everything", beside), WordLike("is", beside)};
+  for (const Token& token : TokensBetween(*tokens, what, end)) said.push_back(token);
+  for (const std::string_view word : {"except", "for"}) said.push_back(WordLike(word, beside));
+  said.insert(said.end(), exception.begin(), exception.end());
+  EraseTokens(tokens, at, end - at);
+  InsertTokens(tokens, at, said);
+}
+
 }  // namespace
 
 void TurnRemainders(std::vector<Token>* tokens) {
@@ -247,6 +333,8 @@ void TurnRemainders(std::vector<Token>* tokens) {
     TurnKeptEmpty(tokens, at);
     TurnWholeMap(tokens, at);
     TurnSplitRest(tokens, at);
+    TurnFiller(tokens, at);
+    TurnEverythingExcept(tokens, at);
   }
 }
 

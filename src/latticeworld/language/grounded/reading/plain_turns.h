@@ -12,9 +12,13 @@ namespace latticeworld {
 // plain_labels.cc: "bare rock: 0", "on 3 sides": none, three sides.
 void TurnLabels(std::vector<Token>* tokens);
 
-// plain_uses.cc: "people live on both banks", "forget about forests", "one cottage on each bank":
-// houses, no forests, two cottages.
+// plain_uses.cc: "people live on both banks", "forget about forests", "the infield is sand":
+// houses, no forests, inside the loop.
 void TurnUses(std::vector<Token>* tokens);
+
+// plain_pairs.cc: "one cottage on each bank", "two lakes, a big one in the north and a small one in
+// the south": two cottages on both banks, one in the north.
+void TurnPairs(std::vector<Token>* tokens);
 
 // plain_divisions.cc: "divides the map into a forested north and an open south", "a lake in one
 // corner, a village in the opposite one", "half forest, half field, with a road along the border".

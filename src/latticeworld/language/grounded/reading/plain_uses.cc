@@ -66,41 +66,6 @@ void TurnDrafts(std::vector<Token>* tokens, std::size_t at) {
   EraseTokens(tokens, at, end - at);
 }
 
-// "Three lakes, lying one below the other", "none touching the next": no lake of its own; none
-// touching another.
-void TurnEachNext(std::vector<Token>* tokens, std::size_t at) {
-  if (WordAt(*tokens, at) == "one" &&
-      IsOneOf(WordAt(*tokens, at + 1),
-              {"below", "above", "behind", "beside", "after", "under", "over"}) &&
-      WordAt(*tokens, at + 2) == "the" && WordAt(*tokens, at + 3) == "other") {
-    const bool lying = at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"lying", "placed", "arranged"});
-    EraseTokens(tokens, at - (lying ? 1 : 0), lying ? 5 : 4);
-    return;
-  }
-  if (WordAt(*tokens, at) == "none" && IsOneOf(WordAt(*tokens, at + 1), {"touching", "near"}) &&
-      WordAt(*tokens, at + 2) == "the" && WordAt(*tokens, at + 3) == "next") {
-    ReplaceTokens(tokens, at, 4, {"none", "touching", "another"});
-  }
-}
-
-// "One cottage on each bank", "two cottages, one on each side of the river": two on both banks.
-void TurnOneEach(std::vector<Token>* tokens, std::size_t at) {
-  if (!IsOneOf(WordAt(*tokens, at), {"one", "a", "an"})) return;
-  const std::size_t length = MatchClassWord(*tokens, at + 1).tokens;
-  const std::size_t on = at + 1 + length;
-  if (!IsOneOf(WordAt(*tokens, on), {"on", "at"}) ||
-      !IsOneOf(WordAt(*tokens, on + 1), {"each", "either"}) ||
-      !IsOneOf(WordAt(*tokens, on + 2), {"bank", "side", "shore"})) {
-    return;
-  }
-  ReplaceTokens(tokens, on, 3, {"on", "both", "banks"});
-  if (length > 0) {
-    ReplaceTokens(tokens, at, 1, {"two"});
-  } else if (WordAt(*tokens, at) == "one" && at > 0 && IsPauseAt(*tokens, at - 1)) {
-    EraseTokens(tokens, at - 1, 2);
-  }
-}
-
 // "Hardly any green": no green space to speak of.
 void TurnGreen(std::vector<Token>* tokens, std::size_t at) {
   if (WordAt(*tokens, at) != "green" || at == 0 || !IsPauseAt(*tokens, at + 1)) return;
@@ -222,40 +187,6 @@ void TurnOnly(std::vector<Token>* tokens, std::size_t at) {
   ReplaceTokens(tokens, begin, noun - begin, {"no"});
 }
 
-// "Two woods, a larger and a smaller one. The former fills the north-west": two woods; the first.
-void TurnLargerAndSmaller(std::vector<Token>* tokens, std::size_t at) {
-  if (!IsPauseAt(*tokens, at) || IsStopAt(*tokens, at)) return;
-  const auto takes = [&](std::size_t i) -> std::size_t {
-    if (!IsOneOf(WordAt(*tokens, i), {"a", "one"})) return 0;
-    std::size_t next = i + 1;
-    if (!IsSize(WordAt(*tokens, next))) return 0;
-    ++next;
-    if (WordAt(*tokens, next) == "one") ++next;
-    return next - i;
-  };
-  const std::size_t first = takes(at + 1);
-  const std::size_t and_at = at + 1 + first;
-  if (first == 0 || WordAt(*tokens, and_at) != "and") return;
-  const std::size_t second = takes(and_at + 1);
-  if (second == 0 || !IsPauseAt(*tokens, and_at + 1 + second)) return;
-  EraseTokens(tokens, at, first + second + 2);
-  // The former and the latter are pieces of one thing.
-  std::size_t next = at + 1;
-  if (WordAt(*tokens, next) != "the" || WordAt(*tokens, next + 1) != "former") return;
-  ReplaceTokens(tokens, next, 2, {"one"});
-  while (!IsStopAt(*tokens, next) && WordAt(*tokens, next) != "latter") ++next;
-  if (WordAt(*tokens, next) == "latter") (*tokens)[next].text = "other";
-}
-
-// "Two woods. One fills the north-west, the other ...": one is in the north-west.
-void TurnOneFills(std::vector<Token>* tokens, std::size_t at) {
-  if (WordAt(*tokens, at) != "one" || at == 0 || !IsPauseAt(*tokens, at - 1)) return;
-  if (!IsOneOf(WordAt(*tokens, at + 1), {"fills", "covers", "occupies", "takes"})) return;
-  const std::size_t place = at + 2 + (WordAt(*tokens, at + 2) == "up" ? 1 : 0);
-  PlaceCursor cursor(*tokens, place + (WordAt(*tokens, place) == "the" ? 1 : 0));
-  if (TakeDirection(&cursor).found) ReplaceTokens(tokens, at + 1, place - at - 1, {"is", "in"});
-}
-
 // "Follows the line where the two meet": along the border between them. "Layers from the top down":
 // from the top down.
 void TurnMeetingLine(std::vector<Token>* tokens, std::size_t at) {
@@ -280,6 +211,52 @@ void TurnMeetingLine(std::vector<Token>* tokens, std::size_t at) {
                 {"runs", "along", "the", "border", "between", "them"});
 }
 
+// "In the middle of nowhere": in the middle. "The east is flat and green": grass. "The left side is
+// more forested than the right side": it is forested.
+void TurnManners(std::vector<Token>* tokens, std::size_t at) {
+  const std::string_view word = WordAt(*tokens, at);
+  if (word == "nowhere" && at > 1 && WordAt(*tokens, at - 1) == "of" &&
+      WordAt(*tokens, at - 2) == "middle") {
+    EraseTokens(tokens, at - 1, 2);
+    return;
+  }
+  if (word == "green" && IsPauseAt(*tokens, at + 1) && at > 1) {
+    const std::size_t flat =
+        WordAt(*tokens, at - 1) == "and" && WordAt(*tokens, at - 2) == "flat" ? at - 2 : at;
+    if (flat > 0 && IsOneOf(WordAt(*tokens, flat - 1), {"is", "are"}))
+      ReplaceTokens(tokens, flat, at + 1 - flat, {"grass"});
+    return;
+  }
+  if (word != "more" ||
+      !IsOneOf(WordAt(*tokens, at + 1), {"forested", "wooded", "rocky", "grassy", "built"})) {
+    return;
+  }
+  const std::size_t than = at + 2 + (WordAt(*tokens, at + 2) == "up" ? 1 : 0);
+  if (WordAt(*tokens, than) != "than") return;
+  EraseTokens(tokens, than, PauseAfter(*tokens, than) - than);
+  EraseTokens(tokens, at, 1);
+}
+
+// "Rocks scattered all over the grassland": over it. "No vegetation", "no plants at all": no forest
+// and no grass. "A river with rocky banks": with rocks on both banks.
+void TurnCover(std::vector<Token>* tokens, std::size_t at) {
+  const std::string_view word = WordAt(*tokens, at), next = WordAt(*tokens, at + 1);
+  if (word == "all" && next == "over" && at > 0 &&
+      IsOneOf(WordAt(*tokens, at - 1), {"scattered", "dotted", "strewn", "sprinkled"}) &&
+      WordAt(*tokens, at + 2) == "the" && MatchClassWord(*tokens, at + 3).tokens > 0) {
+    EraseTokens(tokens, at, 1);
+    return;
+  }
+  if (word == "no" && IsOneOf(next, {"vegetation", "plants", "greenery"}) &&
+      (IsPauseAt(*tokens, at + 2) || WordAt(*tokens, at + 2) == "at")) {
+    ReplaceTokens(tokens, at + 1, 1, {"forest", "and", "no", "grass"});
+    return;
+  }
+  if (word != "with" || !IsOneOf(WordAt(*tokens, at + 2), {"banks", "shores"})) return;
+  const std::string_view land = LandOfAdjective(next);
+  if (!land.empty()) ReplaceTokens(tokens, at + 1, 2, {land, "on", "both", "banks"});
+}
+
 }  // namespace
 
 void TurnUses(std::vector<Token>* tokens) {
@@ -287,17 +264,15 @@ void TurnUses(std::vector<Token>* tokens) {
     TurnUsers(tokens, at);
     TurnForgotten(tokens, at);
     TurnDrafts(tokens, at);
-    TurnEachNext(tokens, at);
-    TurnOneEach(tokens, at);
     TurnGreen(tokens, at);
     TurnAbout(tokens, at);
     TurnItIs(tokens, at);
     TurnNearly(tokens, at);
     TurnInfield(tokens, at);
     TurnOnly(tokens, at);
-    TurnLargerAndSmaller(tokens, at);
-    TurnOneFills(tokens, at);
     TurnMeetingLine(tokens, at);
+    TurnManners(tokens, at);
+    TurnCover(tokens, at);
   }
 }
 

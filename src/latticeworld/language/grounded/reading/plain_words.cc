@@ -10,6 +10,7 @@ namespace latticeworld {
 std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnLabels(&tokens);
   TurnUses(&tokens);
+  TurnPairs(&tokens);
   TurnDivisions(&tokens);
   TurnCorrections(&tokens);
   TurnSpans(&tokens);

@@ -35,4 +35,26 @@ std::vector<NamedThing> NamedBefore(const std::vector<Token>& tokens, std::size_
   return named;
 }
 
+std::string_view LandOfAdjective(std::string_view adjective) {
+  constexpr std::pair<std::string_view, std::string_view> kLands[] = {{"forested", "forest"},
+                                                                      {"wooded", "forest"},
+                                                                      {"grassy", "grass"},
+                                                                      {"open", "grass"},
+                                                                      {"green", "grass"},
+                                                                      {"rocky", "rocks"},
+                                                                      {"snowy", "snow"},
+                                                                      {"sandy", "sand"},
+                                                                      {"cultivated", "farmland"},
+                                                                      {"farmed", "farmland"},
+                                                                      {"agricultural", "farmland"},
+                                                                      {"urban", "houses"},
+                                                                      {"built", "houses"},
+                                                                      {"residential", "houses"},
+                                                                      {"flooded", "water"},
+                                                                      {"barren", "barren land"}};
+  for (const auto& [said, land] : kLands)
+    if (said == adjective) return land;
+  return "";
+}
+
 }  // namespace latticeworld

@@ -13,6 +13,9 @@ namespace latticeworld {
 // Whether one is named within the next five words, before a pause.
 bool NamesThing(const std::vector<Token>& tokens, std::size_t at);
 
+// The land that an adjective tells: "forested" is forest; "": it tells none.
+std::string_view LandOfAdjective(std::string_view adjective);
+
 // "big", "smaller", "narrow".
 bool IsSize(std::string_view word);
 
