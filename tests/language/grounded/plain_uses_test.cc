@@ -135,6 +135,56 @@ std::vector<Sample> Pairs() {
   };
 }
 
+std::vector<Sample> Measures() {
+  return {
+      {"forest 40 %, bushes 30 %, rock 20 % and water 10 %.",
+       kWild,
+       {"amount F 32..48", "amount B 22..38", "amount R 12..28"}},
+      {"forest 40%, rock 50%, and water for the remaining 10%.",
+       kWild,
+       {"amount F 32..48", "amount R 42..58"}},
+      {"forest 40, fields 30, water 10 and houses 20 percent",
+       kSuburb,
+       {"amount F 32..48", "amount A 22..38", "amount B 12..28"},
+       {"count W 10..10"}},
+      {"Equal amounts of forest and grass.", kSuburb, {"amount F 40..60"}},
+      {"Housing may take up to 20 percent.", kSuburb, {"amount B 0..20"}},
+      {"Put a 5 by 5 lake in the center.", kSuburb, {"present W@center"}, {"count W 5..5"}},
+      {"Change the right third to farmland.", kSuburb, {"dominant A@eastern third"}},
+      {"The river makes a big curve around the village.",
+       kSuburb,
+       {"shape W bent", "adjacent W B"},
+       {"shape W ring"}},
+      {"All the houses are in the north.", kSuburb, {"located B@northern third"}},
+      {"The buildings are all located on the left side.", kSuburb, {"located B@western third"}},
+      {"Seven lakes, every one of them in the western half.",
+       kSuburb,
+       {"count W 7..7", "located W@western half"}},
+      {"The map is split by a river into an eastern and a western part. The eastern part is "
+       "forest.",
+       kSuburb,
+       {"course W northern edge>southern edge", "present F@eastern third"},
+       {"present W@eastern edge"}},
+      {"A river splits the map into a left and a right part; the left one is forest and the right "
+       "one is grass.",
+       kSuburb,
+       {"dominant F@western half", "dominant G@eastern half"},
+       {"present W@western third"}},
+      {"Half of the forest is in the north, the other half in the south.",
+       kSuburb,
+       {"present F@northern third", "present F@southern third"},
+       {"amount F 42..58"}},
+      {"Forest in the lower half and nothing growing in the upper half.",
+       kWild,
+       {"absent F@northern half", "absent B@northern half"},
+       {"present F@northern half"}},
+      {"Houses around a green, the green with a small pond in its middle.",
+       kSuburb,
+       {"surrounds B G", "within W G"}},
+      {"A castle with a moat all around it.", kSuburb, {"shape W ring", "surrounds W B"}},
+  };
+}
+
 std::vector<Sample> Rests() {
   return {
       {"Everything except the lake is forest.", kSuburb, {"dominant F", "present W"}},
@@ -247,6 +297,7 @@ TEST_P(PlainUsesTest, ReadsCapitals) { ExpectReadInCapitals(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Labels, PlainUsesTest, testing::ValuesIn(Labels()));
 INSTANTIATE_TEST_SUITE_P(Uses, PlainUsesTest, testing::ValuesIn(Uses()));
+INSTANTIATE_TEST_SUITE_P(Measures, PlainUsesTest, testing::ValuesIn(Measures()));
 INSTANTIATE_TEST_SUITE_P(Pairs, PlainUsesTest, testing::ValuesIn(Pairs()));
 INSTANTIATE_TEST_SUITE_P(Rests, PlainUsesTest, testing::ValuesIn(Rests()));
 INSTANTIATE_TEST_SUITE_P(Journeys, PlainUsesTest, testing::ValuesIn(Journeys()));

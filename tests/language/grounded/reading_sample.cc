@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "latticeworld/language/grounded/reading/layout_parser.h"
 
@@ -14,6 +15,18 @@ std::string HeadingName(Claim::Heading heading) {
   if (heading.south != 0) name += heading.south < 0 ? "N" : "S";
   if (heading.east != 0) name += heading.east < 0 ? "W" : "E";
   return name;
+}
+
+// "amount F 32..48": an amount with its bounds, percent; without a bound above: "amount F 32..".
+std::string ShowShare(const Claim& claim) {
+  const auto percent = [](double share) {
+    return std::to_string(static_cast<int>(std::lround(100.0 * share)));
+  };
+  std::string text = "amount " + std::string(1, claim.subject) + " ";
+  if (claim.least != Claim::kUnsaid) text += percent(claim.least);
+  text += "..";
+  if (claim.most != Claim::kUnsaid) text += percent(claim.most);
+  return text + (claim.zone.is_anywhere() ? "" : "@" + claim.zone.name);
 }
 
 }  // namespace
@@ -51,8 +64,10 @@ std::string Listed(const std::vector<std::string>& lines) {
 }
 
 void ExpectRead(const Sample& sample) {
-  const std::vector<std::string> claims =
-      Claims(ParseLayoutInstruction(sample.instruction, sample.vocabulary));
+  const LayoutPlan plan = ParseLayoutInstruction(sample.instruction, sample.vocabulary);
+  std::vector<std::string> claims = Claims(plan);
+  for (const Claim& claim : plan.claims)
+    if (claim.kind == ClaimKind::kAmount) claims.push_back(ShowShare(claim));
   for (const std::string& claim : sample.claims) {
     EXPECT_NE(std::find(claims.begin(), claims.end(), claim), claims.end())
         << claim << " is not among" << Listed(claims);

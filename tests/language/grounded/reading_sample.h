@@ -14,6 +14,7 @@ namespace latticeworld {
 struct Sample {
   std::string instruction;
   Vocabulary vocabulary;
+  // In the words of Show(), or with bounds: "amount F 32..48", percent.
   std::vector<std::string> claims;      // each must be read
   std::vector<std::string> wrong = {};  // none may be
 };

@@ -10,7 +10,7 @@ namespace latticeworld {
 namespace {
 
 constexpr double kCoveringShare = 0.5;  // "the northern half is forest": at least
-constexpr double kOnlyShare = 0.6;      // "nothing but forest": at least
+constexpr double kOnlyShare = 0.85;     // "nothing but forest": at least
 
 }  // namespace
 

@@ -133,7 +133,7 @@ int Discourse::Create(const NounPhrase& phrase, std::size_t begin, std::size_t e
   if (phrase.noun->phrase.find("grid") != std::string_view::npos) {
     this->feature(index).shape = ClaimShape::kGridded;
   }
-  if (IsOneOf(phrase.noun->phrase, {"loop road", "circular road", "ring road"})) {
+  if (IsOneOf(phrase.noun->phrase, {"loop road", "circular road", "ring road", "moat"})) {
     this->feature(index).shape = ClaimShape::kRing;
   }
   Describe(phrase.qualities, index);

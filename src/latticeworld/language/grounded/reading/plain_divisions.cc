@@ -68,6 +68,53 @@ void TurnTaggedSides(std::vector<Token>* tokens, std::size_t at) {
   InsertTokens(tokens, at, said);
 }
 
+// "The map is split by a river into an eastern and a western part": a river splits it. "Splits the
+// map into a left and a right part; the left one is forest": runs from north to south; the left
+// half.
+void TurnPartsOfMap(std::vector<Token>* tokens, std::size_t at) {
+  const auto splits = [&](std::size_t i) {
+    return IsOneOf(WordAt(*tokens, i), {"split", "divided", "cut", "parted", "separated"});
+  };
+  if (IsMapWord(WordAt(*tokens, at)) && WordAt(*tokens, at + 1) == "is" && splits(at + 2) &&
+      WordAt(*tokens, at + 3) == "by") {
+    std::size_t into = at + 4;
+    while (!IsPauseAt(*tokens, into) && !IsOneOf(WordAt(*tokens, into), {"into", "in"})) ++into;
+    if (IsPauseAt(*tokens, into) || !NamesThing(*tokens, at + 4)) return;
+    std::vector<Token> said = TokensBetween(*tokens, at + 4, into);
+    for (const std::string_view word : {"splits", "the", "map"})
+      said.push_back(WordLike(word, (*tokens)[at]));
+    const std::size_t begin = at - (at > 0 && WordAt(*tokens, at - 1) == "the" ? 1 : 0);
+    EraseTokens(tokens, begin, into - begin);
+    InsertTokens(tokens, begin, said);
+    return;
+  }
+  if (!IsOneOf(WordAt(*tokens, at), {"splits", "divides", "cuts", "parts"})) return;
+  std::size_t into = at + 1;
+  while (!IsPauseAt(*tokens, into) && WordAt(*tokens, into) != "into" && into < at + 4) ++into;
+  const auto side_at = [&](std::size_t i) -> std::string_view {
+    return IsOneOf(WordAt(*tokens, i), {"a", "an"}) ? SideWord(WordAt(*tokens, i + 1))
+                                                    : std::string_view();
+  };
+  const std::string first(side_at(into + 1)), second(side_at(into + 4));
+  if (WordAt(*tokens, into) != "into" || first.empty() || second.empty() ||
+      WordAt(*tokens, into + 3) != "and" ||
+      !IsOneOf(WordAt(*tokens, into + 6), {"part", "half", "side"})) {
+    return;
+  }
+  bool map = false;
+  for (std::size_t i = at + 1; i < into; ++i)
+    map = map || IsMapWord(WordAt(*tokens, i)) || WordAt(*tokens, i) == "ground";
+  if (!map) return;
+  // "..., all forest, and an eastern part, all fields": of TurnBanks.
+  if (!IsStopAt(*tokens, into + 7)) return;
+  for (std::size_t i = into + 7; i < tokens->size(); ++i)
+    if (WordAt(*tokens, i) == "one" && !SideWord(WordAt(*tokens, i - 1)).empty())
+      (*tokens)[i].text = "half";
+  const bool rows = IsOneOf(first, {"north", "south"});
+  ReplaceTokens(tokens, at, into + 7 - at,
+                {"runs", "from", rows ? "west" : "north", "to", rows ? "east" : "south"});
+}
+
 // "A lake in one corner and a village in the opposite corner": two corners over against each other,
 // and no words say which.
 void TurnOppositeCorners(std::vector<Token>* tokens, std::size_t at) {
@@ -295,6 +342,7 @@ void TurnDivisions(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at < tokens->size(); ++at) TurnAndRuns(tokens, at);
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     TurnTaggedSides(tokens, at);
+    TurnPartsOfMap(tokens, at);
     TurnOppositeCorners(tokens, at);
     TurnInnerBorder(tokens, at);
     TurnSeparatedBy(tokens, at);

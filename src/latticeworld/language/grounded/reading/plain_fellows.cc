@@ -71,7 +71,12 @@ void NameSome(std::vector<Token>* tokens, std::size_t at) {
   if (WordAt(*tokens, the) == "of") ++the;
   if (WordAt(*tokens, the) != "the") return;
   const ClassWordMatch match = MatchClassWord(*tokens, the + 1);
-  if (match.word == nullptr || !match.plural || match.word->shape != WordShape::kThing) return;
+  // "Half of the forest is in the north"
+  const bool mass = match.word != nullptr && match.word->shape == WordShape::kMass &&
+                    IsOneOf(WordAt(*tokens, the + 1 + match.tokens), {"is", "lies", "in"});
+  const bool things =
+      match.word != nullptr && match.plural && match.word->shape == WordShape::kThing;
+  if (!things && !mass) return;
   const bool half = WordAt(*tokens, at) == "half";
   const std::vector<Token> name(
       tokens->begin() + static_cast<std::ptrdiff_t>(the),

@@ -16,6 +16,10 @@ void TurnLabels(std::vector<Token>* tokens);
 // houses, no forests, inside the loop.
 void TurnUses(std::vector<Token>* tokens);
 
+// plain_measures.cc: "may take up to 20 percent", "a 5 by 5 lake", "all the houses are in the
+// north": at most 20 percent, 5 cells across, only in the north.
+void TurnMapMeasures(std::vector<Token>* tokens);
+
 // plain_pairs.cc: "one cottage on each bank", "two lakes, a big one in the north and a small one in
 // the south": two cottages on both banks, one in the north.
 void TurnPairs(std::vector<Token>* tokens);

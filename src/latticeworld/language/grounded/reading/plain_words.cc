@@ -11,6 +11,7 @@ std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnLabels(&tokens);
   TurnUses(&tokens);
   TurnPairs(&tokens);
+  TurnMapMeasures(&tokens);
   TurnDivisions(&tokens);
   TurnCorrections(&tokens);
   TurnSpans(&tokens);
