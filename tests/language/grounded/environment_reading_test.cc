@@ -43,6 +43,11 @@ INSTANTIATE_TEST_SUITE_P(
     Voices, CoarseVoices,
     testing::ValuesIn(std::vector<CoarseSample>{
         {"the pumpkins glow, it is Halloween", CoarseKey::kSeason, "autumn"},
+        {"the snow so deep on the mountains and the sky all blue", CoarseKey::kWeather, "sunny"},
+        {"weather=rain -> no, change that to cloudy", CoarseKey::kWeather, "cloudy"},
+        {"Rain. Canecl the rain.", CoarseKey::kWeather, "sunny"},
+        {"sample 0093: noon", CoarseKey::kTimeOfDay, "noon"},
+        {"its May, nine in the morning", CoarseKey::kSeason, "spring"},
         {"Diwali lamps everywhere", CoarseKey::kSeason, "autumn"},
         {"the cherry trees are white with cherry blossom", CoarseKey::kSeason, "spring"},
         {"-12 \xC2\xB0"
@@ -211,6 +216,29 @@ TEST(EnvironmentReadingTest, FineWishesAreHeardInOtherWords) {
   EXPECT_EQ(listed.fine_of(AssetType::kGrass).density, 0.8);
   EXPECT_EQ(listed.fine_of(AssetType::kStone).density, 0.2);
   EXPECT_EQ(listed.fine_of(AssetType::kDeadBranch).density, 0.4);
+  const EnvironmentConfig bare =
+      GenerateInCountry(
+          "stones 0.9; flowers 0; grass - none. Lake at plus two point five metres. "
+          "Hardly a breath of wind.")
+          .environment;
+  EXPECT_EQ(bare.fine_of(AssetType::kStone).density, 0.9);
+  EXPECT_EQ(bare.fine_of(AssetType::kFlower).density, 0.0);
+  EXPECT_EQ(bare.fine_of(AssetType::kGrass).density, 0.0);
+  EXPECT_EQ(bare.fine_of(AssetType::kLake).height_m, 2.5);
+  EXPECT_LE(bare.fine_of(AssetType::kDesert).wind_mps, 1.0);
+  const EnvironmentConfig keyed =
+      GenerateInCountry(
+          "season=winter | grass=0.2 | stones=0.7. Two goblins sleep in the village, "
+          "flowers everywhere. Raise the lake by one and a half metres.")
+          .environment;
+  EXPECT_EQ(keyed.fine_of(AssetType::kGrass).density, 0.2);
+  EXPECT_EQ(keyed.fine_of(AssetType::kStone).density, 0.7);
+  EXPECT_GT(keyed.fine_of(AssetType::kFlower).density, 0.6);
+  EXPECT_EQ(keyed.fine_of(AssetType::kLake).height_m, 1.5);
+  EXPECT_EQ(GenerateInCountry("In autumn the heather is in full bloom.")
+                .environment.fine_of(AssetType::kFlower)
+                .season_variant,
+            "blooming");
 }
 
 TEST(EnvironmentReadingTest, WhatIsSaidOfOneThingIsSaidOfNoOther) {

@@ -6,12 +6,23 @@
 #include <string_view>
 #include <vector>
 
+#include "latticeworld/language/grounded/environment/mend_denials.h"
+#include "latticeworld/language/grounded/environment/mend_labels.h"
+#include "latticeworld/language/grounded/environment/mend_numerals.h"
+
 namespace latticeworld {
 namespace {
 
 std::string Mended(std::string_view text) {
   std::vector<Token> tokens = Tokenize(text);
   MendCounts(GetEnvironmentWords(), &tokens);
+  return JoinWords(tokens, 0, tokens.size());
+}
+
+std::string MendedBy(void (*mend)(const EnvironmentWords&, std::vector<Token>*),
+                     std::string_view text) {
+  std::vector<Token> tokens = Tokenize(text);
+  mend(GetEnvironmentWords(), &tokens);
   return JoinWords(tokens, 0, tokens.size());
 }
 
@@ -54,6 +65,108 @@ TEST(MendCountsTest, KindsOfRobotsAreRobots) {
   EXPECT_EQ(Mended("robots: 3 wheeled, 2 aerial"), "robots : 3 wheeled robots , 2 aerial robots");
   EXPECT_EQ(Mended("robots: 3 wheeled carts"), "robots : 3 wheeled carts");
   EXPECT_EQ(Mended("3 wheeled, 2 aerial"), "3 wheeled , 2 aerial");
+}
+
+TEST(MendCountsTest, HeadsAreAnimals) {
+  EXPECT_EQ(Mended("64 heads of sheep"), "64 sheep");
+  EXPECT_EQ(Mended("four more of them, asleep"), "four more , asleep");
+}
+
+TEST(MendCountsTest, WhatIsChangedIsTakenBack) {
+  EXPECT_EQ(Mended("ten sheep. Change that to twelve."), "ten sheep . actually , twelve .");
+  EXPECT_EQ(Mended("they change into wolves"), "they change into wolves");
+}
+
+TEST(MendCountsTest, TheLatterAreCounted) {
+  EXPECT_EQ(Mended("of the latter we have nine"), "nine of the latter");
+  EXPECT_EQ(Mended("of the latter we have heard"), "of the latter we have heard");
+}
+
+TEST(MendCountsTest, BothAreTwoOfThem) {
+  EXPECT_EQ(Mended("the drones, both of them, hover"), "the drones , two of them , hover");
+  EXPECT_EQ(Mended("a knight and goblins, both of them, sleep"),
+            "a knight and goblins , both of them , sleep");
+}
+
+TEST(MendCountsTest, EqualBandsShareTheNumber) {
+  EXPECT_EQ(Mended("a hundred and twenty knights in three equal bands: one here, one there and one "
+                   "in the north"),
+            "a hundred and twenty knights : 40 of them here , 40 of them there and 40 of them in "
+            "the north");
+  EXPECT_EQ(Mended("ten knights in three bands, one here, one there, one in the north"),
+            "ten knights in three bands , one here , one there , one in the north");
+}
+
+TEST(MendCountsTest, WhoComesOneAfterAnotherIsCountedTogether) {
+  EXPECT_EQ(Mended("first two rovers, then four more, then the last three, all parked"),
+            "9 rovers , all parked");
+  EXPECT_EQ(Mended("first two rovers, then a storm"), "first two rovers , then a storm");
+}
+
+TEST(MendCountsTest, WhatTheyAllDoIsSaidOfAll) {
+  EXPECT_EQ(Mended("all they do is wait"), "they all wait");
+}
+
+TEST(MendCountsTest, TheOthersMakeUpTheWhole) {
+  EXPECT_EQ(Mended("twelve sheep: eight graze, the other four sleep"),
+            "twelve sheep : eight of them graze , the other four sleep");
+}
+
+TEST(MendLabelsTest, DashesBehindALabelAreColons) {
+  EXPECT_EQ(MendedBy(MendLabels, "Flowers - none. Sheep - 12"), "flowers : none . sheep : 12");
+  EXPECT_EQ(MendedBy(MendLabels, "Ten sheep - all asleep"), "ten sheep - all asleep");
+}
+
+TEST(MendLabelsTest, ValuesNeedNoColon) {
+  EXPECT_EQ(MendedBy(MendLabels, "branches 0.9; flowers 0"), "branches : 0.9 ; flowers : none");
+  EXPECT_EQ(MendedBy(MendLabels, "livestock nil"), "livestock : none");
+  EXPECT_EQ(MendedBy(MendLabels, "drones: 0"), "drones : none");
+}
+
+TEST(MendLabelsTest, StatesAreLabelsOfCounts) {
+  EXPECT_EQ(MendedBy(MendLabels, "17 sheep. Of these grazing: 12. Remaining 5: resting."),
+            "17 sheep . 12 of these grazing . the remaining 5 resting .");
+  EXPECT_EQ(MendedBy(MendLabels, "nine goblins. Asleep: 4"), "nine goblins . 4 of them asleep");
+}
+
+TEST(MendLabelsTest, TelegramsLeaveSmallWordsOut) {
+  EXPECT_EQ(MendedBy(MendLabels, "9 goblins forest; 3 drones lake"),
+            "9 goblins in the forest ; 3 drones by the lake");
+  EXPECT_EQ(MendedBy(MendLabels, "two horses pasture"), "two horses pasture");
+  EXPECT_EQ(MendedBy(MendLabels, "eagles: a pair too"), "eagles : a pair");
+}
+
+TEST(MendDenialsTest, NothingIsSaidInManyWays) {
+  const auto mended = [](std::string_view text) { return MendedBy(MendDenials, text); };
+  EXPECT_EQ(mended("zero robots and 0 sheep"), "no robots and no sheep");
+  EXPECT_EQ(mended("0 degrees"), "0 degrees");
+  EXPECT_EQ(mended("windspeed=0, sunny"), "no wind , sunny");
+  EXPECT_EQ(mended("Snow? None. Sheep? Twelve."), "no snow . sheep ? twelve .");
+  EXPECT_EQ(mended("not any wind"), "no wind");
+  EXPECT_EQ(mended("not any more"), "not any more");
+  EXPECT_EQ(mended("cancel the rain"), "no the rain");
+  EXPECT_EQ(mended("ah no, forget about the dogs"), "ah no , no the dogs");
+  EXPECT_EQ(mended("goblins skip the road"), "goblins skip the road");
+  EXPECT_EQ(mended("of the warriors none remain"), "no the warriors");
+  EXPECT_EQ(mended("nothing on the bridge but a horse"), "on the bridge nothing but a horse");
+  EXPECT_EQ(mended("with no moving"), "without moving");
+}
+
+TEST(MendNumeralsTest, NumbersAreWrittenInManyWays) {
+  const auto mended = [](std::string_view text) { return MendedBy(MendNumerals, text); };
+  EXPECT_EQ(mended("two point five metres"), "2.5 metres");
+  EXPECT_EQ(mended("a point in the north"), "a point in the north");
+  EXPECT_EQ(mended("on 4 legs in all 4 corners"), "on four legs in all four corners");
+  EXPECT_EQ(mended("a dog between the 2."), "a dog between the two .");
+  EXPECT_EQ(mended("4 sheep"), "4 sheep");
+  EXPECT_EQ(mended("50 % of them sleep, the other 50% graze"),
+            "half of them sleep , the others graze");
+  EXPECT_EQ(mended("33% are asleep"), "a third of them are asleep");
+  EXPECT_EQ(mended("grass at 50 %"), "grass at 50 percent");
+  EXPECT_EQ(mended("thirty at the very least, hunting"), "at least thirty , hunting");
+  EXPECT_EQ(mended("twenty sheep tops"), "at most twenty sheep");
+  EXPECT_EQ(mended("ten goblins or more sleep"), "at least ten goblins sleep");
+  EXPECT_EQ(mended("Goblins. How many? Thirty."), "goblins . thirty .");
 }
 
 }  // namespace

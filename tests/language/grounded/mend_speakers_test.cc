@@ -32,6 +32,13 @@ TEST(MendSpeakersTest, AMonthIsNoMarching) {
   EXPECT_EQ(Mended("five warriors march south"), "five warriors march south");
 }
 
+TEST(MendSpeakersTest, AnApostropheMayBeLeftOut) {
+  EXPECT_EQ(Mended("its May, nine in the morning"), "it is may , nine in the morning");
+  EXPECT_EQ(Mended("its not night yet"), "it is not night yet");
+  EXPECT_EQ(Mended("the lake and its water"), "the lake and its water");
+  EXPECT_EQ(Mended("its winter coat"), "its winter coat");
+}
+
 // What people who do not know the reader have written, in the words that it did not know.
 TEST(MendSpeakersTest, WordsOfOtherPeopleAreRead) {
   const auto says = [](const char* text, const char* value) {

@@ -21,6 +21,7 @@ Count AgentReader::ReadComparedCount() {
   std::size_t next = at_;
   int times = 1;
   bool half = false;
+  bool number_of_those = false;
   constexpr std::array<std::string_view, 5> kTimes = {"twice", "double", "thrice", "triple",
                                                       "half"};
   constexpr std::array<int, 5> kFactors = {2, 2, 3, 3, 1};
@@ -43,6 +44,11 @@ Count AgentReader::ReadComparedCount() {
   } else if (noted_.IsAnyWord(next, {"same", "equal", "identical"}) &&
              noted_.IsAnyWord(next + 1, {"number", "count", "amount"})) {
     next += noted_.IsWord(next + 2, "of") ? 3 : 2;
+  } else if (next > at_ && noted_.IsAnyWord(next, {"that", "this", "their"}) &&
+             noted_.IsAnyWord(next + 1, {"number", "many"})) {
+    // "goblins, three times that number", "half that number of knights"
+    next += noted_.IsWord(next + 2, "of") ? 3 : 2;
+    number_of_those = true;
   } else if (next > at_ && noted_.IsWord(next - 1, "equally") && noted_.IsWord(next, "many")) {
     ++next;
   } else if (next > at_ && noted_.IsWord(next, "number") && times > 1) {
@@ -54,10 +60,13 @@ Count AgentReader::ReadComparedCount() {
   if (measure == kNone) {
     for (std::size_t i = groups_.size(); i > 0 && measure == kNone; --i) {
       const bool itself = i - 1 == last_ && !groups_[i - 1].wish.counted;
-      if (!groups_[i - 1].removed && !itself) measure = i - 1;
+      const bool known = !number_of_those || groups_[i - 1].wish.counted;
+      if (!groups_[i - 1].removed && !itself && known) measure = i - 1;
     }
   }
   if (measure == kNone) return {};
+  // "sheep: twice as many as eagles"
+  while (next < tokens_.size() && noted_.notes[next].ignored) ++next;
   const int whole = groups_[measure].wish.quantity;
   return Exactly(std::max(1, half ? whole / 2 : std::min(kMaxAgents, CappedProduct(whole, times))),
                  next - at_);
@@ -105,11 +114,13 @@ std::size_t AgentReader::ReadCountsOfSides() {
     } else if (noted_.IsWord(next, "of") && noted_.IsWord(next + 1, "each")) {
       next += noted_.IsAnyWord(next + 2, {"kind", "sort", "type", "species"}) ? 3 : 2;
     } else if (noted_.IsAnyWord(next, {"on", "per", "to", "for", "a", "in"})) {
-      while (noted_.IsAnyWord(next,
-                              {"on", "per", "to", "for", "a", "in", "each", "every", "either"})) {
+      while (noted_.IsAnyWord(
+          next, {"on", "per", "to", "for", "a", "in", "each", "every", "either", "both"})) {
         ++next;
       }
-      if (!noted_.IsAnyWord(next, {"side", "team", "party", "army", "band", "group"})) return 0;
+      if (!noted_.IsAnyWord(next, {"side", "sides", "team", "party", "army", "band", "group"})) {
+        return 0;
+      }
       ++next;
     } else {
       return 0;

@@ -124,7 +124,11 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
   const bool contrasts = more == 0 && count.value < left && whole.wish.counted &&
                          (noted_.IsWord(at_, "but") ||
                           (at_ > 0 && noted_.IsAnyWord(at_ - 1, {"but", "although", "though"})));
-  const bool splits = of_them > 0 || out_of || goes_on || contrasts ||
+  // "Ten sheep graze in the north, four are asleep."
+  const bool among = more == 0 && count.value < left && whole.wish.counted &&
+                     whole.sentence == sentence_ && noted_.IsAnyWord(next, {"are", "is"}) &&
+                     !IsPlaceAhead(next);
+  const bool splits = of_them > 0 || out_of || goes_on || contrasts || among ||
                       ((!told || !elsewhere) && more == 0 && count.value <= left &&
                        (left > 1 || part_ != kNone) && (whole.wish.counted || part_ != kNone));
   if (splits) {

@@ -62,13 +62,15 @@ void AgentReader::ReadAbsence(const SpeciesWord& word, std::size_t end) {
   const bool placed = PlaceFollows(end);
   absent_here_ = placed;
   const bool other = at_ > 0 && noted_.IsWord(at_ - 1, "other");
+  // "forget the dogs": whatever they were called before.
+  const bool definite = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"the", "those", "these"});
   // A word of a species that we lack denies that species only, not the one that stands for it.
   if (!placed && !other) {
     for (Group& group : groups_) {
       // Of "ten robots, but no drones" the robots remain.
       const bool same = Contains(claim.categories, group.wish.categories);
       // "goats rather than sheep": the goats stay, although sheep stand for them.
-      const bool meant = group.wish.name == NameHere(end) ||
+      const bool meant = group.wish.name == NameHere(end) || (definite && group.wish.exact) ||
                          (word.exact && (group.wish.exact || claim.categories.size() > 1));
       if (same && meant) group.removed = true;
     }

@@ -37,6 +37,9 @@ class AgentReader {
   // "better" and "actually" correct something only where something was said.
   bool IsPlainBetter(std::size_t said) const { return said == 1 && groups_.empty(); }
 
+  // "I'd like a whale": no likeness of one.
+  bool IsLiked() const;
+
   bool FollowsPlace() const;
 
   // Whether a phrase of correction is said of the agents.
@@ -61,14 +64,35 @@ class AgentReader {
 
   std::size_t ReadReference();
 
+  // "half", "a third", "two thirds"; `tokens` 0: no such share.
+  struct Fraction {
+    int parts = 1;
+    int of = 1;
+    std::size_t tokens = 0;
+  };
+  Fraction FractionAt(std::size_t at) const;
+
   // "three of the eight sheep", "half of the ten sheep": the words before the whole's count.
   std::size_t ReadPartOfCounted();
+
+  // Which of the groups so many more can be a part of, what is left of one before the parts of it;
+  // kNone: none.
+  std::size_t WholeOf(const std::vector<std::size_t>& groups, int part) const;
+
+  // "Eight sheep graze. Three of the sheep sleep.": of those who were named and counted before.
+  std::size_t ReadPartOfNamed();
 
   // "forty agents: thirty goblins and the rest eagles"
   std::size_t ReadRestOfTotal(std::size_t at);
 
+  // The two groups named last, the later one first; fewer where fewer were named.
+  std::vector<std::size_t> NamedLast() const;
+
   // "the former", "the second group": of the two groups named last.
   std::size_t ReadFormerOrLatter();
+
+  // "two of the former, a single one of the latter"
+  std::size_t ReadCountOfFormer();
 
   // "two rovers and two drones, all four parked": of the groups that add up to so many.
   std::size_t ReadAllOfThem();
@@ -142,6 +166,10 @@ class AgentReader {
 
   // "the others": what was left of the group that was split, or else the group itself.
   void TakeRest(const Count& count);
+
+  // "A goat, three sheep, two mares. The goat sleeps, the others graze.": the other groups that
+  // nothing was said of. Whether there are any.
+  bool TakeOtherGroups();
 
   Group* Last();
 
@@ -249,6 +277,10 @@ class AgentReader {
 
   // "What can my robot do? ... One rover": what was meant by "my robot" is named now.
   void DropVagueKinds(const SpeciesWord& word);
+
+  // "Twenty mares graze. The stallion sleeps.": one beside those who were named before.
+  bool IsAnotherOne(const SpeciesWord& word, const std::vector<std::size_t>& same,
+                    std::size_t end) const;
 
   // "Goblins attack the village. Eight goblins.": those of before, counted now. kNone: others.
   std::size_t VagueBefore(const std::vector<std::size_t>& same, const Count& count,

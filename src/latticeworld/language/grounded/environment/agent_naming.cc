@@ -35,7 +35,7 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
     }
     return;
   }
-  if (!same.empty() && (IsDefinite() || corrected_)) {
+  if (!same.empty() && (IsDefinite() || corrected_) && !IsAnotherOne(word, same, end)) {
     ReferTo(same, count, end);
     return;
   }
@@ -106,8 +106,11 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   groups_.push_back(std::move(group));
   const std::size_t index = groups_.size() - 1;
   JoinSubjectTo(index);
-  last_ = index;
-  part_ = rest_ = kNone;
+  // "Half of them chase a horse, the other half sleep": the other half of those who chase it.
+  if (!object || part_ == kNone) {
+    last_ = index;
+    part_ = rest_ = kNone;
+  }
   unit_ = PackSize();
   packs_ = PackCount();
   everybody_ = false;
@@ -134,6 +137,16 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   acted_ = false;
   new_clause_ = false;
   object_ = kNone;
+}
+
+bool AgentReader::IsAnotherOne(const SpeciesWord& word, const std::vector<std::size_t>& same,
+                               std::size_t end) const {
+  if (corrected_ || pending_.tokens > 0 || word.plural || !word.singular) return false;
+  const std::string name = Singular(NameHere(end));
+  return std::all_of(same.begin(), same.end(), [&](std::size_t index) {
+    const AgentWish& wish = groups_[index].wish;
+    return wish.counted && wish.quantity > 1 && Singular(wish.name) != name;
+  });
 }
 
 int AgentReader::PackCount() const {

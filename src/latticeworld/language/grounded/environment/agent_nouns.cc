@@ -81,9 +81,10 @@ bool AgentReader::EndsNounPhrase(std::size_t at) const {
   if (MatchPlace(tokens_, at).tokens > 0) return true;
   if (words_.states.LengthAt(tokens_, at) > 0) return true;
   return noted_.IsAnyWord(
-      at, {"is",   "are",  "and",  "or",  "instead", "please", "there", "here",   "should", "will",
-           "were", "was",  "that", "who", "have",    "has",    "not",   "rather", "more",   "only",
-           "each", "then", "may",  "can", "where",   "which",  "with",  "whose"});
+      at, {"is",     "are",    "and",   "or",    "instead", "please", "there", "here",
+           "should", "will",   "were",  "was",   "that",    "who",    "have",  "has",
+           "not",    "rather", "more",  "only",  "each",    "then",   "just",  "simply",
+           "may",    "can",    "where", "which", "with",    "whose"});
 }
 
 bool AgentReader::IsVerbHere(std::size_t at, bool counted) const {
@@ -133,7 +134,8 @@ std::size_t AgentReader::ReadSpecies() {
     return 0;
   }
   // "Agents: ..." is a heading.
-  const bool heads = end < tokens_.size() && tokens_[end].text == ":" && pending_.tokens == 0;
+  const bool heads = end < tokens_.size() && tokens_[end].text == ":" && pending_.tokens == 0 &&
+                     UnwantedAfter(end) == 0;
   // "People: 1 shepherd" names those who are meant.
   const Count labelled = heads ? ReadCount(noted_, words_, end + 1) : Count{};
   const bool named =

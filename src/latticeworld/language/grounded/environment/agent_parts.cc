@@ -11,43 +11,6 @@
 namespace latticeworld {
 namespace internal {
 
-std::size_t AgentReader::ReadPartOfCounted() {
-  if (pending_.tokens > 0 || noted_.notes[at_].negated) return 0;
-  // "One group of 500 sheep. One of 400 goblins."
-  if (noted_.IsAnyWord(at_, {"one", "another", "two"}) && noted_.IsWord(at_ + 1, "of") &&
-      MatchNumber(tokens_, at_ + 2).tokens > 0 &&
-      NounAhead(at_ + 2 + MatchNumber(tokens_, at_ + 2).tokens)) {
-    Known(2);
-    return 2;
-  }
-  const bool half = noted_.IsWord(at_, "half");
-  // "all but one of the five sheep"
-  const bool all_but = noted_.IsWord(at_, "all") &&
-                       noted_.IsAnyWord(at_ + 1, {"but", "except", "save", "bar", "barring"});
-  const std::size_t first = all_but ? at_ + 2 : at_;
-  const Count part = half ? Count{0, 0, 0, 1} : ReadCount(noted_, words_, first);
-  std::size_t next = first + part.tokens;
-  if (part.tokens == 0 || part.least != part.most) return 0;
-  if (noted_.IsWord(next, "of")) {
-    ++next;
-  } else if (!half) {
-    return 0;
-  }
-  if (!noted_.IsAnyWord(next, {"the", "my", "our", "these", "those", "all"})) return 0;
-  ++next;
-  const Count whole = next < tokens_.size() ? ReadCount(noted_, words_, next) : Count{};
-  if (whole.tokens == 0 || whole.least != whole.most || whole.value < 2 ||
-      part.value >= whole.value || !NounAhead(next + whole.tokens)) {
-    return 0;
-  }
-  part_of_ = half ? (whole.value + 1) / 2 : all_but ? whole.value - part.value : part.value;
-  for (std::size_t i = at_; all_but && i < tokens_.size() && !noted_.IsEnd(i); ++i) {
-    noted_.notes[i].negated = false;
-  }
-  noted_.Mark(at_, next, &TokenNote::agent);
-  return next - at_;
-}
-
 std::size_t AgentReader::ReadRestOfTotal(std::size_t at) {
   while (noted_.IsAnyWord(at, {"are", "is", "being", "should", "be"})) ++at;
   if (noted_.IsPause(at) || words_.species.LengthAt(tokens_, at) == 0) return 0;
@@ -147,8 +110,13 @@ std::size_t AgentReader::ReadFraction() {
     // "half is", "half in the north"; "a third is parked" is one of them.
     const bool plural = noted_.IsAnyWord(next, {"are", "should", "will", "were", "have"});
     const bool half = of == 2 && !noted_.IsPause(next) && EndsNounPhrase(next);
-    if (said == 0 && !half && !(plural && parts < of)) return 0;
+    // "one third over the lake", "two thirds asleep"; "a third over the lake" is one more.
+    const bool share =
+        (noted_.IsWord(at_, "one") || parts > 1) && !noted_.IsPause(next) && EndsNounPhrase(next);
+    if (said == 0 && !half && !share && !(plural && parts < of)) return 0;
     if (said == 0 && of == 2 && noted_.IsWord(next, "of")) return 0;
+    // "half that number"
+    if (noted_.IsWord(next, "that") && noted_.IsAnyWord(next + 1, {"number", "many"})) return 0;
   }
   Group* whole = Last();
   if (parts >= of) return 0;
@@ -165,6 +133,7 @@ std::size_t AgentReader::ReadFraction() {
   const int whole_quantity = whole_quantity_;
   Split({}, quantity, next - at_);
   whole_quantity_ = whole_quantity;
+  clause_open_ = false;
   return next - at_ + RenamePart(next);
 }
 
@@ -221,7 +190,9 @@ std::size_t AgentReader::ReadOrdinal() {
   if (group && unit_ == 1 && !last) return 0;
   if (group || noted_.IsAnyWord(next, {"one", "pair", "trio"})) ++next;
   const bool bare_last = last && part_ != kNone && !noted_.IsPause(next);
-  if ((ordinal == 0 && !bare_last) || noted_.IsPause(next)) return 0;
+  // "a seventh, who is braver, runs"
+  const bool aside = noted_.IsAnyWord(next + 1, {"who", "which"});
+  if ((ordinal == 0 && !bare_last) || (noted_.IsPause(next) && !aside)) return 0;
   if (!EndsNounPhrase(next) && !(bare_last && MatchPlace(tokens_, next).tokens > 0)) return 0;
   noted_.Mark(at_, next, &TokenNote::agent);
   if (last) {
@@ -319,6 +290,8 @@ void AgentReader::TakeRest(const Count& count) {
   }
   if (group.wish.quantity <= 0) return;
   group.removed = false;
+  // "Ninety goblins attack. ..., the other half sleep."
+  split_state_ = true;
   subject_ = {rest};
   previous_ = subject_;
 }

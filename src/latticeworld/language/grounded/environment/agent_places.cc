@@ -24,6 +24,13 @@ std::size_t AgentReader::ReadPlace() {
     noted_.Mark(at_, at_ + aside, &TokenNote::place);
     return aside;
   }
+  // "knights in the village, stones everywhere": where the stones are.
+  if (noted_.IsWord(at_, "everywhere") && at_ > 1 && noted_.IsPause(at_ + 1) &&
+      !noted_.notes[at_ - 1].agent &&
+      (words_.assets.LengthAt(tokens_, at_ - 1) > 0 ||
+       words_.assets.LengthAt(tokens_, at_ - 2) > 1)) {
+    return 0;
+  }
   if (const std::size_t facing = RoleAt(Role::kFacing, at_); facing > 0) {
     // "facing north" says no place.
     std::size_t next = at_ + facing;

@@ -35,7 +35,7 @@ void AgentReader::Run() {
 std::size_t AgentReader::Step() {
   if (noted_.notes[at_].ignored || noted_.notes[at_].measure) return 1;
   if (const std::size_t nobody = RoleAt(Role::kNobody, at_); nobody > 0) return ReadNobody(nobody);
-  if (const std::size_t likeness = RoleAt(Role::kBeforeSpecies, at_); likeness > 0) {
+  if (const std::size_t likeness = RoleAt(Role::kBeforeSpecies, at_); likeness > 0 && !IsLiked()) {
     // "the statue of a knight" is no knight.
     const std::size_t noun =
         words_.species.LengthAt(tokens_, at_ + likeness < tokens_.size() ? at_ + likeness : at_);
@@ -94,6 +94,11 @@ std::size_t AgentReader::Step() {
   if (noted_.IsAnyWord(at_, {"vs", "vs.", "versus", "v"}) && !subject_.empty()) joined_ = true;
   if (RoleAt(Role::kBut, at_) > 0 && !noted_.IsAnyWord(at_, {"with", "by", "for"})) EndClause();
   return 1;
+}
+
+bool AgentReader::IsLiked() const {
+  return noted_.IsWord(at_, "like") && at_ > 0 &&
+         noted_.IsAnyWord(at_ - 1, {"i", "we", "would", "d", "also", "really", "to"});
 }
 
 bool AgentReader::FollowsPlace() const {

@@ -10,7 +10,9 @@ namespace internal {
 std::size_t AgentReader::ReadReference() {
   if (const std::size_t part = ReadPartOfCounted(); part > 0) return part;
   if (groups_.empty() || noted_.notes[at_].negated) return 0;
+  if (const std::size_t part = ReadPartOfNamed(); part > 0) return part;
   if (const std::size_t unit = ReadUnit(); unit > 0) return unit;
+  if (const std::size_t one = ReadCountOfFormer(); one > 0) return one;
   if (const std::size_t all_but = ReadAllBut(); all_but > 0) return all_but;
   if (const std::size_t fraction = ReadFraction(); fraction > 0) return fraction;
   if (const std::size_t some = RoleAt(Role::kSomeOfThem, at_); some > 0) {
@@ -61,6 +63,7 @@ std::size_t AgentReader::ReadReference() {
         AddLike(last_, count, others + count.tokens);
         return others + count.tokens;
       }
+      if (count.tokens == 0 && TakeOtherGroups()) return others;
       TakeRest(count);
       const std::size_t rest = subject_.empty() ? kNone : subject_.front();
       return others + count.tokens + Rename(rest, next);
@@ -87,6 +90,25 @@ std::size_t AgentReader::ReadReference() {
     return tokens;
   }
   return 0;
+}
+
+bool AgentReader::TakeOtherGroups() {
+  if (part_ != kNone || subject_.empty() || acted_on_ != sentence_ + 1) return false;
+  const bool before = std::all_of(subject_.begin(), subject_.end(), [&](std::size_t index) {
+    return groups_[index].sentence != sentence_;
+  });
+  if (!before) return false;
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    const Group& group = groups_[i];
+    const bool told = group.removed || group.purpose || group.wish.state.has_value();
+    if (!told && !IsSubject(i)) others.push_back(i);
+  }
+  if (others.empty()) return false;
+  subject_ = others;
+  previous_ = others;
+  joined_ = paused_ = acted_ = false;
+  return true;
 }
 
 bool AgentReader::IsMutual() const {
@@ -133,7 +155,9 @@ std::size_t AgentReader::ReadEverybody() {
   const bool after_pause = at_ == 0 || noted_.IsPause(at_ - 1) || noted_.IsWord(at_ - 1, "and");
   const bool acts = next < tokens_.size() && words_.states.LengthAt(tokens_, next) > 0;
   const bool is = noted_.IsAnyWord(next, {"are", "is", "should", "must", "were"});
-  const bool whole_sentence = of_them > 0 || person || they || (is && !every);
+  // "9 goblins; 9 knights; all idle"
+  const bool alone = acts && noted_.IsWord(at_, "all") && at_ > 0 && noted_.IsEnd(at_ - 1);
+  const bool whole_sentence = of_them > 0 || person || they || alone || (is && !every);
   if (!they && of_them == 0 && !(after_pause && (acts || (is && !every)))) return 0;
   if (of_them > 0 && !after_pause) return 0;
   // Those of this sentence, and those of before who wait for a word.
@@ -158,6 +182,41 @@ std::size_t AgentReader::ReadEverybody() {
   return next - at_;
 }
 
+std::vector<std::size_t> AgentReader::NamedLast() const {
+  std::vector<std::size_t> named;
+  for (std::size_t i = groups_.size(); i > 0 && named.size() < 2; --i) {
+    if (!groups_[i - 1].removed) named.push_back(i - 1);
+  }
+  return named;
+}
+
+std::size_t AgentReader::ReadCountOfFormer() {
+  const Count count = pending_.tokens > 0 ? Count{} : ReadCount(noted_, words_, at_);
+  if (count.tokens == 0) return 0;
+  std::size_t next = at_ + count.tokens;
+  if (noted_.IsWord(next, "one")) ++next;
+  const bool former = noted_.IsWord(next + 2, "former");
+  if (!noted_.IsWord(next, "of") || !noted_.IsWord(next + 1, "the") ||
+      !(former || noted_.IsWord(next + 2, "latter"))) {
+    return 0;
+  }
+  next += 3;
+  const std::vector<std::size_t> named = NamedLast();
+  if (named.size() < 2) return 0;
+  const std::size_t index = former ? named.back() : named.front();
+  noted_.Mark(at_, next, &TokenNote::agent);
+  if (groups_[index].wish.counted) {
+    last_ = index;
+    Split(count, count.value, next - at_);
+  } else {
+    SetCount(count, &groups_[index]);
+    Extend(index, tokens_[next - 1].end);
+    subject_ = {index};
+  }
+  joined_ = paused_ = acted_ = false;
+  return next - at_;
+}
+
 std::size_t AgentReader::ReadFormerOrLatter() {
   const bool former = noted_.IsAnyWord(at_, {"former", "first", "firsts"});
   if (!former && !noted_.IsAnyWord(at_, {"latter", "second", "last", "other"})) return 0;
@@ -169,10 +228,7 @@ std::size_t AgentReader::ReadFormerOrLatter() {
   if (!bare && !noun && !second) return 0;
   if (noted_.IsWord(at_, "other") && !second) return 0;
   // "the latter two", "the latter are"
-  std::vector<std::size_t> named;
-  for (std::size_t i = groups_.size(); i > 0 && named.size() < 2; --i) {
-    if (!groups_[i - 1].removed) named.push_back(i - 1);
-  }
+  const std::vector<std::size_t> named = NamedLast();
   if (named.size() < 2) return 0;
   if (former) told_former_ = sentence_ + 1;
   subject_ = {former ? named.back() : named.front()};

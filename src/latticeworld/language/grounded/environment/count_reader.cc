@@ -159,7 +159,7 @@ class CountReader {
     }
     // "ten o'clock", but "a dozen o' sheep"
     if (noted_.IsWord(next, "o") &&
-        (noted_.IsWord(next + 1, "clock") || noted_.Text(next, next + 1).size() > 2))
+        (noted_.IsWord(next + 1, "clock") || noted_.Text(next, next + 1).size() > 4))
       return {};
     const std::size_t end = next == at ? 0 : tokens_[next - 1].end;
     if (number.tokens > 0 && end < noted_.instruction.size() && noted_.instruction[end] == '%') {

@@ -17,7 +17,10 @@
 #include "latticeworld/language/grounded/environment/known_spelling.h"
 #include "latticeworld/language/grounded/environment/measure_reader.h"
 #include "latticeworld/language/grounded/environment/mend_counts.h"
+#include "latticeworld/language/grounded/environment/mend_denials.h"
+#include "latticeworld/language/grounded/environment/mend_labels.h"
 #include "latticeworld/language/grounded/environment/mend_measures.h"
+#include "latticeworld/language/grounded/environment/mend_numerals.h"
 #include "latticeworld/language/grounded/environment/mend_speakers.h"
 #include "latticeworld/language/grounded/environment/token_notes.h"
 #include "latticeworld/language/grounded/environment/word_tables.h"
@@ -193,6 +196,9 @@ HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction,
   MendSpelling(added, &tokens, &heard.warnings);
   MendPlaces(&tokens);
   DropSubstitutes(&tokens);
+  MendLabels(words, &tokens);
+  MendDenials(words, &tokens);
+  MendNumerals(words, &tokens);
   MendCounts(words, &tokens);
   MendSpeakers(&tokens);
   MendMeasures(&tokens);

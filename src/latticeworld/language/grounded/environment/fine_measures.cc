@@ -188,7 +188,7 @@ class FineMeasureReader {
                               "fall", "falls", "shrunk", "minus"})) {
       level_m = -std::abs(level_m);
     } else if (!Says(measure, {"above", "higher", "raised", "over", "up", "level", "risen",
-                               "height", "high", "flooded"})) {
+                               "height", "high", "flooded", "plus", "raise"})) {
       return false;
     }
     level_m = std::clamp(level_m, kHeightRange.low, kHeightRange.high);

@@ -6,6 +6,7 @@
 #include "latticeworld/language/grounded/environment/fine_measures.h"
 #include "latticeworld/language/grounded/environment/fine_wishes.h"
 #include "latticeworld/language/grounded/environment/loose_phrase.h"
+#include "latticeworld/language/numbers.h"
 
 namespace latticeworld {
 namespace {
@@ -80,7 +81,8 @@ class FineReader {
     if (asset.tokens == longest) {
       for (const AssetWord* word : asset.rows) nouns.push_back(word->asset);
     } else if (const auto inner = AssetAtEnd(at, end);
-               inner.has_value() && !noted_.IsAnyWord(at, {"of", "from", "made", "built", "out"})) {
+               inner.has_value() &&
+               !noted_.IsAnyWord(at, {"of", "from", "made", "built", "out", "in"})) {
       nouns.push_back(*inner);
     }
     bool said = false;
@@ -112,7 +114,8 @@ class FineReader {
     }
     // "it is not snowing any more", "no more than 30 degrees" speak of no density.
     const bool more =
-        noted_.IsWord(at, "more") && ((at > 0 && noted_.IsAnyWord(at - 1, {"any", "no", "not"})) ||
+        noted_.IsWord(at, "more") && ((at > 0 && (noted_.IsAnyWord(at - 1, {"any", "no", "not"}) ||
+                                                  MatchNumber(tokens_, at - 1).tokens > 0)) ||
                                       noted_.IsAnyWord(at + 1, {"than", "or"}));
     if (density.tokens == longest && !noted_.notes[at].agent && !noted_.notes[at].place && !more) {
       quality.densities = density.rows;
@@ -246,7 +249,7 @@ class FineReader {
     const bool negated =
         noted_.notes[end - 1].negated ||
         (noted_.IsAnyWord(end, {"none", "zero", "nil"}) && noted_.IsPause(end + 1)) ||
-        (end < tokens_.size() && tokens_[end].text == ":" &&
+        (noted_.IsAnyWord(end, {":", "-"}) &&
          noted_.IsAnyWord(end + 1, {"none", "zero", "nil", "no"}) && noted_.IsPause(end + 2));
     bool qualified = false;
     for (const Quality& quality : waiting_) {

@@ -110,6 +110,7 @@ class MeasureReader {
       end += 2;
       sure = true;
     } else if (tokens_[next].kind == TokenKind::kNumber && tokens_[next].text.size() == 4 &&
+               tokens_[next].text[2] < '6' &&
                (tokens_[next].text.front() == '0' || Is(end, {"hours", "hrs", "h"}) ||
                 (next > 0 && Is(next - 1, {"time"})) ||
                 (Is(end, {"local"}) && Is(end + 1, {"time"})))) {
@@ -123,7 +124,7 @@ class MeasureReader {
       ++end;
       sure = true;
     }
-    if (Is(end, {"o"}) && (Is(end + 1, {"clock"}) || noted_.Text(end, end + 1).size() > 2)) {
+    if (Is(end, {"o"}) && (Is(end + 1, {"clock"}) || noted_.Text(end, end + 1).size() > 4)) {
       end += Is(end + 1, {"clock"}) ? 2 : 1;
       sure = true;
     }
@@ -315,7 +316,7 @@ class MeasureReader {
   // "twice as many goblins"
   bool IsOfNumber(std::size_t at) const {
     return (Is(at, {"as"}) && Is(at + 1, {"many"})) ||
-           (Is(at, {"the"}) && Is(at + 1, {"number", "count"}));
+           (Is(at, {"the", "that", "this", "their"}) && Is(at + 1, {"number", "count", "many"}));
   }
 
   std::optional<HeardMeasure> Factor(double factor, std::size_t at, std::size_t end) const {

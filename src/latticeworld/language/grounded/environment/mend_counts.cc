@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "latticeworld/language/numbers.h"
+#include "latticeworld/language/place_words.h"
 #include "latticeworld/language/token_edits.h"
 
 namespace latticeworld {
@@ -31,6 +33,28 @@ std::size_t TakeRetraction(const std::vector<Token>& tokens, std::size_t at) {
   for (const std::string_view word : {"no", "sorry", "wait", "actually", "correction"})
     if (WordAt(tokens, at) == word) return at + 1;
   return at;
+}
+
+// "No, change that to cloudy", "switch it to twelve": actually, cloudy; actually, twelve.
+void MendChanges(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
+    const bool changes = IsOneOf(WordAt(*tokens, at), {"change", "switch", "correct"}) &&
+                         IsOneOf(WordAt(*tokens, at + 1), {"that", "it", "this"}) &&
+                         WordAt(*tokens, at + 2) == "to";
+    if (!changes) continue;
+    const Token comma = CommaLike((*tokens)[at]);
+    ReplaceTokens(tokens, at, 3, {"actually"});
+    InsertTokens(tokens, at + 1, {comma});
+  }
+}
+
+// "All they do is wait": they all wait.
+void MendAllTheyDo(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 4 < tokens->size(); ++at) {
+    const bool all = WordAt(*tokens, at) == "all" && WordAt(*tokens, at + 1) == "they" &&
+                     WordAt(*tokens, at + 2) == "do" && WordAt(*tokens, at + 3) == "is";
+    if (all) ReplaceTokens(tokens, at, 4, {"they", "all"});
+  }
 }
 
 void MendRetractions(std::vector<Token>* tokens) {
@@ -118,6 +142,134 @@ void MendRobotKinds(std::vector<Token>* tokens) {
   }
 }
 
+// "64 heads of sheep", "four more of them": 64 sheep, four more.
+void MendHeads(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 2 < tokens->size(); ++at) {
+    const std::size_t next = at + MatchNumber(*tokens, at).tokens;
+    if (next == at || WordAt(*tokens, next + 1) != "of") continue;
+    if (IsOneOf(WordAt(*tokens, next), {"head", "heads"})) EraseTokens(tokens, next, 2);
+    const bool more = WordAt(*tokens, next) == "more" &&
+                      IsOneOf(WordAt(*tokens, next + 2), {"them", "these", "those"});
+    if (more) EraseTokens(tokens, next + 1, 2);
+  }
+}
+
+// "Of the latter we have nine": nine of the latter.
+void MendOfTheLatter(std::vector<Token>* tokens) {
+  for (std::size_t of = 0; of + 5 < tokens->size(); ++of) {
+    const bool latter = WordAt(*tokens, of) == "of" && WordAt(*tokens, of + 1) == "the" &&
+                        IsOneOf(WordAt(*tokens, of + 2), {"former", "latter"});
+    if (!latter || IsPauseAt(*tokens, of + 4)) continue;
+    const std::size_t number = of + 5;
+    const std::size_t count = MatchNumber(*tokens, number).tokens;
+    if (count == 0 || !IsPauseAt(*tokens, number + count)) continue;
+    const std::vector<Token> meant = TokensBetween(*tokens, number, number + count);
+    EraseTokens(tokens, of + 3, number + count - (of + 3));
+    InsertTokens(tokens, of, meant);
+  }
+}
+
+// "The drones, both of them, ...": two of them, where nothing else was counted or named.
+void MendBoth(const EnvironmentWords& words, std::vector<Token>* tokens) {
+  for (std::size_t both = 2; both + 2 < tokens->size(); ++both) {
+    const bool aside = WordAt(*tokens, both) == "both" && WordAt(*tokens, both + 1) == "of" &&
+                       WordAt(*tokens, both + 2) == "them" && IsCommaAt(*tokens, both - 1) &&
+                       IsPauseAt(*tokens, both + 3);
+    if (!aside) continue;
+    bool named = false, several = false;
+    for (std::size_t at = both - 1; at-- > 0 && !IsPauseAt(*tokens, at);) {
+      const auto species = words.species.At(*tokens, at);
+      named = named || (species.tokens > 0 && at + species.tokens == both - 1 &&
+                        species.rows.front()->plural);
+      const bool joins = WordAt(*tokens, at) == "and" && at > 0 && !IsPauseAt(*tokens, at - 1);
+      several = several || joins || MatchNumber(*tokens, at).tokens > 0;
+    }
+    if (named && !several) (*tokens)[both].text = "two";
+  }
+}
+
+// The last number before `end` in its sentence, 0: none.
+int NumberBefore(const std::vector<Token>& tokens, std::size_t end) {
+  std::size_t begin = end;
+  while (begin > 0 && tokens[begin - 1].kind != TokenKind::kStop) --begin;
+  int number = 0;
+  while (begin < end) {
+    const NumberMatch match = MatchNumber(tokens, begin);
+    if (match.tokens > 0) number = match.value;
+    begin += std::max<std::size_t>(1, match.tokens);
+  }
+  return number;
+}
+
+// The words behind "in three equal bands"; 0: there are none, or of more sizes.
+std::size_t BandsAt(const std::vector<Token>& tokens, std::size_t at) {
+  if (IsOneOf(WordAt(tokens, at), {"equal", "even", "equally"})) ++at;
+  if (IsOneOf(WordAt(tokens, at), {"big", "large", "strong", "sized"})) ++at;
+  if (!IsOneOf(WordAt(tokens, at),
+               {"bands", "groups", "parts", "teams", "parties", "squads", "packs", "herds",
+                "flocks", "units", "troops", "companies", "lots", "columns", "divisions"})) {
+    return 0;
+  }
+  ++at;
+  if (WordAt(tokens, at) == "of" && WordAt(tokens, at + 1) == "equal") at += 3;
+  return at;
+}
+
+// "120 warriors in three equal bands: one by the lake, one ...": forty of them by the lake, ...
+void MendBands(std::vector<Token>* tokens) {
+  for (std::size_t in = 1; in + 3 < tokens->size(); ++in) {
+    if (!IsOneOf(WordAt(*tokens, in), {"in", "into"})) continue;
+    const NumberMatch bands = MatchNumber(*tokens, in + 1);
+    const std::size_t pause = BandsAt(*tokens, in + 1 + bands.tokens);
+    if (bands.value < 2 || pause == 0 || !IsCommaAt(*tokens, pause)) continue;
+    const int whole = NumberBefore(*tokens, in);
+    if (whole % bands.value != 0 || whole <= bands.value) continue;
+    const std::string each = std::to_string(whole / bands.value);
+    std::vector<std::size_t> parts;
+    for (std::size_t at = pause + 1; !IsStopAt(*tokens, at); ++at) {
+      const bool opens = IsCommaAt(*tokens, at - 1) || WordAt(*tokens, at - 1) == "and";
+      if (opens && IsOneOf(WordAt(*tokens, at), {"one", "another"})) parts.push_back(at);
+    }
+    if (static_cast<int>(parts.size()) != bands.value) continue;
+    std::reverse(parts.begin(), parts.end());
+    for (const std::size_t at : parts) {
+      ReplaceTokens(tokens, at, 1, {each, "of", "them"});
+      (*tokens)[at].kind = TokenKind::kNumber;
+    }
+    EraseTokens(tokens, in, pause - in);
+  }
+}
+
+// "First two rovers, then four more, then the last three": nine rovers.
+void MendArrivals(std::vector<Token>* tokens) {
+  for (std::size_t at = 1; at < tokens->size(); ++at) {
+    constexpr int kMost = 1000000;
+    if (WordAt(*tokens, at - 1) != "first") continue;
+    const NumberMatch first = MatchNumber(*tokens, at);
+    const std::size_t begin = PauseAfter(*tokens, at);
+    int sum = first.value;
+    std::size_t end = begin;
+    while (first.tokens > 0 && IsCommaAt(*tokens, end)) {
+      std::size_t next = end + 1;
+      while (IsOneOf(WordAt(*tokens, next), {"and", "then", "finally", "the", "last", "later"}))
+        ++next;
+      const NumberMatch more = MatchNumber(*tokens, next);
+      const std::size_t after =
+          next + more.tokens + (WordAt(*tokens, next + more.tokens) == "more" ? 1 : 0);
+      if (next == end + 1 || more.tokens == 0 || !IsPauseAt(*tokens, after)) break;
+      sum = std::min(kMost, sum + more.value);
+      end = after;
+    }
+    if (end == begin) continue;
+    EraseTokens(tokens, begin, end - begin);
+    Token whole = (*tokens)[at];
+    whole.kind = TokenKind::kNumber;
+    whole.text = std::to_string(sum);
+    EraseTokens(tokens, at - 1, first.tokens + 1);
+    InsertTokens(tokens, at - 1, {whole});
+  }
+}
+
 // Whether "now there are only three" follows, which says of how many are left.
 bool SaysWhatIsLeft(const std::vector<Token>& tokens, std::size_t at) {
   constexpr std::size_t kReach = 4;
@@ -139,41 +291,33 @@ void MendFormer(std::vector<Token>* tokens) {
   }
 }
 
-// The last number before `end` in its sentence, 0: none.
-int NumberBefore(const std::vector<Token>& tokens, std::size_t end) {
-  std::size_t begin = end;
-  while (begin > 0 && tokens[begin - 1].kind != TokenKind::kStop) --begin;
-  int number = 0;
-  for (; begin < end; ++begin)
-    if (const NumberMatch match = MatchNumber(tokens, begin); match.tokens > 0)
-      number = static_cast<int>(match.value);
-  return number;
-}
-
 // Behind a colon, parts that make up the number before it and name no species of their own.
 void MendParts(const EnvironmentWords& words, std::vector<Token>* tokens) {
   for (std::size_t colon = 0; colon < tokens->size(); ++colon) {
     if (!IsCommaAt(*tokens, colon) || (*tokens)[colon].text != ":") continue;
     const int whole = NumberBefore(*tokens, colon);
     int sum = 0;
-    std::vector<std::size_t> behind;  // each part's number
+    int parts = 0;
+    std::vector<std::size_t> behind;  // each part's number, but for "the other five"
     for (std::size_t at = colon + 1; at < tokens->size(); ++at) {
       if ((*tokens)[at].kind == TokenKind::kStop) break;
       const bool opens = IsCommaAt(*tokens, at - 1) || WordAt(*tokens, at - 1) == "and";
+      const bool rest = IsOneOf(WordAt(*tokens, at - 1), {"remaining", "other"});
       const NumberMatch part = MatchNumber(*tokens, at);
-      if (!opens || part.tokens == 0) continue;
+      if (!(opens || rest) || part.tokens == 0) continue;
       const std::size_t next = at + part.tokens;
       const bool other = words.species.LengthAt(*tokens, next) > 0 ||
                          words.kinds.LengthAt(*tokens, next) > 0 ||
                          words.assets.LengthAt(*tokens, next) > 0 || WordAt(*tokens, next).empty();
       if (other || WordAt(*tokens, next) == "of") {
-        behind.clear();
+        parts = 0;
         break;
       }
-      sum += static_cast<int>(part.value);
-      behind.push_back(next);
+      sum += part.value;
+      ++parts;
+      if (opens) behind.push_back(next);
     }
-    if (behind.size() < 2 || sum != whole) continue;
+    if (parts < 2 || sum != whole) continue;
     std::reverse(behind.begin(), behind.end());
     for (const std::size_t at : behind) {
       const Token beside = (*tokens)[at];
@@ -185,9 +329,16 @@ void MendParts(const EnvironmentWords& words, std::vector<Token>* tokens) {
 }  // namespace
 
 void MendCounts(const EnvironmentWords& words, std::vector<Token>* tokens) {
+  MendChanges(tokens);
+  MendAllTheyDo(tokens);
   MendLateRetractions(tokens);
   MendRetractions(tokens);
   MendRoundNumbers(tokens);
+  MendHeads(tokens);
+  MendOfTheLatter(tokens);
+  MendBoth(words, tokens);
+  MendBands(tokens);
+  MendArrivals(tokens);
   MendFormer(tokens);
   MendParts(words, tokens);
   MendRobotKinds(tokens);

@@ -14,7 +14,12 @@ namespace latticeworld {
 // - "twenty or so sheep", "a couple of dozen sheep": about twenty, two dozen;
 // - "there used to be goblins": no goblins, unless "now there are only three" follows;
 // - "four rovers: two stand still, two patrol": two of them stand still, two of them patrol;
-// - "robots: 3 wheeled, 2 aerial": three wheeled robots, two aerial robots.
+// - "robots: 3 wheeled, 2 aerial": three wheeled robots, two aerial robots;
+// - "64 heads of sheep", "four more of them": 64 sheep, four more;
+// - "change that to twelve": actually, twelve; "all they do is wait": they all wait;
+// - "of the latter we have nine": nine of the latter; "the drones, both of them, ...": two of them;
+// - "120 knights in three equal bands: one by the lake, one ...": forty of them by the lake, ...;
+// - "first two rovers, then four more, then the last three": nine rovers.
 // Words that are put in share the bytes of those that they stand beside.
 void MendCounts(const EnvironmentWords& words, std::vector<Token>* tokens);
 

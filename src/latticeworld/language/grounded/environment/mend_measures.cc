@@ -183,7 +183,9 @@ void MendMultiples(std::vector<Token>* tokens) {
     for (std::size_t next = as + 5; next < tokens->size(); ++next) {
       const NumberMatch said = MatchNumber(*tokens, next);
       if (said.tokens == 0) continue;
-      const bool counts = WordAt(*tokens, next + said.tokens) == owner ||
+      const bool latter = WordAt(*tokens, next + said.tokens) == "of" &&
+                          WordAt(*tokens, next + said.tokens + 2) == "latter";
+      const bool counts = latter || WordAt(*tokens, next + said.tokens) == owner ||
                           (next > 0 && IsAny(WordAt(*tokens, next - 1), {"are", "is"}));
       if (!counts || said.value < 1 || said.value > 100) break;
       const Token beside = (*tokens)[at];
@@ -210,15 +212,6 @@ void MendEves(std::vector<Token>* tokens) {
   }
 }
 
-// "cancel the rain": no rain.
-void MendCancels(std::vector<Token>* tokens) {
-  for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
-    if (WordAt(*tokens, at) != "cancel" || WordAt(*tokens, at + 1) != "the") continue;
-    (*tokens)[at].text = "no";
-    EraseTokens(tokens, at + 1, 1);
-  }
-}
-
 // "up north": in the north; "chase one another": each other; "two more like him"; "perched, not one
 // of them in the air"; "one standing guard", which is no guard.
 void MendPhrases(std::vector<Token>* tokens) {
@@ -235,6 +228,8 @@ void MendPhrases(std::vector<Token>* tokens) {
     }
     if (word == "dessert") (*tokens)[at].text = "desert";
     if (word == "nite") (*tokens)[at].text = "night";
+    const bool level = (word == "up" && next == "top") || (word == "down" && next == "bottom");
+    if (level) ReplaceTokens(tokens, at, 1, {"at", "the"});
     // "a gang o' goblins"
     if (word == "o" && at > 0 &&
         IsAny(WordAt(*tokens, at - 1),
@@ -276,7 +271,6 @@ void MendMeasures(std::vector<Token>* tokens) {
   MendLevels(tokens);
   MendKinds(tokens);
   MendMultiples(tokens);
-  MendCancels(tokens);
   MendEves(tokens);
 }
 

@@ -14,7 +14,7 @@ namespace latticeworld {
 // - "the lake low by one metre": one metre lower;
 // - "ten of each kind of robot": ten of each, by name;
 // - "twice as many sheep as horses; there are four horses": eight sheep;
-// - "Christmas Eve": Christmas; "cancel the rain": no rain; "up north": in the north.
+// - "Christmas Eve": Christmas; "up north", "up top": in the north, at the top.
 // Words that are put in share the bytes of those that they stand for.
 void MendMeasures(std::vector<Token>* tokens);
 

@@ -1,6 +1,7 @@
 #include "latticeworld/language/grounded/environment/mend_speakers.h"
 
 #include <cstddef>
+#include <string_view>
 
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/token_edits.h"
@@ -30,6 +31,21 @@ void DropSpeaker(std::vector<Token>* tokens, std::size_t at) {
   }
 }
 
+// "Its May, nine in the morning", "its not night yet": it is May, it is not night yet.
+void MendIts(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "its") return;
+  const std::string_view next = WordAt(*tokens, at + 1);
+  const bool alone = IsPauseAt(*tokens, at + 2);
+  const bool said =
+      IsOneOf(next, {"not", "a", "an", "been", "just", "still", "already", "getting", "raining",
+                     "snowing"}) ||
+      (alone &&
+       IsOneOf(next, {"may",    "march",   "april", "june", "july", "august",  "winter",  "spring",
+                      "summer", "autumn",  "night", "noon", "dawn", "dusk",    "sunny",   "cloudy",
+                      "foggy",  "january", "cold",  "hot",  "dark", "october", "november"}));
+  if (said) ReplaceTokens(tokens, at, 1, {"it", "is"});
+}
+
 // "It's only March."
 void NameMonth(std::vector<Token>* tokens, std::size_t at) {
   if (WordAt(*tokens, at) != "march") return;
@@ -48,6 +64,7 @@ void NameMonth(std::vector<Token>* tokens, std::size_t at) {
 void MendSpeakers(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     DropSpeaker(tokens, at);
+    MendIts(tokens, at);
     NameMonth(tokens, at);
   }
 }
