@@ -239,7 +239,7 @@ void RoundTrip(benchmark::State& state, const SketchModel* model) {
       const Sketch sketch = DrawSketch(lands[i], share);
       const Grid<float> made = model == nullptr
                                    ? SketchToHeight(sketch, options, Progress()).value()
-                                   : SketchToHeight(sketch, *model, options).value();
+                                   : SketchToHeight(sketch, *model, options, Progress()).value();
       const double correlation = Correlation(Resample(lands[i], kSamples, kSamples), made);
       sum += correlation;
       worst = std::min(worst, correlation);

@@ -134,6 +134,17 @@ def make_pointwise(path, input_channels, output_channels, factor, bias, then=Non
     })
 
 
+def make_slopes(path):
+    """Land that is the same under all strokes: a valley down the middle, twice as steep to the east of it."""
+    offset = np.arange(SIDE) - (SIDE - 1) / 2
+    land = np.where(offset > 0, 2 * offset, -offset) / SIDE
+    save(path, [conv("only", "sketch", "a", 1), helper.make_node("Add", ["a", "land"], ["height"])], 3, 1, {
+        "only": np.zeros((1, 3, 1, 1), np.float32),
+        "only_bias": np.zeros(1, np.float32),
+        "land": np.broadcast_to(land, (1, 1, SIDE, SIDE)).astype(np.float32),
+    })
+
+
 def make_sketch():
     """Strokes, (SIDE x SIDE): 0 none, 1 valley, 2 ridge."""
     sketch = np.zeros((SIDE, SIDE), np.uint8)
@@ -148,6 +159,7 @@ def main():
     directory.mkdir(parents=True, exist_ok=True)
     weights = make_weights()
     make_unet(directory / "unet.onnx", weights)
+    make_slopes(directory / "slopes.onnx")
     sketch = make_sketch()
     colours = np.array([[1, 1, 1], [0, 0, 1], [0, 0, 0]], np.float64)
     height = run_in_numpy(weights, colours[sketch].transpose(2, 0, 1))

@@ -100,6 +100,31 @@ TEST(SketchModelTest, MakesAReliefOfTheAskedSizeAndHeightsWhoseRidgesAreHigherTh
   EXPECT_GT(sum[2] / count[2], paper + 5.0);
 }
 
+// Mean height above that of the drawn valley in the middle, over columns [first, last).
+double Above(const Grid<float>& height, int first, int last) {
+  const int middle = height.cols() / 2;
+  double above = 0.0;
+  for (int r = 0; r < height.rows(); ++r)
+    for (int c = first; c < last; ++c) above += height(r, c) - height(r, middle);
+  return above / (height.rows() * (last - first));
+}
+
+TEST(SketchModelTest, TheLandBetweenStrokesIsAsHighAsTheModelSaysAndStrokesStayWhereTheyWereDrawn) {
+  Sketch sketch(64, 64, Stroke::kNone);
+  for (int r = 0; r < 64; ++r) sketch(r, 32) = Stroke::kValley;
+  SketchOptions options;
+  options.samples = 128;
+  const SketchModel model = Load("slopes.onnx");  // twice as steep to the east
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+    options.seed = seed;
+    const Result<Grid<float>> height = SketchToHeight(sketch, model, options, Progress());
+    ASSERT_TRUE(height.ok()) << height.status().ToString();
+    const double west = Above(*height, 16, 48), east = Above(*height, 80, 112);
+    EXPECT_GT(west, 0.0) << "seed " << seed;
+    EXPECT_GT(east, 1.4 * west) << "seed " << seed;
+  }
+}
+
 TEST(SketchModelTest, RefusesFilesThatAreNoSuchNetwork) {
   ExpectRefused(kModels + "/absent.onnx", StatusCode::kNotFound, "absent.onnx");
   ExpectRefused(kModels + "/sketch.u8", StatusCode::kInvalidArgument, "ONNX");
@@ -122,7 +147,8 @@ TEST(SketchModelTest, SaysWhenANetworkGivesWhatIsNoLand) {
 
   SketchOptions options;
   options.samples = 64;
-  const Result<Grid<float>> level = SketchToHeight(TestSketch(64), Load("level.onnx"), options);
+  const Result<Grid<float>> level =
+      SketchToHeight(TestSketch(64), Load("level.onnx"), options, Progress());
   ASSERT_FALSE(level.ok());
   EXPECT_NE(level.status().message().find("level"), std::string::npos);
 }

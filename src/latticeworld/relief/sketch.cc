@@ -41,9 +41,7 @@ Result<Relief> SketchToRelief(std::string_view bytes, const SketchOptions& optio
   LW_ASSIGN_OR_RETURN(const Sketch sketch, ReadSketch(bytes, options.threads));
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   if (model != nullptr) {
-    LW_ASSIGN_OR_RETURN(Grid<float> made, SketchToHeight(sketch, *model, options));
-    LW_RETURN_IF_ERROR(progress.CheckCancelled());
-    progress.Report("relief", 1.0);
+    LW_ASSIGN_OR_RETURN(Grid<float> made, SketchToHeight(sketch, *model, options, progress));
     return MakeRelief(std::move(made));
   }
   LW_ASSIGN_OR_RETURN(Grid<float> height_m, SketchToHeight(sketch, options, progress));

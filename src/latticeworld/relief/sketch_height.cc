@@ -14,6 +14,7 @@
 #include "latticeworld/relief/sketch.h"
 #include "latticeworld/relief/sketch_erosion.h"
 #include "latticeworld/relief/sketch_lines.h"
+#include "latticeworld/relief/sketch_model.h"
 #include "latticeworld/relief/sketch_surface.h"
 
 namespace latticeworld {
@@ -78,17 +79,16 @@ Status Slide(int threads, const Progress& progress, Grid<float>* height) {
   return Status();
 }
 
-}  // namespace
-
-Result<Grid<float>> SketchToHeight(const Sketch& sketch, const SketchOptions& options,
-                                   const Progress& progress) {
-  LW_RETURN_IF_ERROR(Status::FromViolations("illegal sketch options", Validate(options)));
+// What water makes of the strokes' land. land: as MakeSketchSurface takes it.
+Result<Grid<float>> RaiseLand(const Sketch& sketch, const Grid<float>* land,
+                              const SketchOptions& options, const Progress& progress) {
   LW_CHECK(std::any_of(sketch.begin(), sketch.end(), [](Stroke s) { return s != Stroke::kNone; }),
            "a sketch has strokes");
   const std::uint64_t seed = StreamSeed(options.seed, "sketch");
-  LW_ASSIGN_OR_RETURN(const internal::SketchSurface surface,
-                      internal::MakeSketchSurface(sketch, std::min(options.samples, kSurfaceCells),
-                                                  seed, options.threads, progress));
+  LW_ASSIGN_OR_RETURN(
+      const internal::SketchSurface surface,
+      internal::MakeSketchSurface(sketch, land, std::min(options.samples, kSurfaceCells), seed,
+                                  options.threads, progress));
   progress.Report(kStage, 0.3);
   LW_ASSIGN_OR_RETURN(
       const Grid<float> eroded,
@@ -99,6 +99,25 @@ Result<Grid<float>> SketchToHeight(const Sketch& sketch, const SketchOptions& op
   internal::StretchHeights(options, &height);
   progress.Report(kStage, 1.0);
   return height;
+}
+
+}  // namespace
+
+Result<Grid<float>> SketchToHeight(const Sketch& sketch, const SketchOptions& options,
+                                   const Progress& progress) {
+  LW_RETURN_IF_ERROR(Status::FromViolations("illegal sketch options", Validate(options)));
+  return RaiseLand(sketch, nullptr, options, progress);
+}
+
+Result<Grid<float>> SketchToHeight(const Sketch& sketch, const SketchModel& model,
+                                   const SketchOptions& options, const Progress& progress) {
+  LW_RETURN_IF_ERROR(Status::FromViolations("illegal sketch options", Validate(options)));
+  LW_ASSIGN_OR_RETURN(const Grid<float> land, model.Run(sketch));
+  const auto [low, high] = std::minmax_element(land.begin(), land.end());
+  if (!(*high > *low))
+    return Internal("the sketch model gives level land: the same height everywhere");
+  LW_RETURN_IF_ERROR(progress.CheckCancelled());
+  return RaiseLand(sketch, &land, options, progress);
 }
 
 }  // namespace latticeworld

@@ -13,7 +13,6 @@
 
 #include "latticeworld/common/files.h"
 #include "latticeworld/common/text.h"
-#include "latticeworld/geomorphology/resample.h"
 #include "latticeworld/relief/onnx_input.h"
 #include "latticeworld/relief/sketch_lines.h"
 
@@ -122,17 +121,6 @@ Result<Grid<float>> SketchModel::Run(const Sketch& sketch) const {
   std::copy(output.ptr<float>(), output.ptr<float>() + height.size(), height.begin());
   if (!std::all_of(height.begin(), height.end(), [](float h) { return std::isfinite(h); })) {
     return Internal("the sketch model gives heights that are not finite");
-  }
-  return height;
-}
-
-Result<Grid<float>> SketchToHeight(const Sketch& sketch, const SketchModel& model,
-                                   const SketchOptions& options) {
-  LW_RETURN_IF_ERROR(Status::FromViolations("illegal sketch options", Validate(options)));
-  LW_ASSIGN_OR_RETURN(const Grid<float> made, model.Run(sketch));
-  Grid<float> height = Resample(made, options.samples, options.samples);
-  if (!internal::StretchHeights(options, &height)) {
-    return Internal("the sketch model gives level land: the same height everywhere");
   }
   return height;
 }

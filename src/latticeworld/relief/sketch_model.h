@@ -39,11 +39,12 @@ class SketchModel {
   std::unique_ptr<Network> network_;
 };
 
-// What the model makes of the sketch, resampled to the options' samples and stretched to its
-// heights: no detail or erosion is added, since a trained model gives both. Errors:
-// INVALID_ARGUMENT (options), INTERNAL (as Run, or an output that is level).
+// Land whose strokes are those of the sketch and whose heights between them, and along its ridges,
+// are those that the model gives: valleys fall along their course, and water works on it as on the
+// land without a model. Errors: INVALID_ARGUMENT (options), CANCELLED, INTERNAL (as Run, or an
+// output that is level).
 Result<Grid<float>> SketchToHeight(const Sketch& sketch, const SketchModel& model,
-                                   const SketchOptions& options);
+                                   const SketchOptions& options, const Progress& progress);
 
 }  // namespace latticeworld
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/geomorphology/diffusion.h"
 #include "latticeworld/geomorphology/distance.h"
 #include "latticeworld/geomorphology/noise.h"
+#include "latticeworld/geomorphology/resample.h"
 #include "latticeworld/relief/sketch_lines.h"
 
 namespace latticeworld::internal {
@@ -38,6 +40,9 @@ constexpr float kBaseShare = 0.3f;
 constexpr float kBaseValleyPull = 2.0f;
 constexpr float kBaseImpliedPull = 0.2f;
 constexpr float kFarBase = 0.3f;
+
+// Given land pulls so much more than rolling land, which nobody drew.
+constexpr float kLandPull = 30.0f;
 
 struct Springs {
   Grid<float> stiffness;
@@ -74,10 +79,41 @@ Courses CoursesOf(const Sketch& strokes, const Grid<unsigned char>& ridge, std::
   return FindCourses(valley, lake, ridge, StreamSeed(seed, "courses"), threads);
 }
 
+// Given land in the heights of the surface: at the drawn valleys, on average, as high as their
+// floors, and at the ridges kRidgeHeight above that. Without either, its lowest and highest
+// twentieth stand for them.
+Grid<float> LandOfSurface(const Grid<float>& land, const SketchSurface& surface, int threads) {
+  const int cells = surface.ridge.rows();
+  Grid<float> height = Resample(land, cells, cells, threads);
+  double valley = 0.0, floor = 0.0, ridge = 0.0;
+  std::size_t valleys = 0, ridges = 0;
+  for (std::size_t i = 0; i < height.size(); ++i) {
+    if (surface.courses.valley.data()[i] == kDrawn) {
+      valley += height.data()[i];
+      floor += surface.courses.floor.data()[i];
+      ++valleys;
+    } else if (surface.ridge.data()[i] != 0) {
+      ridge += height.data()[i];
+      ++ridges;
+    }
+  }
+  std::vector<float> sorted(height.begin(), height.end());
+  std::sort(sorted.begin(), sorted.end());
+  const double low =
+      valleys > 0 ? valley / static_cast<double>(valleys) : sorted[sorted.size() / 20];
+  double high = ridges > 0 ? ridge / static_cast<double>(ridges)
+                           : sorted[sorted.size() - 1 - sorted.size() / 20];
+  if (!(high > low)) high = sorted.back();  // it is not level
+  const double bottom = valleys > 0 ? floor / static_cast<double>(valleys) : 0.0;
+  const double scale = kRidgeHeight / std::max(high - low, 1e-9);
+  for (float& h : height) h = static_cast<float>(bottom + scale * (h - low));
+  return height;
+}
+
 }  // namespace
 
-Result<SketchSurface> MakeSketchSurface(const Sketch& sketch, int cells, std::uint64_t seed,
-                                        int threads, const Progress& progress) {
+Result<SketchSurface> MakeSketchSurface(const Sketch& sketch, const Grid<float>* land, int cells,
+                                        std::uint64_t seed, int threads, const Progress& progress) {
   const Sketch strokes = ResampleSketch(sketch, cells, cells);
   SketchSurface surface;
   surface.ridge = Thin(MaskOf(Stroke::kRidge, strokes));
@@ -109,15 +145,21 @@ Result<SketchSurface> MakeSketchSurface(const Sketch& sketch, int cells, std::ui
   }
 
   const Grid<float> peaks = MakePeaks(cells, seed, threads);
+  const Grid<float> given =
+      land == nullptr ? Grid<float>() : LandOfSurface(*land, surface, threads);
   for (std::size_t i = 0; i < base.size(); ++i) {
     const unsigned char kind = valley.data()[i];
     const float peak = peaks.data()[i];
     if (kind == kDrawn) {
       springs.Set(i, kValleyPull, floor.data()[i]);
     } else if (surface.ridge.data()[i] != 0) {
-      springs.Set(i, kRidgePull / reach, base.data()[i] + kRidgeHeight + kRidgeVariation * peak);
+      const float height = land == nullptr ? base.data()[i] + kRidgeHeight + kRidgeVariation * peak
+                                           : given.data()[i];
+      springs.Set(i, kRidgePull / reach, height);
     } else if (kind == kImplied) {
       springs.Set(i, kImpliedPull, floor.data()[i]);
+    } else if (land != nullptr) {
+      springs.Set(i, kLandPull * weak_pull, given.data()[i]);
     } else {
       springs.Set(i, weak_pull, base.data()[i] + kLandHeight + kLandVariation * peak);
     }

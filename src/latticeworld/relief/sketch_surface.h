@@ -21,9 +21,11 @@ struct SketchSurface {
 
 // A membrane that springs pull: hard to the floors along the valleys, towards peaks and saddles
 // along the ridges, weakly to rolling land everywhere. So the height of a ridge comes out of what
-// lies around it: low beside a valley, falling off at its ends. Errors: CANCELLED.
-Result<SketchSurface> MakeSketchSurface(const Sketch& sketch, int cells, std::uint64_t seed,
-                                        int threads, const Progress& progress);
+// lies around it: low beside a valley, falling off at its ends. land: heights of any scale (n x n)
+// that take the place of the rolling land and of what ridges strive for; null: none. Errors:
+// CANCELLED.
+Result<SketchSurface> MakeSketchSurface(const Sketch& sketch, const Grid<float>* land, int cells,
+                                        std::uint64_t seed, int threads, const Progress& progress);
 
 }  // namespace latticeworld::internal
 
