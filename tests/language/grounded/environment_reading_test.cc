@@ -390,5 +390,28 @@ TEST(EnvironmentReadingTest, EveryHourHasItsName) {
   EXPECT_EQ(TimeAt(23.9), TimeOfDay::kNight);
 }
 
+TEST(EnvironmentReadingTest, SnowThatLiesDoesNotFall) {
+  const auto weather_of = [](const std::string& text) {
+    return GenerateInCountry(text).environment.coarse.weather;
+  };
+  EXPECT_EQ(weather_of("Spring, cloudy, and patches of snow."), Weather::kCloudy);
+  EXPECT_EQ(weather_of("The roofs are white with snow, the sky is cloudy."), Weather::kCloudy);
+  EXPECT_EQ(weather_of("Heavy snow is falling."), Weather::kSnow);
+}
+
+TEST(EnvironmentReadingTest, WhatIsSaidOfANounIsSaidOfNoOther) {
+  const auto variants_of = [](const std::string& text) {
+    std::string said;
+    for (const EnvironmentClaim& claim : ReadEnvironmentInstruction(text).claims) {
+      if (claim.kind != EnvironmentClaimKind::kVariant) continue;
+      said += std::string(NameOf(claim.asset)) + " " + claim.values.front() + "; ";
+    }
+    return said;
+  };
+  EXPECT_EQ(variants_of("Lots of birch branches."), "dead_branch birch; ");
+  EXPECT_EQ(variants_of("The road is covered with snow."), "road snow-covered; ");
+  EXPECT_EQ(variants_of("Reed instead of ordinary grass."), "grass reed; ");
+}
+
 }  // namespace
 }  // namespace latticeworld

@@ -6,9 +6,12 @@
 #include <string_view>
 #include <vector>
 
+#include "latticeworld/language/grounded/environment/mend_asides.h"
 #include "latticeworld/language/grounded/environment/mend_denials.h"
+#include "latticeworld/language/grounded/environment/mend_each.h"
 #include "latticeworld/language/grounded/environment/mend_labels.h"
 #include "latticeworld/language/grounded/environment/mend_numerals.h"
+#include "latticeworld/language/grounded/environment/mend_robots.h"
 
 namespace latticeworld {
 namespace {
@@ -61,10 +64,11 @@ TEST(MendCountsTest, RoundNumbersAreAbout) {
   EXPECT_EQ(Mended("two or three sheep"), "two or three sheep");
 }
 
-TEST(MendCountsTest, KindsOfRobotsAreRobots) {
-  EXPECT_EQ(Mended("robots: 3 wheeled, 2 aerial"), "robots : 3 wheeled robots , 2 aerial robots");
-  EXPECT_EQ(Mended("robots: 3 wheeled carts"), "robots : 3 wheeled carts");
-  EXPECT_EQ(Mended("3 wheeled, 2 aerial"), "3 wheeled , 2 aerial");
+TEST(MendRobotsTest, KindsOfRobotsAreRobots) {
+  EXPECT_EQ(MendedBy(MendRobots, "robots: 3 wheeled, 2 aerial"),
+            "robots : 3 wheeled robots , 2 aerial robots");
+  EXPECT_EQ(MendedBy(MendRobots, "robots: 3 wheeled carts"), "robots : 3 wheeled carts");
+  EXPECT_EQ(MendedBy(MendRobots, "3 wheeled, 2 aerial"), "3 wheeled , 2 aerial");
 }
 
 TEST(MendCountsTest, HeadsAreAnimals) {
@@ -167,6 +171,84 @@ TEST(MendNumeralsTest, NumbersAreWrittenInManyWays) {
   EXPECT_EQ(mended("twenty sheep tops"), "at most twenty sheep");
   EXPECT_EQ(mended("ten goblins or more sleep"), "at least ten goblins sleep");
   EXPECT_EQ(mended("Goblins. How many? Thirty."), "goblins . thirty .");
+}
+
+TEST(MendAsidesTest, WhatIsOnlySaidBesideIsLeftOut) {
+  const auto mended = [](std::string_view text) { return MendedBy(MendAsides, text); };
+  EXPECT_EQ(mended("make it nine, twelve is too much for my laptop"), "make it nine ,");
+  EXPECT_EQ(mended("twelve sheep are too many"), "twelve sheep are too many");
+  EXPECT_EQ(mended("my kids want ten sheep"), "want ten sheep");
+  EXPECT_EQ(mended("the children will not look at it"), "will not look at it");
+  EXPECT_EQ(mended("the children will play by the lake"), "the children will play by the lake");
+  EXPECT_EQ(mended("I am tired of the rain, give me sun"), ", give me sun");
+  EXPECT_EQ(mended("she finds the realistic one boring"), "");
+  EXPECT_EQ(mended("she loves horses, so five horses"), ", so five horses");
+  EXPECT_EQ(mended("I like horses, a white one"), "i like horses , a white one");
+}
+
+TEST(MendAsidesTest, WhatGoesOnIsDone) {
+  const auto mended = [](std::string_view text) { return MendedBy(MendAsides, text); };
+  EXPECT_EQ(mended("two dogs that go on patrolling"), "two dogs that patrolling");
+  EXPECT_EQ(mended("they continue to graze"), "they graze");
+  EXPECT_EQ(mended("they keep still"), "they keep still");
+  EXPECT_EQ(mended("reed instead of ordinary grass"), "reed");
+  EXPECT_EQ(mended("asphalt instead of grass"), "asphalt instead of grass");
+}
+
+TEST(MendEachTest, CountsOfEachAreThoseOfAll) {
+  const auto mended = [](std::string_view text) { return MendedBy(MendEach, text); };
+  EXPECT_EQ(mended("two knights on each side of the bridge"),
+            "4 knights on each side of the bridge");
+  EXPECT_EQ(mended("sixteen soldiers, eight on each side"), "sixteen soldiers");
+  EXPECT_EQ(mended("sixteen soldiers, eight on each bank of the river"),
+            "sixteen soldiers by the river");
+  EXPECT_EQ(mended("four rovers, one in each corner"), "four rovers in all four corners");
+  EXPECT_EQ(mended("a rover, one goblin in each corner"), "a rover , one goblin in each corner");
+}
+
+TEST(MendEachTest, LooksAreOfOneGroup) {
+  const auto mended = [](std::string_view text) { return MendedBy(MendEach, text); };
+  EXPECT_EQ(mended("one big and two small robot dogs"), "3 robot dogs");
+  EXPECT_EQ(mended("two black horses, three white ones"), "two black horses , three white horses");
+  EXPECT_EQ(mended("two white horses and a black one"), "two white horses and a black horse");
+  EXPECT_EQ(mended("four horses, one of them white, pull a cart"), "four horses pull a cart");
+  EXPECT_EQ(mended("four horses, one of them asleep"), "four horses , one of them asleep");
+  EXPECT_EQ(mended("a family of four by the lake"), "four people by the lake");
+  EXPECT_EQ(mended("a family of four goblins"), "four goblins");
+}
+
+TEST(MendNumeralsTest, CountsMayBeSaidTwiceOrBySteps) {
+  const auto mended = [](std::string_view text) { return MendedBy(MendNumerals, text); };
+  EXPECT_EQ(mended("seven (7) robot dogs"), "seven robot dogs");
+  EXPECT_EQ(mended("seven (8) robot dogs"), "seven ( 8 ) robot dogs");
+  EXPECT_EQ(mended("every second one of the ten sheep"), "half of the ten sheep");
+  EXPECT_EQ(mended("every third sheep is asleep"), "a third of the sheep is asleep");
+}
+
+TEST(MendCountsTest, DozensAndHundredsAreCounted) {
+  EXPECT_EQ(Mended("a few dozen sheep"), "dozens of sheep");
+  EXPECT_EQ(Mended("a couple hundred sheep"), "two hundred sheep");
+}
+
+TEST(MendRobotsTest, PartsOfAWholeAreCountedByTheirKind) {
+  const auto mended = [](std::string_view text) { return MendedBy(MendRobots, text); };
+  EXPECT_EQ(mended("robots: three on wheels, two with four legs"),
+            "robots : three robots on wheels , two robots with four legs");
+  EXPECT_EQ(mended("ten robots, half of them wheeled and half flying"),
+            "ten robots , 5 wheeled robots and 5 flying robots");
+  EXPECT_EQ(mended("100 agents, 60 % sheep, 40 % goblins"), "100 agents , 60 sheep , 40 goblins");
+  EXPECT_EQ(mended("sixty animals: sheep and horses in equal numbers"),
+            "sixty animals : 30 sheep and 30 horses");
+  EXPECT_EQ(mended("ten sheep, half of them lambs"), "ten sheep , half of them lambs");
+}
+
+TEST(MendLabelsTest, ValuesBehindLabelsAreMeant) {
+  const auto mended = [](std::string_view text) { return MendedBy(MendLabels, text); };
+  EXPECT_EQ(mended("Grass: fescue, 0.9"), "grass : fescue , density 0.9");
+  EXPECT_EQ(mended("lots of dead wood, birch as well"),
+            "lots of dead wood , birch dead wood as well");
+  EXPECT_EQ(mended("wind speed 5"), "wind speed 5 m s");
+  EXPECT_EQ(mended("everyone is asleep: ten sheep"), "all agents are asleep : ten sheep");
 }
 
 }  // namespace

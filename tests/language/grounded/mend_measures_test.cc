@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "latticeworld/language/grounded/environment/mend_ways.h"
+
 namespace latticeworld {
 namespace {
 
@@ -55,6 +57,35 @@ TEST(MendMeasuresTest, TurnsOfPhraseAreSaidPlainly) {
   EXPECT_EQ(Mended("sky: grey"), "sky grey");
   EXPECT_EQ(Mended("two sheep and, hmm, three horses"), "two sheep and , three horses");
   EXPECT_EQ(Mended("two sheep, hmm, three"), "two sheep , hmm , three");
+}
+
+TEST(MendMeasuresTest, HalvesAreAddedToTheirNumber) {
+  EXPECT_EQ(Mended("a metre and a half below normal"), "1.5 metre below normal");
+  EXPECT_EQ(Mended("two and a half metres higher"), "2.5 metres higher");
+  EXPECT_EQ(Mended("a good metre higher"), "a metre higher");
+  EXPECT_EQ(Mended("a sheep and a half-dead goat"), "a sheep and a half dead goat");
+}
+
+TEST(MendMeasuresTest, TheMiddleOfATimeIsNoPlace) {
+  EXPECT_EQ(Mended("in the middle of the night"), "in night");
+  EXPECT_EQ(Mended("in the middle of the day"), "in noon");
+  EXPECT_EQ(Mended("in the middle of a storm"), "in a storm");
+  EXPECT_EQ(Mended("in the middle of the lake"), "in the middle of the lake");
+  EXPECT_EQ(Mended("fog is rolling in"), "fog is coming in");
+}
+
+TEST(MendWaysTest, PlacesAreToldByWays) {
+  const auto mended = [](std::string_view text) {
+    std::vector<Token> tokens = Tokenize(text);
+    MendWays(&tokens);
+    return JoinWords(tokens, 0, tokens.size());
+  };
+  EXPECT_EQ(mended("a drone above where the road crosses the river"), "a drone above the bridge");
+  EXPECT_EQ(mended("knights where the road enters the village"),
+            "knights on the road by the village");
+  EXPECT_EQ(mended("where it comes into the map"), "where it comes into the map");
+  EXPECT_EQ(mended("two halfway along the road"), "two in the middle of the road");
+  EXPECT_EQ(mended("two halfway"), "two in the middle");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "latticeworld/language/grounded/environment/agent_discourse.h"
+#include "latticeworld/language/numbers.h"
 
 namespace latticeworld {
 namespace internal {
@@ -67,6 +68,13 @@ AgentReader::Reference AgentReader::ReferenceAt(std::size_t at, bool of_others) 
   const bool bare = noted_.IsAnyWord(at, {"these", "those", "both"}) && EndsNounPhrase(at + 1);
   if (noted_.IsWord(at, "them") || bare) {
     return {1, GroupBefore(true, of_others), true, true};
+  }
+  // "above all five", "among all of them", "above everybody"
+  if (noted_.IsAnyWord(at, {"everybody", "everyone"})) return {1, GroupBefore(true, of_others)};
+  if (noted_.IsWord(at, "all")) {
+    const std::size_t count = MatchNumber(tokens_, at + 1).tokens;
+    const std::size_t all = 1 + count + RoleAt(Role::kOfThem, at + 1 + count);
+    if (all > 1 && EndsNounPhrase(at + all)) return {all, GroupBefore(true, of_others)};
   }
   if (noted_.IsAnyWord(at, {"each", "every"})) {
     const std::size_t one = noted_.IsWord(at + 1, "one") ? 1 : 0;

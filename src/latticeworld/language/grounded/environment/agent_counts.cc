@@ -10,6 +10,10 @@ namespace {
 
 constexpr std::size_t kPlaceAhead_tokens = 8;
 
+bool IsInSeveralPlaces(const AgentWish& wish) {
+  return wish.places.size() > 1 || !wish.more_land.empty();
+}
+
 }  // namespace
 
 std::size_t AgentReader::ReadLoneCount(const Count& said) {
@@ -28,7 +32,11 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
     ++count.tokens;
     ++next;
   }
-  if (unit_ > 1 && of_them == 0 && more == 0 && ReadCollective(noted_, words_, at_).tokens == 0) {
+  // "a flock of 30 sheep and another of 15"
+  const bool sized =
+      at_ > 1 && noted_.IsWord(at_ - 1, "of") && noted_.IsAnyWord(at_ - 2, {"one", "another"});
+  if (unit_ > 1 && !sized && of_them == 0 && more == 0 &&
+      ReadCollective(noted_, words_, at_).tokens == 0) {
     count = {CappedProduct(count.least, unit_), CappedProduct(count.value, unit_),
              CappedProduct(count.most, unit_), count.tokens};
   }
@@ -36,7 +44,7 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
       noted_.IsAnyWord(next, {"each", "apiece"}) ||
       (noted_.IsAnyWord(next, {"to", "per", "in", "at", "for"}) &&
        (noted_.IsAnyWord(next, {"per"}) || noted_.IsAnyWord(next + 1, {"a", "each", "every"})) &&
-       groups_[last_].wish.places.size() > 1);
+       IsInSeveralPlaces(groups_[last_].wish));
   if (of_them == 0 && !each && !EndsNounPhrase(next + more)) return 0;
   Group& whole = groups_[last_];
   // "two packs of wolves, seven in each"
@@ -62,7 +70,7 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
     noted_.Mark(at_, next + 1, &TokenNote::agent);
     return next + 1 - at_;
   }
-  if (each && whole.wish.places.size() > 1 && !whole.wish.counted) {
+  if (each && IsInSeveralPlaces(whole.wish) && !whole.wish.counted) {
     SetCount(count, &whole);
     whole.wish.each = true;
     std::size_t end = next;
@@ -102,7 +110,12 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
     }
     if (plain && IsAnnounced(whole, bare)) return tell_count(at_ + tokens);
   }
-  if (bare && plain && whole.wish.counted && lead_.set && at_ > 0 && noted_.notes[at_ - 1].place) {
+  std::size_t place_end = at_;
+  while (place_end > 0 && noted_.IsAnyWord(place_end - 1, {"there", "are", "is", "have", "we"})) {
+    --place_end;
+  }
+  if (bare && plain && whole.wish.counted && lead_.set && place_end > 0 &&
+      noted_.notes[place_end - 1].place) {
     // "in the north five goblins, in the south seven"
     AddLike(last_, count, tokens);
     return tokens;
@@ -170,7 +183,17 @@ bool AgentReader::IsAnnounced(const Group& group, bool bare) const {
     return group.sentence == sentence_ && (wish.places.empty() || wish.feature.has_value());
   }
   // "Eagles belong there, so three are circling."
-  return untold && !NounAhead(at_ + 1);
+  return (untold && !NounAhead(at_ + 1)) || IsSpreadOut(group);
+}
+
+bool AgentReader::IsSpreadOut(const Group& group) const {
+  if (group.sentence != sentence_) return false;
+  for (std::size_t i = at_; i > 0 && tokens_[i - 1].begin >= group.begin; --i) {
+    if (noted_.IsAnyWord(i - 1, {"spread", "scattered", "distributed", "dotted", "strung"})) {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool AgentReader::IsFlockOf(const Group& group) const {

@@ -190,6 +190,9 @@ class AgentReader {
   // A count, a noun, or both.
   std::size_t ReadNounPhrase();
 
+  // "Four wheeled robots" are four, "four-wheeled robots" are any number.
+  bool CountsWheeled(std::size_t at) const;
+
   // Whether the phrase that begins here has a name of agents for its noun.
   bool NounAhead(std::size_t at) const;
 
@@ -205,6 +208,9 @@ class AgentReader {
 
   // Whether the group was only announced, without a number, and the count that begins here is its.
   bool IsAnnounced(const Group& group, bool bare) const;
+
+  // "Our rovers are spread along the road, two ...": whether those named are only shared out.
+  bool IsSpreadOut(const Group& group) const;
 
   bool IsFlockOf(const Group& group) const;
 
@@ -289,6 +295,9 @@ class AgentReader {
   // Those of before whose name is that of tokens [first, end).
   std::vector<std::size_t> GroupsOf(const SpeciesWord& word, std::size_t first,
                                     std::size_t end) const;
+
+  // "Ten robot dogs. The dogs ...": those of before whose name ends in what is said up to `end`.
+  std::vector<std::size_t> GroupsCalled(std::size_t end) const;
 
   void ReferTo(const std::vector<std::size_t>& same, const Count& count, std::size_t end);
 
@@ -398,6 +407,10 @@ class AgentReader {
   // The places within those that the clause began with; all of them where none is.
   std::vector<Place> NarrowedByLead(const std::vector<Place>& places) const;
 
+  // "on the grass by the village", "in the grass east of the lake": whether the latter narrows the
+  // land that was named right before it.
+  bool Narrows(const FeaturePlace& feature, const std::optional<FeaturePlace>& land) const;
+
   void SetPlace(const std::vector<Place>& places, const std::optional<FeaturePlace>& feature,
                 bool each, const std::vector<std::size_t>& owners, std::size_t end);
 
@@ -446,6 +459,9 @@ class AgentReader {
 
   // "a drone above ten horses": the subject is where the new group is.
   void JoinSubjectTo(std::size_t index);
+
+  // "Eight drones, all but two in the air": the two are not.
+  void TellUnlike();
 
   // Gives those who are with others the place of those.
   void JoinCompany();
@@ -499,6 +515,7 @@ class AgentReader {
   std::vector<Place> there_;           // the place named last
   std::optional<FeaturePlace> there_feature_;
   int part_of_ = 0;           // of the group that is being named, so many are meant
+  bool all_but_ = false;      // "all but two of the ten", "only two of the ten": unlike the others
   bool split_state_ = false;  // the subject's state is only inherited
   std::size_t placed_ = kNone;
   std::size_t placed_sentence_ = 0;

@@ -33,9 +33,10 @@ struct Group {
   std::size_t end = 0;
   std::size_t sentence = 0;
   bool removed = false;
-  std::size_t with = kNone;  // beside the group that is at this place in the order of naming
-  bool inherited = false;    // its place is only that of those it was split off
-  bool purpose = false;      // only what the world is for ("to see how robots behave")
+  std::size_t with = kNone;    // beside the group that is at this place in the order of naming
+  std::size_t unlike = kNone;  // does something else than the group at that place
+  bool inherited = false;      // its place is only that of those it was split off
+  bool purpose = false;        // only what the world is for ("to see how robots behave")
 };
 
 // What a clause says of where its agents are before it names them.

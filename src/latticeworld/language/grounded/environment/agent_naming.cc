@@ -25,7 +25,8 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
     Replace(word, count, end);
     return;
   }
-  const std::vector<std::size_t> same = GroupsOf(word, at_, end);
+  std::vector<std::size_t> same = GroupsOf(word, at_, end);
+  if (same.empty() && IsDefinite()) same = GroupsCalled(end);
   // "each knight has a dog"
   const bool every = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"each", "every"});
   if (every && !same.empty() && count.tokens == 0) {
@@ -251,6 +252,18 @@ std::vector<std::size_t> AgentReader::GroupsOf(const SpeciesWord& word, std::siz
     same.push_back(i);
   }
   return same;
+}
+
+std::vector<std::size_t> AgentReader::GroupsCalled(std::size_t end) const {
+  const std::string last = " " + Singular(NameHere(end));
+  std::vector<std::size_t> called;
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    const std::string name = Singular(groups_[i].wish.name);
+    const bool ends = name.size() > last.size() &&
+                      name.compare(name.size() - last.size(), last.size(), last) == 0;
+    if (!groups_[i].removed && ends) called.push_back(i);
+  }
+  return called;
 }
 
 void AgentReader::ReferTo(const std::vector<std::size_t>& same, const Count& count,

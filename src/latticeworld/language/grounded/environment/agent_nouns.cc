@@ -21,8 +21,8 @@ std::size_t AgentReader::ReadNounPhrase() {
     if (count.tokens == 0) count = ReadCount(noted_, words_, at_);
   }
   if (noted_.IsWord(at_, "both") && !NounAhead(at_ + count.tokens)) count = {};
-  const bool species_here =
-      words_.species.LengthAt(tokens_, at_) >= std::max<std::size_t>(1, count.tokens);
+  const bool species_here = !CountsWheeled(at_) && words_.species.LengthAt(tokens_, at_) >=
+                                                       std::max<std::size_t>(1, count.tokens);
   if (count.tokens > 0 && !species_here) {
     const std::size_t next = at_ + count.tokens;
     // "four wheels each" counts no agents.
@@ -41,6 +41,13 @@ std::size_t AgentReader::ReadNounPhrase() {
     return ReadLoneCount(count);
   }
   return ReadSpecies();
+}
+
+bool AgentReader::CountsWheeled(std::size_t at) const {
+  if (!noted_.IsWord(at + 1, "wheeled") || MatchNumber(tokens_, at).tokens != 1) return false;
+  const auto wheeled = words_.species.At(tokens_, at + 1);
+  return wheeled.tokens > 0 && wheeled.rows.front()->plural &&
+         noted_.Text(at, at + 2).find('-') == std::string_view::npos;
 }
 
 bool AgentReader::NounAhead(std::size_t at) const {
@@ -84,7 +91,8 @@ bool AgentReader::EndsNounPhrase(std::size_t at) const {
       at, {"is",     "are",    "and",   "or",    "instead", "please", "there", "here",
            "should", "will",   "were",  "was",   "that",    "who",    "have",  "has",
            "not",    "rather", "more",  "only",  "each",    "then",   "just",  "simply",
-           "may",    "can",    "where", "which", "with",    "whose"});
+           "may",    "can",    "where", "which", "with",    "whose",  "live",  "lives",
+           "dwell",  "go",     "goes",  "come",  "comes"});
 }
 
 bool AgentReader::IsVerbHere(std::size_t at, bool counted) const {
@@ -93,8 +101,14 @@ bool AgentReader::IsVerbHere(std::size_t at, bool counted) const {
   // "three guard the village": of three there is no singular.
   if (counted) {
     const NumberMatch number = at > 0 ? MatchNumber({tokens_[at - 1]}, 0) : NumberMatch{};
-    return number.value > 1 && noun == 1 && !noted_.IsPause(at + 1) &&
-           !words_.species.At(tokens_, at).rows.front()->plural;
+    const SpeciesWord& word = *words_.species.At(tokens_, at).rows.front();
+    // "one flies, five drive": of one there is no plural.
+    if (number.value == 1 && noun == 1 && word.plural && !word.singular) return true;
+    return number.value > 1 && noun == 1 && !noted_.IsPause(at + 1) && !word.plural;
+  }
+  if (at > 0 && noted_.IsWord(at - 1, "one") && noun == 1) {
+    const SpeciesWord& word = *words_.species.At(tokens_, at).rows.front();
+    if (word.plural && !word.singular) return true;
   }
   if (at > 0 &&
       (noted_.IsAnyWord(at - 1, {"a",     "an",      "the", "no",   "by",    "some", "these",
@@ -184,9 +198,11 @@ std::size_t AgentReader::ReadSpecies() {
     ReadPresence(word, collective, end);
     if (part_of_ > 0 && last_ != kNone && groups_[last_].wish.quantity > part_of_) {
       Split({part_of_, part_of_, part_of_, 1}, part_of_, end - at_);
+      if (all_but_) groups_[rest_].unlike = part_;
     }
   }
   part_of_ = 0;
+  all_but_ = false;
   pending_ = {};
   phrase_begin_ = kNone;
   return end + collective.tokens + unwanted - at_;

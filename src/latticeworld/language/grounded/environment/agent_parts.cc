@@ -48,6 +48,7 @@ std::size_t AgentReader::ReadAllBut() {
   noted_.Mark(at_, next, &TokenNote::agent);
   const int most = whole->wish.quantity - left.value;
   Split({most, most, most, next - at_}, most, next - at_);
+  groups_[rest_].unlike = part_;
   return next - at_;
 }
 
@@ -62,6 +63,14 @@ std::size_t AgentReader::ReadExceptSome() {
   if (count.tokens == 0 || count.least != count.most) return 0;
   next += count.tokens;
   next += next < tokens_.size() ? RoleAt(Role::kOfThem, next) : 0;
+  // "..., except two rovers that are parked"
+  const auto named = words_.species.At(tokens_, next);
+  if (named.tokens > 0 && !noted_.IsPause(next)) {
+    const std::vector<std::size_t> same = GroupsOf(*named.rows.front(), next, next + named.tokens);
+    if (same.empty()) return 0;
+    next += named.tokens;
+    last_ = same.back();
+  }
   const bool alone = noted_.IsPause(next) || noted_.IsAnyWord(next, {"which", "who", "that"});
   if (!alone || count.value >= groups_[last_].wish.quantity) return 0;
   for (std::size_t i = at_; i < tokens_.size() && !noted_.IsEnd(i); ++i) {
@@ -70,7 +79,9 @@ std::size_t AgentReader::ReadExceptSome() {
   noted_.Mark(at_, next, &TokenNote::agent);
   Split(count, count.value, next - at_);
   groups_[part_].wish.state.reset();
-  if (tokens_[std::min(next, tokens_.size() - 1)].kind == TokenKind::kComma) {
+  // "..., which has landed on the bridge", but "..., which just stands around".
+  if (tokens_[std::min(next, tokens_.size() - 1)].kind == TokenKind::kComma &&
+      IsPlaceAhead(next + 1)) {
     groups_[part_].wish.ForgetPlace();
     groups_[part_].with = kNone;
   }
@@ -232,6 +243,10 @@ std::size_t AgentReader::Rename(std::size_t index, std::size_t at) {
   const auto match = words_.species.At(tokens_, at);
   if (match.tokens == 0 || IsVerbHere(at, true) || noted_.notes[at].negated) return 0;
   Group& group = groups_[index];
+  // "nine of them guard the bridge"
+  const bool verb = at == first && words_.states.LengthAt(tokens_, at) > 0;
+  const bool several = group.wish.quantity > 1;
+  if (verb && !(several ? match.rows.front()->plural : match.rows.front()->singular)) return 0;
   group.wish.categories = match.rows.front()->categories;
   group.wish.exact = match.rows.front()->exact;
   group.wish.name = JoinWords(tokens_, at, at + match.tokens);

@@ -242,6 +242,12 @@ bool AgentReader::IsFronted(std::size_t end) const {
         RoleAt(Role::kOfThem, i + count.tokens) > 0) {
       return false;  // "three of them" were named before
     }
+    // "in the north and in the south, ten each"
+    const std::size_t after = i + count.tokens;
+    if (count.tokens > 0 && (noted_.IsAnyWord(after, {"each", "apiece"}) ||
+                             noted_.IsAnyWord(after + 1, {"each", "every"}))) {
+      return false;
+    }
     if (words_.species.LengthAt(tokens_, i) > 0 || count.tokens > 0 ||
         (noted_.IsWord(i, "another") && !groups_.empty())) {
       return true;
@@ -298,89 +304,6 @@ bool AgentReader::IsPlaceList(std::size_t at) const {
     }
   }
   return false;
-}
-
-void AgentReader::SetPlace(const std::vector<Place>& places,
-                           const std::optional<FeaturePlace>& feature, bool each,
-                           const std::vector<std::size_t>& owners, std::size_t end) {
-  if (owners.empty()) {
-    // "on the sand, in the corner, ten knights" adds to what the clause began with.
-    const std::size_t last = at_ > 0 && noted_.IsPause(at_ - 1) ? at_ - 1 : at_;
-    if (clause_open_ && lead_.end != last) {
-      lead_ = {};
-      subject_.clear();
-    }
-    const std::vector<Place> narrowed = NarrowedByLead(places);
-    if (lead_.end == last && clause_open_ && !places.empty()) lead_.places.clear();
-    lead_.places.insert(lead_.places.end(), narrowed.begin(), narrowed.end());
-    if (feature.has_value()) lead_.feature = feature;
-    lead_.each = lead_.each || each;
-    lead_.set = true;
-    lead_.end = end;
-    return;
-  }
-  // "in the north, south and east"
-  const bool listed = at_ > 1 && tokens_[at_ - 1].kind == TokenKind::kComma &&
-                      noted_.notes[at_ - 2].place && IsPlaceList(end);
-  const bool also = listed || (at_ > 0 && noted_.IsAnyWord(at_ - 1, {"and", "or"}));
-  for (const std::size_t index : owners) {
-    AgentWish& wish = groups_[index].wish;
-    // "Five knights on the bridge. Ten sheep. All of them in the south."
-    const bool placed = wish.IsPlaced();
-    if (everybody_ && placed && groups_[index].sentence != sentence_) continue;
-    // "wherever you like" takes no place away.
-    const bool anywhere =
-        !feature.has_value() && !places.empty() && places.front().main == Region::kAnywhere;
-    if (anywhere && (placed || groups_[index].with != kNone)) continue;
-    const bool fresh = placed_sentence_ != sentence_ + 1 || placed_ != index;
-    if (corrected_ || (fresh && groups_[index].sentence != sentence_)) {
-      wish.ForgetPlace();
-    }
-    if (groups_[index].inherited) wish.ForgetPlace();
-    groups_[index].inherited = false;
-    const bool led_here = lead_.set && fresh && !places.empty() && !wish.places.empty() &&
-                          wish.places.size() == lead_.places.size() &&
-                          wish.places.front().main == lead_.places.front().main;
-    if (led_here) {
-      wish.places = NarrowedByLead(places);
-    } else if (wish.places.empty() || also) {
-      wish.places.insert(wish.places.end(), places.begin(), places.end());
-    }
-    // What is said at the agents themselves counts over what the clause began with.
-    const bool led = lead_.feature.has_value() && wish.feature.has_value() &&
-                     wish.feature->name == lead_.feature->name;
-    if (feature.has_value() && (led || !wish.feature.has_value())) {
-      wish.feature = feature;
-    } else if (feature.has_value() && also && feature->name != wish.feature->name) {
-      wish.more_land.push_back(*feature);
-    }
-    wish.each = wish.each || each;
-    Extend(index, tokens_[end - 1].end);
-    placed_ = index;
-  }
-  placed_sentence_ = sentence_ + 1;
-  joined_ = false;
-}
-
-std::vector<Place> AgentReader::NarrowedByLead(const std::vector<Place>& places) const {
-  std::vector<Place> narrowed = places;
-  for (Place& place : narrowed) {
-    std::vector<Region> common;
-    for (const Region region : place.regions) {
-      const bool led =
-          std::any_of(lead_.places.begin(), lead_.places.end(), [&](const Place& lead) {
-            return std::find(lead.regions.begin(), lead.regions.end(), region) !=
-                   lead.regions.end();
-          });
-      if (led) common.push_back(region);
-    }
-    if (common.empty()) continue;
-    place.regions = common;
-    if (std::find(common.begin(), common.end(), place.main) == common.end()) {
-      place.main = common[common.size() / 2];
-    }
-  }
-  return narrowed;
 }
 
 }  // namespace internal

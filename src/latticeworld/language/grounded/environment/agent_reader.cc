@@ -76,6 +76,11 @@ std::size_t AgentReader::Step() {
       if (wish.places.size() > 1 || !wish.more_land.empty()) groups_[index].wish.each = true;
     }
   }
+  // "five sheep each in the north and in the south"
+  if (noted_.IsWord(at_, "each") && subject_.size() == 1 && at_ > 0 &&
+      noted_.notes[at_ - 1].agent && PlacePhraseAt(at_ + 1) > 0 && IsPlaceList(at_ + 1)) {
+    groups_[subject_.front()].wish.each = true;
+  }
   if (noted_.IsWord(at_, "and")) {
     joined_ = true;
     clause_open_ = true;
@@ -290,6 +295,15 @@ void AgentReader::JoinCompany() {
   }
 }
 
+void AgentReader::TellUnlike() {
+  for (Group& group : groups_) {
+    if (group.unlike == kNone || group.wish.state.has_value()) continue;
+    const std::optional<AgentState>& others = groups_[group.unlike].wish.state;
+    if (!others.has_value()) continue;
+    group.wish.state = others == AgentState::kIdle ? AgentState::kPatrolling : AgentState::kIdle;
+  }
+}
+
 // "The only living thing is an eagle", "agents: 10": beside groups that are named, agents of any
 // kind are no group of their own but all of them together.
 void AgentReader::SumUpAnyAgents() {
@@ -311,6 +325,7 @@ void AgentReader::SumUpAnyAgents() {
 
 void AgentReader::Finish() {
   JoinCompany();
+  TellUnlike();
   SumUpAnyAgents();
   const bool asked = std::any_of(groups_.begin(), groups_.end(), [](const Group& group) {
     return !group.purpose && !group.removed;

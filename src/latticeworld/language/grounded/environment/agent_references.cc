@@ -51,7 +51,11 @@ std::size_t AgentReader::ReadReference() {
     const Count count =
         at_ + others < tokens_.size() ? ReadCount(noted_, words_, at_ + others) : Count{};
     const std::size_t next = at_ + others + count.tokens;
-    const bool noun = next < tokens_.size() && words_.species.LengthAt(tokens_, next) > 0;
+    // "the others fly", but "the other guards sleep"
+    const bool verb = count.tokens == 0 && !noted_.IsPause(next) &&
+                      !noted_.IsAnyWord(next - 1, {"other", "remaining"}) &&
+                      IsVerbHere(next, false);
+    const bool noun = !verb && next < tokens_.size() && words_.species.LengthAt(tokens_, next) > 0;
     if (const std::size_t left = ReadRestOfTotal(next); left > 0) return left;
     if (!noun && EndsNounPhrase(next)) {
       noted_.Mark(at_, next, &TokenNote::agent);
@@ -157,8 +161,12 @@ std::size_t AgentReader::ReadEverybody() {
   const bool is = noted_.IsAnyWord(next, {"are", "is", "should", "must", "were"});
   // "9 goblins; 9 knights; all idle"
   const bool alone = acts && noted_.IsWord(at_, "all") && at_ > 0 && noted_.IsEnd(at_ - 1);
+  // "..., two black ones, four white ones, all in the fields"
+  const bool all_there = noted_.IsWord(at_, "all") && groups_.size() > 1 &&
+                         noted_.IsAnyWord(next, {"in", "on", "at", "by", "near", "beside"}) &&
+                         PlacePhraseAt(next) > 0;
   const bool whole_sentence = of_them > 0 || person || they || alone || (is && !every);
-  if (!they && of_them == 0 && !(after_pause && (acts || (is && !every)))) return 0;
+  if (!they && of_them == 0 && !(after_pause && (acts || all_there || (is && !every)))) return 0;
   if (of_them > 0 && !after_pause) return 0;
   // Those of this sentence, and those of before who wait for a word.
   std::vector<std::size_t> everybody = subject_.empty() ? previous_ : subject_;

@@ -28,7 +28,10 @@ std::size_t AgentReader::ReadPartOfCounted() {
     Known(2);
     return 2;
   }
-  const Fraction fraction = FractionAt(at_);
+  // "most of the twenty sheep"
+  const Fraction fraction = noted_.IsWord(at_, "most") && !noted_.IsWord(at_ + 1, "part")
+                                ? Fraction{2, 3, 1}
+                                : FractionAt(at_);
   // "all but one of the five sheep"
   const bool all_but = noted_.IsWord(at_, "all") &&
                        noted_.IsAnyWord(at_ + 1, {"but", "except", "save", "bar", "barring"});
@@ -56,6 +59,10 @@ std::size_t AgentReader::ReadPartOfCounted() {
   for (std::size_t i = at_; all_but && i < tokens_.size() && !noted_.IsEnd(i); ++i) {
     noted_.notes[i].negated = false;
   }
+  // "only one of the four eagles is in the air": the others are not.
+  const bool only = noted_.IsAnyWord(at_, {"only", "just"}) ||
+                    (at_ > 0 && noted_.IsAnyWord(at_ - 1, {"only", "just"}));
+  all_but_ = all_but || only;
   noted_.Mark(at_, next, &TokenNote::agent);
   return next - at_;
 }
@@ -106,6 +113,7 @@ std::size_t AgentReader::ReadPartOfNamed() {
   if (last_ != whole) part_ = rest_ = kNone;
   last_ = whole;
   Split(all_but ? Count{} : part, std::clamp(taken, 1, quantity), end - at_);
+  if (all_but) groups_[rest_].unlike = part_;
   joined_ = paused_ = acted_ = clause_open_ = false;
   return end - at_ + RenamePart(end);
 }

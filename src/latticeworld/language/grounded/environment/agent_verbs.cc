@@ -37,7 +37,8 @@ std::size_t AgentReader::ReadState() {
   AgentState state = match.rows.front()->state;
   // Robots that charge stand at their charger.
   if (noted_.IsWord(at_, "charging") && match.tokens == 1 && SubjectIsRobots() &&
-      noted_.IsPause(at_ + 1)) {
+      (noted_.IsPause(at_ + 1) ||
+       noted_.IsAnyWord(at_ + 1, {"in", "by", "near", "beside", "outside", "on"}))) {
     state = AgentState::kIdle;
   }
   const std::size_t end = at_ + match.tokens;
@@ -63,7 +64,11 @@ std::size_t AgentReader::ReadState() {
       std::optional<AgentState>& said = groups_[index].wish.state;
       if (said.has_value()) continue;
       if (state == AgentState::kIdle) said = AgentState::kPatrolling;
-      if (state == AgentState::kPatrolling) said = AgentState::kIdle;
+      // "neither of the eagles is flying", "none of them grazes"
+      if (state == AgentState::kPatrolling || state == AgentState::kFlying ||
+          state == AgentState::kGrazing) {
+        said = AgentState::kIdle;
+      }
     }
     noted_.Mark(at_, end, &TokenNote::agent);
     return match.tokens;

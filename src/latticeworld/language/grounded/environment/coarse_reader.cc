@@ -166,13 +166,25 @@ class CoarseReader {
                                                   "packed", "melting", "frozen", "dirty"})) {
       return true;
     }
+    // "patches of snow", "roofs white with snow"
+    if (first > 1 && noted_.IsWord(first - 1, "of") &&
+        noted_.IsAnyWord(first - 2, {"patches", "patch", "scraps", "remains", "remnants", "bits",
+                                     "traces", "blanket", "layer", "drifts", "metre", "metres"})) {
+      return true;
+    }
+    if (first > 1 && noted_.IsAnyWord(first - 1, {"with", "in", "under"}) &&
+        noted_.IsAnyWord(first - 2, {"white", "covered", "coated", "capped", "laden", "heavy",
+                                     "buried", "dusted", "deep"})) {
+      return true;
+    }
     std::size_t at = last;
     while (noted_.IsAnyWord(at, {"still", "only", "left", "should", "must", "will", "is", "there",
                                  "deep", "thick", "all"})) {
       ++at;
     }
     if (noted_.IsAnyWord(at, {"on", "upon", "atop"})) {
-      return noted_.IsAnyWord(at + 1, {"the", "all", "every", "its", "their", "top", "roofs"});
+      return noted_.IsAnyWord(
+          at + 1, {"the", "all", "every", "its", "their", "top", "roofs", "them", "it"});
     }
     if (noted_.IsWord(at, "in")) return noted_.IsWord(at + 1, "patches");
     return noted_.IsAnyWord(at, {"cling", "clings", "lies", "lie", "lying", "covers", "covering",

@@ -16,12 +16,16 @@
 #include "latticeworld/language/grounded/environment/fine_reader.h"
 #include "latticeworld/language/grounded/environment/known_spelling.h"
 #include "latticeworld/language/grounded/environment/measure_reader.h"
+#include "latticeworld/language/grounded/environment/mend_asides.h"
 #include "latticeworld/language/grounded/environment/mend_counts.h"
 #include "latticeworld/language/grounded/environment/mend_denials.h"
+#include "latticeworld/language/grounded/environment/mend_each.h"
 #include "latticeworld/language/grounded/environment/mend_labels.h"
 #include "latticeworld/language/grounded/environment/mend_measures.h"
 #include "latticeworld/language/grounded/environment/mend_numerals.h"
+#include "latticeworld/language/grounded/environment/mend_robots.h"
 #include "latticeworld/language/grounded/environment/mend_speakers.h"
+#include "latticeworld/language/grounded/environment/mend_ways.h"
 #include "latticeworld/language/grounded/environment/token_notes.h"
 #include "latticeworld/language/grounded/environment/word_tables.h"
 #include "latticeworld/language/numbers.h"
@@ -36,7 +40,8 @@ std::string_view ShortMistake(std::string_view word) {
       {"teh", "the"},    {"hte", "the"},     {"adn", "and"},     {"wiht", "with"},
       {"lft", "left"},   {"rigth", "right"}, {"rihgt", "right"}, {"suny", "sunny"},
       {"flys", "flies"}, {"obove", "above"}, {"abov", "above"},  {"wheet", "wheat"},
-      {"nite", "night"}, {"rian", "rain"},   {"fogy", "foggy"},  {"rode", "road"}};
+      {"nite", "night"}, {"rian", "rain"},   {"fogy", "foggy"},  {"rode", "road"},
+      {"gras", "grass"}, {"els", "else"},    {"leafs", "leaves"}};
   for (const auto& [mistake, meant] : kMistakes) {
     if (word == mistake) return meant;
   }
@@ -54,6 +59,7 @@ void MendSpelling(const AddedValueWords& added, std::vector<Token>* tokens,
         at > 0 ? std::string_view((*tokens)[at - 1].text) : std::string_view();
     const bool noun = before == "the" || before == "a" || before == "one";
     if (token.text == "rode" && !noun) mended = {};
+    if (token.text == "gras" && before == "mardi") mended = {};
     if (token.text == "drown" && noun) mended = "drone";
     if (mended.empty()) mended = MendedWord(token.text);
     if (mended.empty()) continue;
@@ -196,12 +202,16 @@ HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction,
   MendSpelling(added, &tokens, &heard.warnings);
   MendPlaces(&tokens);
   DropSubstitutes(&tokens);
+  MendAsides(words, &tokens);
   MendLabels(words, &tokens);
   MendDenials(words, &tokens);
+  MendRobots(words, &tokens);
   MendNumerals(words, &tokens);
+  MendEach(words, &tokens);
   MendCounts(words, &tokens);
   MendSpeakers(&tokens);
   MendMeasures(&tokens);
+  MendWays(&tokens);
   NotedTokens noted = NoteScopes(instruction, std::move(tokens), words);
   std::vector<HeardMeasure> measures = ReadMeasures(&noted);
   ReadAgents(words, &noted, &heard);

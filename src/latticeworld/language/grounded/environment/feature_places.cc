@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -161,6 +162,20 @@ void KeepFarSide(std::string_view letters, std::string_view viewpoint, const Sym
   }
 }
 
+// Cells of both; none are left: nullopt.
+std::optional<Grid<unsigned char>> CellsOfBoth(const Grid<unsigned char>& one,
+                                               const Grid<unsigned char>& other) {
+  Grid<unsigned char> both(kLayoutSize, kLayoutSize, 0);
+  bool any = false;
+  for (int row = 0; row < kLayoutSize; ++row) {
+    for (int col = 0; col < kLayoutSize; ++col) {
+      both(row, col) = one(row, col) != 0 && other(row, col) != 0 ? 1 : 0;
+      any = any || both(row, col) != 0;
+    }
+  }
+  return any ? std::make_optional(both) : std::nullopt;
+}
+
 }  // namespace
 
 Grid<unsigned char> CellsAt(const FeaturePlace& feature, const SymbolicLayout& layout) {
@@ -220,7 +235,15 @@ Grid<unsigned char> CellsAt(const FeaturePlace& feature, const SymbolicLayout& l
 
 std::vector<Region> RegionsAt(const FeaturePlace& feature, const std::vector<Place>& places,
                               const SymbolicLayout& layout) {
-  const Grid<unsigned char> cells = CellsAt(feature, layout);
+  Grid<unsigned char> cells = CellsAt(feature, layout);
+  for (const FeaturePlace& other : feature.beside) {
+    const Grid<unsigned char> narrower = CellsAt(other, layout);
+    if (const auto both = CellsOfBoth(cells, narrower); both.has_value()) {
+      cells = *both;
+    } else if (feature.name == "grass") {
+      cells = narrower;
+    }
+  }
   std::vector<std::pair<int, Region>> counted;
   for (const auto& entry : EnumNames(Region{})) {
     if (entry.value != Region::kAnywhere) counted.push_back({0, entry.value});

@@ -82,12 +82,13 @@ class FineReader {
       for (const AssetWord* word : asset.rows) nouns.push_back(word->asset);
     } else if (const auto inner = AssetAtEnd(at, end);
                inner.has_value() &&
-               !noted_.IsAnyWord(at, {"of", "from", "made", "built", "out", "in"})) {
+               !noted_.IsAnyWord(at, {"of", "from", "made", "built", "out", "in", "covered",
+                                      "buried", "white", "dusted", "under"})) {
       nouns.push_back(*inner);
     }
     bool said = false;
     if (variant.tokens == longest) {
-      const bool of_noun = IsOfNoun(variant.rows, at);
+      const bool of_noun = IsOfNoun(variant.rows, at) || IsOfNextNoun(variant.rows, end);
       for (const VariantWord* word : variant.rows) {
         if (!word->alone) {
           quality.variants.push_back(word);
@@ -146,6 +147,14 @@ class FineReader {
     return linked && std::any_of(rows.begin(), rows.end(), [&](const VariantWord* word) {
              return !word->alone &&
                     std::find(noun_->begin(), noun_->end(), word->asset) != noun_->end();
+           });
+  }
+
+  // "birch branches": no birches stand there.
+  bool IsOfNextNoun(const std::vector<const VariantWord*>& rows, std::size_t end) const {
+    const auto noun = words_.assets.At(tokens_, end);
+    return noun.tokens > 0 && std::any_of(rows.begin(), rows.end(), [&](const VariantWord* word) {
+             return !word->alone && word->asset == noun.rows.front()->asset;
            });
   }
 

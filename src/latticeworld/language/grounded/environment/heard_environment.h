@@ -43,6 +43,7 @@ struct FeaturePlace {
   std::string other_name{};
   std::string other_suburb{};
   std::string other_wild{};
+  std::vector<FeaturePlace> beside{};  // "on the grass by the village": where both are true
 };
 
 // Agents as an instruction asks for them, before they are fitted to a world.

@@ -97,12 +97,21 @@ void MendLateRetractions(std::vector<Token>* tokens) {
   }
 }
 
-// "Twenty or so sheep", "twenty-odd sheep": about twenty. "A couple of dozen": two dozen.
+// "Twenty or so sheep", "twenty-odd sheep": about twenty. "A couple of dozen": two dozen. "A few
+// dozen": dozens of.
 void MendRoundNumbers(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     if (WordAt(*tokens, at) == "couple" && at > 0 && WordAt(*tokens, at - 1) == "a") {
       const std::size_t dozen = at + (WordAt(*tokens, at + 1) == "of" ? 2 : 1);
-      if (WordAt(*tokens, dozen) == "dozen") ReplaceTokens(tokens, at - 1, dozen + 1 - at, {"two"});
+      if (IsOneOf(WordAt(*tokens, dozen), {"dozen", "hundred", "thousand"}))
+        ReplaceTokens(tokens, at - 1, dozen + 1 - at, {"two"});
+    }
+    if (IsOneOf(WordAt(*tokens, at), {"few", "several"}) &&
+        IsOneOf(WordAt(*tokens, at + 1), {"dozen", "hundred", "thousand"})) {
+      const std::string many = std::string(WordAt(*tokens, at + 1)) + "s";
+      const std::size_t first = at - (at > 0 && WordAt(*tokens, at - 1) == "a" ? 1 : 0);
+      ReplaceTokens(tokens, first, at + 2 - first, {many, "of"});
+      continue;
     }
     const NumberMatch number = MatchNumber(*tokens, at);
     if (number.tokens == 0) continue;
@@ -118,27 +127,6 @@ void MendRoundNumbers(std::vector<Token>* tokens) {
     EraseTokens(tokens, end, round);
     InsertTokens(tokens, at, {WordLike("about", (*tokens)[at])});
     at += number.tokens;
-  }
-}
-
-// "Robots: 3 wheeled, 2 aerial": three wheeled robots, two aerial robots.
-void MendRobotKinds(std::vector<Token>* tokens) {
-  bool robots = false;
-  for (std::size_t at = 0; at < tokens->size(); ++at) {
-    robots = robots || WordAt(*tokens, at) == "robots";
-    if (!robots) continue;
-    const NumberMatch number = MatchNumber(*tokens, at);
-    const std::size_t kind = at + number.tokens;
-    const std::size_t next = kind + 1;
-    const bool ends = next >= tokens->size() || (*tokens)[next].kind != TokenKind::kWord ||
-                      WordAt(*tokens, next) == "and" || WordAt(*tokens, next) == "ones";
-    if (number.tokens == 0 || !ends) continue;
-    for (const std::string_view word : {"wheeled", "aerial", "flying", "legged", "humanoid"}) {
-      if (WordAt(*tokens, kind) != word) continue;
-      if (WordAt(*tokens, next) == "ones") EraseTokens(tokens, next, 1);
-      InsertTokens(tokens, next, {WordLike("robots", (*tokens)[kind])});
-      break;
-    }
   }
 }
 
@@ -341,7 +329,6 @@ void MendCounts(const EnvironmentWords& words, std::vector<Token>* tokens) {
   MendArrivals(tokens);
   MendFormer(tokens);
   MendParts(words, tokens);
-  MendRobotKinds(tokens);
 }
 
 }  // namespace latticeworld

@@ -11,10 +11,10 @@ namespace latticeworld {
 // Numbers of agents in the form that is read best:
 // - "ten, I mean twelve, sheep", "three, no, four drones", "four horses, no, five of them": twelve,
 //   four, five;
-// - "twenty or so sheep", "a couple of dozen sheep": about twenty, two dozen;
+// - "twenty or so sheep", "a couple of dozen sheep", "a few dozen sheep": about twenty, two dozen,
+//   dozens of sheep;
 // - "there used to be goblins": no goblins, unless "now there are only three" follows;
 // - "four rovers: two stand still, two patrol": two of them stand still, two of them patrol;
-// - "robots: 3 wheeled, 2 aerial": three wheeled robots, two aerial robots;
 // - "64 heads of sheep", "four more of them": 64 sheep, four more;
 // - "change that to twelve": actually, twelve; "all they do is wait": they all wait;
 // - "of the latter we have nine": nine of the latter; "the drones, both of them, ...": two of them;

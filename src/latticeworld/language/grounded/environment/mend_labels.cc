@@ -5,6 +5,7 @@
 
 #include "latticeworld/language/numbers.h"
 #include "latticeworld/language/place_words.h"
+#include "latticeworld/language/places.h"
 #include "latticeworld/language/token_edits.h"
 
 namespace latticeworld {
@@ -74,6 +75,100 @@ void MendBareValues(const EnvironmentWords& words, std::vector<Token>* tokens) {
     Token colon = CommaLike((*tokens)[end]);
     colon.text = ":";
     InsertTokens(tokens, end, {colon});
+  }
+}
+
+// "Grass: fescue, 0.9", "flowers: lavender 0.3": a density of 0.9, of 0.3.
+void MendSharesBehind(const EnvironmentWords& words, std::vector<Token>* tokens) {
+  constexpr std::size_t kLongest = 4;  // words of what is there
+  for (std::size_t at = 0; at < tokens->size(); ++at) {
+    if (at > 0 && !IsPauseAt(*tokens, at - 1)) continue;
+    const std::size_t colon = at + words.assets.LengthAt(*tokens, at);
+    if (colon == at || !IsColonAt(*tokens, colon)) continue;
+    std::size_t share = colon + 1;
+    while (share < colon + kLongest && !WordAt(*tokens, share).empty()) ++share;
+    if (share == colon + 1) continue;
+    if (share < tokens->size() && (*tokens)[share].text == ",") ++share;
+    const bool is_share = share < tokens->size() && IsPauseAt(*tokens, share + 1) &&
+                          (*tokens)[share].kind == TokenKind::kNumber &&
+                          (*tokens)[share].text.compare(0, 2, "0.") == 0;
+    if (is_share) InsertTokens(tokens, share, {WordLike("density", (*tokens)[share])});
+  }
+}
+
+// "Lots of dead wood, birch as well", "..., also birch": of the asset named last, not of another.
+void MendAlso(const EnvironmentWords& words, std::vector<Token>* tokens) {
+  for (std::size_t kind = 1; kind < tokens->size(); ++kind) {
+    const bool also = WordAt(*tokens, kind - 1) == "also";
+    const bool too = WordAt(*tokens, kind + 1) == "too" ||
+                     (WordAt(*tokens, kind + 1) == "as" && WordAt(*tokens, kind + 2) == "well");
+    const std::size_t begin = kind - (also ? 1 : 0);
+    const std::size_t end = kind + 1 + (too ? (WordAt(*tokens, kind + 1) == "as" ? 2 : 1) : 0);
+    if (also == too || begin == 0 || (*tokens)[begin - 1].kind != TokenKind::kComma) continue;
+    const auto said = words.variants.At(*tokens, kind);
+    if (said.tokens != 1 || !IsPauseAt(*tokens, end)) continue;
+    for (std::size_t noun = begin - 1; noun-- > 0 && !IsStopAt(*tokens, noun);) {
+      // "dead wood" rather than "wood"
+      if (noun > 0 && words.assets.LengthAt(*tokens, noun - 1) > 1) --noun;
+      const auto asset = words.assets.At(*tokens, noun);
+      if (asset.tokens == 0) continue;
+      const bool fits = std::any_of(said.rows.begin(), said.rows.end(), [&](const auto* row) {
+        return row->asset == asset.rows.front()->asset;
+      });
+      const std::vector<Token> name = TokensBetween(*tokens, noun, noun + asset.tokens);
+      if (fits) InsertTokens(tokens, kind + 1, name);
+      break;
+    }
+  }
+}
+
+// "Sheep: lower left, 7, asleep": sheep: 7, lower left, asleep.
+void MendCountsBehind(const EnvironmentWords& words, std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at < tokens->size(); ++at) {
+    const std::size_t colon = at + words.species.LengthAt(*tokens, at);
+    if (colon == at || !IsColonAt(*tokens, colon) || IsPauseAt(*tokens, colon + 1)) continue;
+    const std::size_t comma = colon + 1 + MatchPlace(*tokens, colon + 1).tokens;
+    if (comma == colon + 1 || comma >= tokens->size() || (*tokens)[comma].text != ",") continue;
+    const std::size_t number = MatchNumber(*tokens, comma + 1).tokens;
+    if (number == 0 || !IsPauseAt(*tokens, comma + 1 + number)) continue;
+    const std::vector<Token> count = TokensBetween(*tokens, comma + 1, comma + 1 + number);
+    EraseTokens(tokens, comma, 1 + number);
+    InsertTokens(tokens, colon + 1, {CommaLike((*tokens)[colon])});
+    InsertTokens(tokens, colon + 1, count);
+  }
+}
+
+// "Wind: 5", "wind speed 5": metres a second.
+void MendWindSpeed(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at < tokens->size(); ++at) {
+    if (!IsOneOf(WordAt(*tokens, at), {"wind", "windspeed"})) continue;
+    const bool speed = WordAt(*tokens, at + 1) == "speed";
+    std::size_t value = at + (speed ? 2 : 1);
+    if (IsColonAt(*tokens, value) || IsOneOf(WordAt(*tokens, value), {"is", "of", "at"})) ++value;
+    const bool plain = value == at + 1 && WordAt(*tokens, at) == "wind";
+    (*tokens)[at].text = "wind";
+    if (plain || value >= tokens->size() || !IsPauseAt(*tokens, value + 1)) continue;
+    const Token number = (*tokens)[value];
+    if (number.kind != TokenKind::kNumber || number.text == "0") continue;
+    InsertTokens(tokens, value + 1, {WordLike("m", number), WordLike("s", number)});
+  }
+}
+
+// "Everyone is asleep: ten sheep and a dog": all agents are.
+void MendEveryone(const EnvironmentWords& words, std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
+    const bool everyone = IsOneOf(WordAt(*tokens, at), {"everyone", "everybody", "everything"}) &&
+                          WordAt(*tokens, at + 1) == "is" &&
+                          (at == 0 || IsPauseAt(*tokens, at - 1));
+    if (!everyone) continue;
+    const std::size_t pause = at + 2 + words.states.LengthAt(*tokens, at + 2);
+    if (pause == at + 2 || pause >= tokens->size() || (*tokens)[pause].kind != TokenKind::kComma) {
+      continue;
+    }
+    const std::size_t noun = pause + 1 + MatchNumber(*tokens, pause + 1).tokens;
+    if (noun == pause + 1 || words.species.LengthAt(*tokens, noun) == 0) continue;
+    (*tokens)[pause].text = ":";
+    ReplaceTokens(tokens, at, 2, {"all", "agents", "are"});
   }
 }
 
@@ -147,6 +242,11 @@ void MendTelegrams(const EnvironmentWords& words, std::vector<Token>* tokens) {
 void MendLabels(const EnvironmentWords& words, std::vector<Token>* tokens) {
   MendDashes(words, tokens);
   MendBareValues(words, tokens);
+  MendSharesBehind(words, tokens);
+  MendAlso(words, tokens);
+  MendCountsBehind(words, tokens);
+  MendWindSpeed(tokens);
+  MendEveryone(words, tokens);
   MendStates(words, tokens);
   MendRemainders(tokens);
   MendToo(tokens);

@@ -13,6 +13,10 @@ namespace latticeworld {
 // - "branches 0.9", "branches=0.9", "livestock nil": "branches : 0.9", "livestock : none";
 // - "of these grazing: 12", "resting: 5": "12 of these grazing", "5 of them resting";
 // - "remaining 5: resting": "the remaining 5 resting";
+// - "grass: fescue, 0.9": fescue, density 0.9; "wind speed 5": 5 m/s;
+// - "lots of dead wood, birch as well": birch dead wood as well;
+// - "sheep: lower left, 7": "sheep : 7 , lower left";
+// - "everyone is asleep: ten sheep": "all agents are asleep : ten sheep";
 // - "eagles: a pair too": "eagles : a pair";
 // - "9 goblins forest": "9 goblins in the forest".
 void MendLabels(const EnvironmentWords& words, std::vector<Token>* tokens);

@@ -212,6 +212,58 @@ void MendEves(std::vector<Token>* tokens) {
   }
 }
 
+// "In the middle of the night", "in the middle of a storm": at night, in a storm, and no place.
+void MendMiddles(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
+    const bool middle = WordAt(*tokens, at) == "the" &&
+                        IsAny(WordAt(*tokens, at + 1), {"middle", "midst", "dead", "depth"}) &&
+                        WordAt(*tokens, at + 2) == "of";
+    if (!middle) continue;
+    const bool article = IsAny(WordAt(*tokens, at + 3), {"the", "a", "an"});
+    const std::string_view of = WordAt(*tokens, at + (article ? 4 : 3));
+    if (of == "day" && article) {
+      (*tokens)[at + 4].text = "noon";
+      EraseTokens(tokens, at, 4);
+    } else if (IsAny(of,
+                     {"night",     "winter",       "summer",    "autumn",   "spring",  "storm",
+                      "sandstorm", "thunderstorm", "snowstorm", "blizzard", "january", "february",
+                      "march",     "april",        "may",       "june",     "july",    "august",
+                      "september", "october",      "november",  "december"})) {
+      EraseTokens(tokens, at, article && of == "night" ? 4 : 3);
+    }
+  }
+}
+
+// "A good metre higher": a metre higher.
+void MendGoodMeasures(std::vector<Token>* tokens) {
+  for (std::size_t at = 1; at + 1 < tokens->size(); ++at) {
+    const bool good = IsAny(WordAt(*tokens, at), {"good", "full", "whole"}) &&
+                      IsAny(WordAt(*tokens, at - 1), {"a", "one"}) &&
+                      IsAny(WordAt(*tokens, at + 1), {"metre", "meter"});
+    if (good) EraseTokens(tokens, at, 1);
+  }
+}
+
+// "A metre and a half", "two and a half metres": 1.5 metres, 2.5 metres.
+void MendHalves(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at < tokens->size(); ++at) {
+    const NumberMatch number = MatchNumber(*tokens, at);
+    const bool article = number.tokens == 0 && IsAny(WordAt(*tokens, at), {"a", "an"});
+    if (number.tokens == 0 && !article) continue;
+    const std::size_t end = at + std::max<std::size_t>(1, number.tokens);
+    const bool unit = IsAny(WordAt(*tokens, end), {"metre", "metres", "meter", "meters"});
+    const std::size_t half = end + (unit ? 1 : 0);
+    const bool and_a_half = WordAt(*tokens, half) == "and" && WordAt(*tokens, half + 1) == "a" &&
+                            WordAt(*tokens, half + 2) == "half";
+    if (!and_a_half || (article && !unit)) continue;
+    const std::string whole = std::to_string(article ? 1 : number.value);
+    EraseTokens(tokens, half, 3);
+    const Token beside = (*tokens)[at];
+    EraseTokens(tokens, at, end - at);
+    InsertTokens(tokens, at, {{TokenKind::kNumber, whole + ".5", beside.begin, beside.end}});
+  }
+}
+
 // "up north": in the north; "chase one another": each other; "two more like him"; "perched, not one
 // of them in the air"; "one standing guard", which is no guard.
 void MendPhrases(std::vector<Token>* tokens) {
@@ -225,6 +277,12 @@ void MendPhrases(std::vector<Token>* tokens) {
     if (compass) {
       EraseTokens(tokens, at, 1);
       Insert(tokens, at, {"in", "the"}, beside);
+    }
+    // "a storm is rolling in": no rolling land
+    if (IsAny(word, {"rolling", "rolls"}) && at > 1 &&
+        (IsAny(WordAt(*tokens, at - 1), {"fog", "mist", "clouds", "storm", "thunderstorm"}) ||
+         IsAny(WordAt(*tokens, at - 2), {"fog", "mist", "clouds", "storm", "thunderstorm"}))) {
+      (*tokens)[at].text = "coming";
     }
     if (word == "dessert") (*tokens)[at].text = "desert";
     if (word == "nite") (*tokens)[at].text = "night";
@@ -265,6 +323,9 @@ void MendPhrases(std::vector<Token>* tokens) {
 
 void MendMeasures(std::vector<Token>* tokens) {
   MendPhrases(tokens);
+  MendMiddles(tokens);
+  MendGoodMeasures(tokens);
+  MendHalves(tokens);
   MendDottedNames(tokens);
   MendFractions(tokens);
   MendTotals(tokens);

@@ -14,6 +14,8 @@ namespace latticeworld {
 // - "the lake low by one metre": one metre lower;
 // - "ten of each kind of robot": ten of each, by name;
 // - "twice as many sheep as horses; there are four horses": eight sheep;
+// - "in the middle of the night": in the night, which is no place;
+// - "a metre and a half", "a good metre": 1.5 metres, a metre;
 // - "Christmas Eve": Christmas; "up north", "up top": in the north, at the top.
 // Words that are put in share the bytes of those that they stand for.
 void MendMeasures(std::vector<Token>* tokens);

@@ -160,6 +160,53 @@ void MendBounds(const EnvironmentWords& words, std::vector<Token>* tokens) {
   }
 }
 
+// "Seven (7) robot dogs": seven robot dogs.
+void MendTwiceSaid(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
+    const NumberMatch said = MatchNumber(*tokens, at);
+    const std::size_t open = at + said.tokens;
+    if (said.tokens == 0 || open + 2 >= tokens->size() || (*tokens)[open].text != "(") continue;
+    const NumberMatch again = MatchNumber(*tokens, open + 1);
+    const std::size_t close = open + 1 + again.tokens;
+    const bool same = again.tokens > 0 && again.value == said.value && close < tokens->size() &&
+                      (*tokens)[close].text == ")";
+    if (same) EraseTokens(tokens, open, close + 1 - open);
+  }
+}
+
+// "Two out of five drones": two of the five drones.
+void MendOutOf(const EnvironmentWords& words, std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
+    const std::size_t out = at + MatchNumber(*tokens, at).tokens;
+    if (out == at || WordAt(*tokens, out) != "out" || WordAt(*tokens, out + 1) != "of") continue;
+    const std::size_t noun = out + 2 + MatchNumber(*tokens, out + 2).tokens;
+    if (noun == out + 2 || IsPauseAt(*tokens, noun)) continue;
+    if (words.species.LengthAt(*tokens, noun) == 0) continue;
+    ReplaceTokens(tokens, out, 2, {"of", "the"});
+  }
+}
+
+// "Every second one of the ten sheep", "every third sheep": half of the ten sheep, a third of the
+// sheep.
+void MendEverySecond(std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 2 < tokens->size(); ++at) {
+    const std::string_view which = WordAt(*tokens, at + 1);
+    if (WordAt(*tokens, at) != "every") continue;
+    if (!IsOneOf(which, {"second", "third", "fourth", "fifth", "tenth"})) continue;
+    const bool one = WordAt(*tokens, at + 2) == "one";
+    const bool of = one && WordAt(*tokens, at + 3) == "of";
+    if (one && !of) continue;
+    std::vector<std::string_view> share = {"half"};
+    if (which == "fourth") share = {"a", "quarter"};
+    if (which == "third") share = {"a", "third"};
+    if (which == "fifth") share = {"a", "fifth"};
+    if (which == "tenth") share = {"a", "tenth"};
+    share.push_back("of");
+    if (!of) share.push_back("the");
+    ReplaceTokens(tokens, at, of ? 4 : 2, share);
+  }
+}
+
 // "Goblins. How many? Thirty.": thirty.
 void MendHowMany(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
@@ -173,6 +220,9 @@ void MendHowMany(std::vector<Token>* tokens) {
 
 void MendNumerals(const EnvironmentWords& words, std::vector<Token>* tokens) {
   MendPoints(tokens);
+  MendTwiceSaid(tokens);
+  MendOutOf(words, tokens);
+  MendEverySecond(tokens);
   MendDigits(tokens);
   MendPercents(words, tokens);
   MendBounds(words, tokens);

@@ -13,6 +13,8 @@ namespace latticeworld {
 // - "on 4 legs", "between the 2": on four legs, between the two;
 // - "50 % of them", "the other 50 % patrol": half of them, the others patrol;
 // - "thirty at the very least", "thirty or more": at least thirty;
+// - "seven (7) robot dogs": seven robot dogs;
+// - "two out of five drones", "every second sheep": two of the five drones, half of the sheep;
 // - "How many? Thirty.": thirty.
 void MendNumerals(const EnvironmentWords& words, std::vector<Token>* tokens);
 
