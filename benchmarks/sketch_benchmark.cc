@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
@@ -221,8 +222,9 @@ std::optional<SketchModel> LearnedModel(benchmark::State& state) {
 
 // Land, drawn, and made again from its sketch: Pearson correlation of the heights, and how well the
 // sketch of what was made agrees with the sketch that it was made from. Argument: of a thousand
-// cells, how many become strokes of each kind. model: null for the solver.
-void RoundTrip(benchmark::State& state, const SketchModel* model) {
+// cells, how many become strokes of each kind.
+using MakeLand = std::function<Grid<float>(const Sketch&, const SketchOptions&)>;
+void RoundTrip(benchmark::State& state, const MakeLand& make) {
   constexpr int kSamples = 256;
   const std::vector<Grid<float>> lands = Lands();
   const double share = 0.001 * static_cast<double>(state.range(0));
@@ -237,9 +239,7 @@ void RoundTrip(benchmark::State& state, const SketchModel* model) {
       options.samples = kSamples;
       options.seed = i;
       const Sketch sketch = DrawSketch(lands[i], share);
-      const Grid<float> made = model == nullptr
-                                   ? SketchToHeight(sketch, options, Progress()).value()
-                                   : SketchToHeight(sketch, *model, options, Progress()).value();
+      const Grid<float> made = make(sketch, options);
       const double correlation = Correlation(Resample(lands[i], kSamples, kSamples), made);
       sum += correlation;
       worst = std::min(worst, correlation);
@@ -253,11 +253,27 @@ void RoundTrip(benchmark::State& state, const SketchModel* model) {
   state.counters["agreement"] = agreement / static_cast<double>(lands.size());
 }
 
-void BM_RoundTrip(benchmark::State& state) { RoundTrip(state, nullptr); }
+void BM_RoundTrip(benchmark::State& state) {
+  RoundTrip(state, [](const Sketch& sketch, const SketchOptions& options) {
+    return SketchToHeight(sketch, options, Progress()).value();
+  });
+}
 
 void BM_LearnedRoundTrip(benchmark::State& state) {
   const std::optional<SketchModel> model = LearnedModel(state);
-  if (model) RoundTrip(state, &*model);
+  if (!model) return;
+  RoundTrip(state, [&](const Sketch& sketch, const SketchOptions& options) {
+    return SketchToHeight(sketch, *model, options, Progress()).value();
+  });
+}
+
+// What the network itself gives, on which no water has worked.
+void BM_ModelRoundTrip(benchmark::State& state) {
+  const std::optional<SketchModel> model = LearnedModel(state);
+  if (!model) return;
+  RoundTrip(state, [&](const Sketch& sketch, const SketchOptions& options) {
+    return Resample(model->Run(sketch).value(), options.samples, options.samples);
+  });
 }
 
 // The network alone, at its own size.
@@ -282,6 +298,7 @@ BENCHMARK(BM_SketchToHeight)->Apply(Sizes);
 BENCHMARK(BM_SketchToRelief)->Apply(Sizes);
 BENCHMARK(BM_RoundTrip)->Arg(10)->Arg(30)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_LearnedRoundTrip)->Arg(10)->Arg(30)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_ModelRoundTrip)->Arg(10)->Arg(30)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_LearnedModel)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

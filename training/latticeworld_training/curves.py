@@ -59,7 +59,7 @@ class LossCurve:
         points = {name: some for name, some in points.items() if len(some) > 1}
         if not points:
             return
-        width, height, left, top = 900, 540, 70, 40
+        width, height, left, top = 900, 560, 70, 60
         right, bottom = width - 20, height - 50
         last = max(x for some in points.values() for x, _ in some)
         high = max(y for some in points.values() for _, y in some)
@@ -78,6 +78,6 @@ class LossCurve:
             line = [(left + (right - left) * x / last, bottom - (bottom - top) * y / high) for x, y in some]
             draw.line(line, fill=color, width=2)
             label = right - 130 * (len(points) - i)
-            draw.line([(label, 18), (label + 25, 18)], fill=color, width=3)
-            draw.text((label + 32, 12), name, fill="black")
+            draw.line([(label, 38), (label + 25, 38)], fill=color, width=3)
+            draw.text((label + 32, 32), name, fill="black")
         image.save(path)

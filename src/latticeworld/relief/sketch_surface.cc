@@ -41,8 +41,10 @@ constexpr float kBaseValleyPull = 2.0f;
 constexpr float kBaseImpliedPull = 0.2f;
 constexpr float kFarBase = 0.3f;
 
-// Given land pulls so much more than rolling land, which nobody drew.
+// Given land pulls so much more than rolling land, which nobody drew; its ridges strive for so much
+// more than its height there, since crests are narrow and the grid it was given on is coarse.
 constexpr float kLandPull = 30.0f;
+constexpr float kCrest = 0.3f;
 
 struct Springs {
   Grid<float> stiffness;
@@ -154,7 +156,7 @@ Result<SketchSurface> MakeSketchSurface(const Sketch& sketch, const Grid<float>*
       springs.Set(i, kValleyPull, floor.data()[i]);
     } else if (surface.ridge.data()[i] != 0) {
       const float height = land == nullptr ? base.data()[i] + kRidgeHeight + kRidgeVariation * peak
-                                           : given.data()[i];
+                                           : given.data()[i] + kCrest;
       springs.Set(i, kRidgePull / reach, height);
     } else if (kind == kImplied) {
       springs.Set(i, kImpliedPull, floor.data()[i]);

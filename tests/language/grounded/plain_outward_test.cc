@@ -10,6 +10,7 @@ namespace latticeworld {
 namespace {
 
 const Vocabulary kSuburb = Vocabulary::kSuburb;
+const Vocabulary kWild = Vocabulary::kWild;
 
 std::vector<Sample> Sizes() {
   return {
@@ -125,6 +126,112 @@ std::vector<Sample> Lists() {
   };
 }
 
+std::vector<Sample> Grouping() {
+  return {
+      {"The only trees, up in the far north-east. A lake in the west.",
+       kSuburb,
+       {"located F@north-east corner"}},
+      {"The only water is a river on the right.", kSuburb, {"located W@eastern third"}},
+      {"Keep all the houses together in one group in the lower left.",
+       kSuburb,
+       {"located B@lower left", "clustered B"},
+       {"count B 1..1"}},
+      {"The houses and the lake must be at least eight cells apart.",
+       kSuburb,
+       {"apart B W"},
+       {"count B 8..", "count W 8.."}},
+      {"A strip of trees shelters the village from the north.",
+       kSuburb,
+       {"direction F B N"},
+       {"present B@northern third"}},
+      {"The village is protected from the north wind by a wood.",
+       kSuburb,
+       {"direction F B N"},
+       {"present B@northern third"}},
+      {"The house stands at the north-west corner of the lake.", kSuburb, {"direction B W NW"}},
+      {"Four groups of houses, one near the middle of each side of the map.",
+       kSuburb,
+       {"present B@middle left", "present B@lower"}},
+      {"A lake in the west. In the east there are two villages and a road that joins them.",
+       kSuburb,
+       {"connects R B B"},
+       {"connects R W B"}},
+  };
+}
+
+std::vector<Sample> Placing() {
+  return {
+      {"A wood in the north with a lake inside, and a road from the lake south to a "
+       "village.",
+       kSuburb,
+       {"connects R W B"},
+       {"present W@southern third"}},
+      {"To the left of the village is a lake, and behind it, to the north, a rock.",
+       kSuburb,
+       {"direction W B W", "direction D B N"}},
+      {"A town on the river, on the south side.",
+       kSuburb,
+       {"direction B W S"},
+       {"present B@southern third"}},
+      {"The forest borders the lake in the north and the fields in the south.",
+       kSuburb,
+       {"direction W F N", "direction A F S"},
+       {"present F@northern third"}},
+      {"A lake near the corner, bottom left.",
+       kSuburb,
+       {"present W@south-west corner"},
+       {"present W@corners"}},
+      {"A lake in the north. The middle of the map stays empty.", kSuburb, {"present G@center"}},
+  };
+}
+
+std::vector<Sample> Asides() {
+  return {
+      {"A manor in the middle. Surrounded by forest, reached by a lane from the east.",
+       kSuburb,
+       {"surrounds F B", "adjacent R B"},
+       {"adjacent R F"}},
+      {"Three hamlets hang on a road like beads on a string. It enters at the left edge.",
+       kSuburb,
+       {"along B R", "present R@western edge"},
+       {"present B@western edge"}},
+      {"No houses in the northern half, which has a lake in the middle.",
+       kSuburb,
+       {"absent B@northern half", "present W@center"},
+       {"absent W@center"}},
+      {"The village as it was in 1900.", kSuburb, {"present B"}, {"count B 24..24"}},
+      {"Around 55 percent of the cells should be forest, in a few large stands.",
+       kSuburb,
+       {"amount F"}},
+      {"A lake, and 5 houses and then grass where there is still room.",
+       kSuburb,
+       {"count B 5..5", "rest G"}},
+      {"Two roads cross in the middle. They cut the map into four: woods in the NW, crops "
+       "in the NE.",
+       kSuburb,
+       {"crosses R R", "present F@upper left"},
+       {"count R 5..5"}},
+      {"A lake in the west. Huts dotted about, none on the shore.",
+       kSuburb,
+       {"present B", "apart B W"},
+       {"absent B"}},
+      {"The town is wooded on every side but one: towards the east it opens on meadows.",
+       kSuburb,
+       {"direction G B E"},
+       {"direction G F E"}},
+      {"A snow-covered plain with a lake.", kWild, {"dominant S"}},
+      {"A lake in the north - no, sorry, in the south.",
+       kSuburb,
+       {"present W@southern third"},
+       {"absent W@southern third"}},
+      {"A lake, no, a wood in the north.", kSuburb, {"present F@northern third"}, {"present W"}},
+      {"Put a village in the north. On second thought, put it in the south.",
+       kSuburb,
+       {"present B@southern third"},
+       {"present B@northern third"}},
+  };
+}
+
 class PlainOutward : public testing::TestWithParam<Sample> {};
 
 TEST_P(PlainOutward, ReadsTheClaims) { ExpectRead(GetParam()); }
@@ -134,6 +241,9 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PlainOutward, testing::ValuesIn(Sizes()));
 INSTANTIATE_TEST_SUITE_P(Outward, PlainOutward, testing::ValuesIn(Outward()));
 INSTANTIATE_TEST_SUITE_P(Linked, PlainOutward, testing::ValuesIn(Linked()));
 INSTANTIATE_TEST_SUITE_P(Lists, PlainOutward, testing::ValuesIn(Lists()));
+INSTANTIATE_TEST_SUITE_P(Grouping, PlainOutward, testing::ValuesIn(Grouping()));
+INSTANTIATE_TEST_SUITE_P(Placing, PlainOutward, testing::ValuesIn(Placing()));
+INSTANTIATE_TEST_SUITE_P(Asides, PlainOutward, testing::ValuesIn(Asides()));
 
 }  // namespace
 }  // namespace latticeworld

@@ -115,6 +115,128 @@ std::vector<Sample> Rows() {
   };
 }
 
+std::vector<Sample> Allotments() {
+  return {
+      {"The eastern half is a third forest, a third grass and a third houses.",
+       kSuburb,
+       {"present F@eastern half", "amount F", "amount G", "amount B"},
+       {"dominant F@eastern half"}},
+      {"Water in the western half. The eastern half should be farmland, grass and houses, "
+       "roughly a third each.",
+       kSuburb,
+       {"present A@eastern half", "amount A", "amount G"}},
+      {"Four fifths of the map is snow. The other fifth is half rock and half water.",
+       kWild,
+       {"amount S", "amount R", "amount W"}},
+      {"A quarter of the map is water and a tenth is houses.", kSuburb, {"amount W", "amount B"}},
+      {"The right half is split between a field at the top and a lake at the bottom.",
+       kSuburb,
+       {"dominant A@north-eastern quarter", "dominant W@south-eastern quarter"},
+       {"present A@northern third"}},
+      {"Split the map in half vertically: left forest, right water.",
+       kSuburb,
+       {"dominant F@western half", "dominant W@eastern half"}},
+      {"The forest should take up the most space, followed by the fields.",
+       kSuburb,
+       {"dominant F", "more_than F A"},
+       {"along A F"}},
+      {"There should be more water than houses, but less than forest.",
+       kSuburb,
+       {"more_than W B", "more_than F W"}},
+  };
+}
+
+std::vector<Sample> Counts() {
+  return {
+      {"Three houses in the north and two in the south.",
+       kSuburb,
+       {"count B 5..5"},
+       {"count B 2..2"}},
+      {"Two lakes in the west and one in the east.",
+       kSuburb,
+       {"present W@western third", "present W@eastern third"},
+       {"count W 2..2"}},
+      {"On the left there are three houses, on the right only one.",
+       kSuburb,
+       {"present B@western third", "present B@eastern third"},
+       {"count B 1..1"}},
+      {"Three lakes: a big one in the middle and two small ones in the north.",
+       kSuburb,
+       {"count W 3..3"},
+       {"count W 4..4"}},
+      {"The two northern corners are forest, the two southern ones are fields.",
+       kSuburb,
+       {"present A@south-west corner", "present A@south-east corner"},
+       {"present A@southern third"}},
+      {"Half of the houses are by the lake, the others by the road.",
+       kSuburb,
+       {"adjacent B W", "adjacent B R"},
+       {"rest W"}},
+      {"Most of the houses are in the west, a few in the east.",
+       kSuburb,
+       {"present B@western third", "present B@eastern third"},
+       {"count B 2..5"}},
+      {"Five houses, of which two stand by the lake.", kSuburb, {"count B 5..5"}, {"count B 2..2"}},
+      {"Of the three lakes two are in the north.",
+       kSuburb,
+       {"count W 3..3", "present W@northern third"},
+       {"count W 2..2"}},
+      {"There are trees on both sides of the river and a path along its left side.",
+       kSuburb,
+       {"direction R W W"},
+       {"direction R F W"}},
+      {"Top: forest. Bottom: fields. Between them a river from left to right.",
+       kSuburb,
+       {"between W F A"},
+       {"between W A A"}},
+      {"In the west a forest, in the east a lake, in between a village.",
+       kSuburb,
+       {"between B F W"},
+       {"present B@eastern third"}},
+  };
+}
+
+std::vector<Sample> Exceptions() {
+  return {
+      {"A village with forest on all sides but the west.",
+       kSuburb,
+       {"surrounds F B"},
+       {"present F@western edge"}},
+      {"The lake is surrounded by forest on all sides except the south, where there are "
+       "fields.",
+       kSuburb,
+       {"surrounds F W", "direction A W S"},
+       {"absent W@southern third"}},
+      {"The lake is surrounded by forest on three sides and by fields on the fourth.",
+       kSuburb,
+       {"surrounds F W", "adjacent W A"},
+       {"surrounds W F"}},
+      {"No buildings at all except one farm in the south.",
+       kSuburb,
+       {"present A@southern third"},
+       {"absent A@southern third", "absent B@southern third"}},
+      {"No houses apart from one in the center.",
+       kSuburb,
+       {"present B@center", "count B 1..1"},
+       {"absent B@center"}},
+      {"No forest except in the north.",
+       kSuburb,
+       {"located F@northern third"},
+       {"absent F@northern third"}},
+      {"Only the northern part is forested.", kSuburb, {"located F@northern third"}},
+      {"Houses in the north only.", kSuburb, {"located B@northern third"}},
+      {"Trees grow along the road only.", kSuburb, {"along F R"}, {"dominant F"}},
+      {"Apart from the lake and the village the map is all grass.",
+       kSuburb,
+       {"dominant G"},
+       {"adjacent G B"}},
+      {"West of the road there are only houses and east of it only meadows.",
+       kSuburb,
+       {"direction B R W", "direction G R E"},
+       {"dominant G@eastern third"}},
+  };
+}
+
 class PlainWords : public testing::TestWithParam<Sample> {};
 
 TEST_P(PlainWords, AreReadAsMeant) { ExpectRead(GetParam()); }
@@ -124,6 +246,9 @@ INSTANTIATE_TEST_SUITE_P(Relations, PlainWords, testing::ValuesIn(Relations()));
 INSTANTIATE_TEST_SUITE_P(Amounts, PlainWords, testing::ValuesIn(Amounts()));
 INSTANTIATE_TEST_SUITE_P(Refusals, PlainWords, testing::ValuesIn(Refusals()));
 INSTANTIATE_TEST_SUITE_P(Rows, PlainWords, testing::ValuesIn(Rows()));
+INSTANTIATE_TEST_SUITE_P(Allotments, PlainWords, testing::ValuesIn(Allotments()));
+INSTANTIATE_TEST_SUITE_P(Counts, PlainWords, testing::ValuesIn(Counts()));
+INSTANTIATE_TEST_SUITE_P(Exceptions, PlainWords, testing::ValuesIn(Exceptions()));
 
 }  // namespace
 }  // namespace latticeworld

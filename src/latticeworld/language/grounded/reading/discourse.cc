@@ -171,7 +171,8 @@ void Discourse::Describe(const Qualities& said, int index) {
   const bool crowd = of_mass && said.count.has_value() && said.count->least == 4 &&
                      said.count->most == CountMatch::kUnbounded && IsCrowd(*thing(index).noun);
   const bool vague = said.count.has_value() && said.count->least <= 3 && said.count->most <= 7 &&
-                     said.count->most > said.count->least;
+                     said.count->most > said.count->least &&
+                     (said.count->least >= 2 || IsCrowd(*thing(index).noun));
   if (of_mass && vague && said.count->most != 1) {
     // "a few trees": not so many woods, but a little of it.
     feature.share = 0.06;

@@ -33,6 +33,10 @@ std::size_t SkipMarker(const std::vector<Token>& tokens, std::size_t at) {
     } else if (word == "or" && after == "rather") {
       said = true;
       next += 2;
+    } else if (word == "on" && after == "second" &&
+               IsOneOf(WordAt(tokens, next + 2), {"thought", "thoughts"})) {
+      said = true;
+      next += 3;
     } else if (word == "my" && after == "mistake") {
       said = true;
       next += 2;
@@ -184,6 +188,29 @@ bool CorrectNumber(std::vector<Token>* tokens, std::size_t marker, std::size_t a
   return false;
 }
 
+// "a lake, no, a wood in the north": a wood. "Fields, I mean grass, between the two": grass.
+bool CorrectThing(std::vector<Token>* tokens, std::size_t marker, std::size_t at) {
+  const std::size_t article = IsOneOf(WordAt(*tokens, at), {"a", "an", "the"}) ? at : 0;
+  const std::size_t noun = at + (article > 0 ? 1 : 0);
+  const ClassWordMatch match = MatchClassWord(*tokens, noun);
+  if (match.word == nullptr) return false;
+  if (marker < 2 || !IsMark(*tokens, marker - 1)) return false;
+  std::size_t known = marker - 1;
+  for (std::size_t i = marker - 1; i-- > 0 && i + 4 > marker;)
+    if (i + MatchClassWord(*tokens, i).tokens == marker - 1) known = i;
+  if (known == marker - 1) return false;
+  if (known > 0 && IsOneOf(WordAt(*tokens, known - 1), {"a", "an", "the"})) {
+    if (article == 0) return false;
+    --known;
+  } else if (article > 0 || (known > 0 && !IsPauseAt(*tokens, known - 1))) {
+    return false;
+  }
+  EraseTokens(tokens, known, at - known);
+  const std::size_t comma = noun - (at - known) + match.tokens;
+  if (IsMark(*tokens, comma)) EraseTokens(tokens, comma, 1);
+  return true;
+}
+
 }  // namespace
 
 void TurnCorrections(std::vector<Token>* tokens) {
@@ -192,7 +219,7 @@ void TurnCorrections(std::vector<Token>* tokens) {
     const std::size_t next = SkipMarker(*tokens, at);
     if (next == 0) continue;
     if (CorrectAxis(tokens, at, next) || CorrectSide(tokens, at, next) ||
-        CorrectNumber(tokens, at, next)) {
+        CorrectNumber(tokens, at, next) || CorrectThing(tokens, at, next)) {
       --at;
     }
   }

@@ -69,8 +69,8 @@ void TurnTaggedSides(std::vector<Token>* tokens, std::size_t at) {
 }
 
 // "The map is split by a river into an eastern and a western part": a river splits it. "Splits the
-// map into a left and a right part; the left one is forest": runs from north to south; the left
-// half.
+// map into a left and a right part; the left one is forest, the latter grass": runs from north to
+// south; the left half, the east half.
 void TurnPartsOfMap(std::vector<Token>* tokens, std::size_t at) {
   const auto splits = [&](std::size_t i) {
     return IsOneOf(WordAt(*tokens, i), {"split", "divided", "cut", "parted", "separated"});
@@ -107,9 +107,12 @@ void TurnPartsOfMap(std::vector<Token>* tokens, std::size_t at) {
   if (!map) return;
   // "..., all forest, and an eastern part, all fields": of TurnBanks.
   if (!IsStopAt(*tokens, into + 7)) return;
-  for (std::size_t i = into + 7; i < tokens->size(); ++i)
+  for (std::size_t i = into + 7; i < tokens->size(); ++i) {
     if (WordAt(*tokens, i) == "one" && !SideWord(WordAt(*tokens, i - 1)).empty())
       (*tokens)[i].text = "half";
+    if (IsOneOf(WordAt(*tokens, i), {"former", "latter"}))
+      ReplaceTokens(tokens, i, 1, {WordAt(*tokens, i) == "former" ? first : second, "half"});
+  }
   const bool rows = IsOneOf(first, {"north", "south"});
   ReplaceTokens(tokens, at, into + 7 - at,
                 {"runs", "from", rows ? "west" : "north", "to", rows ? "east" : "south"});

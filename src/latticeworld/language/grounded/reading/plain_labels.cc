@@ -59,7 +59,9 @@ void TurnBoundsBehind(std::vector<Token>* tokens, std::size_t at) {
          (number == at || !IsCount(*tokens, number))) {
     --number;
   }
-  if (number == at || at - number < 2 || !IsCount(*tokens, number)) return;
+  // "a hamlet, two at most"
+  const bool alone = number > 0 && IsPauseAt(*tokens, number - 1);
+  if (number == at || (at - number < 2 && !alone) || !IsCount(*tokens, number)) return;
   if (number > 0 && IsOneOf(WordAt(*tokens, number - 1), {"least", "most", "than"})) return;
   const Token beside = (*tokens)[number];
   EraseTokens(tokens, at, length);
@@ -75,6 +77,8 @@ void TurnOff(std::vector<Token>* tokens, std::size_t at) {
   if (WordAt(*tokens, value + 1) == "percent" && IsZero(*tokens, value))
     EraseTokens(tokens, value + 1, 1);
   if (value >= tokens->size() || !IsPauseAt(*tokens, value + 1)) return;
+  // "in the north - no, sorry, in the south"
+  if (WordAt(*tokens, value) == "no" && !IsStopAt(*tokens, value + 1)) return;
   const bool zero = IsZero(*tokens, value);
   if (zero || IsOneOf(WordAt(*tokens, value), {"off", "zero", "no", "false", "forbidden"}))
     ReplaceTokens(tokens, value, 1, {"none"});

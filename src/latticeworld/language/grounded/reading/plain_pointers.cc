@@ -27,9 +27,12 @@ void TurnFurther(std::vector<Token>* tokens, std::size_t at) {
   const bool further = IsOneOf(WordAt(*tokens, at), {"further", "farther"});
   std::size_t side = at + (further ? 1 : 0);
   if (further && WordAt(*tokens, side) == "to" && WordAt(*tokens, side + 1) == "the") side += 2;
-  const std::string heading(SideWord(WordAt(*tokens, side)));
+  std::string heading(SideWord(WordAt(*tokens, side)));
   if (heading.empty()) return;
   std::size_t end = side + 1;
+  // "further to the south-west"
+  const bool rows = heading == "north" || heading == "south";
+  if (rows && IsOneOf(WordAt(*tokens, end), {"east", "west"})) heading += WordAt(*tokens, end++);
   if (further) {
     if (IsOneOf(WordAt(*tokens, end), {"still", "again", "on", "yet"})) ++end;
     if (WordAt(*tokens, end) == "of") return;

@@ -20,6 +20,45 @@ void TurnUses(std::vector<Token>* tokens);
 // north": at most 20 percent, 5 cells across, only in the north.
 void TurnMapMeasures(std::vector<Token>* tokens);
 
+// plain_approaches.cc: "roads reach it from the west and the south", "driving north on the road you
+// have the sea on your left": roads in the west and the south, the sea to the west of the road.
+void TurnApproaches(std::vector<Token>* tokens);
+
+// plain_bends.cc: "up to the middle, where it turns and leaves by the left edge", "a town on the
+// inner side of the bend": via the center to the western edge, to the north-east of the river.
+void TurnBends(std::vector<Token>* tokens);
+
+// plain_motions.cc: "follows the river on its east bank", "to the middle, where it ends at a
+// village": follows the east bank of the river, to a village in the center.
+void TurnMotions(std::vector<Token>* tokens);
+
+// plain_counts.cc: "three houses in the north and two in the south": and two more houses.
+void TurnCounts(std::vector<Token>* tokens);
+
+// plain_placing.cc: "a town on the river, on the south side", "the middle stays empty": on the
+// south side of the river, keep the middle empty.
+void TurnPlacing(std::vector<Token>* tokens);
+
+// plain_totals.cc: "the forest is larger than all the rest", "the rest is half fields and half
+// grass": covers more than everything else; the rest is fields and grass.
+void TurnTotals(std::vector<Token>* tokens);
+
+// plain_exceptions.cc: "forest on all sides but the west", "no houses at all apart from one farm":
+// surrounded by forest; one farm, no other houses.
+void TurnLeftOut(std::vector<Token>* tokens);
+
+// plain_grouping.cc: "the only trees, in the north", "the lake and the village lie far apart", "a
+// wood shelters it from the north": only there, away from it, on its northern side.
+void TurnGrouping(std::vector<Token>* tokens);
+
+// plain_allotments.cc: "the eastern half is a third forest and two thirds grass": in the eastern
+// half there is forest covering 17 percent of the map.
+void TurnAllotments(std::vector<Token>* tokens);
+
+// plain_asides.cc: "a manor. Surrounded by forest", "as it was in 1900", "grass where there is
+// room": it is surrounded by forest, the rest is grass.
+void TurnAsides(std::vector<Token>* tokens);
+
 // plain_pairs.cc: "one cottage on each bank", "two lakes, a big one in the north and a small one in
 // the south": two cottages on both banks, one in the north.
 void TurnPairs(std::vector<Token>* tokens);

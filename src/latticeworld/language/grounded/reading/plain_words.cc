@@ -10,6 +10,16 @@ namespace latticeworld {
 std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnLabels(&tokens);
   TurnUses(&tokens);
+  TurnAsides(&tokens);
+  TurnLeftOut(&tokens);
+  TurnTotals(&tokens);
+  TurnCounts(&tokens);
+  TurnPlacing(&tokens);
+  TurnMotions(&tokens);
+  TurnApproaches(&tokens);
+  TurnBends(&tokens);
+  TurnGrouping(&tokens);
+  TurnAllotments(&tokens);
   TurnPairs(&tokens);
   TurnMapMeasures(&tokens);
   TurnDivisions(&tokens);

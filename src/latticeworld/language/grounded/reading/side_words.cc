@@ -54,4 +54,17 @@ std::size_t TakeHeading(const std::vector<Token>& tokens, std::size_t at, Headin
   return cursor.at();
 }
 
+std::size_t TakeSideWords(const std::vector<Token>& tokens, std::size_t at, std::string* place) {
+  if (WordAt(tokens, at) == "the") ++at;
+  const std::string_view side = SideWord(WordAt(tokens, at));
+  if (side.empty() || !SideWord(WordAt(tokens, at + 1)).empty()) return 0;
+  *place = std::string(side);
+  ++at;
+  if (IsOneOf(WordAt(tokens, at), {"edge", "border", "side", "margin"})) {
+    *place += "ern edge";
+    ++at;
+  }
+  return at;
+}
+
 }  // namespace latticeworld

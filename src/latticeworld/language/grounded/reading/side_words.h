@@ -2,6 +2,7 @@
 #define LATTICEWORLD_LANGUAGE_GROUNDED_READING_SIDE_WORDS_H_
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,9 @@ std::string_view OppositeOf(std::string_view heading);
 std::string_view NameOf(Heading heading);
 // A direction, after an article or "its" or none; the token after it, 0: no direction.
 std::size_t TakeHeading(const std::vector<Token>& tokens, std::size_t at, Heading* heading);
+// "The west", "west edge" after an article: which side, "west", "western edge", and the token after
+// it; 0: none.
+std::size_t TakeSideWords(const std::vector<Token>& tokens, std::size_t at, std::string* place);
 
 }  // namespace latticeworld
 

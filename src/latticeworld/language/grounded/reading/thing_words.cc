@@ -18,6 +18,15 @@ bool IsSize(std::string_view word) {
                         "huge", "long", "short", "wide", "narrow"});
 }
 
+std::vector<Token> SaidLike(std::string_view words, const Token& beside) {
+  std::vector<Token> said = Tokenize(words);
+  for (Token& token : said) {
+    token.begin = beside.begin;
+    token.end = beside.end;
+  }
+  return said;
+}
+
 std::vector<NamedThing> NamedBefore(const std::vector<Token>& tokens, std::size_t at) {
   std::vector<NamedThing> named;
   int stops = 0;

@@ -19,6 +19,9 @@ std::string_view LandOfAdjective(std::string_view adjective);
 // "big", "smaller", "narrow".
 bool IsSize(std::string_view word);
 
+// The tokens of some words, all with the bytes of one token.
+std::vector<Token> SaidLike(std::string_view words, const Token& beside);
+
 struct NamedThing {
   std::size_t begin, end;  // of its noun
 };
