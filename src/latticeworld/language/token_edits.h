@@ -35,6 +35,18 @@ inline std::size_t PauseAfter(const std::vector<Token>& tokens, std::size_t at) 
   return at;
 }
 
+// The stop at or after `at`, or the end.
+inline std::size_t StopAfter(const std::vector<Token>& tokens, std::size_t at) {
+  while (!IsStopAt(tokens, at)) ++at;
+  return at;
+}
+
+// The first token of the sentence of `at`.
+inline std::size_t SentenceBegin(const std::vector<Token>& tokens, std::size_t at) {
+  while (at > 0 && !IsStopAt(tokens, at - 1)) --at;
+  return at;
+}
+
 // A word that stands for the bytes of another.
 inline Token WordLike(std::string_view word, const Token& beside) {
   return {TokenKind::kWord, std::string(word), beside.begin, beside.end};

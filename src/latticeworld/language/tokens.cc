@@ -218,6 +218,20 @@ class Tokenizer {
   }
 
  private:
+  static bool IsArticle(std::string_view word) {
+    return word == "a" || word == "an" || word == "the" || word == "one" || word == "two";
+  }
+
+  // Whether what ends with the comma is a place and no key with its value.
+  bool FrontsPlace(std::size_t comma) const {
+    std::size_t begin = comma;
+    while (begin > 0 && tokens_[begin - 1].kind == TokenKind::kWord) --begin;
+    const bool opens = begin == 0 || tokens_[begin - 1].kind == TokenKind::kStop;
+    for (const std::string_view word : {"in", "on", "at", "to", "around", "along", "near"})
+      if (opens && begin < comma && tokens_[begin].text == word) return true;
+    return false;
+  }
+
   // "season: spring, weather: rain", "forest=70 %, water=10 %": a comma before up to kMostOfLabel
   // words and a colon or "=" ends what went before.
   void EndBeforeLabels() {
@@ -230,6 +244,8 @@ class Tokenizer {
         continue;
       // "to the left of it, in this order: ..."
       if (tokens_[colon - 1].text == "order" || tokens_[colon - 1].text == "follows") continue;
+      // "in the north, a lake: deep and wide", "around the lake, trees: many"
+      if (IsArticle(tokens_[at].text) || FrontsPlace(at - 1)) continue;
       tokens_[at - 1].kind = TokenKind::kStop;
     }
   }

@@ -291,6 +291,40 @@ std::vector<Sample> Divisions() {
   };
 }
 
+// What the turns must keep off.
+std::vector<Sample> Others() {
+  return {
+      {"Two lakes in the west and one in the east.", kSuburb, {"count W 3..3"}},
+      {"Two lakes in the west, one in the north-west and one in the south-west.",
+       kSuburb,
+       {"count W 2..2", "present W@upper left", "present W@lower left"}},
+      {"Six houses in the north, three by the lake and three by the road.",
+       kSuburb,
+       {"count B 6..6"}},
+      {"Don't forget trees around the lake.", kSuburb, {"surrounds F W"}, {"absent F"}},
+      {"A lake in the north. Surrounded by forest, the village lies in the south.",
+       kSuburb,
+       {"surrounds F B"},
+       {"surrounds F W"}},
+      {"In the north, a lake: deep and wide.", kSuburb, {"present W@northern third"}},
+      {"On the left, houses: five of them.", kSuburb, {"present B@western third", "count B 5..5"}},
+      {"A road goes from the lake to the village, where it ends.",
+       kSuburb,
+       {"connects R W B"},
+       {"present B@eastern edge"}},
+      {"Houses along the road and the river, well apart.", kSuburb, {"scattered B"}, {"apart R W"}},
+      {"A pond in the north west corner of the field.", kSuburb, {"within W A"}},
+      {"No houses but a lake in the south.", kSuburb, {"absent B", "present W@southern third"}},
+      {"A road from the village in the south to the edge.", kSuburb, {"present B@southern third"}},
+      {"The trees are green.", kSuburb, {"present F"}, {"present G"}},
+      {"Two lakes: one in one corner, the other one in the middle.",
+       kSuburb,
+       {"present W@center"},
+       {"present W@south-east corner"}},
+      {"One house on each side of the map.", kSuburb, {"present B@western edge"}, {"count B 2..2"}},
+  };
+}
+
 class PlainUsesTest : public testing::TestWithParam<Sample> {};
 TEST_P(PlainUsesTest, ReadsTheClaims) { ExpectRead(GetParam()); }
 TEST_P(PlainUsesTest, ReadsCapitals) { ExpectReadInCapitals(GetParam()); }
@@ -299,6 +333,7 @@ INSTANTIATE_TEST_SUITE_P(Labels, PlainUsesTest, testing::ValuesIn(Labels()));
 INSTANTIATE_TEST_SUITE_P(Uses, PlainUsesTest, testing::ValuesIn(Uses()));
 INSTANTIATE_TEST_SUITE_P(Measures, PlainUsesTest, testing::ValuesIn(Measures()));
 INSTANTIATE_TEST_SUITE_P(Pairs, PlainUsesTest, testing::ValuesIn(Pairs()));
+INSTANTIATE_TEST_SUITE_P(Others, PlainUsesTest, testing::ValuesIn(Others()));
 INSTANTIATE_TEST_SUITE_P(Rests, PlainUsesTest, testing::ValuesIn(Rests()));
 INSTANTIATE_TEST_SUITE_P(Journeys, PlainUsesTest, testing::ValuesIn(Journeys()));
 INSTANTIATE_TEST_SUITE_P(Divisions, PlainUsesTest, testing::ValuesIn(Divisions()));

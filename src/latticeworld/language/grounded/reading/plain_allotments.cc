@@ -324,8 +324,7 @@ void TurnHalvesLabelled(std::vector<Token>* tokens, std::size_t at) {
     InsertTokens(tokens, side + 1, SaidLike("half is", (*tokens)[at]));
     InsertTokens(tokens, side, SaidLike("the", (*tokens)[at]));
   }
-  std::size_t begin = at;
-  while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;
+  std::size_t begin = SentenceBegin(*tokens, at);
   EraseTokens(tokens, begin, at + 1 - begin);
 }
 

@@ -101,8 +101,7 @@ void TurnEdgeToEdge(std::vector<Token>* tokens, std::size_t at) {
       WordAt(*tokens, edge + 2) != "edge") {
     return;
   }
-  std::size_t begin = at;
-  while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;
+  std::size_t begin = SentenceBegin(*tokens, at);
   if (begin == at && begin > 0) {
     --begin;
     while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;

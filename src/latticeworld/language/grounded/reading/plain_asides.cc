@@ -14,11 +14,6 @@
 namespace latticeworld {
 namespace {
 
-std::size_t SentenceBegin(const std::vector<Token>& tokens, std::size_t at) {
-  while (at > 0 && !IsStopAt(tokens, at - 1)) --at;
-  return at;
-}
-
 bool IsSurrounded(std::string_view word) {
   return IsOneOf(word, {"surrounded", "encircled", "enclosed", "ringed", "flanked", "bordered",
                         "framed", "reached", "served"});
@@ -33,6 +28,16 @@ void TurnLeaning(std::vector<Token>* tokens, std::size_t at) {
   }
   const std::vector<NamedThing> named = NamedBefore(*tokens, at - 1);
   if (named.empty()) return;
+  // "Surrounded by forest, a lake lies in the south": the lake is.
+  for (std::size_t i = at + 2; !IsStopAt(*tokens, i); ++i) {
+    const bool thing = IsMark(*tokens, i) &&
+                       IsOneOf(WordAt(*tokens, i + 1), {"a", "an", "the", "one"}) &&
+                       NamesThing(*tokens, i + 1);
+    const bool stands =
+        IsOneOf(WordAt(*tokens, i), {"is", "are", "lies", "lie", "stands", "stand", "sits"}) &&
+        WordAt(*tokens, i - 1) != "it";
+    if (thing || stands) return;
+  }
   const Token beside = (*tokens)[at];
   const std::vector<Token> it_is = {WordLike("it", beside), WordLike("is", beside)};
   for (std::size_t i = at + 2; !IsStopAt(*tokens, i); ++i) {

@@ -58,6 +58,8 @@ void TurnAtMiddle(std::vector<Token>* tokens, std::size_t at) {
   }
   std::string place;
   if (goal == 0 || TakeSideWords(*tokens, goal, &place) == 0) return;
+  // "where it passes a village": which must not be lost.
+  if (NamesThing(*tokens, next) && WordAt(*tokens, aside) != "crosses") return;
   const std::size_t end = TakeSideWords(*tokens, goal, &place);
   if (!IsPauseAt(*tokens, end) && WordAt(*tokens, end) != "and") return;
   if (place.find(' ') == std::string::npos) place += "ern edge";

@@ -31,25 +31,35 @@ void TurnMoreOfThem(std::vector<Token>* tokens, std::size_t at) {
   const std::size_t noun_end = noun + match.tokens;
   if (match.word == nullptr || !match.plural || !IsPlacing(WordAt(*tokens, noun_end))) return;
   std::size_t next = noun_end;
-  while (!IsStopAt(*tokens, next) && WordAt(*tokens, next) != "and" && !IsMark(*tokens, next))
-    ++next;
-  if (IsStopAt(*tokens, next)) return;
+  // ", one in the north-west and one in the south-west" are two of those that were counted.
+  while (!IsPauseAt(*tokens, next) && WordAt(*tokens, next) != "and") ++next;
+  if (WordAt(*tokens, next) != "and") return;
   ++next;
-  if (WordAt(*tokens, next) == "and") ++next;
   const NumberMatch second = MatchNumber(*tokens, next);
   std::size_t end = next + second.tokens;
   if (second.tokens == 0) return;
-  const std::string noun_words = JoinWords(*tokens, noun, noun_end);
-  const std::string thing = second.value == 1 ? Singular(noun_words) : noun_words;
   // "and one lake in the east"
   const ClassWordMatch same = MatchClassWord(*tokens, end);
   if (same.word == match.word) end += same.tokens;
   if (!IsPlacing(WordAt(*tokens, end)) || WordAt(*tokens, end + 1) == "each") return;
-  const Token beside = (*tokens)[next];
+  for (std::size_t i = end; !IsStopAt(*tokens, i); ++i) {
+    const bool further = IsOneOf(WordAt(*tokens, i), {"other", "others", "rest"}) ||
+                         (WordAt(*tokens, i) == "and" && MatchNumber(*tokens, i + 1).tokens > 0);
+    if (further) return;
+  }
+  const Token beside = (*tokens)[at];
+  const std::vector<Token> first_number = TokensBetween(*tokens, at, noun);
+  const std::vector<Token> of_them = {WordLike("of", beside), WordLike("them", beside)};
   EraseTokens(tokens, next + second.tokens, end - next - second.tokens);
-  std::vector<Token> said = {WordLike("more", beside)};
-  for (const Token& token : Tokenize(thing)) said.push_back(WordLike(token.text, beside));
-  InsertTokens(tokens, next + second.tokens, said);
+  InsertTokens(tokens, next + second.tokens, of_them);
+  std::vector<Token> said = {CommaLike(beside)};
+  said.insert(said.end(), first_number.begin(), first_number.end());
+  said.insert(said.end(), of_them.begin(), of_them.end());
+  InsertTokens(tokens, noun_end, said);
+  EraseTokens(tokens, at, first.tokens);
+  InsertTokens(
+      tokens, at,
+      {{TokenKind::kNumber, std::to_string(first.value + second.value), beside.begin, beside.end}});
 }
 
 // "Three lakes: a big one in the middle and two small ones in the north": two of them. "The
@@ -230,12 +240,14 @@ void TurnOnlyMore(std::vector<Token>* tokens, std::size_t at) {
     const std::size_t noun = i + known.tokens;
     const ClassWordMatch match = MatchClassWord(*tokens, noun);
     if (known.tokens == 0 || known.value < 2 || match.word == nullptr || !match.plural) continue;
-    const std::string words = JoinWords(*tokens, noun, noun + match.tokens);
-    const std::string thing = number.value == 1 ? Singular(words) : words;
-    const Token beside = (*tokens)[at];
-    InsertTokens(tokens, at + 1 + number.tokens,
-                 {WordLike("more", beside), WordLike(thing, beside)});
-    EraseTokens(tokens, at, 1);
+    const std::vector<Token> things = TokensBetween(*tokens, noun, noun + match.tokens);
+    const Token beside = (*tokens)[i];
+    EraseTokens(tokens, at, 1 + number.tokens);
+    InsertTokens(tokens, at, things);
+    EraseTokens(tokens, i, known.tokens);
+    InsertTokens(tokens, i,
+                 {{TokenKind::kNumber, std::to_string(known.value + number.value), beside.begin,
+                   beside.end}});
     return;
   }
 }

@@ -15,11 +15,6 @@
 namespace latticeworld {
 namespace {
 
-std::size_t SentenceBegin(const std::vector<Token>& tokens, std::size_t at) {
-  while (at > 0 && !IsStopAt(tokens, at - 1)) --at;
-  return at;
-}
-
 struct TaggedSide {
   std::string_view land;
   std::string side;
@@ -125,7 +120,8 @@ void TurnOppositeCorners(std::vector<Token>* tokens, std::size_t at) {
   for (std::size_t other = at + 2; !IsStopAt(*tokens, other); ++other) {
     if (WordAt(*tokens, other) != "the" ||
         !IsOneOf(WordAt(*tokens, other + 1), {"opposite", "other"}) ||
-        !IsOneOf(WordAt(*tokens, other + 2), {"corner", "one"})) {
+        !(WordAt(*tokens, other + 2) == "corner" ||
+          (WordAt(*tokens, other + 1) == "opposite" && WordAt(*tokens, other + 2) == "one"))) {
       continue;
     }
     ReplaceTokens(tokens, other, 3, {"the", "south", "east", "corner"});

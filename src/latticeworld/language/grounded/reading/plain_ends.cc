@@ -90,14 +90,19 @@ void TurnLastWords(std::vector<Token>* tokens, std::size_t at) {
   }
   if (word == "where" && WordAt(*tokens, at + 1) == "it" && ends(at + 2) && at > 0 &&
       (*tokens)[at - 1].kind == TokenKind::kComma) {
+    if (IsPauseAt(*tokens, at + 3)) {
+      EraseTokens(tokens, at - 1, 4);
+      return;
+    }
     for (std::size_t i = at; i-- > 0 && !IsStopAt(*tokens, i);)
       if (IsOneOf(WordAt(*tokens, i), {"towards", "toward"})) (*tokens)[i].text = "to";
     ReplaceTokens(tokens, at - 1, 3, {"and"});
     return;
   }
-  if (const std::string side(SideWord(word)); !side.empty() && WordAt(*tokens, at + 1) == "to" &&
-                                              WordAt(*tokens, at + 2) == "the" &&
-                                              WordAt(*tokens, at + 3) == "edge") {
+  if (const std::string side(SideWord(word));
+      !side.empty() && WordAt(*tokens, at + 1) == "to" && WordAt(*tokens, at + 2) == "the" &&
+      WordAt(*tokens, at + 3) == "edge" && (at == 0 || WordAt(*tokens, at - 1) != "the") &&
+      WordAt(*tokens, at + 4) != "of") {
     const bool going =
         at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"going", "running", "leading", "heading"});
     const std::size_t begin = at - (going ? 1 : 0);

@@ -14,11 +14,6 @@
 namespace latticeworld {
 namespace {
 
-std::size_t SentenceBegin(const std::vector<Token>& tokens, std::size_t at) {
-  while (at > 0 && !IsStopAt(tokens, at - 1)) --at;
-  return at;
-}
-
 // "except", "apart from", "but": the token after such words; `at`: none of them.
 std::size_t SkipExcept(const std::vector<Token>& tokens, std::size_t at) {
   const std::string_view word = WordAt(tokens, at), next = WordAt(tokens, at + 1);
@@ -115,7 +110,7 @@ void TurnNoneBut(std::vector<Token>* tokens, std::size_t at) {
   }
   const std::size_t end = PauseAfter(*tokens, noun);
   std::vector<Token> said = TokensBetween(*tokens, thing, end);
-  for (const Token& token : SaidLike(". no other", (*tokens)[at])) said.push_back(token);
+  for (const Token& token : SaidLike(". no", (*tokens)[at])) said.push_back(token);
   for (const Token& token : TokensBetween(*tokens, at + 1, noun_end)) said.push_back(token);
   EraseTokens(tokens, at, end - at);
   InsertTokens(tokens, at, said);

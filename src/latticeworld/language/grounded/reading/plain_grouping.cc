@@ -163,6 +163,11 @@ void TurnApart(std::vector<Token>* tokens, std::size_t at) {
   const bool joined = WordAt(*tokens, named[0].begin - 1) == "and" ||
                       (named[0].begin > 1 && WordAt(*tokens, named[0].begin - 2) == "and");
   if (!they && !(joined && (mark || named[0].end == begin))) return;
+  // "Houses along the road and the river, well apart": the houses are.
+  const std::size_t article = named[1].begin - (named[1].begin > 1 ? 1 : 0);
+  const std::size_t before = article - (WordAt(*tokens, article) == "the" && article > 0 ? 1 : 0);
+  if (mark && IsOneOf(WordAt(*tokens, before), {"between", "near", "along", "by", "beside", "on"}))
+    return;
   std::size_t from = begin;
   if (they) {
     while (from > 0 && IsOneOf(WordAt(*tokens, from - 1),
@@ -230,8 +235,8 @@ void TurnCornerOfThing(std::vector<Token>* tokens, std::size_t at) {
   while (in > 0 && !IsPauseAt(*tokens, in - 1) && !IsOneOf(WordAt(*tokens, in), {"in", "at", "on"}))
     --in;
   Heading heading;
-  if (!IsOneOf(WordAt(*tokens, in), {"in", "at", "on"}) ||
-      TakeHeading(*tokens, in + 1, &heading) != at) {
+  // "In the corner of the field" is within it.
+  if (!IsOneOf(WordAt(*tokens, in), {"at", "on"}) || TakeHeading(*tokens, in + 1, &heading) != at) {
     return;
   }
   ReplaceTokens(tokens, in, at + 1 - in, {"on", "the", NameOf(heading), "side"});

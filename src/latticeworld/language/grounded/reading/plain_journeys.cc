@@ -74,11 +74,6 @@ void PutRow(std::vector<Token>* tokens, std::size_t at, std::size_t end, std::st
   InsertTokens(tokens, at, said);
 }
 
-std::size_t StopAfter(const std::vector<Token>& tokens, std::size_t at) {
-  while (!IsStopAt(tokens, at)) ++at;
-  return at;
-}
-
 // "Walking north from the lake you pass a field, a wood and finally reach the village": from south
 // to north, the lake, then a field, then a wood, then the village.
 void TurnWalk(std::vector<Token>* tokens, std::size_t at) {
@@ -138,8 +133,7 @@ void TurnGoing(std::vector<Token>* tokens, std::size_t at) {
   if (WordAt(*tokens, next) == "the") ++next;
   const std::string to(HeadingWord(WordAt(*tokens, next)));
   if (to.empty() || ++next >= tokens->size() || (*tokens)[next].text != ":") return;
-  std::size_t begin = at;
-  while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;
+  std::size_t begin = SentenceBegin(*tokens, at);
   const std::size_t end = StopAfter(*tokens, next);
   // "fields first, then the town"
   for (std::size_t i = next; i < end && !IsPauseAt(*tokens, i + 1); ++i) {
@@ -168,6 +162,7 @@ void TurnFromSide(std::vector<Token>* tokens, std::size_t at) {
   ++next;
   if (IsOneOf(WordAt(*tokens, next), {"edge", "side", "end", "border"})) ++next;
   const bool inward = IsOneOf(WordAt(*tokens, next), {"inward", "inwards", "in", "on", "onwards"});
+  if (inward && RowFrom(*tokens, next + 2, 2).empty()) return;
   if (inward) EraseTokens(tokens, next, 1);
   if (next >= tokens->size() || (*tokens)[next].kind != TokenKind::kComma) return;
   const std::size_t end = StopAfter(*tokens, next);
@@ -228,8 +223,7 @@ void TurnGivesWay(std::vector<Token>* tokens, std::size_t at) {
           : WordAt(*tokens, at + 1) != "into") {
     return;
   }
-  std::size_t begin = at;
-  while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;
+  std::size_t begin = SentenceBegin(*tokens, at);
   std::size_t verb = at;
   while (verb > begin && IsOneOf(WordAt(*tokens, verb - 1),
                                  {"gradually", "slowly", "soon", "quickly", "then", "which"})) {

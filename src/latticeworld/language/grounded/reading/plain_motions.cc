@@ -14,11 +14,6 @@
 namespace latticeworld {
 namespace {
 
-std::size_t SentenceBegin(const std::vector<Token>& tokens, std::size_t at) {
-  while (at > 0 && !IsStopAt(tokens, at - 1)) --at;
-  return at;
-}
-
 // "Follows the river from the top to the bottom on its east bank": follows the east bank of the
 // river.
 void TurnOnItsBank(std::vector<Token>* tokens, std::size_t at) {

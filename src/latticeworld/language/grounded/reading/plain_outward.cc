@@ -34,11 +34,6 @@ std::vector<Token> LastNoun(const std::vector<Token>& tokens, std::size_t begin,
   return noun;
 }
 
-std::size_t SentenceBegin(const std::vector<Token>& tokens, std::size_t at) {
-  while (at > 0 && !IsStopAt(tokens, at - 1)) --at;
-  return at;
-}
-
 // "to its west", "on its western side": the token after it; 0: none of these.
 std::size_t TakeOwnSide(const std::vector<Token>& tokens, std::size_t at, Heading* heading) {
   const bool own = IsOneOf(WordAt(tokens, at), {"to", "on", "at"}) &&

@@ -36,7 +36,8 @@ void TurnOneEach(std::vector<Token>* tokens, std::size_t at) {
   const std::size_t on = at + 1 + length;
   if (!IsOneOf(WordAt(*tokens, on), {"on", "at"}) ||
       !IsOneOf(WordAt(*tokens, on + 1), {"each", "either"}) ||
-      !IsOneOf(WordAt(*tokens, on + 2), {"bank", "side", "shore"})) {
+      !IsOneOf(WordAt(*tokens, on + 2), {"bank", "side", "shore"}) ||
+      (WordAt(*tokens, on + 3) == "of" && IsMapWord(WordAt(*tokens, on + 5)))) {
     return;
   }
   ReplaceTokens(tokens, on, 3, {"on", "both", "banks"});
@@ -90,6 +91,9 @@ void TurnSizedOne(std::vector<Token>* tokens, std::size_t at) {
   }
   for (std::size_t i = at; i > 0 && !IsStopAt(*tokens, i - 1); --i) {
     if (!IsOneOf((*tokens)[i - 1].text, {"two", "three", "2", "3"})) continue;
+    // "two lakes in the west and a small one in the east" are three
+    const std::size_t length = MatchClassWord(*tokens, i).tokens;
+    if (length == 0 || !IsPauseAt(*tokens, i + length)) return;
     EraseTokens(tokens, at, 2);
     return;
   }
@@ -100,8 +104,7 @@ void TurnAnotherRuns(std::vector<Token>* tokens, std::size_t at) {
   if (WordAt(*tokens, at) != "another" || at < 2) return;
   const std::size_t one = at + 1 + (WordAt(*tokens, at + 1) == "one" ? 1 : 0);
   if (!IsOneOf(WordAt(*tokens, one), {"from", "to", "leads", "goes", "runs"})) return;
-  std::size_t begin = at;
-  while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;
+  std::size_t begin = SentenceBegin(*tokens, at);
   if (!IsOneOf(WordAt(*tokens, begin), {"one", "a"})) return;
   const ClassWordMatch line = MatchClassWord(*tokens, begin + 1);
   if (line.word == nullptr || line.word->shape != WordShape::kLine) return;

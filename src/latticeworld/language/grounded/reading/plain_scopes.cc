@@ -155,8 +155,7 @@ void TurnEveryOther(std::vector<Token>* tokens, std::size_t at) {
   }
   if (!IsOneOf(WordAt(*tokens, next), {"side", "sides"}) || !IsPauseAt(*tokens, next + 1)) return;
   // Around what the sentence is about: the first thing in it.
-  std::size_t begin = at;
-  while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;
+  std::size_t begin = SentenceBegin(*tokens, at);
   while (begin < at && MatchClassWord(*tokens, begin).tokens == 0) ++begin;
   const std::size_t length = MatchClassWord(*tokens, begin).tokens;
   if (begin + length > at) return;
@@ -199,8 +198,7 @@ void TurnItsSide(std::vector<Token>* tokens, std::size_t at) {
 // of the river is forest, right side is field": the right side of the river. "Forest on three sides
 // of a meadow, and a lake on the fourth": beside it.
 void TurnOtherSide(std::vector<Token>* tokens, std::size_t at) {
-  std::size_t begin = at;
-  while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;
+  std::size_t begin = SentenceBegin(*tokens, at);
   if (WordAt(*tokens, at) == "on" && WordAt(*tokens, at + 1) == "the" &&
       IsOneOf(WordAt(*tokens, at + 2), {"other", "opposite"})) {
     const std::size_t noun = at + 3 + (IsOneOf(WordAt(*tokens, at + 3), {"a", "the"}) ? 1 : 0);

@@ -19,16 +19,6 @@ bool IsNone(Heading heading) { return heading.east == 0 && heading.south == 0; }
 bool IsSame(Heading a, Heading b) { return a.east == b.east && a.south == b.south; }
 Heading Opposite(Heading heading) { return {-heading.east, -heading.south}; }
 
-std::size_t SentenceBegin(const std::vector<Token>& tokens, std::size_t at) {
-  while (at > 0 && !IsStopAt(tokens, at - 1)) --at;
-  return at;
-}
-
-std::size_t SentenceEnd(const std::vector<Token>& tokens, std::size_t at) {
-  while (!IsStopAt(tokens, at)) ++at;
-  return at;
-}
-
 bool HasClass(const std::vector<Token>& tokens, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
     if (MatchClassWord(tokens, i).word != nullptr) return true;
@@ -64,7 +54,7 @@ std::vector<StripeItem> FindItems(const std::vector<Token>& tokens, const Stripe
   }
   for (std::size_t i = 0; i < items.size(); ++i) {
     StripeItem& item = items[i];
-    item.end = i + 1 < items.size() ? items[i + 1].begin : SentenceEnd(tokens, item.body);
+    item.end = i + 1 < items.size() ? items[i + 1].begin : StopAfter(tokens, item.body);
     // The signs and words that only part it from the next.
     while (item.end > item.body + 1 &&
            (IsPauseAt(tokens, item.end - 1) ||
@@ -192,7 +182,7 @@ void AppendOpening(const std::vector<Token>& tokens, const Stripes& stripes, std
                    std::vector<Token>* turned) {
   const std::size_t anchor = stripes.said ? stripes.noun : stripes.way_begin;
   const std::size_t begin = SentenceBegin(tokens, std::min(anchor, first));
-  const std::size_t end = std::min(first, SentenceEnd(tokens, anchor));
+  const std::size_t end = std::min(first, StopAfter(tokens, anchor));
   for (std::size_t i = 0; i < begin; ++i) turned->push_back(tokens[i]);
   if (HasClass(tokens, begin, end)) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -238,7 +228,7 @@ void TurnStripes(std::vector<Token>* tokens) {
   const std::size_t first = itemized ? items.front().begin : stripes.noun;
   const std::size_t begin = SentenceBegin(*tokens, stripes.said ? stripes.noun : first);
   FindWay(*tokens, std::min(begin, SentenceBegin(*tokens, first)),
-          itemized ? items.back().end : SentenceEnd(*tokens, stripes.noun), &stripes);
+          itemized ? items.back().end : StopAfter(*tokens, stripes.noun), &stripes);
   if (!itemized) {
     if (TurnSlantingSteps(tokens, stripes.noun)) return;
     items = FindList(*tokens, stripes, stripes.noun + 1);
@@ -270,7 +260,7 @@ void TurnStripes(std::vector<Token>* tokens) {
     }
     AppendItem(*tokens, item, stripes, &turned);
   }
-  std::size_t rest = SentenceEnd(*tokens, last.end);
+  std::size_t rest = StopAfter(*tokens, last.end);
   if (itemized) rest = last.end;
   if (stripes.way_begin == rest) rest = std::max(rest, stripes.way_end);
   turned.insert(turned.end(), tokens->begin() + static_cast<std::ptrdiff_t>(rest), tokens->end());

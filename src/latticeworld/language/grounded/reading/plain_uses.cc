@@ -37,6 +37,13 @@ void TurnUsers(std::vector<Token>* tokens, std::size_t at) {
 // and stays.
 void TurnForgotten(std::vector<Token>* tokens, std::size_t at) {
   if (WordAt(*tokens, at) != "forget") return;
+  // "Do not forget trees around the lake": trees around the lake.
+  if (at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"not", "never"})) {
+    const std::size_t begin = at - (at > 1 && WordAt(*tokens, at - 2) == "do" ? 2 : 1);
+    const std::size_t end = at + (WordAt(*tokens, at + 1) == "about" ? 2 : 1);
+    EraseTokens(tokens, begin, end - begin);
+    return;
+  }
   const std::size_t noun = at + (WordAt(*tokens, at + 1) == "about" ? 2 : 1);
   if (MatchClassWord(*tokens, noun).tokens == 0) return;
   std::size_t begin = at;
@@ -92,9 +99,12 @@ void TurnItIs(std::vector<Token>* tokens, std::size_t at) {
       !IsOneOf(WordAt(*tokens, at - 1), {"edge", "corner", "side", "half", "middle", "center"})) {
     return;
   }
-  std::size_t begin = at;
-  while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;
-  if (NamesThing(*tokens, begin) || !NamesThing(*tokens, at + 2)) return;
+  std::size_t begin = SentenceBegin(*tokens, at);
+  if (NamesThing(*tokens, begin)) return;
+  const bool thing = MatchClassWord(*tokens, at + 2).tokens > 0 ||
+                     (IsOneOf(WordAt(*tokens, at + 2), {"a", "all", "mostly", "only", "just"}) &&
+                      NamesThing(*tokens, at + 2));
+  if (!thing) return;
   (*tokens)[at].text = "there";
 }
 
@@ -223,7 +233,10 @@ void TurnManners(std::vector<Token>* tokens, std::size_t at) {
   if (word == "green" && IsPauseAt(*tokens, at + 1) && at > 1) {
     const std::size_t flat =
         WordAt(*tokens, at - 1) == "and" && WordAt(*tokens, at - 2) == "flat" ? at - 2 : at;
-    if (flat > 0 && IsOneOf(WordAt(*tokens, flat - 1), {"is", "are"}))
+    const std::string_view what = flat > 1 ? WordAt(*tokens, flat - 2) : std::string_view();
+    const bool land = !SideWord(what).empty() || IsMapWord(what) ||
+                      IsOneOf(what, {"half", "part", "side", "third", "rest"});
+    if (land && IsOneOf(WordAt(*tokens, flat - 1), {"is", "are"}))
       ReplaceTokens(tokens, flat, at + 1 - flat, {"grass"});
     return;
   }

@@ -124,8 +124,7 @@ void TurnOrdinalsBehind(std::vector<Token>* tokens, std::size_t at) {
     InsertTokens(tokens, begin, {WordLike("then", beside)});
   }
   EraseTokens(tokens, at, side + 1 - at);
-  std::size_t begin = at;
-  while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;
+  std::size_t begin = SentenceBegin(*tokens, at);
   InsertSpan(tokens, begin, across ? (left ? "east" : "west") : (top ? "south" : "north"), true);
 }
 
