@@ -218,7 +218,8 @@ class Tokenizer {
   }
 
  private:
-  static bool IsArticle(std::string_view word) {
+  // Whether a thing is named with it, "a lake", and no key.
+  static bool OpensThing(std::string_view word) {
     return word == "a" || word == "an" || word == "the" || word == "one" || word == "two";
   }
 
@@ -245,7 +246,7 @@ class Tokenizer {
       // "to the left of it, in this order: ..."
       if (tokens_[colon - 1].text == "order" || tokens_[colon - 1].text == "follows") continue;
       // "in the north, a lake: deep and wide", "around the lake, trees: many"
-      if (IsArticle(tokens_[at].text) || FrontsPlace(at - 1)) continue;
+      if (OpensThing(tokens_[at].text) || FrontsPlace(at - 1)) continue;
       tokens_[at - 1].kind = TokenKind::kStop;
     }
   }

@@ -21,8 +21,8 @@ bool IsPlacing(std::string_view word) {
   return IsOneOf(word, {"in", "on", "at", "by", "near", "along", "beside", "next"});
 }
 
-// "Two lakes in the west and one in the east", "three houses in the north and two in the south":
-// one more lake, two more houses.
+// "Three houses in the north and two in the south": five houses, three of them in the north and two
+// of them in the south.
 void TurnMoreOfThem(std::vector<Token>* tokens, std::size_t at) {
   const NumberMatch first = MatchNumber(*tokens, at);
   if (first.tokens == 0 || first.value < 2) return;
@@ -226,7 +226,8 @@ void TurnItsSideOfBoth(std::vector<Token>* tokens, std::size_t at) {
   }
 }
 
-// "On the left there are three houses, on the right only one": one more house.
+// "On the left there are three houses, on the right only one": four houses, and houses on the
+// right.
 void TurnOnlyMore(std::vector<Token>* tokens, std::size_t at) {
   if (!IsOneOf(WordAt(*tokens, at), {"only", "just"}) || at < 3) return;
   const NumberMatch number = MatchNumber(*tokens, at + 1);

@@ -32,7 +32,8 @@ void TurnBends(std::vector<Token>* tokens);
 // village": follows the east bank of the river, to a village in the center.
 void TurnMotions(std::vector<Token>* tokens);
 
-// plain_counts.cc: "three houses in the north and two in the south": and two more houses.
+// plain_counts.cc: "three houses in the north and two in the south": five, three of them in the
+// north.
 void TurnCounts(std::vector<Token>* tokens);
 
 // plain_placing.cc: "a town on the river, on the south side", "the middle stays empty": on the
