@@ -91,6 +91,21 @@ class ChatDataTest(unittest.TestCase):
         self.assertEqual(chat_data.plain_answer("GG\nWW\n"), "GG\nWW")
         self.assertEqual(chat_data.plain_answer("{A lake} \n"), "{A lake}")
 
+    def test_a_brief_conversation_keeps_what_was_said_and_what_was_asked_for(self):
+        answer = {"coarse": {"season": "winter"}, "fine": {"grass": {"density": 0.5}}, "agents": [{"category": "cow"}]}
+        talk = [
+            ("system", "You write."),
+            ("user", "The map:\nGGWW\n\nDescription of the environment:\nSnow.\n\nA cow.\n\nWrite now."),
+            ("assistant", json.dumps(answer)),
+        ]
+        shorter = chat_data.brief(talk)
+        self.assertEqual(shorter[0], talk[0])
+        self.assertEqual(shorter[1], ("user", "Description of the environment:\nSnow.\n\nA cow.\n\nWrite now."))
+        del answer["fine"]
+        self.assertEqual(json.loads(shorter[2][1]), answer)
+        for other in tiny_talks.conversations(3):
+            self.assertEqual(chat_data.brief(other), other)
+
     def test_a_line_that_is_none_is_named(self):
         good = json.dumps({"messages": [{"role": "assistant", "content": "W"}]})
         for bad in ["{", "[]", '{"messages": 3}', '{"messages": [{"role": "user", "content": "?"}]}']:

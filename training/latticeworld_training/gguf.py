@@ -1,4 +1,4 @@
-"""Writes GGUF files, version 3 (https://github.com/ggml-org/ggml/blob/master/docs/gguf.md)."""
+"""Writes GGUF files, version 3, and reads those that it wrote (https://github.com/ggml-org/ggml/blob/master/docs/gguf.md)."""
 
 import os
 import struct
@@ -73,3 +73,62 @@ class GgufWriter:
             file.write(head)
             file.write(self._data)
         os.replace(unfinished, path)
+
+
+def _values(raw, kind, count):
+    """`count` float32 of a tensor's bytes."""
+    if kind == F32:
+        return numpy.frombuffer(raw, "<f4", count)
+    if kind == F16:
+        return numpy.frombuffer(raw, "<f2", count).astype(numpy.float32)
+    blocks = numpy.frombuffer(raw, dtype=[("scale", "<f2"), ("values", "i1", Q8_BLOCK)], count=count // Q8_BLOCK)
+    return (blocks["scale"].astype(numpy.float32)[:, None] * blocks["values"]).reshape(-1)
+
+
+class _Head:
+    """Reads a file's head from its beginning."""
+
+    def __init__(self, raw):
+        self.raw, self.at = raw, 0
+
+    def take(self, form):
+        values = struct.unpack_from("<" + form, self.raw, self.at)
+        self.at += struct.calcsize("<" + form)
+        return values if len(values) > 1 else values[0]
+
+    def text(self):
+        size = self.take("Q")
+        self.at += size
+        return self.raw[self.at - size : self.at].decode("utf-8")
+
+    def value(self, kind):
+        if kind == STRING:
+            return self.text()
+        if kind == ARRAY:
+            of, count = self.take("IQ")
+            return [self.value(of) for _ in range(count)]
+        return self.take({UINT32: "I", INT32: "i", FLOAT32: "f", BOOL: "?"}[kind])
+
+
+def read_gguf(path):
+    """Metadata (a dict) and tensors (float32 arrays by name) of a file that GgufWriter wrote. Raises ValueError for
+    another one."""
+    with open(path, "rb") as file:
+        head = _Head(file.read())
+    try:
+        if head.take("4sI") != (b"GGUF", 3):
+            raise ValueError("no GGUF of version 3")
+        tensors, entries = head.take("QQ")
+        metadata = {head.text(): head.value(head.take("I")) for _ in range(entries)}
+        infos = []
+        for _ in range(tensors):
+            name, dimensions = head.text(), head.take("I")
+            shape = [head.take("Q") for _ in range(dimensions)]
+            infos.append((name, shape[::-1], *head.take("IQ")))
+        begin = head.at + -head.at % ALIGNMENT
+        return metadata, {
+            name: _values(head.raw[begin + offset :], kind, int(numpy.prod(shape))).reshape(shape)
+            for name, shape, kind, offset in infos
+        }
+    except (ValueError, KeyError, struct.error) as error:
+        raise ValueError(f"{path} cannot be read: {error!r}") from error

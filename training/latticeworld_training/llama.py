@@ -86,7 +86,7 @@ class LlamaLayer(nn.Module):
         share = self.sizes.heads // self.sizes.kv_heads
         if share > 1:
             keys, values = keys.repeat_interleave(share, 1), values.repeat_interleave(share, 1)
-        scores = queries @ keys.transpose(2, 3) / math.sqrt(head_width) + mask
+        scores = (queries / math.sqrt(head_width)) @ keys.transpose(2, 3) + mask
         attended = (scores.softmax(-1) @ values).transpose(1, 2).reshape(batch, length, -1)
         return self.attention_output(attended)
 
