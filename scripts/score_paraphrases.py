@@ -39,9 +39,9 @@ def words_for(**others):
     return replaced({old.replace("_", " "): new for old, new in others.items()})
 
 
-def replaced(table):
+def replaced(table, before=r"(?<![\w-])", after=r"(?![\w-])"):
     wanted = "|".join(re.escape(old) for old in sorted(table, key=len, reverse=True))
-    pattern = re.compile(rf"\b({wanted})\b", re.IGNORECASE)
+    pattern = re.compile(f"{before}({wanted}){after}", re.IGNORECASE)
     return lambda text: pattern.sub(lambda found: in_case_of(found[0], table[found[0].lower()]), text)
 
 
@@ -70,8 +70,12 @@ CORNERS = {"north-west": "top left", "north-east": "top right", "south-west": "b
            "northwest": "top left", "northeast": "top right", "southwest": "bottom left", "southeast": "bottom right",
            "northwestern": "upper left", "northeastern": "upper right",
            "southwestern": "lower left", "southeastern": "lower right"}
-PICTURE = {"top": "north", "bottom": "south", "left": "west", "right": "east", "upper": "northern", "lower": "southern",
-           "left-hand": "western", "right-hand": "eastern", "topmost": "northernmost", "leftmost": "westernmost"}
+PICTURE = {f"{picture} {part}": f"{compass} {part}" for picture, compass in
+           {"top": "northern", "upper": "northern", "bottom": "southern", "lower": "southern", "left": "western",
+            "right": "eastern", "left-hand": "western", "right-hand": "eastern"}.items()
+           for part in ("half", "third", "edge", "side", "border", "part")}
+PICTURE |= {"on the left": "in the west", "on the right": "in the east", "at the top": "in the north",
+            "at the bottom": "in the south", "topmost": "northernmost", "leftmost": "westernmost"}
 PICTURE_CORNERS = {f"{up} {side}": compass for (up, side), compass in {
     ("top", "left"): "north-west", ("top", "right"): "north-east", ("upper", "left"): "north-west",
     ("upper", "right"): "north-east", ("bottom", "left"): "south-west", ("bottom", "right"): "south-east",
@@ -88,27 +92,28 @@ CHANGES = {
     "semicolons": lambda text: re.sub(r"\. (?=[A-Z])", "; ", text),
     "lines": lambda text: re.sub(r"\. (?=[A-Z])", ".\n", text),
     "dashes": lambda text: text.replace(": ", " - ").replace("; ", " - "),
-    "no commas": lambda text: text.replace(",", ""),
     "commas for stops": sentences_joined_by(", "),
     "and for stops": sentences_joined_by(", and "),
     "greetings": lambda text: "Hi! For my thesis I need a map. " + text + " Thanks a lot in advance!",
     "thinking": lambda text: "So, I was thinking, " + text[:1].lower() + text[1:],
     "a robot": lambda text: text + " The robot starts somewhere and has to find its way.",
     "picture words": replaced({**SIDES, **CORNERS}),
-    "compass": replaced({**PICTURE, **PICTURE_CORNERS}),
+    "compass": replaced({**PICTURE, **PICTURE_CORNERS}, after=r"(?![\w-])(?! (?:half|third|edge|side|border|part|corner))"),
     "abbreviations": replaced(SHORT_CORNERS),
     "hyphens in corners": replaced({corner.replace("-", ""): corner for corner in SHORT_CORNERS if "-" in corner}),
     "no hyphens": lambda text: re.sub(r"(?<=[a-z])-(?=[a-z])", " ", text),
     "middle": words_for(center="middle", centre="middle", middle="center"),
     "heart": words_for(in_the_center="at the heart", in_the_centre="at the heart", in_the_middle="in the very centre"),
     "waters": words_for(lake="tarn", lakes="tarns", pond="pool", ponds="pools", river="stream", rivers="streams"),
-    "woods": words_for(forest="woodland", forests="woodlands", woods="forest", wood="copse"),
+    "woods": words_for(forest="woodland", forests="woodlands", woods="forest", a_wood="a copse", the_wood="the copse"),
     "villages": words_for(village="hamlet", villages="hamlets", town="settlement", houses="cottages", house="cottage"),
     "roads": words_for(road="lane", roads="lanes", track="path", path="trail"),
-    "fields": words_for(fields="farmland", farmland="cropland", field="paddock"),
+    "fields": words_for(fields="farm fields", farmland="cropland", cropland="arable land"),
     "meadows": words_for(meadow="grassland", meadows="pastures", grass="turf", grassland="meadow"),
     "digits": replaced(NUMBERS),
-    "words for digits": replaced({digit: word for word, digit in NUMBERS.items() if int(digit) < 9}),
+    # Not those of lists, decimals, percentages and measures.
+    "words for digits": replaced({digit: word for word, digit in NUMBERS.items() if int(digit) < 9},
+                                 before=r"(?<![\w.,:/-])", after=r"(?= [a-z]{3})(?! (?:per|degrees|met|cell|square))"),
     "long forms": replaced(APOSTROPHES),
     "short forms": words_for(there_is="there's", is_not="isn't", do_not="don't", it_is="it's", does_not="doesn't",
                              are_not="aren't"),
@@ -122,20 +127,23 @@ CHANGES = {
                       crosses="cuts across", cuts_through="runs through", passes="runs"),
     "covers": words_for(covers="takes up", takes_up="occupies", fills="covers", occupies="fills", covered_with="covered in",
                         covered_by="covered with"),
-    "the rest": words_for(everywhere_else="the rest is", everything_else="the rest", the_rest="everything else",
-                          elsewhere="everywhere else", all_the_rest="everything else", otherwise="elsewhere"),
-    "no": words_for(no="not any", without="with no", with_no="without", without_any="with no"),
+    "the rest": words_for(everywhere_else_is="the rest is", everything_else_is="the rest is", the_rest_is="everything else is",
+                          elsewhere="everywhere else", all_the_rest="everything else"),
+    "no": words_for(there_is_no="there isn't any", there_are_no="there aren't any", without_any="with no",
+                    with_no="without any"),
     "wishes": words_for(i_want="I'd like", i_need="I want", please="could you", there_is="we have", there_are="we have",
                         there_should_be="I want"),
-    "halves": words_for(left_half="west half", western_half="left-hand half", eastern_half="right-hand side",
-                        northern_half="top half", southern_half="bottom half", half="50 %", a_third="33 %",
-                        a_quarter="25 percent", one_third="a third"),
+    "halves": words_for(western_half="left-hand half", eastern_half="right-hand side", northern_half="top half",
+                        southern_half="bottom half", half_of_the_map="50 % of the map", a_third_of="33 % of",
+                        a_quarter_of="25 percent of", one_third="a third"),
     "sizes": words_for(big="large", large="sizeable", small="little", little="small", tiny="very small", huge="enormous",
                        wide="broad", narrow="slim"),
     "sides": words_for(between="in between", both_sides="either side", either_side="both sides",
                        on_each_side="on both sides"),
     "typing mistakes": with_typing_mistakes,
 }
+# In an environment a robot more is another one.
+OF_LAYOUTS = ("a robot",)
 
 
 def missed(program, benchmark, items, seed):
@@ -155,11 +163,12 @@ def missed(program, benchmark, items, seed):
     return {miss.groups() for miss in misses if miss and miss[1] in known}
 
 
-def changed_items(items, change):
+def changed_items(items, name):
     """The instructions that a change makes others. A benchmark wants one of each kind: where none is changed, the
     first stands for all."""
     result = {}
     for kind in KINDS:
+        change = str if kind == "environment" and name in OF_LAYOUTS else CHANGES[name]
         after = copy.deepcopy(items[kind])
         for item in after:
             item["instruction"] = change(item["instruction"])
@@ -186,7 +195,7 @@ def main():
     missed_before = set.union(*(missed(given.program, given.benchmark, items, seed) for seed in SEEDS))
     print(f"{'change':<20}{'instructions':>14}{'claims':>8}{'lost':>6}")
     for name in given.changes or CHANGES:
-        changed = changed_items(items, CHANGES[name])
+        changed = changed_items(items, name)
         missed_now = set.intersection(*(missed(given.program, given.benchmark, changed, seed) for seed in SEEDS))
         lost = sorted(missed_now - missed_before)
         some = changed["layout"] + changed["environment"]

@@ -33,13 +33,14 @@ class ChangesTest(unittest.TestCase):
         for name, before, after in (
             ("lower", "A Lake.", "a lake."),
             ("picture words", "In the north-west, west of the SOUTHERN lake", "In the top left, left of the LOWER lake"),
-            ("compass", "Top left: bottom", "North-west: south"),
+            ("compass", "Top left: a lake right at the bottom edge, trees at the top",
+             "North-west: a lake right at the southern edge, trees in the north"),
             ("abbreviations", "in the south-east and Northwest", "in the SE and NW"),
             ("hyphens in corners", "southwest", "south-west"),
             ("commas for stops", "A lake. A forest. 2 m.", "A lake, a forest. 2 m."),
-            ("digits", "Two lakes, one of ten", "2 lakes, one of 10"),
-            ("words for digits", "3 ponds, 30 %", "three ponds, 30 %"),
-            ("the rest", "Everything else is grass", "The rest is grass"),
+            ("digits", "Two lakes, one of ten, twenty-two", "2 lakes, one of 10, twenty-two"),
+            ("words for digits", "2. 3 ponds, 5 %, 1.5 m", "2. three ponds, 5 %, 1.5 m"),
+            ("the rest", "Everything else is grass, or the rest", "The rest is grass, or the rest"),
             ("roads", "Roads and a broad road", "Lanes and a broad lane"),
         ):
             self.assertEqual(score_paraphrases.CHANGES[name](before), after, name)

@@ -84,8 +84,16 @@ void TurnOff(std::vector<Token>* tokens, std::size_t at) {
     ReplaceTokens(tokens, value, 1, {"none"});
 }
 
-// "The other 2", "all 4 corners", "on 3 sides of it": the words of such numbers are part of
-// phrases.
+// Whether a thing stands at `at`, or behind one adjective there.
+bool IsThingNear(const std::vector<Token>& tokens, std::size_t at) {
+  if (MatchClassWord(tokens, at).tokens > 0) return true;
+  return !WordAt(tokens, at).empty() && MatchClassWord(tokens, at + 1).tokens > 0 &&
+         !IsOneOf(WordAt(tokens, at), {"percent", "by", "x", "to", "or", "and", "cells", "squares",
+                                       "metres", "meters", "cell", "m", "wide"});
+}
+
+// "The other 2", "all 4 corners", "on 3 sides of it", "2 straight roads", "cuts it in 2": the words
+// of such numbers are part of phrases.
 void TurnDigits(std::vector<Token>* tokens, std::size_t at) {
   constexpr std::string_view kWords[] = {"two", "three", "four",  "five",
                                          "six", "seven", "eight", "nine"};
@@ -96,7 +104,11 @@ void TurnDigits(std::vector<Token>* tokens, std::size_t at) {
                                         "quadrants", "halves", "parts", "banks", "ends", "of"});
   const bool meant = at > 0 && IsOneOf(WordAt(*tokens, at - 1),
                                        {"the", "other", "first", "last", "all", "those", "these"});
-  if (!counted && !meant) return;
+  const bool cut =
+      at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"in", "into"}) && IsPauseAt(*tokens, at + 1);
+  const bool side = at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"by", "x"});  // "5 by 5 lake"
+  const bool thing = !side && IsThingNear(*tokens, at + 1);
+  if (!counted && !meant && !cut && !thing) return;
   token.text = kWords[token.text[0] - '2'];
   token.kind = TokenKind::kWord;
 }
