@@ -27,7 +27,40 @@ void ClauseReader::ReadAbsence(const Chunk& chunk) {
   // "ponds in the south; no trees there"
   const std::string after = ToLowerAscii(d_.Words(chunk.end, d_.instruction().size())).substr(0, 6);
   if (zones.empty() && after == " there") zones = zones_before_;
+  if (zones.empty() && DeniesAnother(*chunk.phrase.noun)) return;
   Deny(letter, zones, chunk);
+}
+
+// "A river but no lake", "no junctions": other water, other roads than those that were spoken of.
+bool ClauseReader::DeniesAnother(const ClassWord& noun) const {
+  // "no ponds in the south": there, at least.
+  const bool placed = IsKind(at_ + 1, ChunkKind::kPlace) ||
+                      (IsSense(at_ + 1, Sense::kIn) && IsKind(at_ + 2, ChunkKind::kPlace));
+  if (correcting_ || placed) return false;
+  const Vocabulary vocabulary = d_.plan().vocabulary;
+  const char letter = noun.LetterIn(vocabulary);
+  const bool road = letter == 'R' && vocabulary == Vocabulary::kSuburb;
+  for (const std::string_view crossing : {"junction", "intersection", "crossing", "crossroad"}) {
+    if (road && noun.phrase.find(crossing) != std::string_view::npos) return true;
+  }
+  if (!road && letter != 'W') return false;
+  // What names all of the class.
+  for (const std::string_view all :
+       {"water", "road", "street", "body of water", "water body", "open water", "waterway"}) {
+    if (noun.phrase == all) return false;
+  }
+  bool another = false;
+  for (int i = 0; i < d_.size(); ++i) {
+    if (d_.thing(i).dropped || d_.feature(i).letter != letter) continue;
+    // "two ponds. no duck ponds", "a lake, a pond and no lakes"
+    const ClassWord& other = *d_.thing(i).noun;
+    // "an ocean ... just kidding, no sea": the same in other words.
+    const bool alike = !road && other.shape == noun.shape && other.cells < 2 * noun.cells &&
+                       noun.cells < 2 * other.cells;
+    if (other.phrase == noun.phrase || alike) return false;
+    another = true;
+  }
+  return another;
 }
 
 void ClauseReader::Deny(char letter, const std::vector<Zone>& zones, const Chunk& chunk) {

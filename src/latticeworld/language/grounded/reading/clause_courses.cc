@@ -74,8 +74,10 @@ void ClauseReader::TakeMoreEnds(int line) {
   const auto is_edge = [&](std::size_t at) {
     if (!IsKind(at, ChunkKind::kPlace) || chunks_[at].lexeme.places.size() != 1) return false;
     const std::string words = ToLowerAscii(d_.Words(chunks_[at].begin, chunks_[at].end));
-    return EndsWithWord(words, "edge") || EndsWithWord(words, "border") ||
-           EndsWithWord(words, "side");
+    const std::string& name = chunks_[at].lexeme.places.front().zone.name;
+    return EndsWithWord(name, "edge") || EndsWithWord(name, "corner") ||
+           EndsWithWord(words, "edge") || EndsWithWord(words, "border") ||
+           EndsWithWord(words, "side") || EndsWithWord(words, "corner");
   };
   if (!is_edge(at_)) return;
   std::vector<std::size_t> more;
@@ -314,6 +316,15 @@ bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
   return true;
 }
 
+// "two strips of forest", "three parallel belts of rock"
+bool ClauseReader::IsStrip(int index) const {
+  const std::string words = ToLowerAscii(d_.Words(d_.thing(index).begin, d_.thing(index).end));
+  for (const std::string_view strip : {"strips of ", "belts of ", "bands of ", "stripes of "}) {
+    if (words.find(strip) != std::string::npos) return true;
+  }
+  return false;
+}
+
 void ClauseReader::ReadAxis(const Chunk& chunk) {
   const AxisMatch& axis = chunk.lexeme.axis;
   Waypoint from;
@@ -347,6 +358,23 @@ void ClauseReader::ReadAxis(const Chunk& chunk) {
   }
   // "three ponds in a row from west to east"
   if (subjects_.size() == 1 && d_.feature(subjects_[0]).pieces > 1) {
+    // "two strips of forest run from north to south": each of them does.
+    if (IsStrip(subjects_[0])) {
+      d_.feature(subjects_[0]).from = from;
+      d_.feature(subjects_[0]).to = to;
+      d_.feature(subjects_[0]).form = FeatureForm::kLine;
+      d_.feature(subjects_[0]).wide = true;
+      d_.Extend(subjects_[0], chunk.end);
+      const std::string words =
+          ToLowerAscii(d_.Words(d_.thing(subjects_[0]).begin, d_.thing(subjects_[0]).end));
+      if (words.find("parallel") != std::string::npos) {
+        Frame frame;
+        frame.sense = Sense::kParallelEach;
+        frame.subjects = subjects_;
+        AssertEachOther(frame, &d_);
+      }
+      return;
+    }
     if (d_.feature(subjects_[0]).zones.empty() && (axis.to.east == 0 || axis.to.south == 0)) {
       d_.AddZones(subjects_[0], {*FindZone(axis.to.east != 0 ? "middle rows" : "middle columns")});
     }

@@ -97,10 +97,19 @@ void ClauseReader::OpenSense(Sense sense, bool of_it) {
   frame.at_end =
       sense == Sense::kNextTo && (EndsWithWord(said, "end of") || EndsWithWord(said, "head of") ||
                                   EndsWithWord(said, "tip of"));
-  frame.partly = sense == Sense::kSurrounds && said.find("three sides") != std::string::npos;
+  frame.partly = sense == Sense::kSurrounds && SaysThreeSides();
   frame.inside =
       sense == Sense::kIn && ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[at_].end)) == "in";
   Open(std::move(frame));
+}
+
+// "on three sides of", "surrounds the town on three sides"
+bool ClauseReader::SaysThreeSides() const {
+  std::size_t last = at_;
+  while (last + 1 < chunks_.size() && !EndsAt(last + 1) && !IsKind(last + 1, ChunkKind::kComma))
+    ++last;
+  const std::string words = ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[last].end));
+  return words.find("three sides") != std::string::npos;
 }
 
 // "leaves the town": from it.

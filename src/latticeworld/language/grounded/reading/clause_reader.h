@@ -50,6 +50,7 @@ class ClauseReader {
   void ReadPlace(const Chunk& chunk);
   void ReadDirection(const Chunk& chunk);
   void ReadAxis(const Chunk& chunk);
+  bool IsStrip(int index) const;
   void ReadQualities(const Chunk& chunk);
   void ReadSense(const Chunk& chunk);
   void ReadComma();
@@ -61,6 +62,7 @@ class ClauseReader {
   void ReadMap(const Chunk& chunk);
   void ReadRest(const Chunk& chunk);
   void ReadAbsence(const Chunk& chunk);
+  bool DeniesAnother(const ClassWord& noun) const;
   std::vector<int> Refer(const Chunk& chunk);
   std::vector<int> ReferToOne(const Chunk& chunk, const std::vector<int>& about);
   std::vector<int> OneMore(const Chunk& chunk);
@@ -135,6 +137,7 @@ class ClauseReader {
   void ReadBridge(const Chunk& chunk);
   std::vector<int> Own(const Frame& frame, const std::vector<int>& subjects) const;
   bool SaysLeaving() const;
+  bool SaysThreeSides() const;
   void Open(Frame frame);
   void OpenSense(Sense sense, bool of_it);
   void TakeBackDenials();

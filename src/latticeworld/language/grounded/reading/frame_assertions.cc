@@ -262,7 +262,7 @@ class Asserter {
       around.shape = ClaimShape::kBent;
       Relate(RelationKind::kNear, outer, inner, kNearSteps);
     } else {
-      if (IsLine(d_.feature(outer))) d_.feature(outer).shape = ClaimShape::kRing;
+      if (IsLine(d_.feature(outer)) && !frame_.partly) d_.feature(outer).shape = ClaimShape::kRing;
       Relate(RelationKind::kSurrounds, outer, inner);
     }
   }

@@ -84,12 +84,17 @@ Closeness TakeCloseness(const std::vector<Token>& tokens, std::size_t at) {
     close.touching = word == "next";
     ++next;
   } else if (IsOneOf(word, {"in", "inside", "within", "on", "among", "beside", "touching", "touch",
-                            "touches", "adjoining", "alongside"})) {
+                            "touches", "adjoining", "alongside", "along", "at"})) {
     close.touching = true;
   } else if (!IsOneOf(word, {"near", "by", "around"})) {
     return {};
   }
   if (IsOneOf(WordAt(tokens, next), {"the", "a", "an", "any", "this", "that"})) ++next;
+  // "at the end of the road"
+  if (IsOneOf(WordAt(tokens, next), {"edge", "end", "foot", "side", "shore", "bank", "border"}) &&
+      WordAt(tokens, next + 1) == "of" && WordAt(tokens, next + 2) == "the") {
+    next += 3;
+  }
   if (MatchClassWord(tokens, next).word != nullptr) close.thing = next;
   return close;
 }

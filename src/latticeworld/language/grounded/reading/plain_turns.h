@@ -16,6 +16,27 @@ void TurnLabels(std::vector<Token>* tokens);
 // houses, no forests, inside the loop.
 void TurnUses(std::vector<Token>* tokens);
 
+// plain_denials.cc: "a river without a bridge", "through the forest but not through the village",
+// "a road with no bends": a river, and never through the village, in a straight line.
+void TurnDenials(std::vector<Token>* tokens);
+
+// plain_keepouts.cc: "ends before it reaches the wood", "keep the river bank free of houses": stops
+// short of it, the houses not next to the river.
+void TurnKeepouts(std::vector<Token>* tokens);
+
+// plain_passages.cc: "a road with houses on both sides runs from west to east", "two rivers meet in
+// the south", "passes the village on the north side": it runs there, with houses on both sides;
+// rivers meet there; passes north of it.
+void TurnPassages(std::vector<Token>* tokens);
+
+// plain_arms.cc: "roads run from the center to all four corners", "a road goes all around the map":
+// to the northwest corner, ...; a ring road along the edges.
+void TurnArms(std::vector<Token>* tokens);
+
+// plain_offsets.cc: "one third from the top", "outside the town there is only farmland", "a path of
+// grass": in the northern third, around the town, a strip of grass.
+void TurnOffsets(std::vector<Token>* tokens);
+
 // plain_measures.cc: "may take up to 20 percent", "a 5 by 5 lake", "all the houses are in the
 // north": at most 20 percent, 5 cells across, only in the north.
 void TurnMapMeasures(std::vector<Token>* tokens);

@@ -10,6 +10,11 @@ namespace latticeworld {
 std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnLabels(&tokens);
   TurnUses(&tokens);
+  TurnDenials(&tokens);
+  TurnKeepouts(&tokens);
+  TurnPassages(&tokens);
+  TurnArms(&tokens);
+  TurnOffsets(&tokens);
   TurnAsides(&tokens);
   TurnLeftOut(&tokens);
   TurnTotals(&tokens);

@@ -18,6 +18,20 @@ bool IsSize(std::string_view word) {
                         "huge", "long", "short", "wide", "narrow"});
 }
 
+std::size_t PastArticle(const std::vector<Token>& tokens, std::size_t at) {
+  while (IsOneOf(WordAt(tokens, at), {"the", "a", "an", "any", "its", "their"}) ||
+         IsSize(WordAt(tokens, at))) {
+    ++at;
+  }
+  return at;
+}
+
+std::size_t PastThing(const std::vector<Token>& tokens, std::size_t at) {
+  const std::size_t noun = PastArticle(tokens, at);
+  const std::size_t length = MatchClassWord(tokens, noun).tokens;
+  return length > 0 ? noun + length : 0;
+}
+
 std::vector<Token> SaidLike(std::string_view words, const Token& beside) {
   std::vector<Token> said = Tokenize(words);
   for (Token& token : said) {

@@ -19,6 +19,11 @@ std::string_view LandOfAdjective(std::string_view adjective);
 // "big", "smaller", "narrow".
 bool IsSize(std::string_view word);
 
+// The token after articles ("the", "any", "its") and sizes.
+std::size_t PastArticle(const std::vector<Token>& tokens, std::size_t at);
+// The token after a thing with or without them, "the large lake"; 0: none stands there.
+std::size_t PastThing(const std::vector<Token>& tokens, std::size_t at);
+
 // The tokens of some words, all with the bytes of one token.
 std::vector<Token> SaidLike(std::string_view words, const Token& beside);
 
