@@ -157,20 +157,27 @@ bool IsNoDirection(const PlaceCursor& cursor) {
   const std::string_view next = cursor.word(1);
   const std::string_view previous = cursor.previous();
   if (word == "right") {
+    // "left and right along the road" names both sides.
+    const bool sides = cursor.at() >= 2 && IsOneOf(cursor.tokens()[cursor.at() - 2].text,
+                                                   {"left", "top", "bottom", "upper", "lower"});
     if (IsOneOf(previous, {"and", "or"}) &&
-        IsOneOf(next, {"in", "at", "by", "on", "next", "beside", "near", "under"})) {
+        (IsOneOf(next, {"in", "at", "by", "on", "next", "beside", "near", "under"}) ||
+         (!sides && IsOneOf(next, {"beneath", "below", "above", "underneath", "behind", "around",
+                                   "through", "along"})))) {
       return true;
     }
     if (IsOneOf(previous, {"the", "on", "upper", "lower", "top", "bottom", "far", "its", "middle",
                            "center", "centre", "central", "mid", "and", "or", "to", "from"})) {
       return false;
     }
-    return IsOneOf(next, {"next",   "beside",  "by",        "behind", "in",    "at",     "through",
-                          "along",  "across",  "on",        "up",     "down",  "under",  "above",
-                          "around", "after",   "now",       "away",   "here",  "there",  "near",
-                          "inside", "into",    "over",      "to",     "and",   "before", "outside",
-                          "amid",   "among",   "below",     "beyond", "close", "where",  "against",
-                          "past",   "between", "alongside", "onto",   "within"}) &&
+    return IsOneOf(next,
+                   {"next",   "beside",  "by",        "behind", "in",     "at",      "through",
+                    "along",  "across",  "on",        "up",     "down",   "under",   "above",
+                    "around", "after",   "now",       "away",   "here",   "there",   "near",
+                    "inside", "into",    "over",      "to",     "and",    "before",  "outside",
+                    "amid",   "among",   "below",     "beyond", "close",  "where",   "against",
+                    "past",   "between", "alongside", "onto",   "within", "beneath", "underneath",
+                    "atop",   "amidst",  "opposite"}) &&
            !(next == "and" && IsOneOf(cursor.word(2), {"left", "top", "bottom", "the"}));
   }
   if (word == "left") {

@@ -89,6 +89,7 @@ void ClauseReader::OpenSense(Sense sense, bool of_it) {
     confining_ = false;
   }
   if (sense == Sense::kBetween && ReadInBetween()) return;
+  if (sense == Sense::kConnects && RunsBetween()) sense = Sense::kBetween;
   Frame frame;
   frame.sense = sense;
   frame.of_it = of_it || sense == Sense::kWithinIt;
@@ -110,6 +111,17 @@ bool ClauseReader::SaysThreeSides() const {
     ++last;
   const std::string words = ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[last].end));
   return words.find("three sides") != std::string::npos;
+}
+
+// "A river runs between the village and the wood", "a road runs between two lakes": lies there.
+// Only roads lead from one place where people live to another.
+bool ClauseReader::RunsBetween() const {
+  const std::string words = ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[at_].end));
+  if (words.substr(0, 3) != "run" || !IsThing(at_ + 1)) return false;
+  const int line = LineOf(subjects_);
+  if (line < 0) return false;
+  const char to = chunks_[at_ + 1].phrase.noun->LetterIn(d_.plan().vocabulary);
+  return d_.feature(line).letter != 'R' || (to != 'B' && to != 'A');
 }
 
 // "leaves the town": from it.

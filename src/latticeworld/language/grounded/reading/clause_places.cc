@@ -78,7 +78,10 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
   }
   if (not_next_) {
     not_next_ = false;
-    if (!subjects_.empty()) Deny(d_.feature(subjects_.back()).letter, zones, chunk);
+    // "the lake and the forest are not in the north"
+    const bool all = list_has_and_ && verb_said_;
+    for (const int index : subjects_)
+      if (all || index == subjects_.back()) Deny(d_.feature(index).letter, zones, chunk);
     absences_.clear();
     if (frame_.has_value() && frame_->objects.empty()) frame_.reset();
     return;

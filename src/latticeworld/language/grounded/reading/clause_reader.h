@@ -138,6 +138,9 @@ class ClauseReader {
   std::vector<int> Own(const Frame& frame, const std::vector<int>& subjects) const;
   bool SaysLeaving() const;
   bool SaysThreeSides() const;
+  bool RunsBetween() const;
+  bool TiesSubject(std::size_t at) const;
+  bool IsBeyondKnown(int index) const;
   void Open(Frame frame);
   void OpenSense(Sense sense, bool of_it);
   void TakeBackDenials();

@@ -12,7 +12,50 @@ namespace {
 constexpr double kCoveringShare = 0.5;  // "the northern half is forest": at least
 constexpr double kOnlyShare = 0.85;     // "nothing but forest": at least
 
+// What is only there beside a thing says nothing of the whole map.
+bool TiesObject(const Frame& frame) {
+  switch (frame.sense) {
+    case Sense::kBetween:
+    case Sense::kNextTo:
+    case Sense::kNear:
+    case Sense::kAlong:
+    case Sense::kSurrounds:
+    case Sense::kBothSides:
+    case Sense::kBehind:
+    case Sense::kInFront:
+    case Sense::kBeyond:
+    case Sense::kIn:
+    case Sense::kWithin:
+      return !frame.objects.empty();
+    default:
+      return false;
+  }
+}
+
 }  // namespace
+
+// "nothing but trees along the river"
+bool ClauseReader::TiesSubject(std::size_t at) const {
+  if (!IsThing(at + 1)) return false;
+  for (const Sense sense : {Sense::kBetween, Sense::kNextTo, Sense::kNear, Sense::kAlong,
+                            Sense::kBothSides, Sense::kBehind, Sense::kBeyond}) {
+    if (IsSense(at, sense)) return true;
+  }
+  return false;
+}
+
+// "beyond the roofs", of a town that was spoken of in another sentence: all around it.
+bool ClauseReader::IsBeyondKnown(int index) const {
+  const PlannedFeature& feature = d_.feature(index);
+  if (frame_->sense != Sense::kBeyond || frame_->objects.empty() ||
+      feature.form != FeatureForm::kSpread || !feature.zones.empty()) {
+    return false;
+  }
+  const char letter = d_.feature(frame_->objects.back()).letter;
+  for (int i = 0; i < sentence_first_feature_; ++i)
+    if (!d_.thing(i).dropped && d_.feature(i).letter == letter) return true;
+  return false;
+}
 
 void ClauseReader::TakeObjects(const std::vector<int>& found) {
   Frame& frame = *frame_;
@@ -64,9 +107,11 @@ void ClauseReader::TakeObjects(const std::vector<int>& found) {
     for (const int subject : frame.subjects) d_.AddZones(subject, {*FindZone("edges")});
   }
   const bool wants_more = WantsTwo(frame.sense) && frame.objects.size() < 2 &&
-                          (IsSense(at_ + 1, Sense::kAnd) || IsSense(at_ + 1, Sense::kFrom) ||
-                           IsSense(at_ + 1, Sense::kTo) || IsSense(at_ + 1, Sense::kWith) ||
-                           IsKind(at_ + 1, ChunkKind::kPlace) || IsSense(at_ + 1, Sense::kIn));
+                          ((IsSense(at_ + 1, Sense::kAnd) && !IsSense(at_ + 2, Sense::kTo) &&
+                            !IsSense(at_ + 2, Sense::kRuns)) ||
+                           IsSense(at_ + 1, Sense::kFrom) || IsSense(at_ + 1, Sense::kTo) ||
+                           IsSense(at_ + 1, Sense::kWith) || IsKind(at_ + 1, ChunkKind::kPlace) ||
+                           IsSense(at_ + 1, Sense::kIn));
   // "between the two lakes": one phrase, two pieces.
   if (WantsTwo(frame.sense) && frame.objects.size() == 1 && !wants_more && !frame.fronted &&
       (!IsSense(at_ + 1, Sense::kWhich) && !IsKind(at_ + 1, ChunkKind::kComma))) {
@@ -116,7 +161,11 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
       d_.SetTopic(subjects_);
     }
     subjects_ = found;
-    list_has_and_ = false;
+    // "they are in the west", "both run from top to bottom": all that these are
+    list_has_and_ = found.size() > 1 && phrase.noun == nullptr && !fronted &&
+                    (phrase.head == Head::kThey || phrase.head == Head::kBoth) &&
+                    (IsSense(at_ + 1, Sense::kBe) || IsSense(at_ + 1, Sense::kStands) ||
+                     IsSense(at_ + 1, Sense::kRuns));
   }
   joining_ = false;
   open_list_ = true;
@@ -128,8 +177,12 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
     if (only_next_ && IsLine(index) && ListLength(at_) > 1 && lead_.empty()) d_.AllIsSaid();
     if (only_next_ && !IsLine(index)) {
       const Heading side = fronted ? HeadingOfFrame(*frame_) : Heading{0, 0};
-      if (fronted && frame_->sense == Sense::kBetween) {
-        feature.form = FeatureForm::kSpread;  // "in between there is only rock"
+      if (fronted && IsBeyondKnown(index)) {
+        feature.dominant = feature.fills_rest = true;
+      } else if ((fronted && TiesObject(*frame_)) || (!fronted && TiesSubject(at_ + 1))) {
+        // "in between there is only rock", "nothing but trees along the river"
+        const bool between = fronted && frame_->sense == Sense::kBetween;
+        if (between) feature.form = FeatureForm::kSpread;
       } else if (side.east == 0 && side.south == 0) {
         OnlyThis(index, is_new);
       } else if (feature.zones.empty() && feature.form == FeatureForm::kSpread) {

@@ -305,7 +305,7 @@ void TurnFollowed(std::vector<Token>* tokens, std::size_t at) {
 
 // "A road runs across the top third": from west to east in the top third. "Across the east": from
 // north to south.
-void TurnAcross(std::vector<Token>* tokens, std::size_t at) {
+void TurnAcrossZone(std::vector<Token>* tokens, std::size_t at) {
   if (WordAt(*tokens, at) != "across" || at == 0) return;
   if (!IsOneOf(WordAt(*tokens, at - 1), {"runs", "goes", "leads", "flows", "running"})) return;
   if (LineBefore(*tokens, at).end != at - 1) return;
@@ -336,7 +336,7 @@ void TurnArms(std::vector<Token>* tokens) {
     TurnRoundMap(tokens, at);
     TurnBelt(tokens, at);
     TurnFollowed(tokens, at);
-    TurnAcross(tokens, at);
+    TurnAcrossZone(tokens, at);
   }
 }
 

@@ -275,48 +275,6 @@ void TurnRightAngle(std::vector<Token>* tokens, std::size_t at) {
   ReplaceTokens(tokens, at, noun ? 3 : 2, {"bend"});
 }
 
-// "Fields bordered by trees on the north and by a road on the south": by trees to the north of
-// them.
-void TurnBorderedOn(std::vector<Token>* tokens, std::size_t at) {
-  if (!IsOneOf(WordAt(*tokens, at), {"bordered", "bounded", "flanked"}) ||
-      WordAt(*tokens, at + 1) != "by") {
-    return;
-  }
-  const std::size_t and_at = [&] {
-    std::size_t i = at;
-    while (!IsPauseAt(*tokens, i) && WordAt(*tokens, i) != "and") ++i;
-    return i;
-  }();
-  if (WordAt(*tokens, and_at) != "and") return;
-  const auto side_before = [&](std::size_t end) -> std::string_view {
-    const bool on = end > at + 3 && WordAt(*tokens, end - 2) == "the" &&
-                    IsOneOf(WordAt(*tokens, end - 3), {"on", "to", "in"});
-    return on ? SideWord(WordAt(*tokens, end - 1)) : std::string_view();
-  };
-  const std::size_t end = PauseAfter(*tokens, and_at);
-  const std::string first(side_before(and_at)), second(side_before(end));
-  if (first.empty() || second.empty()) return;
-  std::size_t other = and_at + 1;
-  if (WordAt(*tokens, other) == "by") ++other;
-  if (!NamesThing(*tokens, other) || !NamesThing(*tokens, at + 2)) return;
-  const Token beside = (*tokens)[at];
-  std::vector<Token> said = {WordLike("with", beside)};
-  const auto put = [&](std::size_t begin, std::size_t until, const std::string& side) {
-    for (const Token& token : TokensBetween(*tokens, begin, until)) said.push_back(token);
-    for (const std::string_view word : {"to", "the"}) said.push_back(WordLike(word, beside));
-    said.push_back(WordLike(side, beside));
-    for (const std::string_view word : {"of", "it"}) said.push_back(WordLike(word, beside));
-  };
-  put(at + 2, and_at - 3, first);
-  said.push_back(WordLike("and", beside));
-  put(other, end - 3, second);
-  const bool is = at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"is", "are"});
-  if (is) said.front().text = "have";
-  const std::size_t from = at - (is ? 1 : 0);
-  EraseTokens(tokens, from, end - from);
-  InsertTokens(tokens, from, said);
-}
-
 // "Top: forest. Middle: grass. Bottom: water": the rows in the middle.
 void TurnMiddleRow(std::vector<Token>* tokens) {
   const auto label = [&](std::size_t at, std::string_view word) {
@@ -349,7 +307,6 @@ void TurnDivisions(std::vector<Token>* tokens) {
     TurnSpaces(tokens, at);
     TurnAlong(tokens, at);
     TurnRightAngle(tokens, at);
-    TurnBorderedOn(tokens, at);
   }
 }
 

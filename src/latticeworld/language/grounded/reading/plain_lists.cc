@@ -38,12 +38,22 @@ int ListTo(const std::vector<Token>& tokens, std::size_t at) {
   }
 }
 
-// "From south to north a beach, grass, and forest": a pause before the list.
+// "From south to north a beach, grass, and forest": a pause before the list. "From the top: snow,
+// rock, forest": from north to south.
 void TurnAxisLists(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 4 < tokens->size(); ++at) {
     if (WordAt(*tokens, at) != "from" || (at > 0 && !IsStopAt(*tokens, at - 1))) continue;
     const std::size_t from = at + (WordAt(*tokens, at + 1) == "the" ? 2 : 1);
     const AxisMatch axis = MatchAxis(*tokens, from);
+    Heading heading;
+    const std::size_t colon = TakeHeading(*tokens, from, &heading);
+    const bool first = colon > 0 && !heading.IsDiagonal() && IsMark(*tokens, colon) &&
+                       (*tokens)[colon].text == ":" && ListTo(*tokens, colon + 1) > 2;
+    if (first) {
+      const Heading to{-heading.east, -heading.south};
+      ReplaceTokens(tokens, from, colon - from, {NameOf(heading), "to", NameOf(to)});
+      continue;
+    }
     if (axis.tokens == 0) continue;
     const std::size_t end = from + axis.tokens;
     if (IsPauseAt(*tokens, end) || ListTo(*tokens, end) < 2) continue;

@@ -5,6 +5,8 @@
 
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
+#include "latticeworld/language/grounded/reading/side_words.h"
+#include "latticeworld/language/grounded/reading/thing_words.h"
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/places.h"
 #include "latticeworld/language/token_edits.h"
@@ -102,6 +104,35 @@ void TurnBounds(std::vector<Token>* tokens) {
   }
 }
 
+namespace {
+
+// "Houses south of the lake, and beyond them": to the south of the houses.
+bool TurnFurther(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "beyond" || WordAt(*tokens, at + 1) != "them") return false;
+  const std::vector<NamedThing> named = NamedBefore(*tokens, at);
+  const std::size_t begin = SentenceBegin(*tokens, at);
+  for (const NamedThing& thing : named) {
+    if (thing.begin < begin) return false;
+    std::size_t side = thing.end;
+    while (IsOneOf(WordAt(*tokens, side), {"to", "the", "lie", "are"})) ++side;
+    Heading heading;
+    const std::size_t of = TakeHeading(*tokens, side, &heading);
+    if (of == 0 || WordAt(*tokens, of) != "of") continue;
+    if (!MatchClassWord(*tokens, thing.begin).plural) return false;
+    std::vector<Token> said = SaidLike("to the", (*tokens)[at]);
+    for (const std::string_view word : {NameOf(heading), std::string_view("of")})
+      said.push_back(WordLike(word, (*tokens)[at]));
+    said.push_back(WordLike("the", (*tokens)[at]));
+    for (std::size_t i = thing.begin; i < thing.end; ++i) said.push_back((*tokens)[i]);
+    EraseTokens(tokens, at, 2);
+    InsertTokens(tokens, at, said);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 // "beyond these", "outside all that": what lies there is what is left over.
 void TurnBeyond(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at < tokens->size(); ++at) {
@@ -124,6 +155,7 @@ void TurnBeyond(std::vector<Token>* tokens) {
         WordAt(*tokens, next + 1) == "on") {
       continue;
     }
+    if (TurnFurther(tokens, at)) continue;
     if (all && WordAt(*tokens, next) == "of") ++next;
     const Token first = (*tokens)[at];
     EraseTokens(tokens, at, next + 1 - at);

@@ -36,6 +36,28 @@ void TurnArms(std::vector<Token>* tokens);
 // plain_offsets.cc: "one third from the top", "outside the town there is only farmland", "a path of
 // grass": in the northern third, around the town, a strip of grass.
 void TurnOffsets(std::vector<Token>* tokens);
+// plain_across.cc: "the lake and the town are at opposite ends of the map", "across the river from
+// the town lies a forest", "trees shield the houses from the road": the lake is far away from the
+// town, the river lies between the town and a forest, trees lie between the houses and the road.
+void TurnAcross(std::vector<Token>* tokens);
+
+// plain_contrasts.cc: "a lake, not a river, in the middle", "not a lake but a forest", "a village
+// with no forest around it": a lake in the middle, a forest, with the forest not close to it.
+void TurnContrasts(std::vector<Token>* tokens);
+
+// plain_vantage.cc: "behind the lake, seen from the west", "the town overlooks a lake to the
+// south", "walled by rock to the east": to the east of the lake, to the south of the town, on its
+// east side.
+void TurnVantage(std::vector<Token>* tokens);
+
+// plain_relatives.cc: "the lake whose shore is wooded lies in the west", "a town through which a
+// river flows": the lake lies in the west. Forest on the shore of the lake; a river runs through
+// the town.
+void TurnRelatives(std::vector<Token>* tokens);
+
+// plain_clumps.cc: "an island of rock", "a buffer of trees", "snow and rock to its north and south
+// respectively": a rocky island, a strip of trees, snow to its north and rock to its south.
+void TurnClumps(std::vector<Token>* tokens);
 
 // plain_measures.cc: "may take up to 20 percent", "a 5 by 5 lake", "all the houses are in the
 // north": at most 20 percent, 5 cells across, only in the north.
@@ -76,6 +98,23 @@ void TurnGrouping(std::vector<Token>* tokens);
 // plain_allotments.cc: "the eastern half is a third forest and two thirds grass": in the eastern
 // half there is forest covering 17 percent of the map.
 void TurnAllotments(std::vector<Token>* tokens);
+
+// plain_negatives.cc: "a meadow without trees surrounds it", "roads should avoid the lake",
+// "neither the lake nor the wood is near it": a treeless meadow, keep away from it, both are not
+// near it.
+void TurnNegatives(std::vector<Token>* tokens);
+
+// plain_both.cc: "both the wood and the lake", "a lake and a wood, neither near the road", "the
+// northern one": the wood and the lake, they are not near it, the northern village.
+void TurnBoth(std::vector<Token>* tokens);
+
+// plain_borders.cc: "forest borders the lake on all sides", "a lake bordered on the north by
+// woods": surrounds it, with woods on its northern side.
+void TurnBorders(std::vector<Token>* tokens);
+
+// plain_inserts.cc: "below it, next to the lake, houses", "a lake and, to its east, a wood", "a
+// river, right, and a town": houses below it, and to its east a wood, no side.
+void TurnInserts(std::vector<Token>* tokens);
 
 // plain_asides.cc: "a manor. Surrounded by forest", "as it was in 1900", "grass where there is
 // room": it is surrounded by forest, the rest is grass.

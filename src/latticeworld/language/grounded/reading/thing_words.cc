@@ -58,6 +58,29 @@ std::vector<NamedThing> NamedBefore(const std::vector<Token>& tokens, std::size_
   return named;
 }
 
+NounSpan TakeNounSpan(const std::vector<Token>& tokens, std::size_t at) {
+  constexpr std::size_t kReach = 5;
+  NounSpan span;
+  for (std::size_t i = at; i < at + kReach && !IsPauseAt(tokens, i); ++i) {
+    const ClassWordMatch match = MatchClassWord(tokens, i);
+    if (match.tokens > 0) {
+      span = {at, i, i + match.tokens, match.plural};
+      break;
+    }
+    if (IsOneOf(WordAt(tokens, i),
+                {"of",      "and",   "or",     "nor",   "but",   "with",    "without", "in",
+                 "on",      "at",    "to",     "from",  "by",    "near",    "next",    "beside",
+                 "around",  "above", "below",  "under", "over",  "through", "across",  "between",
+                 "along",   "is",    "are",    "be",    "lies",  "lie",     "has",     "have",
+                 "which",   "that",  "who",    "where", "it",    "them",    "they",    "there",
+                 "neither", "both",  "not",    "no",    "other", "one",     "another", "only",
+                 "except",  "than",  "behind", "while", "then",  "also",    "towards", "into"})) {
+      break;
+    }
+  }
+  return span;
+}
+
 std::string_view LandOfAdjective(std::string_view adjective) {
   constexpr std::pair<std::string_view, std::string_view> kLands[] = {{"forested", "forest"},
                                                                       {"wooded", "forest"},
@@ -78,6 +101,95 @@ std::string_view LandOfAdjective(std::string_view adjective) {
   for (const auto& [said, land] : kLands)
     if (said == adjective) return land;
   return "";
+}
+
+namespace {
+
+bool IsArticle(std::string_view word) {
+  return IsOneOf(word, {"the", "a", "an", "some", "this", "that", "its", "their", "these", "those",
+                        "two", "three", "four", "several", "many", "one", "both", "another"});
+}
+
+// "patch" of "a patch of forest".
+bool IsPatch(std::string_view word) {
+  return IsOneOf(word,
+                 {"patch", "patches", "strip",   "strips",   "belt",  "belts",  "band", "bands",
+                  "row",   "rows",    "line",    "ring",     "group", "groups", "wall", "area",
+                  "areas", "stretch", "cluster", "clusters", "piece", "pieces", "bit",  "clump"});
+}
+
+// What stands in no noun phrase.
+bool IsJoint(std::string_view word) {
+  return IsOneOf(word,
+                 {"in",    "on",   "at",    "by",   "to",   "and",     "or",    "with", "from",
+                  "which", "who",  "no",    "not",  "but",  "between", "into",  "than", "as",
+                  "has",   "only", "where", "near", "next", "whose",   "along", "runs", "it",
+                  "off",   "so",   "then",  "per",  "all",  "every",   "each",  "other"});
+}
+
+bool IsBeing(std::string_view word) {
+  return IsOneOf(
+      word, {"is",    "are",    "be",   "lies",  "lie",  "stands",  "stand",  "sits",     "sit",
+             "there", "should", "must", "shall", "will", "located", "placed", "situated", "find",
+             "you",   "built",  "put",  "comes", "have", "i",       "want",   "we"});
+}
+
+}  // namespace
+
+std::size_t PhraseEnd(const std::vector<Token>& tokens, std::size_t at) {
+  if (IsOneOf(WordAt(tokens, at), {"it", "them"})) return at + 1;
+  std::size_t next = at;
+  while (next < at + 2 && IsArticle(WordAt(tokens, next))) ++next;
+  constexpr std::size_t kLongest = 4;  // "a narrow belt of trees"
+  for (std::size_t i = next; i < next + kLongest && !IsPauseAt(tokens, i); ++i) {
+    const std::size_t length = MatchClassWord(tokens, i).tokens;
+    if (length > 0) return i + length;
+    const std::string_view word = WordAt(tokens, i);
+    if (word == "of" && !IsPatch(i > 0 ? WordAt(tokens, i - 1) : "")) return at;
+    if (IsArticle(word) || IsBeing(word) || IsJoint(word)) return at;
+  }
+  return at;
+}
+
+std::size_t PhraseBegin(const std::vector<Token>& tokens, std::size_t end) {
+  if (end > 0 && IsOneOf(WordAt(tokens, end - 1), {"it", "them"})) return end - 1;
+  constexpr std::size_t kLongest = 6;
+  std::size_t begin = end;
+  for (std::size_t i = end; i > 0 && i + kLongest > end && !IsPauseAt(tokens, i - 1); --i) {
+    if (PhraseEnd(tokens, i - 1) != end) {
+      if (begin < end) break;
+      continue;
+    }
+    // Words without an article before them may belong to what stands before.
+    const bool noun = MatchClassWord(tokens, i - 1).tokens > 0;
+    const bool word = IsArticle(WordAt(tokens, i - 1)) || IsSize(WordAt(tokens, i - 1)) ||
+                      IsPatch(WordAt(tokens, i - 1)) ||
+                      !LandOfAdjective(WordAt(tokens, i - 1)).empty();
+    const bool owned = i > 1 && IsArticle(WordAt(tokens, i - 2));
+    if (noun || word || owned || WordAt(tokens, i - 1) == "of") begin = i - 1;
+    if (begin != i - 1) break;
+  }
+  return begin;
+}
+
+const ClassWord* NounBefore(const std::vector<Token>& tokens, std::size_t end) {
+  constexpr std::size_t kLongest = 3;
+  for (std::size_t length = kLongest; length > 0; --length) {
+    if (length > end) continue;
+    const ClassWordMatch noun = MatchClassWord(tokens, end - length);
+    if (noun.tokens == length) return noun.word;
+  }
+  return nullptr;
+}
+
+std::size_t SkipBeing(const std::vector<Token>& tokens, std::size_t at) {
+  while (IsBeing(WordAt(tokens, at))) ++at;
+  return at;
+}
+
+std::size_t BeingBegin(const std::vector<Token>& tokens, std::size_t end) {
+  while (end > 0 && IsBeing(WordAt(tokens, end - 1))) --end;
+  return end;
 }
 
 }  // namespace latticeworld
