@@ -52,6 +52,8 @@ constexpr SignWords kSignWords[] = {
     {0x21D4, "to"},
     {0x27F6, "to"},
     {0x2248, "about"},
+    {0x2264, "at most"},
+    {0x2265, "at least"},
     {0xFF05, "percent"},
     {0xFF06, "and"},
 };
@@ -206,6 +208,7 @@ class Tokenizer {
         case Glyph::kSpace:
           // "~30" is about 30.
           if (text_[at_] == '~' && IsAsciiDigit(At(at_ + 1))) AddWords("about", at_, at_ + 1);
+          if (TakeBound()) break;
           at_ += here.bytes;
           break;
         case Glyph::kApostrophe:
@@ -249,6 +252,19 @@ class Tokenizer {
       if (OpensThing(tokens_[at].text) || FrontsPlace(at - 1)) continue;
       tokens_[at - 1].kind = TokenKind::kStop;
     }
+  }
+
+  // "> 40 %", "<= 20": more than, at most.
+  bool TakeBound() {
+    const char sign = text_[at_];
+    if (sign != '<' && sign != '>') return false;
+    const std::size_t end = at_ + (At(at_ + 1) == '=' ? 2 : 1);
+    if (!IsAsciiDigit(At(end + (At(end) == ' ' ? 1 : 0)))) return false;
+    const bool or_equal = end == at_ + 2;
+    if (sign == '>') AddWords(or_equal ? "at least" : "more than", at_, end);
+    if (sign == '<') AddWords(or_equal ? "at most" : "less than", at_, end);
+    at_ = end;
+    return true;
   }
 
   // '\0' outside the text, which holds none.

@@ -119,12 +119,13 @@ std::vector<Sample> Allotments() {
   return {
       {"The eastern half is a third forest, a third grass and a third houses.",
        kSuburb,
-       {"present F@eastern half", "amount F", "amount G", "amount B"},
+       {"present F@eastern half", "amount F@eastern half", "amount G@eastern half",
+        "amount B@eastern half"},
        {"dominant F@eastern half"}},
       {"Water in the western half. The eastern half should be farmland, grass and houses, "
        "roughly a third each.",
        kSuburb,
-       {"present A@eastern half", "amount A", "amount G"}},
+       {"present A@eastern half", "amount A@eastern half", "amount G@eastern half"}},
       {"Four fifths of the map is snow. The other fifth is half rock and half water.",
        kWild,
        {"amount S", "amount R", "amount W"}},

@@ -42,6 +42,9 @@ struct PlannedFeature {
   std::optional<double> share;        // said to cover so much of its zones (all together): 0 .. 1
   std::optional<double> share_least;  // what a reader takes for the share that was said; also
   std::optional<double> share_most;   // alone: "vast" is at least 0.08
+  bool share_of_zones = false;        // the share is one of its zone: "the north is half forest"
+  double located_least = 0.0;         // "most of the houses are in the north": so much of its class
+  Zone located_in;                    // lies there; 0: nothing said
   bool confined = false;              // nowhere but in its zones: "only in the north"
   bool dominant = false;              // "mostly", "covers": more than any other class in its zones
   bool fills_rest = false;            // "the rest is": whatever nothing else takes

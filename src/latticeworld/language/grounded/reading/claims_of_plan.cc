@@ -92,6 +92,11 @@ class ClaimMaker {
       claim.zone = Union(feature.zones);
       claim.least = 0.9;
       Add(std::move(claim));
+    } else if (feature.located_least > 0.0) {
+      Claim claim = Of(ClaimKind::kLocated, feature.letter, feature.words);
+      claim.zone = feature.located_in;
+      claim.least = feature.located_least;
+      Add(std::move(claim));
     }
     if (feature.fills_rest) ClaimRest(feature);
   }
@@ -122,6 +127,8 @@ class ClaimMaker {
       Add(std::move(claim));
       return;
     }
+    // "hardly any forest in the east"
+    if (feature.share_of_zones && feature.share_least == 0.0) return;
     for (const Zone& zone : feature.zones) {
       Claim claim = Of(ClaimKind::kPresent, feature.letter, feature.words);
       claim.zone = zone;
@@ -149,8 +156,10 @@ class ClaimMaker {
       }
     }
     if (!feature.share_least.has_value() && !feature.share_most.has_value()) return;
-    // "the northern half is forest" is said of the half, a number of the whole map.
-    const bool of_map = !feature.dominant || feature.share.has_value();
+    // "the northern half is forest", "half of the north is forest" are said of the place, any other
+    // number of the whole map.
+    const bool of_zone = feature.share_of_zones && zones.size() == 1;
+    const bool of_map = !of_zone && (!feature.dominant || feature.share.has_value());
     Claim claim = Of(ClaimKind::kAmount, feature.letter, feature.words);
     claim.zone = of_map || zones.size() > 1 ? Zone() : zones.front();
     if (feature.share_least.has_value()) claim.least = *feature.share_least;
@@ -158,12 +167,21 @@ class ClaimMaker {
       const bool total = std::all_of(
           plan_.features.begin(), plan_.features.end(), [&](const PlannedFeature& other) {
             return &other == &feature || other.letter != feature.letter ||
+                   (of_zone && IsElsewhere(other, feature)) ||
                    (other.zones.empty() && other.pieces_least == 0 && !IsLine(other) &&
                     !other.share.has_value() && feature.zones.empty());
           });
       if (total) claim.most = *feature.share_most;
     }
     if (claim.least != Claim::kUnsaid || claim.most != Claim::kUnsaid) Add(std::move(claim));
+  }
+
+  // Placed where the other, of one zone, is not.
+  static bool IsElsewhere(const PlannedFeature& feature, const PlannedFeature& other) {
+    const LayoutMask there = MaskOf(other.zones.front());
+    return !feature.zones.empty() &&
+           std::all_of(feature.zones.begin(), feature.zones.end(),
+                       [&](const Zone& zone) { return (MaskOf(zone) & there).empty(); });
   }
 
   // Pieces of one class cannot be told apart: they are counted where all that is asked of the
@@ -222,7 +240,11 @@ class ClaimMaker {
     Claim claim = Of(ClaimKind::kRest, feature.letter, feature.words);
     for (const PlannedFeature& other : plan_.features) {
       const bool shares = other.fills_rest && other.letter != feature.letter;
-      if (shares) return;  // the rest is two things: neither is nearly all of it
+      // The rest is two things: neither is nearly all of it.
+      if (shares) {
+        if (feature.zones.empty()) Add(Of(ClaimKind::kPresent, feature.letter, feature.words));
+        return;
+      }
       if (other.letter != feature.letter &&
           claim.sequence.find(other.letter) == std::string::npos) {
         claim.sequence += other.letter;

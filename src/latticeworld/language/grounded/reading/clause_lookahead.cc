@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <string>
+#include <string_view>
 
+#include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/reading/clause_reader.h"
 
 namespace latticeworld {
@@ -104,6 +107,22 @@ std::size_t ClauseReader::ListLength(std::size_t at) const {
     if (!comma && !joined) break;
   }
   return length;
+}
+
+// Words that say how much there is of the thing: it is no more of what is denied.
+bool ClauseReader::IsSaidAnew(std::size_t at) const {
+  if (!IsThing(at)) return false;
+  const NounPhrase& phrase = chunks_[at].phrase;
+  const Qualities& said = phrase.qualities;
+  if (phrase.indefinite || said.count.has_value() || said.share.has_value() || said.much ||
+      said.few || said.little || said.group) {
+    return true;
+  }
+  const std::string words = ToLowerAscii(d_.Words(chunks_[at].begin, chunks_[at].end));
+  for (const std::string_view word : {"some ", "lots ", "plenty ", "enough ", "just "}) {
+    if (words.substr(0, word.size()) == word) return true;
+  }
+  return false;
 }
 
 // A list of things with "and" in it, none with a place or a verb of its own.

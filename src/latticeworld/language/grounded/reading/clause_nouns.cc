@@ -64,11 +64,18 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
       return;
     }
   }
-  if (ReadLeftOut(chunk)) return;
+  if (ReadLeftOut(chunk) || ReadPartOf(chunk)) return;
   if (denied && phrase.noun != nullptr) {
     not_next_ = false;
     // "not a lake but a river"
     if (!phrase.negated && !zero && !negating_ && IsSense(at_ + 1, Sense::kBut)) return;
+    // "no large lakes": there may be small ones.
+    const bool of_size = phrase.negated && phrase.qualities.size > 1.0 &&
+                         phrase.noun->shape != WordShape::kLine && !zero;
+    if (of_size) {
+      BeginClause();
+      return;
+    }
     ReadAbsence(chunk);
     return;
   }
@@ -143,6 +150,34 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
     TakeSubjects(found, is_new, chunk);
   }
   if (correcting_) correcting_ = false;
+}
+
+// "Half of the forest lies in the west", "most of the houses are in the north": so much of it is
+// there, and how much there is nobody says.
+bool ClauseReader::ReadPartOf(const Chunk& chunk) {
+  const NounPhrase& phrase = chunk.phrase;
+  if (phrase.noun == nullptr || !phrase.qualities.share.has_value() || phrase.negated ||
+      negating_ || frame_.has_value() || !lead_.empty()) {
+    return false;
+  }
+  const ShareMatch& share = *phrase.qualities.share;
+  const bool part = share.fraction ? share.of && phrase.definite : share.least >= 0.45;
+  std::size_t place = at_ + 1;
+  while (IsSense(place, Sense::kBe) || IsSense(place, Sense::kStands)) ++place;
+  if (!part || place == at_ + 1) return false;
+  if (IsSense(place, Sense::kIn)) ++place;
+  if (!IsKind(place, ChunkKind::kPlace)) return false;
+  const std::vector<Zone> zones = ZonesOf(chunks_[place].lexeme.places);
+  if (zones.size() != 1 || zones.front().is_anywhere()) return false;
+  Chunk whole = chunk;
+  whole.phrase.qualities.share.reset();
+  whole.phrase.qualities.mostly = false;
+  const double least = share.mostly ? 0.5 : share.least;
+  ReadNounPhrase(whole);
+  if (subjects_.size() != 1) return true;
+  d_.feature(subjects_[0]).located_in = zones.front();
+  d_.feature(subjects_[0]).located_least = least;
+  return true;
 }
 
 // "all the way round", "all around" right after a thing
@@ -260,6 +295,7 @@ void ClauseReader::ReadMap(const Chunk& chunk) {
   }
   map_is_subject_ = true;
   map_share_ = said.share;
+  share_of_map_ = true;
   mostly_next_ = mostly_next_ || said.mostly;
   // "everything forest": no verb between them.
   if (IsThing(at_ + 1) && !chunks_[at_ + 1].phrase.negated) cover_next_ = true;

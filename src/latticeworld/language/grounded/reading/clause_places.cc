@@ -206,9 +206,16 @@ void ClauseReader::ReadPlace(const Chunk& chunk) {
                   (IsSense(at_ - 1, Sense::kIn) && at_ > 1 &&
                    (IsKind(at_ - 2, ChunkKind::kComma) || IsSense(at_ - 2, Sense::kAnd) ||
                     IsSense(at_ - 2, Sense::kThen))));
-  const bool is_subject = (IsSense(at_ + 1, Sense::kBe) || IsSense(at_ + 1, Sense::kCoveredBy) ||
-                           IsSense(at_ + 1, Sense::kDominatedBy)) &&
-                          at_ > 0 && !IsSense(at_ - 1, Sense::kIn);
+  // "..., the upper left corner and the lower left corner have trees"
+  std::size_t verb = at_ + 1;
+  while (IsSense(verb, Sense::kAnd) && IsKind(verb + 1, ChunkKind::kPlace)) verb += 2;
+  const bool list_has = verb > at_ + 1 && at_ > 0 && !IsSense(at_ - 1, Sense::kIn) &&
+                        (IsSense(verb, Sense::kHas) || IsSense(verb, Sense::kBe)) &&
+                        ThingFollows(verb, false);
+  const bool is_subject =
+      list_has || ((IsSense(at_ + 1, Sense::kBe) || IsSense(at_ + 1, Sense::kCoveredBy) ||
+                    IsSense(at_ + 1, Sense::kDominatedBy)) &&
+                   at_ > 0 && !IsSense(at_ - 1, Sense::kIn));
   const bool leads = nothing_yet || (after_break && (is_subject || ThingFollows(at_ + 1, false)));
   if (leads) {
     const bool joins =
@@ -269,6 +276,13 @@ bool ClauseReader::IsUncounted(int index) const {
   const std::string_view noun = d_.thing(index).noun->phrase;
   return d_.feature(index).form == FeatureForm::kPatch && d_.feature(index).pieces == 0 &&
          (noun == "water" || noun == "open water" || noun == "sea" || noun == "ocean");
+}
+
+// "Hardly any forest in the east": hardly any of it there, of which there may be more elsewhere.
+void ClauseReader::ShareOfPlace(int index) {
+  PlannedFeature& feature = d_.feature(index);
+  const bool hardly = feature.share_least == 0.0 && feature.share_most.value_or(1.0) <= 0.12;
+  if (hardly && feature.zones.size() == 1) feature.share_of_zones = true;
 }
 
 void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chunk& chunk) {
@@ -336,7 +350,8 @@ void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chu
                                 [&](int index) { return d_.feature(index).fills_rest; }),
                  owners.end());
   }
-  // "mostly grass and a single building in the middle": the building is there.
+  // "mostly grass and a single building in the middle", "40 % forest and one lake in the middle":
+  // the building, the lake is there.
   if (owners.size() > 1) {
     const int placed = owners.back();
     const bool counted = d_.feature(placed).form == FeatureForm::kPatch &&
@@ -348,7 +363,9 @@ void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chu
                                       other.form == FeatureForm::kSpread &&
                                       (other.dominant || other.texture == Texture::kScattered);
                                   const bool grid = other.shape == ClaimShape::kGridded;
-                                  return counted && index != placed && (land || grid);
+                                  const bool covers =
+                                      other.zones.empty() && other.share.value_or(0.0) >= 0.2;
+                                  return counted && index != placed && (land || grid || covers);
                                 }),
                  owners.end());
   }
@@ -413,6 +430,7 @@ void ClauseReader::Attach(const std::vector<Zone>& zones, bool extent, const Chu
       }
     } else {
       d_.AddZones(index, zones);
+      ShareOfPlace(index);
     }
     if (confining_) feature.confined = true;
     const bool fills =

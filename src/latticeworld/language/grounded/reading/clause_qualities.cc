@@ -74,6 +74,7 @@ void ClauseReader::ReadQualities(const Chunk& chunk) {
       mostly_next_ = true;
     } else if (said.share.has_value()) {
       map_share_ = said.share;
+      share_of_map_ = false;
     }
     if (said.mostly) mostly_next_ = true;
     // "all three in the eastern half"

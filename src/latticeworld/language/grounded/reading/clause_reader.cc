@@ -131,8 +131,7 @@ void ClauseReader::ReadComma() {
     return;
   }
   negating_ = negating_ && IsThing(at_ + 1) && ListLength(at_ + 1) >= 1 &&
-              (IsBareList(at_ + 1) || EndsAt(at_ + 2)) && !chunks_[at_ + 1].phrase.indefinite &&
-              !chunks_[at_ + 1].phrase.qualities.count;
+              (IsBareList(at_ + 1) || EndsAt(at_ + 2)) && !IsSaidAnew(at_ + 1);
   not_next_ = skip_next_ = false;
   if (ordering_ || negating_) return;
   const bool unfinished = frame_.has_value() && frame_->expecting && frame_->objects.empty();
@@ -212,9 +211,7 @@ void ClauseReader::ReadAnd(bool is_or) {
     if (words.find(on) != std::string::npos) then_after_ = LastSubject();
   }
   if (negating_) {
-    const bool bare = IsThing(next) && !chunks_[next].phrase.indefinite &&
-                      !chunks_[next].phrase.definite &&
-                      !chunks_[next].phrase.qualities.count.has_value();
+    const bool bare = IsThing(next) && !chunks_[next].phrase.definite && !IsSaidAnew(next);
     negating_ = is_or || bare;
     if (negating_) return;
   }

@@ -72,6 +72,9 @@ class ClauseReader {
   void TakeSides(const std::vector<int>& found);
   void TakeObjects(const std::vector<int>& found);
   void Cover(int index, const Chunk& chunk);
+  void ShareOfPlace(int index);
+  void ShareOfLead(int index, const Chunk& chunk);
+  bool ReadPartOf(const Chunk& chunk);
   void OnlyThis(int index, bool is_new);
   bool IsSameThing(const std::vector<int>& found, bool is_new) const;
   void Merge(int known, int other);
@@ -193,6 +196,7 @@ class ClauseReader {
   bool IsEach(std::size_t at) const;
   bool EndsAt(std::size_t at) const;  // the sentence or the instruction
   bool ThingFollows(std::size_t at, bool over_comma) const;
+  bool IsSaidAnew(std::size_t at) const;  // "some houses", "a lot of forest"
   bool IsBareList(std::size_t at) const;  // "fields, meadows and woods" with nothing of their own
   std::size_t SkipVerbs(std::size_t at) const;
   std::size_t ListLength(std::size_t at) const;
@@ -217,7 +221,8 @@ class ClauseReader {
   Lead lead_;
   bool map_is_subject_ = false;
   std::optional<ShareMatch> map_share_;
-  std::size_t sharing_ = 0;  // things that are still to take map_share_, each of them
+  bool share_of_map_ = false;  // map_share_ is said to be one: "half of the map"
+  std::size_t sharing_ = 0;    // things that are still to take map_share_, each of them
   bool cover_next_ = false;
   bool mostly_next_ = false;
   bool only_next_ = false;  // "nothing but"

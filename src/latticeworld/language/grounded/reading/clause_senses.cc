@@ -445,6 +445,7 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
         share.most = share.value + 0.1;
         share.fraction = true;
         map_share_ = share;
+        share_of_map_ = true;
         sharing_ = count;
       }
       break;

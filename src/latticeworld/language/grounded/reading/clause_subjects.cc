@@ -223,12 +223,14 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
     if (lead_.band && named && !excepting_) FillBand(index);
     const bool bare_extent = !lead_.empty() && lead_.is_subject && lead_.extent && is_new;
     if ((cover_next_ && named) || bare_extent) Cover(index, chunk);
-    if (map_share_.has_value() && !IsLine(index)) {
+    // "at most a tenth of the map should be roads"
+    if (map_share_.has_value() && (!IsLine(index) || (map_share_->fraction && share_of_map_))) {
       Qualities said;
       said.share = map_share_;
       said.any = true;
       d_.Describe(said, index);
     }
+    if (is_new && named && !excepting_) ShareOfLead(index, chunk);
     if (IsLine(index) && lead_.along && !lead_.empty() && is_new) {
       feature.along = AlongZone(lead_.zones.front());
       feature.zones.clear();
@@ -293,6 +295,17 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
     if (IsSense(next, Sense::kBe)) ++next;
     comparing_ = IsSense(next, Sense::kThan);
   }
+}
+
+// "The north is half forest", "in the west there is 30 % water": half of the north, for none said
+// that it is of the map.
+void ClauseReader::ShareOfLead(int index, const Chunk& chunk) {
+  const bool share = chunk.phrase.qualities.share.has_value()
+                         ? chunk.phrase.qualities.share->fraction
+                         : map_share_.has_value() && map_share_->fraction && !share_of_map_;
+  PlannedFeature& feature = d_.feature(index);
+  if (!share || lead_.empty() || lead_.zones.size() != 1 || feature.zones != lead_.zones) return;
+  feature.share_of_zones = true;
 }
 
 // "nothing but trees", after all else that there is: these are the rest. "only snow and rocks":

@@ -119,20 +119,37 @@ std::vector<Allotted> TakeEqualList(const std::vector<Token>& tokens, std::size_
   return list;
 }
 
-// "In the eastern half there is farmland covering 17 percent of the map and grass covering ...".
+// "..., the remainder is meadow" after such a list: what it leaves of the part.
+void TakeRemainder(const std::vector<Token>& tokens, std::vector<Allotted>* list,
+                   std::size_t* end) {
+  std::size_t at = *end;
+  if (!IsMark(tokens, at) && WordAt(tokens, at) != "and") return;
+  while (IsMark(tokens, at) || IsOneOf(WordAt(tokens, at), {"and", "the"})) ++at;
+  if (!IsOneOf(WordAt(tokens, at), {"rest", "remainder", "remaining"})) return;
+  ++at;
+  if (WordAt(tokens, at) == "of" && IsOneOf(WordAt(tokens, at + 1), {"it", "that"})) at += 2;
+  while (IsBeing(WordAt(tokens, at))) ++at;
+  const std::size_t noun_end = at + MatchClassWord(tokens, at).tokens;
+  double left = 1.0;
+  for (const Allotted& allotted : *list) left -= allotted.share;
+  if (noun_end == at || !IsPauseAt(tokens, noun_end) || left <= 0.02) return;
+  list->push_back({at, noun_end, left, ""});
+  *end = noun_end;
+}
+
+// "In the eastern half there is 33 percent farmland and 33 percent grass".
 void PutAllotted(std::vector<Token>* tokens, std::size_t begin, std::size_t end,
-                 const std::vector<Token>& place, double part, const std::vector<Allotted>& list) {
+                 const std::vector<Token>& place, const std::vector<Allotted>& list) {
   const Token beside = (*tokens)[begin];
   std::vector<Token> said = SaidLike("in", beside);
   for (const Token& token : place) said.push_back(token);
   for (const Token& token : SaidLike("there is", beside)) said.push_back(token);
   for (std::size_t i = 0; i < list.size(); ++i) {
-    if (i > 0) said.push_back(WordLike("and", beside));
+    if (i > 0) said.push_back(CommaLike(beside));
+    const std::string percent = list[i].bound + PercentOf(list[i].share) + " percent";
+    for (const Token& token : SaidLike(percent, beside)) said.push_back(token);
     for (const Token& token : TokensBetween(*tokens, list[i].begin, list[i].end))
       said.push_back(token);
-    const std::string covering =
-        "covering " + list[i].bound + PercentOf(part * list[i].share) + " percent of the map";
-    for (const Token& token : SaidLike(covering, beside)) said.push_back(token);
   }
   EraseTokens(tokens, begin, end - begin);
   InsertTokens(tokens, begin, said);
@@ -140,7 +157,7 @@ void PutAllotted(std::vector<Token>* tokens, std::size_t begin, std::size_t end,
 
 // "The eastern half is a third forest, a third grass and a third houses", "in the eastern half, 60
 // percent is forest", "the western half should be forest and grass in equal parts": each covers its
-// share of the half in the map.
+// share of the half.
 void TurnSharedPart(std::vector<Token>* tokens, std::size_t at) {
   const PartOfMap part = TakePart(*tokens, at);
   if (part.end == 0) return;
@@ -160,11 +177,12 @@ void TurnSharedPart(std::vector<Token>* tokens, std::size_t at) {
   std::vector<Allotted> list = TakeShareList(*tokens, next, &end);
   if (list.empty()) list = TakeEqualList(*tokens, next, &end);
   if (list.empty()) return;
-  PutAllotted(tokens, begin, end, TokensBetween(*tokens, at, part.end), part.share, list);
+  TakeRemainder(*tokens, &list, &end);
+  PutAllotted(tokens, begin, end, TokensBetween(*tokens, at, part.end), list);
 }
 
-// "Forest covers 60 percent of the eastern half", "60 percent of the eastern half is forest": 30
-// percent of the map, in the eastern half.
+// "Forest covers 60 percent of the eastern half", "60 percent of the eastern half is forest": in
+// the eastern half there is 60 percent forest.
 void TurnShareOfPart(std::vector<Token>* tokens, std::size_t at) {
   if (at > 0 && !SideWord(WordAt(*tokens, at - 1)).empty()) return;
   std::size_t the = 0;
@@ -181,8 +199,10 @@ void TurnShareOfPart(std::vector<Token>* tokens, std::size_t at) {
   }
   const std::size_t noun_end = noun + MatchClassWord(*tokens, noun).tokens;
   if (noun > part.end && noun_end > noun) {
-    const std::vector<Allotted> list = {{noun, noun_end, share, BoundAt(*tokens, at)}};
-    PutAllotted(tokens, at, noun_end, place, part.share, list);
+    std::vector<Allotted> list = {{noun, noun_end, share, BoundAt(*tokens, at)}};
+    std::size_t end = noun_end;
+    TakeRemainder(*tokens, &list, &end);
+    PutAllotted(tokens, at, end, place, list);
     return;
   }
   if (noun != part.end || !IsPauseAt(*tokens, noun)) return;
@@ -201,7 +221,7 @@ void TurnShareOfPart(std::vector<Token>* tokens, std::size_t at) {
   const std::vector<Allotted> list = {{subject, verb, share, BoundAt(*tokens, at)}};
   std::size_t begin = subject;
   if (begin > 0 && IsOneOf(WordAt(*tokens, begin - 1), {"the", "a"})) --begin;
-  PutAllotted(tokens, begin, part.end, place, part.share, list);
+  PutAllotted(tokens, begin, part.end, place, list);
 }
 
 // "The other fifth is half rock and half water": 10 percent of the map is rock, 10 percent water.
@@ -217,6 +237,13 @@ void TurnSharedRest(std::vector<Token>* tokens, std::size_t at) {
     if (WordAt(*tokens, at + 2) == word) part = share;
   std::size_t next = at + 3;
   while (IsBeing(WordAt(*tokens, next))) ++next;
+  // "The remaining 30 percent"
+  const ShareMatch number = MatchShare(*tokens, at + 2);
+  if (part == 0.0 && number.fraction && !number.ordinal) {
+    part = number.value;
+    next = at + 2 + number.tokens;
+    while (IsBeing(WordAt(*tokens, next))) ++next;
+  }
   if (part == 0.0 || next == at + 3) return;
   std::size_t end = 0;
   std::vector<Allotted> list = TakeShareList(*tokens, next, &end);

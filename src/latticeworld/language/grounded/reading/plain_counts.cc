@@ -33,7 +33,13 @@ void TurnMoreOfThem(std::vector<Token>* tokens, std::size_t at) {
   std::size_t next = noun_end;
   // ", one in the north-west and one in the south-west" are two of those that were counted.
   while (!IsPauseAt(*tokens, next) && WordAt(*tokens, next) != "and") ++next;
-  if (WordAt(*tokens, next) != "and") return;
+  // "three houses in the north, two in the south": of opposite sides
+  const auto side_before = [&](std::size_t i) { return SideWord(WordAt(*tokens, i - 1)); };
+  const std::size_t stop = StopAfter(*tokens, next);
+  const bool opposite = IsMark(*tokens, next) && PauseAfter(*tokens, next + 1) == stop &&
+                        !side_before(next).empty() &&
+                        OppositeOf(side_before(next)) == side_before(stop) && stop - next <= 6;
+  if (WordAt(*tokens, next) != "and" && !opposite) return;
   ++next;
   const NumberMatch second = MatchNumber(*tokens, next);
   std::size_t end = next + second.tokens;

@@ -63,6 +63,18 @@ void NameAnother(std::vector<Token>* tokens, std::size_t at) {
   InsertTokens(tokens, at + 1, name);
 }
 
+// "Are in the north", "lies in the lower left quarter".
+bool PlacedThere(const std::vector<Token>& tokens, std::size_t at) {
+  std::size_t in = at;
+  while (IsOneOf(WordAt(tokens, in), {"is", "are", "lies", "lie", "stands", "stand", "should",
+                                      "must", "be", "located", "found"})) {
+    ++in;
+  }
+  if (in == at || !IsOneOf(WordAt(tokens, in), {"in", "on", "at"})) return false;
+  PlaceCursor cursor(tokens, in + 1 + (WordAt(tokens, in + 1) == "the" ? 1 : 0));
+  return TakeDirection(&cursor).found;
+}
+
 // "Half of the houses are in the north, the other half in the south": the houses both times, for
 // nothing is said of halves of the map. "Most of the houses": the houses.
 void NameSome(std::vector<Token>* tokens, std::size_t at) {
@@ -78,6 +90,17 @@ void NameSome(std::vector<Token>* tokens, std::size_t at) {
       match.word != nullptr && match.plural && match.word->shape == WordShape::kThing;
   if (!things && !mass) return;
   const bool half = WordAt(*tokens, at) == "half";
+  // "Half of the forest lies in the west": half of what there is, if no word tells of the other.
+  const std::size_t verb = the + 1 + match.tokens;
+  if (PlacedThere(*tokens, verb) && (WordAt(*tokens, at) == "most" || half)) {
+    bool other = false;
+    for (std::size_t i = verb + 1; !IsStopAt(*tokens, i); ++i) {
+      const bool begins = IsPauseAt(*tokens, i - 1) || WordAt(*tokens, i - 1) == "and";
+      other = other || IsOneOf(WordAt(*tokens, i), {"other", "others", "rest"}) ||
+              (begins && WordAt(*tokens, i) == "half");
+    }
+    if (!other) return;
+  }
   const std::vector<Token> name(
       tokens->begin() + static_cast<std::ptrdiff_t>(the),
       tokens->begin() + static_cast<std::ptrdiff_t>(the + 1 + match.tokens));

@@ -156,8 +156,9 @@ void TurnAllIn(std::vector<Token>* tokens, std::size_t at) {
     return TakeDirection(&cursor).found;
   };
   const auto be_end = [&](std::size_t i) {
-    while (IsOneOf(WordAt(*tokens, i), {"are", "is", "should", "must", "be", "all", "located",
-                                        "found", "placed", "situated", "lie", "to"})) {
+    while (
+        IsOneOf(WordAt(*tokens, i), {"are", "is", "should", "must", "be", "all", "located", "found",
+                                     "placed", "situated", "lie", "lies", "stand", "to"})) {
       ++i;
     }
     return i;
@@ -173,9 +174,12 @@ void TurnAllIn(std::vector<Token>* tokens, std::size_t at) {
       return;
     }
     if (WordAt(*tokens, at) != "all" || (at > 0 && !IsStopAt(*tokens, at - 1))) return;
-    if (WordAt(*tokens, next) == "the") ++next;
+    const bool of_the = WordAt(*tokens, next) == "the";
+    if (of_the) ++next;
     const ClassWordMatch match = MatchClassWord(*tokens, next);
-    if (match.word == nullptr || !match.plural) return;
+    const bool mass = match.word != nullptr &&
+                      (match.word->shape == WordShape::kMass || match.word->phrase == "water");
+    if (match.word == nullptr || (!match.plural && !mass && !of_the)) return;
     const std::size_t be = next + match.tokens, end = be_end(be);
     if (end == be || !in_place(end)) return;
     ReplaceTokens(tokens, be, end - be, {"only"});

@@ -43,7 +43,7 @@ void TurnOtherPart(std::vector<Token>* tokens) {
     halved = halved || (half && (WordAt(*tokens, at - 1) == "one" || IsOfMap(*tokens, at + 1)));
     const std::size_t other = at - (half ? 1 : 2);
     if (other >= at || other == 0 || WordAt(*tokens, other - 1) != "the" ||
-        !IsOneOf(WordAt(*tokens, other), {"other", "opposite", "remaining"}) ||
+        !IsOneOf(WordAt(*tokens, other), {"other", "opposite", "remaining", "second"}) ||
         WordAt(*tokens, at + 1) == "of") {
       continue;
     }

@@ -1,9 +1,11 @@
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "latticeworld/language/class_words.h"
+#include "latticeworld/language/extents.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
 #include "latticeworld/language/grounded/reading/side_words.h"
 #include "latticeworld/language/grounded/reading/thing_words.h"
@@ -21,9 +23,24 @@ void TurnHalvedRest(std::vector<Token>* tokens, std::size_t at) {
       WordAt(*tokens, at + 2) != "half") {
     return;
   }
+  // "70 % forest, the rest is half water and half grass": of the other 30 %.
+  double left = 1.0;
+  for (std::size_t i = SentenceBegin(*tokens, at); i < at;) {
+    const ShareMatch share = MatchShare(*tokens, i);
+    const bool number = share.tokens > 0 && share.fraction && !share.ordinal;
+    if (number) left -= share.value;
+    i += number ? share.tokens : std::size_t{1};
+  }
+  const bool percent = at > 0 && WordAt(*tokens, at - 1) == "the" && left > 0.0 && left < 1.0;
   const std::size_t and_at = at + 3 + MatchClassWord(*tokens, at + 3).tokens;
   if (and_at == at + 3 || WordAt(*tokens, and_at) != "and" || WordAt(*tokens, and_at + 1) != "half")
     return;
+  if (percent) {
+    const std::string number = std::to_string(std::lround(left * 100.0));
+    ReplaceTokens(tokens, at, 1, {"remaining", number, "percent"});
+    (*tokens)[at + 1].kind = TokenKind::kNumber;
+    return;
+  }
   EraseTokens(tokens, and_at + 1, 1);
   EraseTokens(tokens, at + 2, 1);
 }

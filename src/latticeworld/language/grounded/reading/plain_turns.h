@@ -12,6 +12,23 @@ namespace latticeworld {
 // plain_labels.cc: "bare rock: 0", "on 3 sides": none, three sides.
 void TurnLabels(std::vector<Token>* tokens);
 
+// plain_percents.cc: "forest: 0.4", "70 percent is forest, 30 percent is water", "the village has
+// 15 percent": 40 percent; forest covers 70 percent of the map; the village covers 15 percent.
+void TurnDecimals(std::vector<Token>* tokens);
+void TurnPercents(std::vector<Token>* tokens);
+
+// plain_places.cc: "a lake and grass elsewhere", "every edge is forest except the southern one",
+// "one house in every corner": a lake. Grass elsewhere; the three other edges; four houses.
+void TurnPlaces(std::vector<Token>* tokens);
+
+// plain_numbered.cc: "more than two but fewer than six lakes", "rows 1 to 10 are forest", "forest
+// is the largest area": between 3 and 5 lakes; the upper third; mostly forest.
+void TurnNumbered(std::vector<Token>* tokens);
+
+// plain_ellipses.cc: "no houses in the north, but some in the south", "not many houses", "apart
+// from a pond there is no water": some houses in the south; few houses; a pond.
+void TurnEllipses(std::vector<Token>* tokens);
+
 // plain_uses.cc: "people live on both banks", "forget about forests", "the infield is sand":
 // houses, no forests, inside the loop.
 void TurnUses(std::vector<Token>* tokens);
@@ -96,7 +113,7 @@ void TurnLeftOut(std::vector<Token>* tokens);
 void TurnGrouping(std::vector<Token>* tokens);
 
 // plain_allotments.cc: "the eastern half is a third forest and two thirds grass": in the eastern
-// half there is forest covering 17 percent of the map.
+// half there is 33 percent forest.
 void TurnAllotments(std::vector<Token>* tokens);
 
 // plain_negatives.cc: "a meadow without trees surrounds it", "roads should avoid the lake",

@@ -8,7 +8,10 @@ namespace latticeworld {
 
 // Each step reads what the steps before it have left.
 std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
+  TurnDecimals(&tokens);
   TurnLabels(&tokens);
+  TurnNumbered(&tokens);
+  TurnPlaces(&tokens);
   TurnUses(&tokens);
   TurnDenials(&tokens);
   TurnKeepouts(&tokens);
@@ -27,6 +30,7 @@ std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnLeftOut(&tokens);
   TurnTotals(&tokens);
   TurnCounts(&tokens);
+  TurnEllipses(&tokens);
   TurnPlacing(&tokens);
   TurnBorders(&tokens);
   TurnMotions(&tokens);
@@ -34,6 +38,7 @@ std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnBends(&tokens);
   TurnGrouping(&tokens);
   TurnAllotments(&tokens);
+  TurnPercents(&tokens);
   TurnPairs(&tokens);
   TurnMapMeasures(&tokens);
   TurnDivisions(&tokens);
