@@ -33,7 +33,7 @@ std::size_t AgentReader::ReadNobody(std::size_t tokens) {
   const std::size_t first = at_ + tokens;
   for (std::size_t i = first; i < first + kNobodyTokens && !noted_.IsEnd(i); ++i) {
     if (RoleAt(Role::kBut, i) > 0 || ReadCount(noted_, words_, i).tokens > 0 ||
-        noted_.IsAnyWord(i, {"except", "save", "apart", "besides"})) {
+        noted_.IsAnyWord(i, {"except", "save", "apart", "besides", "only", "just", "merely"})) {
       break;
     }
     if (words_.species.LengthAt(tokens_, i) > 0) noted_.notes[i].negated = true;

@@ -288,7 +288,11 @@ class AgentReader {
   bool IsAnotherOne(const SpeciesWord& word, const std::vector<std::size_t>& same,
                     std::size_t end) const;
 
-  // "Goblins attack the village. Eight goblins.": those of before, counted now. kNone: others.
+  // "No, eagles.": nothing else is said of them.
+  bool IsBareSentence(const Group& group) const;
+
+  // "Goblins attack the village. Eight goblins.", "Eagles. Three eagles circle.": those of before,
+  // counted now. kNone: others.
   std::size_t VagueBefore(const std::vector<std::size_t>& same, const Count& count,
                           std::size_t end) const;
 
@@ -314,6 +318,9 @@ class AgentReader {
   std::size_t ReadState();
 
   bool SubjectIsRobots() const;
+
+  // "at the station", where robots charge; at a village they attack.
+  bool IsAtCharger(std::size_t at) const;
 
   bool IsSubjectWinged() const;
 

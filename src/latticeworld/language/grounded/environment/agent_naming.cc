@@ -227,9 +227,25 @@ void AgentReader::DropVagueKinds(const SpeciesWord& word) {
   }
 }
 
+bool AgentReader::IsBareSentence(const Group& group) const {
+  if (group.wish.state.has_value() || group.wish.IsPlaced()) return false;
+  const bool alone = std::none_of(groups_.begin(), groups_.end(), [&](const Group& other) {
+    return &other != &group && other.sentence == group.sentence;
+  });
+  if (!alone) return false;
+  for (std::size_t i = 0; i < tokens_.size(); ++i) {
+    if (tokens_[i].begin != group.begin) continue;
+    if (i > 0 && !noted_.IsPause(i - 1)) return false;
+    while (i < tokens_.size() && tokens_[i].end < group.end) ++i;
+    return noted_.IsEnd(i + 1);
+  }
+  return false;
+}
+
 std::size_t AgentReader::VagueBefore(const std::vector<std::size_t>& same, const Count& count,
                                      std::size_t end) const {
-  const bool alone = noted_.IsPause(end) || noted_.IsWord(end, "and");
+  const bool alone = noted_.IsPause(end) || noted_.IsWord(end, "and") ||
+                     (same.size() == 1 && IsBareSentence(groups_[same.front()]));
   if (same.size() != 1 || count.tokens == 0 || !alone || lead_.set || state_before_.has_value()) {
     return kNone;
   }

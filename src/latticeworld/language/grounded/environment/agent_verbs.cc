@@ -21,8 +21,10 @@ std::size_t AgentReader::ReadGrounded() {
   if (!IsSubjectWinged() || !noted_.IsWord(at_, "on") || !noted_.IsAnyWord(at_ + 2, {"ground"})) {
     return 0;
   }
+  // "none of them on the ground"
+  const AgentState state = noted_.notes[at_].negated ? AgentState::kFlying : AgentState::kIdle;
   for (const std::size_t index : subject_) {
-    groups_[index].wish.state = AgentState::kIdle;
+    groups_[index].wish.state = state;
     Extend(index, tokens_[at_ + 2].end);
   }
   noted_.Mark(at_, at_ + 3, &TokenNote::agent);
@@ -37,7 +39,7 @@ std::size_t AgentReader::ReadState() {
   AgentState state = match.rows.front()->state;
   // Robots that charge stand at their charger.
   if (noted_.IsWord(at_, "charging") && match.tokens == 1 && SubjectIsRobots() &&
-      (noted_.IsPause(at_ + 1) ||
+      (noted_.IsPause(at_ + 1) || IsAtCharger(at_ + 1) ||
        noted_.IsAnyWord(at_ + 1, {"in", "by", "near", "beside", "outside", "on"}))) {
     state = AgentState::kIdle;
   }
@@ -115,6 +117,14 @@ std::size_t AgentReader::ReadState() {
   paused_ = false;
   split_state_ = false;
   return match.tokens;
+}
+
+bool AgentReader::IsAtCharger(std::size_t at) const {
+  if (!noted_.IsWord(at, "at")) return false;
+  std::size_t noun = at + 1;
+  while (noted_.IsAnyWord(noun, {"the", "a", "their", "its"})) ++noun;
+  return noted_.IsPause(noun) || (words_.features.LengthAt(tokens_, noun) == 0 &&
+                                  words_.species.LengthAt(tokens_, noun) == 0);
 }
 
 bool AgentReader::SubjectIsRobots() const {

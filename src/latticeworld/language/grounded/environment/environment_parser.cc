@@ -17,14 +17,21 @@
 #include "latticeworld/language/grounded/environment/known_spelling.h"
 #include "latticeworld/language/grounded/environment/measure_reader.h"
 #include "latticeworld/language/grounded/environment/mend_asides.h"
+#include "latticeworld/language/grounded/environment/mend_compounds.h"
 #include "latticeworld/language/grounded/environment/mend_counts.h"
 #include "latticeworld/language/grounded/environment/mend_denials.h"
 #include "latticeworld/language/grounded/environment/mend_each.h"
+#include "latticeworld/language/grounded/environment/mend_exceptions.h"
+#include "latticeworld/language/grounded/environment/mend_fields.h"
 #include "latticeworld/language/grounded/environment/mend_labels.h"
+#include "latticeworld/language/grounded/environment/mend_lacks.h"
 #include "latticeworld/language/grounded/environment/mend_measures.h"
+#include "latticeworld/language/grounded/environment/mend_nones.h"
 #include "latticeworld/language/grounded/environment/mend_numerals.h"
 #include "latticeworld/language/grounded/environment/mend_robots.h"
 #include "latticeworld/language/grounded/environment/mend_speakers.h"
+#include "latticeworld/language/grounded/environment/mend_surfaces.h"
+#include "latticeworld/language/grounded/environment/mend_times.h"
 #include "latticeworld/language/grounded/environment/mend_ways.h"
 #include "latticeworld/language/grounded/environment/token_notes.h"
 #include "latticeworld/language/grounded/environment/word_tables.h"
@@ -37,19 +44,30 @@ namespace {
 // Mistakes in words too short, or too near to other words, for the dictionary to tell.
 std::string_view ShortMistake(std::string_view word) {
   constexpr std::pair<std::string_view, std::string_view> kMistakes[] = {
-      {"teh", "the"},    {"hte", "the"},     {"adn", "and"},     {"wiht", "with"},
-      {"lft", "left"},   {"rigth", "right"}, {"rihgt", "right"}, {"suny", "sunny"},
-      {"flys", "flies"}, {"obove", "above"}, {"abov", "above"},  {"wheet", "wheat"},
-      {"nite", "night"}, {"rian", "rain"},   {"fogy", "foggy"},  {"rode", "road"},
-      {"gras", "grass"}, {"els", "else"},    {"leafs", "leaves"}};
+      {"teh", "the"},      {"hte", "the"},       {"adn", "and"},      {"wiht", "with"},
+      {"lft", "left"},     {"rigth", "right"},   {"rihgt", "right"},  {"suny", "sunny"},
+      {"flys", "flies"},   {"obove", "above"},   {"abov", "above"},   {"wheet", "wheat"},
+      {"nite", "night"},   {"rian", "rain"},     {"fogy", "foggy"},   {"rode", "road"},
+      {"gras", "grass"},   {"els", "else"},      {"leafs", "leaves"}, {"wolfs", "wolves"},
+      {"twelf", "twelve"}, {"twelfe", "twelve"}, {"tree", "three"},   {"sheeps", "sheep"}};
   for (const auto& [mistake, meant] : kMistakes) {
     if (word == mistake) return meant;
   }
   return {};
 }
 
-void MendSpelling(const AddedValueWords& added, std::vector<Token>* tokens,
-                  std::vector<std::string>* warnings) {
+// Whether agents are named behind the token, more than one, as behind a number.
+bool CountsAgents(const EnvironmentWords& words, const std::vector<Token>& tokens, std::size_t at) {
+  if (at + 1 >= tokens.size() || tokens[at + 1].kind != TokenKind::kWord) return false;
+  if (at > 0 && tokens[at - 1].kind == TokenKind::kWord && tokens[at - 1].text != "and") {
+    return false;
+  }
+  const auto species = words.species.At(tokens, at + 1);
+  return species.tokens > 0 && species.rows.front()->plural && species.rows.front()->exact;
+}
+
+void MendSpelling(const AddedValueWords& added, const EnvironmentWords& words,
+                  std::vector<Token>* tokens, std::vector<std::string>* warnings) {
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     Token& token = (*tokens)[at];
     if (token.kind != TokenKind::kWord || added.known.count(token.text) > 0) continue;
@@ -59,6 +77,8 @@ void MendSpelling(const AddedValueWords& added, std::vector<Token>* tokens,
         at > 0 ? std::string_view((*tokens)[at - 1].text) : std::string_view();
     const bool noun = before == "the" || before == "a" || before == "one";
     if (token.text == "rode" && !noun) mended = {};
+    // "tree drones"
+    if (token.text == "tree" && !CountsAgents(words, *tokens, at)) mended = {};
     if (token.text == "gras" && before == "mardi") mended = {};
     if (token.text == "drown" && noun) mended = "drone";
     if (mended.empty()) mended = MendedWord(token.text);
@@ -199,11 +219,18 @@ HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction,
   const EnvironmentWords& words = added.words ? *added.words : GetEnvironmentWords();
   HeardEnvironment heard;
   std::vector<Token> tokens = Tokenize(instruction);
-  MendSpelling(added, &tokens, &heard.warnings);
+  MendSpelling(added, words, &tokens, &heard.warnings);
   MendPlaces(&tokens);
   DropSubstitutes(&tokens);
+  MendCompounds(words, &tokens);
+  MendTimes(words, &tokens);
   MendAsides(words, &tokens);
+  MendFields(words, &tokens);
   MendLabels(words, &tokens);
+  MendExceptions(words, &tokens);
+  MendNones(words, &tokens);
+  MendLacks(words, &tokens);
+  MendSurfaces(words, &tokens);
   MendDenials(words, &tokens);
   MendRobots(words, &tokens);
   MendNumerals(words, &tokens);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "latticeworld/environment/ranges.h"
 #include "latticeworld/language/grounded/environment/fine_wishes.h"
@@ -10,6 +11,8 @@
 
 namespace latticeworld {
 namespace {
+
+using std::string_view_literals::operator""sv;
 
 constexpr std::size_t kContext = 24;  // tokens to either side that a measure can be said of
 constexpr double kTolerance = 0.1;    // of a measured share, to either side
@@ -89,6 +92,8 @@ class FineMeasureReader {
     std::size_t pause = measure.last;
     while (!noted_.IsPause(pause)) ++pause;
     if (const auto own = NearestAssetIn(comma, pause, measure, suits); own.has_value()) return own;
+    // "bushes about 40 percent": nothing is set for them.
+    if (SaysHere(measure, {"bushes", "shrubs", "hedges", "bush"})) return std::nullopt;
     FindSentence(measure, &first, &last);
     return NearestAssetIn(first, last, measure, suits);
   }
@@ -141,17 +146,34 @@ class FineMeasureReader {
                                      "enlarge", "enlarged"}))) {
           return WishScale(measure);
         }
+        // "houses 50 % bigger"
+        const bool bigger = noted_.IsAnyWord(Behind(measure), {"bigger", "larger", "taller"});
+        const bool smaller = noted_.IsAnyWord(Behind(measure), {"smaller", "shorter"});
+        if (measure.kind == MeasureKind::kShare && (bigger || smaller)) {
+          HeardMeasure factor = measure;
+          factor.value = bigger ? 1.0 + measure.value : std::max(0.0, 1.0 - measure.value);
+          return WishScale(factor);
+        }
         // "Dead wood: 0.2"
         const bool listed = measure.first > 1 &&
                             tokens_[measure.first - 1].kind == TokenKind::kComma &&
                             tokens_[measure.first - 1].text == ":";
-        const bool density = listed || Says(measure, {"density", "densities", "cover", "coverage",
-                                                      "covered", "covers", "dense", "densely"});
+        const bool density = listed ||
+                             Says(measure, {"density", "densities", "cover", "coverage", "covered",
+                                            "covers", "dense", "densely"}) ||
+                             IsShareOfPlants(measure);
         const auto asset = NearestAsset(measure, any);
         if (!density || !asset.has_value() || measure.value > 1.0) return false;
+        const int bound = BoundOf(measure);
         wishes_.AddNumber(EnvironmentClaimKind::kDensity, *asset, {},
-                          std::max(0.0, measure.value - kTolerance), measure.value,
-                          std::min(1.0, measure.value + kTolerance), measure.first, measure.last);
+                          bound > 0   ? measure.value
+                          : bound < 0 ? 0.0
+                                      : std::max(0.0, measure.value - kTolerance),
+                          measure.value,
+                          bound > 0   ? 1.0
+                          : bound < 0 ? measure.value
+                                      : std::min(1.0, measure.value + kTolerance),
+                          measure.first, measure.last);
         return true;
       }
       case MeasureKind::kFactor:
@@ -163,6 +185,50 @@ class FineMeasureReader {
       default:
         return false;
     }
+  }
+
+  // The token behind the measure and its "%", which is a word of its own.
+  std::size_t Behind(const HeardMeasure& measure) const {
+    return measure.last + (noted_.IsWord(measure.last, "percent") ? 1 : 0);
+  }
+
+  // 1: "at least", "more than", "over"; -1: "at most", "less than", "up to"; 0: neither.
+  int BoundOf(const HeardMeasure& measure) const {
+    if (measure.first == 0) return 0;
+    const std::size_t at = measure.first - 1;
+    const bool at_bound = measure.first > 1 && noted_.IsWord(at - 1, "at");
+    const bool than = measure.first > 1 && noted_.IsWord(at, "than");
+    if (noted_.IsAnyWord(at, {"over", "minimum"})) return 1;
+    if (noted_.IsAnyWord(at, {"under", "maximum"})) return -1;
+    if (at_bound && noted_.IsWord(at, "least")) return 1;
+    if (at_bound && noted_.IsWord(at, "most")) return -1;
+    if (measure.first > 1 && noted_.IsWord(at - 1, "up") && noted_.IsWord(at, "to")) return -1;
+    if (!than || !noted_.IsAnyWord(at - 1, {"more", "less", "fewer"})) return 0;
+    // "no more than" is at most.
+    const bool denied = at > 1 && noted_.IsAnyWord(at - 2, {"no", "not"});
+    return noted_.IsWord(at - 1, "more") != denied ? 1 : -1;
+  }
+
+  // "60 % flowers", "flowers 60 %": a share right beside what grows; "40 % forest" is a share of
+  // the land, which the layout has.
+  bool IsShareOfPlants(const HeardMeasure& measure) const {
+    if (measure.kind != MeasureKind::kShare) return false;
+    const std::size_t behind = Behind(measure);
+    const auto after = words_.assets.At(tokens_, behind);
+    const std::size_t end = behind + after.tokens;
+    const auto grows = [](const auto& match) {
+      return match.tokens > 0 && (match.rows.front()->asset == AssetType::kFlower ||
+                                  match.rows.front()->asset == AssetType::kDeadBranch);
+    };
+    if (grows(after) && (noted_.IsPause(end) || noted_.IsWord(end, "and"))) return true;
+    std::size_t before = measure.first;
+    while (before > 0 && noted_.IsAnyWord(before - 1, {"about", "around", "at", "least", "most",
+                                                       "roughly", "than", "more", "less", "over",
+                                                       "under", "approximately", "to", "up"})) {
+      --before;
+    }
+    const bool ends = noted_.IsPause(behind) || noted_.IsWord(behind, "and");
+    return ends && before > 0 && grows(words_.assets.At(tokens_, before - 1));
   }
 
   bool WishScale(const HeardMeasure& measure) {
@@ -198,20 +264,32 @@ class FineMeasureReader {
     return true;
   }
 
+  // Whether the words between the same commas as the measure are among `any`.
+  bool SaysHere(const HeardMeasure& measure, std::initializer_list<std::string_view> any) const {
+    std::size_t first = measure.first;
+    while (first > 0 && !noted_.IsPause(first - 1)) --first;
+    for (; first < measure.last || !noted_.IsPause(first); ++first) {
+      if (noted_.IsAnyWord(first, any)) return true;
+    }
+    return false;
+  }
+
   bool WishAngle(const HeardMeasure& measure) {
-    if (Says(measure, {"slope", "slopes", "steep", "steepness", "incline", "inclined", "steeper",
-                       "gradient", "inclination", "faces"}) &&
-        measure.value >= kSlopeRange.low) {
+    const auto slopes = {"slope"sv,    "slopes"sv,  "steep"sv,    "steepness"sv,   "incline"sv,
+                         "inclined"sv, "steeper"sv, "gradient"sv, "inclination"sv, "faces"sv};
+    const auto turns_said = {"rotated"sv, "rotate"sv,  "rotation"sv, "turned"sv,      "turn"sv,
+                             "yaw"sv,     "angle"sv,   "oriented"sv, "orientation"sv, "heading"sv,
+                             "facing"sv,  "aligned"sv, "rows"sv};
+    // "slope 30 degrees, houses turned by 20 degrees": each angle is that of its own clause.
+    const bool turned = SaysHere(measure, turns_said) && !SaysHere(measure, slopes);
+    if (!turned && Says(measure, slopes) && measure.value >= kSlopeRange.low) {
       const double slope_deg = std::min(measure.value, kSlopeRange.high);
       wishes_.AddNumber(EnvironmentClaimKind::kParameter, AssetType::kSnowMountain,
                         ParameterKey::kSlope, std::max(kSlopeRange.low, slope_deg - 5.0), slope_deg,
                         std::min(kSlopeRange.high, slope_deg + 5.0), measure.first, measure.last);
       return true;
     }
-    if (!Says(measure, {"rotated", "rotate", "rotation", "turned", "turn", "yaw", "angle",
-                        "oriented", "orientation", "heading", "facing", "aligned", "rows"})) {
-      return false;
-    }
+    if (!Says(measure, turns_said)) return false;
     const auto turns = [](AssetType asset) { return ValuesOf(asset).has_rotation; };
     const auto asset = NearestAsset(measure, turns);
     if (!asset.has_value()) return false;

@@ -37,7 +37,8 @@ class FineReader {
       } else if (tokens_[at].kind == TokenKind::kComma || noted_.notes[at].ignored ||
                  noted_.notes[at].measure) {
         ++at;
-      } else if (noted_.IsAnyWord(at, {"bushes", "shrubs", "hedges", "bush"})) {
+      } else if (noted_.IsAnyWord(at,
+                                  {"bushes", "shrubs", "hedges", "bush", "puddles", "puddle"})) {
         // Nothing is set for them: what is said of them is said of nothing else.
         waiting_.clear();
         noun_.reset();
@@ -277,7 +278,12 @@ class FineReader {
     waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(),
                                   [&](const Quality& quality) { return !IsForList(quality); }),
                    waiting_.end());
-    if (negated && !said && !qualified && !IsOfAgents(at)) {
+    // "weather: not snow", "instead of snow let it rain" speak of the weather alone.
+    const bool weather =
+        tokens_[at].text == "snow" && at > 0 &&
+        ((at > 1 && (noted_.IsAnyWord(at - 2, {"instead", "weather"}))) ||
+         (at > 2 && (noted_.IsWord(at - 3, "instead") || noted_.IsWord(at - 3, "weather"))));
+    if (negated && !said && !qualified && !weather && !IsOfAgents(at)) {
       // "no flowers"
       wishes_.AddNumber(EnvironmentClaimKind::kDensity, nouns.front(), {}, 0.0, 0.0, 0.05, at, end);
       used = true;

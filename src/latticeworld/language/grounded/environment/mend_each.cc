@@ -83,6 +83,141 @@ void JoinParts(std::vector<Token>* tokens) {
   }
 }
 
+// How many words name a band of agents: "herds", "teams"; 0: none.
+std::size_t BandAt(const std::vector<Token>& tokens, std::size_t at) {
+  const bool band =
+      IsOneOf(WordAt(tokens, at),
+              {"herd",    "herds", "flock",  "flocks",   "pack",     "packs",     "team",
+               "teams",   "squad", "squads", "group",    "groups",   "band",      "bands",
+               "patrols", "troop", "troops", "pods",     "pod",      "swarm",     "swarms",
+               "units",   "unit",  "gang",   "gangs",    "squadron", "squadrons", "party",
+               "parties", "crew",  "crews",  "platoons", "platoon"});
+  return band ? 1 : 0;
+}
+
+// How many words say that a number is that of each band: "each", "per herd", "in each group"; 0:
+// none.
+std::size_t PerBandAt(const std::vector<Token>& tokens, std::size_t at) {
+  if (IsOneOf(WordAt(tokens, at), {"each", "apiece"})) return 1;
+  if (IsOneOf(WordAt(tokens, at), {"per", "a"})) {
+    return BandAt(tokens, at + 1) > 0 ? 2 : 0;
+  }
+  const bool in_each = IsOneOf(WordAt(tokens, at), {"in", "to"}) &&
+                       IsOneOf(WordAt(tokens, at + 1), {"each", "every"});
+  if (!in_each) return 0;
+  return BandAt(tokens, at + 2) > 0 ? 3 : WordAt(tokens, at + 1) == "each" ? 2 : 0;
+}
+
+// "Two herds of horses, 8 animals each", "3 squads, each with 4 goblins", "three squads of four
+// goblins each": 16 horses, 12 goblins.
+void MultiplyBands(const EnvironmentWords& words, std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 4 < tokens->size(); ++at) {
+    const NumberMatch bands = MatchNumber(*tokens, at);
+    std::size_t next = at + bands.tokens;
+    if (bands.tokens == 0 || bands.value < 2 || bands.value > kMost) continue;
+    if (BandAt(*tokens, next) == 0) continue;
+    ++next;
+    std::size_t of = 0;  // where they are named before the number
+    std::size_t named = 0;
+    if (WordAt(*tokens, next) == "of" && !IsPauseAt(*tokens, next + 1)) {
+      of = next + 1;
+      named = words.species.LengthAt(*tokens, of);
+      if (named == 0 && MatchNumber(*tokens, of).tokens == 0) continue;
+      next = named > 0 ? of + named : next;
+    }
+    bool each = false;
+    if (next < tokens->size() && (*tokens)[next].kind == TokenKind::kComma) ++next;
+    if (WordAt(*tokens, next) == "each") each = true;
+    if (each) ++next;
+    if (IsOneOf(WordAt(*tokens, next), {"with", "of", "has", "having", "counting", "numbering"})) {
+      ++next;
+    }
+    const NumberMatch size = MatchNumber(*tokens, next);
+    std::size_t noun = next + size.tokens;
+    if (size.tokens == 0 || size.value > kMost) continue;
+    if (IsOneOf(WordAt(*tokens, noun), {"strong", "head", "heads", "members"})) ++noun;
+    const std::size_t who = IsPauseAt(*tokens, noun) ? 0 : words.species.LengthAt(*tokens, noun);
+    std::size_t end = noun + who;
+    const std::size_t per = each ? 0 : PerBandAt(*tokens, end);
+    if ((!each && per == 0) || (named == 0 && who == 0)) continue;
+    end += per;
+    if (named > 0 && !IsPauseAt(*tokens, end)) continue;
+    // "nine apiece, one by the lake, one in the village" are told apart.
+    bool apart = false;
+    const std::size_t stop = StopAfter(*tokens, end);
+    for (std::size_t i = end; i < tokens->size(); ++i) {
+      const bool part = IsOneOf(WordAt(*tokens, i), {"one", "another", "other", "first", "second"});
+      apart = apart || (part && (i < stop || BandAt(*tokens, i + 1) > 0));
+    }
+    if (apart) continue;
+    const std::vector<Token> name = named > 0 ? TokensBetween(*tokens, of, of + named)
+                                              : TokensBetween(*tokens, noun, noun + who);
+    const Token beside = (*tokens)[at];
+    EraseTokens(tokens, at, end - at);
+    InsertTokens(tokens, at, name);
+    InsertTokens(
+        tokens, at,
+        {{TokenKind::kNumber, std::to_string(bands.value * size.value), beside.begin, beside.end}});
+  }
+}
+
+// "5 robots per team, 3 teams": 15 robots.
+void MultiplyPerBand(const EnvironmentWords& words, std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 4 < tokens->size(); ++at) {
+    const NumberMatch size = MatchNumber(*tokens, at);
+    const std::size_t noun = at + size.tokens;
+    if (size.tokens == 0 || size.value > kMost || IsPauseAt(*tokens, noun)) continue;
+    const std::size_t who = words.species.LengthAt(*tokens, noun);
+    const std::size_t per = PerBandAt(*tokens, noun + who);
+    if (who == 0 || per < 2) continue;
+    const std::size_t begin = noun + who;
+    std::size_t next = begin + per;
+    while (next < tokens->size() && ((*tokens)[next].kind == TokenKind::kComma ||
+                                     IsOneOf(WordAt(*tokens, next), {"and", "with", "in"}))) {
+      ++next;
+    }
+    const NumberMatch bands = MatchNumber(*tokens, next);
+    const std::size_t band = next + bands.tokens;
+    if (bands.tokens == 0 || bands.value > kMost || BandAt(*tokens, band) == 0) continue;
+    if (WordAt(*tokens, band + 1) == "of") continue;
+    EraseTokens(tokens, begin, band + 1 - begin);
+    (*tokens)[at].kind = TokenKind::kNumber;
+    (*tokens)[at].text = std::to_string(bands.value * size.value);
+    EraseTokens(tokens, at + 1, size.tokens - 1);
+  }
+}
+
+// "A drone over each quarter of the map", "one rover in every corner": four drones in all four
+// corners.
+void MultiplyCorners(const EnvironmentWords& words, std::vector<Token>* tokens) {
+  for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
+    const NumberMatch number = MatchNumber(*tokens, at);
+    const bool article = IsOneOf(WordAt(*tokens, at), {"a", "an"});
+    if (number.tokens == 0 && !article) continue;
+    const std::size_t noun = at + (article ? 1 : number.tokens);
+    const int each = article ? 1 : number.value;
+    if (IsPauseAt(*tokens, noun) || each > kMost) continue;
+    const auto who = words.species.At(*tokens, noun);
+    std::size_t in = noun + who.tokens;
+    if (who.tokens == 0 || !IsOneOf(WordAt(*tokens, in), {"in", "over", "above", "at"})) continue;
+    const std::size_t quarter = in + 2;
+    const bool quarters = IsOneOf(WordAt(*tokens, in + 1), {"each", "every"}) &&
+                          IsOneOf(WordAt(*tokens, quarter), {"quarter", "quadrant", "corner"});
+    if (!quarters || WordAt(*tokens, quarter) == "corner") continue;
+    std::size_t end = quarter + 1;
+    const bool of = WordAt(*tokens, end) == "of" && WordAt(*tokens, end + 1) == "the" &&
+                    IsMapWord(WordAt(*tokens, end + 2));
+    if (of) end += 3;
+    if (!of && !IsPauseAt(*tokens, end)) continue;
+    ReplaceTokens(tokens, in, end - in, {"in", "all", "four", "corners"});
+    std::string& name = (*tokens)[in - 1].text;
+    if (each == 1 && Singular(name) == name && !who.rows.front()->plural) name += "s";
+    (*tokens)[at].kind = TokenKind::kNumber;
+    (*tokens)[at].text = std::to_string(4 * each);
+    if (!article) EraseTokens(tokens, at + 1, number.tokens - 1);
+  }
+}
+
 // A word for the look of somebody.
 bool IsLookAt(const std::vector<Token>& tokens, std::size_t at) {
   return IsOneOf(
@@ -164,6 +299,9 @@ void MendFamilies(const EnvironmentWords& words, std::vector<Token>* tokens) {
 }  // namespace
 
 void MendEach(const EnvironmentWords& words, std::vector<Token>* tokens) {
+  MultiplyBands(words, tokens);
+  MultiplyPerBand(words, tokens);
+  MultiplyCorners(words, tokens);
   DoubleSides(words, tokens);
   JoinParts(tokens);
   SumLooks(words, tokens);

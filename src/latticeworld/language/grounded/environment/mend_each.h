@@ -10,6 +10,8 @@ namespace latticeworld {
 
 // Counts that are told for each side or corner, or each look, as those of all of them together:
 // - "two knights on each side of the bridge": four knights on each side of the bridge;
+// - "two herds of horses, 8 animals each", "5 robots per team, 3 teams": 16 horses, 15 robots;
+// - "a drone over each quarter of the map": four drones in all four corners;
 // - "sixteen soldiers on the bridge, eight on each side": sixteen soldiers on the bridge;
 // - "four rovers, one in each corner": four rovers in all four corners;
 // - "one big and two small robot dogs": three robot dogs;

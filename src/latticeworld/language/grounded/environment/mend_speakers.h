@@ -8,7 +8,8 @@
 namespace latticeworld {
 
 // Who asks is no agent, and the month is no marching: "I'm a park ranger and I want a savanna": I
-// want a savanna. "Its May": it is May. "The lambs came early, it's only March": it is only spring.
+// want a savanna. "I am a student in robotics": nothing. "Its May": it is May. "The lambs came
+// early, it's only March": it is only spring.
 void MendSpeakers(std::vector<Token>* tokens);
 
 }  // namespace latticeworld

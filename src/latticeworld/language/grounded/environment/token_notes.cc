@@ -128,6 +128,13 @@ class ScopeMarker {
       if (noted_->IsWord(at, "and") && (!joins_by_and || !IsBare(at + 1))) return;
       // "instead of sheep I would like horses"
       if (content > 0 && noted_->IsAnyWord(at, {"i", "we", "please", "let", "put"})) return;
+      // "instead of rain take fog"
+      const bool swaps = word == "instead" || word == "rather" || word == "in";
+      if (content > 0 && swaps &&
+          noted_->IsAnyWord(at, {"take", "use", "make", "give", "show", "choose", "pick", "have",
+                                 "add", "place", "set", "try", "get"})) {
+        return;
+      }
       const bool determiner = noted_->IsAnyWord(at, {"a", "an", "the", "it", "they", "there"});
       const bool after_or =
           at > first && (noted_->IsWord(at - 1, "or") || noted_->IsWord(at - 1, "nor"));
