@@ -38,11 +38,7 @@ TEST(MendMeasuresTest, LevelsAreSaidAfterTheirMeasure) {
   EXPECT_EQ(Mended("low by the houses"), "low by the houses");
 }
 
-TEST(MendMeasuresTest, ComparedCountsAreCounted) {
-  EXPECT_EQ(Mended("twice as many sheep as horses; there are four horses"),
-            "8 sheep beside horses ; there are four horses");
-  EXPECT_EQ(Mended("twice as many sheep as horses, and nine of the latter"),
-            "18 sheep beside horses , and nine of the latter");
+TEST(MendMeasuresTest, EachKindIsNamed) {
   EXPECT_EQ(Mended("ten of each kind of robot"),
             "ten wheeled robots , ten humanoid robots , ten robotic dogs , ten drones");
 }

@@ -59,17 +59,31 @@ Count AgentReader::ReadComparedCount() {
   std::size_t measure = MeasureAhead(next);
   if (measure == kNone) {
     for (std::size_t i = groups_.size(); i > 0 && measure == kNone; --i) {
-      const bool itself = i - 1 == last_ && !groups_[i - 1].wish.counted;
-      const bool known = !number_of_those || groups_[i - 1].wish.counted;
+      const AgentWish& wish = groups_[i - 1].wish;
+      // "about 30 goblins"
+      const bool rough = wish.quantity > 1 && wish.least > kSomeSeen.least &&
+                         wish.least < wish.most && wish.most <= kMaxAgents;
+      const bool itself = i - 1 == last_ && !wish.counted && !rough;
+      const bool known = !number_of_those || wish.counted || rough;
       if (!groups_[i - 1].removed && !itself && known) measure = i - 1;
     }
   }
-  if (measure == kNone) return {};
+  if (measure == kNone) {
+    // "Goblins, twice as many knights": nobody knows how many, and not "many".
+    Count some = kSomeSeen;
+    some.tokens = next - at_;
+    return NounAhead(next) && !number_of_those ? some : Count{};
+  }
   // "sheep: twice as many as eagles"
   while (next < tokens_.size() && noted_.notes[next].ignored) ++next;
-  const int whole = groups_[measure].wish.quantity;
-  return Exactly(std::max(1, half ? whole / 2 : std::min(kMaxAgents, CappedProduct(whole, times))),
-                 next - at_);
+  const AgentWish& wish = groups_[measure].wish;
+  const auto so_many = [&](int whole) {
+    return std::max(1, half ? whole / 2 : std::min(kMaxAgents, CappedProduct(whole, times)));
+  };
+  if (wish.counted || wish.least <= kSomeSeen.least || wish.most > kMaxAgents) {
+    return Exactly(so_many(wish.quantity), next - at_);
+  }
+  return {so_many(wish.least), so_many(wish.quantity), so_many(wish.most), next - at_};
 }
 
 std::size_t AgentReader::MeasureAhead(std::size_t at) {

@@ -98,6 +98,11 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
     joined_ = paused_ = false;
     return end - at_;
   };
+  // "20 sheep and 30 horses, 50 in all"
+  if (more == 2 && !noted_.IsWord(next + 1, "number") && whole.wish.counted &&
+      TotalOf(GroupsOfSentence()) == count.value) {
+    return tokens;
+  }
   if (corrected_ && plain) return tell_count(at_ + tokens);
   const bool bare = noted_.IsPause(at_ + tokens);
   if (!whole.wish.counted) {
@@ -105,6 +110,9 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
     // "a herd of horses, nine of them", "an ambush: six of them lie in wait", "sheep, five in
     // number"
     const bool more_than_said = of_them > 0 && count.least > whole.wish.most;
+    // "The goblins are in the forest. All twelve of them are asleep."
+    const bool all = of_them > 0 && noted_.IsWord(at_, "all") && part_ == kNone;
+    if (all) return tell_count(at_ + tokens);
     if ((bare && (of_them > 0 || more == 2 || heads)) || more_than_said) {
       return tell_count(at_ + tokens);
     }
@@ -125,6 +133,13 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
     const bool told_so = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"are", "is", "were"});
     if (!whole.wish.counted && (whole.sentence == sentence_ || told_so)) SetCount(count, &whole);
     return tokens;
+  }
+  // "Sheep stand in the fields. Six of them graze.": of at least so many.
+  if (of_them > 0 && !whole.wish.counted && part_ == kNone && count.least == count.most &&
+      count.value >= whole.wish.quantity && whole.wish.least > 1) {
+    whole.wish.least = std::max(whole.wish.least, count.value);
+    whole.wish.quantity = count.value + 1;
+    whole.wish.most = std::max(whole.wish.most, CappedProduct(count.value, 2));
   }
   const int left = whole.wish.quantity;
   const bool told = whole.wish.IsPlaced();
@@ -151,6 +166,14 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
   // "two goblins in the north and three in the south"
   AddLike(last_, count, tokens);
   return tokens;
+}
+
+std::vector<std::size_t> AgentReader::GroupsOfSentence() const {
+  std::vector<std::size_t> here;
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    if (!groups_[i].removed && groups_[i].sentence == sentence_) here.push_back(i);
+  }
+  return here;
 }
 
 bool AgentReader::FollowsNoun(const Group& group) const {

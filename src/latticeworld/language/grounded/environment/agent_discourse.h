@@ -75,6 +75,10 @@ class AgentReader {
   // "three of the eight sheep", "half of the ten sheep": the words before the whole's count.
   std::size_t ReadPartOfCounted();
 
+  // "most (of them)", "a few (of the twenty)": from how many to how many those are of so many;
+  // `tokens` 0: no such word.
+  Count VaguePartAt(std::size_t at, int whole) const;
+
   // Which of the groups so many more can be a part of, what is left of one before the parts of it;
   // kNone: none.
   std::size_t WholeOf(const std::vector<std::size_t>& groups, int part) const;
@@ -155,6 +159,9 @@ class AgentReader {
   // "half of them sheep": the part has a name of its own.
   std::size_t RenamePart(std::size_t at);
 
+  // "20 robots, 5 of them drones": the others are none.
+  void LeaveOthers();
+
   // Names the group anew ("are sheep"); how many tokens say so.
   std::size_t Rename(std::size_t index, std::size_t at);
 
@@ -202,6 +209,9 @@ class AgentReader {
 
   // A count without a noun of its own: of them, of those named before, or a correction.
   std::size_t ReadLoneCount(const Count& count);
+
+  // All who are named in this sentence.
+  std::vector<std::size_t> GroupsOfSentence() const;
 
   // Whether the count that begins here stands right behind the group's noun, or its label.
   bool FollowsNoun(const Group& group) const;
@@ -439,6 +449,13 @@ class AgentReader {
   // "Ten creatures: four sheep and six goblins": the first is the sum of the others.
   void DropAnnouncedTotal();
 
+  // "8 robots and 3 drones": whether the latter are none of the former.
+  bool IsBeside(std::size_t total, std::size_t part) const;
+
+  // Of the group only those stay who are none of its parts, which are `sum` together. False: it is
+  // not said how many those are.
+  bool TakePartsOf(std::size_t index, const std::vector<std::size_t>& parts, int sum);
+
   // "The only living thing is an eagle": agents of any kind are no group beside those named.
   void SumUpAnyAgents();
 
@@ -521,7 +538,7 @@ class AgentReader {
   int unit_ = 1;                       // so many of it are one pair, or one team
   std::vector<Place> there_;           // the place named last
   std::optional<FeaturePlace> there_feature_;
-  int part_of_ = 0;           // of the group that is being named, so many are meant
+  Count part_of_;             // of the group that is being named, so many are meant
   bool all_but_ = false;      // "all but two of the ten", "only two of the ten": unlike the others
   bool split_state_ = false;  // the subject's state is only inherited
   std::size_t placed_ = kNone;

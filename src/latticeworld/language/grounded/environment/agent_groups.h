@@ -26,6 +26,12 @@ inline bool Contains(const std::vector<AgentCategory>& all,
   });
 }
 
+// Whether a number is said, or a bound: "40", "at most 40", "at least 40".
+inline bool SaysNumber(const AgentWish& wish) {
+  const bool at_most = wish.least == 1 && wish.quantity > 1 && wish.quantity == wish.most;
+  return wish.counted || at_most || wish.most > kMaxAgents;
+}
+
 // A group as it is read, with what the reader needs to know of it.
 struct Group {
   AgentWish wish;
@@ -36,6 +42,7 @@ struct Group {
   std::size_t with = kNone;    // beside the group that is at this place in the order of naming
   std::size_t unlike = kNone;  // does something else than the group at that place
   bool inherited = false;      // its place is only that of those it was split off
+  int taken = 0;               // so many were split off it under a name of their own
   bool purpose = false;        // only what the world is for ("to see how robots behave")
 };
 

@@ -219,7 +219,8 @@ int AgentReader::TotalOf(const std::vector<std::size_t>& groups) const {
 void AgentReader::DropVagueKinds(const SpeciesWord& word) {
   for (Group& group : groups_) {
     const AgentWish& wish = group.wish;
-    const bool told = wish.counted || wish.state.has_value() || wish.IsPlaced();
+    const bool bound = SaysNumber(wish) && wish.quantity > 1;
+    const bool told = wish.counted || bound || wish.state.has_value() || wish.IsPlaced();
     if (wish.categories.size() < 2 || word.categories.size() > 1 || told) continue;
     if (group.sentence != sentence_ && Contains(wish.categories, word.categories)) {
       group.removed = true;

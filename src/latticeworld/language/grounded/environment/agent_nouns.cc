@@ -196,12 +196,12 @@ std::size_t AgentReader::ReadSpecies() {
   } else {
     unwanted = 0;
     ReadPresence(word, collective, end);
-    if (part_of_ > 0 && last_ != kNone && groups_[last_].wish.quantity > part_of_) {
-      Split({part_of_, part_of_, part_of_, 1}, part_of_, end - at_);
+    if (part_of_.tokens > 0 && last_ != kNone && groups_[last_].wish.quantity > part_of_.value) {
+      Split(part_of_, part_of_.value, end - at_);
       if (all_but_) groups_[rest_].unlike = part_;
     }
   }
-  part_of_ = 0;
+  part_of_ = {};
   all_but_ = false;
   pending_ = {};
   phrase_begin_ = kNone;

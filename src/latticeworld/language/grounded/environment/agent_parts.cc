@@ -17,7 +17,10 @@ std::size_t AgentReader::ReadRestOfTotal(std::size_t at) {
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     const AgentWish& total = groups_[i].wish;
     if (groups_[i].removed || !total.counted || total.categories.size() < 2) continue;
-    int left = total.quantity;
+    // Those who were left when others were split off are told by themselves.
+    const bool all = total.categories.size() == EnumNames(AgentCategory{}).size();
+    if (groups_[i].taken > 0 && !all) continue;
+    int left = total.quantity + groups_[i].taken;
     for (std::size_t j = i + 1; j < groups_.size(); ++j) {
       if (!groups_[j].removed) left -= groups_[j].wish.quantity;
     }
@@ -226,6 +229,7 @@ std::size_t AgentReader::ReadOrdinal() {
 
 std::size_t AgentReader::RenamePart(std::size_t at) {
   const std::size_t renamed = Rename(part_, at);
+  if (renamed > 0 && rest_ != kNone) LeaveOthers();
   // "Eleven sheep, three of them lambs, doze": all of them do.
   const std::size_t next = at + renamed;
   if (renamed > 0 && next + 1 < tokens_.size() && tokens_[next].kind == TokenKind::kComma &&
@@ -234,6 +238,21 @@ std::size_t AgentReader::RenamePart(std::size_t at) {
     previous_ = subject_;
   }
   return renamed;
+}
+
+void AgentReader::LeaveOthers() {
+  Group& rest = groups_[rest_];
+  const AgentWish& part = groups_[part_].wish;
+  const std::size_t kinds = rest.wish.categories.size();
+  if (kinds < 2 || !Contains(rest.wish.categories, part.categories)) return;
+  rest.taken += part.quantity;
+  // Agents of all kinds are told by their number only.
+  if (kinds == EnumNames(AgentCategory{}).size() || part.categories.size() >= kinds) return;
+  std::vector<AgentCategory>& others = rest.wish.categories;
+  others.erase(
+      std::remove_if(others.begin(), others.end(),
+                     [&](AgentCategory category) { return Contains(part.categories, {category}); }),
+      others.end());
 }
 
 std::size_t AgentReader::Rename(std::size_t index, std::size_t at) {

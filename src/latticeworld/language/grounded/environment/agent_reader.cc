@@ -220,7 +220,54 @@ bool AgentReader::IsListed(std::size_t index) const {
   return false;
 }
 
+bool AgentReader::IsBeside(std::size_t total, std::size_t part) const {
+  // "8 robots and 3 drones", "8 robots on the road, 3 drones": no part of those before.
+  const std::size_t first = groups_[total].begin, last = groups_[part].begin;
+  const std::string share = WordsOf(groups_[part]);
+  for (const std::string_view said :
+       {"%", " of them", " of which", "percent", "half", "third", "quarter", "fifth", "tenth"})
+    if (share.find(said) != share.npos) return false;
+  std::size_t before = kNone;
+  for (std::size_t i = 0; i < tokens_.size() && tokens_[i].begin < last; ++i) {
+    if (tokens_[i].begin < first) continue;
+    before = i;
+    if (tokens_[i].kind == TokenKind::kComma && tokens_[i].text != ",") return false;
+    if (noted_.IsAnyWord(i, {"including", "includes", "include", "incl", "among", "amongst",
+                             "namely", "which", "whom", "them", "consisting", "comprising",
+                             "composed", "such", "split", "divided", "made"})) {
+      return false;
+    }
+  }
+  while (before != kNone && before > 0 &&
+         noted_.IsAnyWord(before, {"a", "the", "another", "also", "then"})) {
+    --before;
+  }
+  const bool counted = groups_[part].wish.counted;
+  return before != kNone && (noted_.IsAnyWord(before, {"and", "plus"}) ||
+                             (counted && !noted_.IsAnyWord(before, {"of", "are", "is"})));
+}
+
+bool AgentReader::TakePartsOf(std::size_t index, const std::vector<std::size_t>& parts, int sum) {
+  AgentWish& wish = groups_[index].wish;
+  const bool counted = std::all_of(parts.begin(), parts.end(),
+                                   [&](std::size_t part) { return groups_[part].wish.counted; });
+  if (!counted || !wish.counted || sum >= wish.quantity) return false;
+  std::vector<AgentCategory> others;
+  for (const AgentCategory category : wish.categories) {
+    const bool named = std::any_of(parts.begin(), parts.end(), [&](std::size_t part) {
+      return groups_[part].wish.categories.front() == category;
+    });
+    if (!named) others.push_back(category);
+  }
+  if (others.empty()) return false;
+  wish.categories = others;
+  const int left = wish.quantity - sum;
+  SetCount({left, left, left, 0}, &groups_[index]);
+  return true;
+}
+
 void AgentReader::DropAnnouncedTotal() {
+  const std::size_t kinds = EnumNames(AgentCategory{}).size();
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     Group& total = groups_[i];
     if (total.sentence != sentence_ || total.removed || total.wish.categories.size() < 2) continue;
@@ -236,7 +283,12 @@ void AgentReader::DropAnnouncedTotal() {
       }
     }
     if (sum == 0 || (total.wish.counted && sum > total.wish.quantity)) continue;
-    total.removed = true;
+    const bool all = total.wish.categories.size() == kinds;
+    const bool some = total.wish.counted && (sum < total.wish.quantity || parts.size() == 1);
+    if (some && !all && IsBeside(i, parts.front())) continue;
+    // "Ten robots, including three drones": the other seven stay.
+    const bool others = !all && TakePartsOf(i, parts, sum);
+    total.removed = !others;
     // What was said of all is said of each.
     for (const std::size_t j : parts) {
       AgentWish& part = groups_[j].wish;
@@ -246,17 +298,16 @@ void AgentReader::DropAnnouncedTotal() {
       part.feature = total.wish.feature;
       part.more_land = total.wish.more_land;
     }
-    if (total.wish.counted && total.wish.categories.size() == EnumNames(AgentCategory{}).size()) {
-      heard_.absences.push_back(TotalClaim(total));
-    }
+    if (all && SaysNumber(total.wish)) heard_.absences.push_back(TotalClaim(total));
   }
 }
 
 EnvironmentClaim AgentReader::TotalClaim(const Group& total) const {
   EnvironmentClaim claim;
   claim.kind = EnvironmentClaimKind::kTotalAgents;
-  claim.least_quantity = std::min(total.wish.least, kMaxAgents);
-  claim.most_quantity = std::max(claim.least_quantity, std::min(total.wish.most, kMaxAgents));
+  claim.least_quantity = std::min(total.wish.least + total.taken, kMaxAgents);
+  claim.most_quantity =
+      std::max(claim.least_quantity, std::min(total.wish.most + total.taken, kMaxAgents));
   claim.words = WordsOf(total);
   return claim;
 }
@@ -317,9 +368,9 @@ void AgentReader::SumUpAnyAgents() {
   for (Group& group : groups_) {
     const AgentWish& wish = group.wish;
     if (group.removed || wish.categories.size() != kinds || wish.IsPlaced()) continue;
-    if (wish.counted && wish.quantity > 1 && wish.quantity < sum) continue;
+    if (wish.counted && wish.quantity > 1 && wish.quantity + group.taken < sum) continue;
     group.removed = true;
-    if (wish.counted && wish.quantity > 1) heard_.absences.push_back(TotalClaim(group));
+    if (SaysNumber(wish) && wish.quantity > 1) heard_.absences.push_back(TotalClaim(group));
   }
 }
 

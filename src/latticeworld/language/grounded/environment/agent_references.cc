@@ -19,9 +19,9 @@ std::size_t AgentReader::ReadReference() {
     Group* whole = Last();
     if (whole == nullptr) return 0;
     noted_.Mark(at_, at_ + some, &TokenNote::agent);
-    const bool most = noted_.IsAnyWord(at_, {"most", "many"});
-    const int quantity = whole->wish.quantity;
-    Split({}, most ? (quantity * 2 + 2) / 3 : (quantity + 2) / 3, some);
+    const Count part = VaguePartAt(at_, whole->wish.quantity);
+    const bool ranges = whole->wish.counted && part.tokens > 0;
+    Split(ranges ? part : Count{}, part.value, some);
     return some;
   }
   if (const std::size_t all = ReadAllOfThem(); all > 0) return all;

@@ -19,6 +19,29 @@ AgentReader::Fraction AgentReader::FractionAt(std::size_t at) const {
   return {parts, of, 2};
 }
 
+Count AgentReader::VaguePartAt(std::size_t at, int whole) const {
+  const std::size_t few = noted_.IsWord(at, "a") ? 1 : 0;
+  const int most = std::max(1, whole - 1);
+  Count part;
+  if (few == 0 && noted_.IsWord(at, "most") && !noted_.IsWord(at + 1, "part")) {
+    part = {whole / 2 + 1, (whole * 2 + 2) / 3, most, 1};
+  } else if (few == 0 && noted_.IsWord(at, "many")) {
+    part = {whole / 3, (whole * 2 + 2) / 3, most, 1};
+  } else if (few == 0 && noted_.IsAnyWord(at, {"some", "part"})) {
+    part = {2, (whole + 2) / 3, most, 1};
+  } else if (few == 0 && noted_.IsWord(at, "several")) {
+    part = {3, (whole + 2) / 3, most, 1};
+  } else if (noted_.IsWord(at + few, "few")) {
+    part = {2, (whole + 3) / 4, whole / 2, few + 1};
+  } else {
+    return {};
+  }
+  part.value = std::clamp(part.value, 1, most);
+  part.least = std::clamp(part.least, 1, part.value);
+  part.most = std::clamp(part.most, part.value, most);
+  return part;
+}
+
 std::size_t AgentReader::ReadPartOfCounted() {
   if (pending_.tokens > 0 || noted_.notes[at_].negated) return 0;
   // "One group of 500 sheep. One of 400 goblins."
@@ -29,9 +52,8 @@ std::size_t AgentReader::ReadPartOfCounted() {
     return 2;
   }
   // "most of the twenty sheep"
-  const Fraction fraction = noted_.IsWord(at_, "most") && !noted_.IsWord(at_ + 1, "part")
-                                ? Fraction{2, 3, 1}
-                                : FractionAt(at_);
+  const std::size_t vague = VaguePartAt(at_, 2).tokens;
+  const Fraction fraction = vague > 0 ? Fraction{1, 1, vague} : FractionAt(at_);
   // "all but one of the five sheep"
   const bool all_but = noted_.IsWord(at_, "all") &&
                        noted_.IsAnyWord(at_ + 1, {"but", "except", "save", "bar", "barring"});
@@ -52,10 +74,11 @@ std::size_t AgentReader::ReadPartOfCounted() {
       part.value >= whole.value || !NounAhead(next + whole.tokens)) {
     return 0;
   }
-  part_of_ = all_but ? whole.value - part.value : part.value;
+  int taken = all_but ? whole.value - part.value : part.value;
   if (fraction.tokens > 0) {
-    part_of_ = (CappedProduct(whole.value, fraction.parts) + fraction.of / 2) / fraction.of;
+    taken = (CappedProduct(whole.value, fraction.parts) + fraction.of / 2) / fraction.of;
   }
+  part_of_ = vague > 0 ? VaguePartAt(at_, whole.value) : Count{taken, taken, taken, 1};
   for (std::size_t i = at_; all_but && i < tokens_.size() && !noted_.IsEnd(i); ++i) {
     noted_.notes[i].negated = false;
   }
@@ -80,13 +103,13 @@ std::size_t AgentReader::WholeOf(const std::vector<std::size_t>& groups, int par
 std::size_t AgentReader::ReadPartOfNamed() {
   if (pending_.tokens > 0 || noted_.notes[at_].negated) return 0;
   const Fraction fraction = FractionAt(at_);
-  const bool most = noted_.IsWord(at_, "most");
+  const std::size_t vague = VaguePartAt(at_, 2).tokens;
   // "all but one of the sheep"
   const bool all_but =
       noted_.IsWord(at_, "all") && noted_.IsAnyWord(at_ + 1, {"but", "except", "save", "bar"});
   const std::size_t first = at_ + (all_but ? 2 : 0);
-  const Count part = fraction.tokens > 0 || most ? Count{} : ReadCount(noted_, words_, first);
-  std::size_t noun = first + (most ? 1 : std::max(fraction.tokens, part.tokens));
+  Count part = fraction.tokens > 0 || vague > 0 ? Count{} : ReadCount(noted_, words_, first);
+  std::size_t noun = first + std::max({vague, fraction.tokens, part.tokens});
   if (noun == first || part.least != part.most) return 0;
   if (noted_.IsWord(noun, "of")) {
     ++noun;
@@ -101,7 +124,8 @@ std::size_t AgentReader::ReadPartOfNamed() {
   const std::size_t whole = WholeOf(GroupsOf(*match.rows.front(), noun, end), part.value);
   if (whole == kNone) return 0;
   const int quantity = groups_[whole].wish.quantity;
-  int taken = most ? (quantity * 2 + 2) / 3 : part.value;
+  if (vague > 0) part = VaguePartAt(at_, quantity);
+  int taken = part.value;
   if (fraction.tokens > 0) {
     // "a third of the drones ..., two thirds of the drones": of all of them.
     const int all = whole == rest_ && part_ != kNone ? whole_quantity_ : quantity;

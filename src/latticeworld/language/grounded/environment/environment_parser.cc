@@ -26,9 +26,13 @@
 #include "latticeworld/language/grounded/environment/mend_labels.h"
 #include "latticeworld/language/grounded/environment/mend_lacks.h"
 #include "latticeworld/language/grounded/environment/mend_measures.h"
+#include "latticeworld/language/grounded/environment/mend_multiples.h"
 #include "latticeworld/language/grounded/environment/mend_nones.h"
 #include "latticeworld/language/grounded/environment/mend_numerals.h"
+#include "latticeworld/language/grounded/environment/mend_ranges.h"
 #include "latticeworld/language/grounded/environment/mend_robots.h"
+#include "latticeworld/language/grounded/environment/mend_shares.h"
+#include "latticeworld/language/grounded/environment/mend_sides.h"
 #include "latticeworld/language/grounded/environment/mend_speakers.h"
 #include "latticeworld/language/grounded/environment/mend_surfaces.h"
 #include "latticeworld/language/grounded/environment/mend_times.h"
@@ -226,6 +230,7 @@ HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction,
   MendTimes(words, &tokens);
   MendAsides(words, &tokens);
   MendFields(words, &tokens);
+  MendRanges(words, instruction, &tokens);
   MendLabels(words, &tokens);
   MendExceptions(words, &tokens);
   MendNones(words, &tokens);
@@ -233,11 +238,14 @@ HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction,
   MendSurfaces(words, &tokens);
   MendDenials(words, &tokens);
   MendRobots(words, &tokens);
+  MendShares(words, &tokens);
   MendNumerals(words, &tokens);
   MendEach(words, &tokens);
   MendCounts(words, &tokens);
   MendSpeakers(&tokens);
+  MendMultiples(words, &tokens);
   MendMeasures(&tokens);
+  MendSides(words, &tokens);
   MendWays(&tokens);
   NotedTokens noted = NoteScopes(instruction, std::move(tokens), words);
   std::vector<HeardMeasure> measures = ReadMeasures(&noted);

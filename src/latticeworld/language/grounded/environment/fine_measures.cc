@@ -4,8 +4,11 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "latticeworld/environment/ranges.h"
+#include "latticeworld/language/grounded/environment/fine_bounds.h"
 #include "latticeworld/language/grounded/environment/fine_wishes.h"
 #include "latticeworld/language/numbers.h"
 
@@ -34,12 +37,73 @@ class FineMeasureReader {
         ReadListedShares(measure);
       }
     }
-    measures_.erase(std::remove_if(measures_.begin(), measures_.end(),
-                                   [&](const HeardMeasure& measure) { return Use(measure); }),
-                    measures_.end());
+    // The low end of a range ("20 % to 30 %") is used with the other.
+    std::vector<HeardMeasure> others;
+    std::size_t low_ends = 0;
+    for (std::size_t i = 0; i < measures_.size(); ++i) {
+      const HeardMeasure& measure = measures_[i];
+      if (i + 1 < measures_.size() && IsLowEnd(measure, measures_[i + 1])) {
+        others.push_back(measure);
+        ++low_ends;
+        continue;
+      }
+      if (Use(measure)) {
+        others.resize(others.size() - low_ends);
+      } else {
+        others.push_back(measure);
+      }
+      low_ends = 0;
+    }
+    measures_ = std::move(others);
   }
 
  private:
+  bool IsLowEnd(const HeardMeasure& low, const HeardMeasure& high) const {
+    const bool kind = low.kind == high.kind || low.kind == MeasureKind::kDecimal;
+    return kind && HasBounds(high.kind) && BoundsOf(words_, noted_, high).first == low.first;
+  }
+
+  static bool HasBounds(MeasureKind kind) {
+    return kind == MeasureKind::kSpeed || kind == MeasureKind::kShare ||
+           kind == MeasureKind::kDecimal || kind == MeasureKind::kDegrees;
+  }
+
+  // A number that is said of an asset type: within the bounds that are said with it, or else within
+  // some tolerance.
+  void AddMeasured(EnvironmentClaimKind kind, AssetType asset, ParameterKey key, const Range& range,
+                   double low_tolerance, double high_tolerance, const HeardMeasure& measure) {
+    const auto clamped = [&](double value) { return std::clamp(value, range.low, range.high); };
+    double value = clamped(measure.value);
+    double least = clamped(value - low_tolerance), most = clamped(value + high_tolerance);
+    const MeasureBounds bounds = BoundsOf(words_, noted_, measure);
+    if (bounds.IsSet()) {
+      least = clamped(bounds.least.value_or(range.low));
+      most = clamped(bounds.most.value_or(range.high));
+      // Near the bound that is said: "up to 35 degrees" speaks of 35, too.
+      value = 0.5 * (least + most);
+      if (!bounds.most.has_value()) value = std::min(value, least + 0.25 * high_tolerance);
+      if (!bounds.least.has_value()) value = std::max(value, most - 0.25 * low_tolerance);
+    }
+    wishes_.AddNumber(kind, asset, key, least, value, most, bounds.first, measure.last);
+    for (std::size_t i = bounds.said; i < measure.first; ++i) noted_.notes[i].known = true;
+  }
+
+  // "4 m/s with gusts of 9 m/s": the wind is told by another measure.
+  bool IsGust(const HeardMeasure& measure) const {
+    constexpr std::size_t kReach = 5;
+    bool gust = false;
+    for (std::size_t i = measure.first; i > 0 && i + kReach > measure.first; --i) {
+      if (noted_.IsPause(i - 1) || noted_.notes[i - 1].measure) break;
+      gust = gust || noted_.IsAnyWord(i - 1, {"gust", "gusts", "gusting", "squalls"});
+    }
+    std::size_t first = 0, last = 0;
+    FindSentence(measure, &first, &last);
+    return gust && std::any_of(measures_.begin(), measures_.end(), [&](const HeardMeasure& other) {
+             return other.kind == MeasureKind::kSpeed && other.first != measure.first &&
+                    other.first >= first && other.first < last;
+           });
+  }
+
   // "Stone density at 10 percent, grass at 90, flowers 50": the unit is said once.
   void ReadListedShares(const HeardMeasure& measure) {
     for (std::size_t at = measure.last; !noted_.IsEnd(at); ++at) {
@@ -131,10 +195,10 @@ class FineMeasureReader {
                             "blowing", "gusts", "force", "beaufort", "bft", "air", "windy"})) {
           return false;
         }
-        const double speed_mps = std::clamp(measure.value, kWindRange.low, kWindRange.high);
-        wishes_.AddNumber(EnvironmentClaimKind::kParameter, AssetType::kDesert, ParameterKey::kWind,
-                          0.9 * speed_mps, speed_mps, std::min(kWindRange.high, 1.1 * speed_mps),
-                          measure.first, measure.last);
+        if (IsGust(measure)) return true;
+        const double tolerance_mps = 0.1 * std::min(measure.value, kWindRange.high);
+        AddMeasured(EnvironmentClaimKind::kParameter, AssetType::kDesert, ParameterKey::kWind,
+                    kWindRange, tolerance_mps, tolerance_mps, measure);
         return true;
       }
       case MeasureKind::kShare:
@@ -164,16 +228,8 @@ class FineMeasureReader {
                              IsShareOfPlants(measure);
         const auto asset = NearestAsset(measure, any);
         if (!density || !asset.has_value() || measure.value > 1.0) return false;
-        const int bound = BoundOf(measure);
-        wishes_.AddNumber(EnvironmentClaimKind::kDensity, *asset, {},
-                          bound > 0   ? measure.value
-                          : bound < 0 ? 0.0
-                                      : std::max(0.0, measure.value - kTolerance),
-                          measure.value,
-                          bound > 0   ? 1.0
-                          : bound < 0 ? measure.value
-                                      : std::min(1.0, measure.value + kTolerance),
-                          measure.first, measure.last);
+        AddMeasured(EnvironmentClaimKind::kDensity, *asset, {}, {0.0, 1.0}, kTolerance, kTolerance,
+                    measure);
         return true;
       }
       case MeasureKind::kFactor:
@@ -190,23 +246,6 @@ class FineMeasureReader {
   // The token behind the measure and its "%", which is a word of its own.
   std::size_t Behind(const HeardMeasure& measure) const {
     return measure.last + (noted_.IsWord(measure.last, "percent") ? 1 : 0);
-  }
-
-  // 1: "at least", "more than", "over"; -1: "at most", "less than", "up to"; 0: neither.
-  int BoundOf(const HeardMeasure& measure) const {
-    if (measure.first == 0) return 0;
-    const std::size_t at = measure.first - 1;
-    const bool at_bound = measure.first > 1 && noted_.IsWord(at - 1, "at");
-    const bool than = measure.first > 1 && noted_.IsWord(at, "than");
-    if (noted_.IsAnyWord(at, {"over", "minimum"})) return 1;
-    if (noted_.IsAnyWord(at, {"under", "maximum"})) return -1;
-    if (at_bound && noted_.IsWord(at, "least")) return 1;
-    if (at_bound && noted_.IsWord(at, "most")) return -1;
-    if (measure.first > 1 && noted_.IsWord(at - 1, "up") && noted_.IsWord(at, "to")) return -1;
-    if (!than || !noted_.IsAnyWord(at - 1, {"more", "less", "fewer"})) return 0;
-    // "no more than" is at most.
-    const bool denied = at > 1 && noted_.IsAnyWord(at - 2, {"no", "not"});
-    return noted_.IsWord(at - 1, "more") != denied ? 1 : -1;
   }
 
   // "60 % flowers", "flowers 60 %": a share right beside what grows; "40 % forest" is a share of
@@ -235,10 +274,9 @@ class FineMeasureReader {
     const auto built = [](AssetType asset) { return ValuesOf(asset).has_scale; };
     const auto asset = NearestAsset(measure, built);
     if (!asset.has_value()) return false;
-    const double scale = std::clamp(measure.value, kScaleRange.low, kScaleRange.high);
-    wishes_.AddNumber(EnvironmentClaimKind::kParameter, *asset, ParameterKey::kScale,
-                      std::max(kScaleRange.low, 0.9 * scale), scale,
-                      std::min(kScaleRange.high, 1.1 * scale), measure.first, measure.last);
+    const double tolerance = 0.1 * std::clamp(measure.value, kScaleRange.low, kScaleRange.high);
+    AddMeasured(EnvironmentClaimKind::kParameter, *asset, ParameterKey::kScale, kScaleRange,
+                tolerance, tolerance, measure);
     return true;
   }
 
@@ -283,10 +321,8 @@ class FineMeasureReader {
     // "slope 30 degrees, houses turned by 20 degrees": each angle is that of its own clause.
     const bool turned = SaysHere(measure, turns_said) && !SaysHere(measure, slopes);
     if (!turned && Says(measure, slopes) && measure.value >= kSlopeRange.low) {
-      const double slope_deg = std::min(measure.value, kSlopeRange.high);
-      wishes_.AddNumber(EnvironmentClaimKind::kParameter, AssetType::kSnowMountain,
-                        ParameterKey::kSlope, std::max(kSlopeRange.low, slope_deg - 5.0), slope_deg,
-                        std::min(kSlopeRange.high, slope_deg + 5.0), measure.first, measure.last);
+      AddMeasured(EnvironmentClaimKind::kParameter, AssetType::kSnowMountain, ParameterKey::kSlope,
+                  kSlopeRange, 5.0, 5.0, measure);
       return true;
     }
     if (!Says(measure, turns_said)) return false;

@@ -32,6 +32,7 @@ class FineReader {
     for (std::size_t at = 0; at < tokens_.size();) {
       if (tokens_[at].kind == TokenKind::kStop) {
         waiting_.clear();
+        ForgetList();
         noun_.reset();
         ++at;
       } else if (tokens_[at].kind == TokenKind::kComma || noted_.notes[at].ignored ||
@@ -256,6 +257,12 @@ class FineReader {
 
   void ReadNoun(const std::vector<AssetType>& nouns, bool said, std::size_t at, std::size_t end) {
     bool used = said;
+    const bool joined = IsJoined(at);
+    if (!joined || told_) listed_.clear();
+    if (joined && !told_ && opens_) listed_.push_back(*noun_);
+    if (!joined) shared_.reset();
+    opens_ = joined ? opens_ || told_ : OpensClause(at);
+    std::optional<Quality> own;  // that is said of the noun
     const bool negated =
         noted_.notes[end - 1].negated ||
         (noted_.IsAnyWord(end, {"none", "zero", "nil"}) && noted_.IsPause(end + 1)) ||
@@ -271,6 +278,7 @@ class FineReader {
       for (const AssetType asset : nouns) {
         if (Apply(quality, asset, quality.first, end)) {
           used = qualified = true;
+          own = quality;
           break;
         }
       }
@@ -289,9 +297,97 @@ class FineReader {
       used = true;
     }
     if (used) Known(at, end);
+    if (own.has_value()) {
+      shared_ = own->last == at && IsSharable(*own) ? own : std::nullopt;
+    } else if (shared_.has_value() && (said || negated || !IsShared(at, end) ||
+                                       !Apply(*shared_, nouns.front(), shared_->first, end))) {
+      shared_.reset();
+    }
     Known(at, end);
+    told_ = qualified || negated || said || IsOfAgents(at);
     noun_ = nouns;
     noun_end_ = end;
+  }
+
+  void ForgetList() {
+    listed_.clear();
+    shared_.reset();
+    told_ = false;
+  }
+
+  // "(both) the grass and the flowers are", but "there is grass and the flowers are".
+  bool OpensClause(std::size_t at) const {
+    while (at > 0 && noted_.IsAnyWord(at - 1, {"the", "both", "all", "its", "our"})) --at;
+    return at == 0 || noted_.IsPause(at - 1) ||
+           noted_.IsAnyWord(at - 1, {"and", "but", "let", "make", "want", "that", "where"});
+  }
+
+  // "grass and (flowers)", "the grass, the (flowers)": whether only that is between the nouns.
+  bool IsJoined(std::size_t at) const {
+    if (!noun_.has_value() || noun_end_ >= at) return false;
+    bool joint = false;
+    for (std::size_t i = noun_end_; i < at; ++i) {
+      const bool comma = tokens_[i].text == ",";
+      joint = joint || comma || noted_.IsWord(i, "and");
+      if (!comma && !noted_.IsAnyWord(i, {"and", "the", "also", "as", "well", "all", "its"})) {
+        return false;
+      }
+    }
+    return joint;
+  }
+
+  // An adjective of density that may be said of all nouns of a list: "dense grass and flowers".
+  bool IsSharable(const Quality& quality) const {
+    return !quality.densities.empty() && !quality.negated && quality.variants.empty() &&
+           quality.parameters.empty() &&
+           noted_.IsAnyWord(quality.last - 1, {"dense", "sparse", "thick", "thin", "scattered",
+                                               "patchy", "abundant", "plentiful", "moderate",
+                                               "luxuriant", "few", "many", "numerous", "of"});
+  }
+
+  // Whether the noun of tokens [at, end) is one that grows or lies about, at the end of a list or
+  // on the way there, with nothing else said of it: "dense (trees), grass and flowers".
+  bool IsShared(std::size_t at, std::size_t end) const {
+    if (!noted_.IsAnyWord(at - 1, {"and", ","}) ||
+        words_.assets.LengthAt(tokens_, at) != end - at) {
+      return false;
+    }
+    if (!noted_.IsAnyWord(at, {"grass", "grasses", "flower", "flowers", "wildflowers", "tree",
+                               "trees", "stone", "stones", "rock", "rocks", "boulders", "branches",
+                               "twigs", "logs", "forest", "woodland", "undergrowth"})) {
+      return false;
+    }
+    // "few stones and grass": of grass there are not few.
+    const std::string& name = tokens_[at].text;
+    const bool counts = noted_.IsAnyWord(shared_->last - 1, {"few", "many", "numerous"});
+    if (counts && (name == "grass" || name.back() != 's')) return false;
+    std::size_t next = end;
+    for (bool last = noted_.IsWord(at - 1, "and"); !last;) {
+      // Of a list with commas only "and" is the end.
+      if (next < tokens_.size() && tokens_[next].text == ",") ++next;
+      last = noted_.IsWord(next, "and");
+      const std::size_t noun_at = next + (last ? 1 : 0);
+      const std::size_t noun =
+          noun_at < tokens_.size() ? words_.assets.LengthAt(tokens_, noun_at) : 0;
+      if (noun == 0) return false;
+      next = noun_at + noun;
+    }
+    return noted_.IsPause(next) ||
+           noted_.IsAnyWord(next, {"and", "in", "on", "everywhere", "with", "around", "across",
+                                   "over", "along", "near", "by", "at", "please"});
+  }
+
+  // Whether the quality is said of all nouns of a list: "(grass and flowers) are dense".
+  bool IsOfList(const Quality& quality) const {
+    bool plural = false;
+    for (std::size_t i = noun_end_; i < quality.first; ++i) {
+      plural = plural || noted_.IsAnyWord(i, {"are", "should", "must", "be", ":", "grow", "stand"});
+      if (!noted_.IsAnyWord(i, {"are", "should", "must", "be", ":", "both", "all", "grow", "stand",
+                                "very", "quite", "rather", "really", "equally", "also", "to"})) {
+        return false;
+      }
+    }
+    return plural;
   }
 
   // "covered in snow: the fields, the road, the roofs"
@@ -307,6 +403,14 @@ class FineReader {
       for (const AssetType asset : *noun_) {
         if (!IsSaidOf(quality)) break;
         if (!Apply(quality, asset, quality.first, quality.last)) continue;
+        if (IsOfList(quality)) {
+          for (const std::vector<AssetType>& others : listed_) {
+            for (const AssetType other : others) {
+              if (Apply(quality, other, quality.first, quality.last)) break;
+            }
+          }
+        }
+        told_ = true;
         noun_end_ = std::max(noun_end_, quality.last);  // "..., and plenty of it"
         return;
       }
@@ -381,6 +485,10 @@ class FineReader {
   std::vector<Quality> waiting_;
   std::optional<std::vector<AssetType>> noun_;
   std::size_t noun_end_ = 0;
+  bool told_ = false;                           // something is said of the noun already
+  bool opens_ = false;                          // its list opens a clause
+  std::vector<std::vector<AssetType>> listed_;  // the nouns that noun_ is joined to
+  std::optional<Quality> shared_;               // what is said of the nouns of a list before them
 };
 
 }  // namespace

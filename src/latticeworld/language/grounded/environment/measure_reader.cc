@@ -303,7 +303,12 @@ class MeasureReader {
       return HeardMeasure{MeasureKind::kLength, sign * number.value * unit_m, at, end + 1};
     }
     std::size_t said = at;  // "density: 1", "density of 0"
+    // "density between 0.2 and 1", but "of low density and 1 sheep"
+    const bool range = said > 1 && Is(said - 1, {"and", "to"}) && noted_.IsPause(end) &&
+                       tokens_[said - 2].kind == TokenKind::kNumber;
+    if (range) said -= 2;
     while (said > 0 && (Is(said - 1, {"of", "is", "to", "at"}) ||
+                        (range && Is(said - 1, {"between", "from"})) ||
                         tokens_[said - 1].kind == TokenKind::kComma)) {
       --said;
     }

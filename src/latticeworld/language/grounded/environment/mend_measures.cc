@@ -168,38 +168,6 @@ void MendKinds(std::vector<Token>* tokens) {
   }
 }
 
-// "twice as many sheep as horses; there are four horses": eight sheep.
-void MendMultiples(std::vector<Token>* tokens) {
-  for (std::size_t at = 0; at + 5 < tokens->size(); ++at) {
-    std::size_t as = at + 1;
-    int times = 0;
-    if (WordAt(*tokens, at) == "twice") times = 2;
-    if (WordAt(*tokens, at) == "three" && WordAt(*tokens, at + 1) == "times") times = 3;
-    if (times == 3) ++as;
-    if (times == 0 || WordAt(*tokens, as) != "as" || WordAt(*tokens, as + 1) != "many") continue;
-    const std::string owner(WordAt(*tokens, as + 4));
-    if (WordAt(*tokens, as + 3) != "as" || owner.empty()) continue;
-    // The number that is said later, once.
-    for (std::size_t next = as + 5; next < tokens->size(); ++next) {
-      const NumberMatch said = MatchNumber(*tokens, next);
-      if (said.tokens == 0) continue;
-      const bool latter = WordAt(*tokens, next + said.tokens) == "of" &&
-                          WordAt(*tokens, next + said.tokens + 2) == "latter";
-      const bool counts = latter || WordAt(*tokens, next + said.tokens) == owner ||
-                          (next > 0 && IsAny(WordAt(*tokens, next - 1), {"are", "is"}));
-      if (!counts || said.value < 1 || said.value > 100) break;
-      const Token beside = (*tokens)[at];
-      EraseTokens(tokens, at, as + 2 - at);
-      tokens->insert(tokens->begin() + static_cast<std::ptrdiff_t>(at),
-                     {TokenKind::kNumber, std::to_string(times * static_cast<int>(said.value)),
-                      beside.begin, beside.end});
-      // "as horses" would compare again.
-      (*tokens)[at + 2].text = "beside";
-      break;
-    }
-  }
-}
-
 // "Christmas Eve": a day, and no evening.
 void MendEves(std::vector<Token>* tokens) {
   for (std::size_t at = 1; at < tokens->size(); ++at) {
@@ -331,7 +299,6 @@ void MendMeasures(std::vector<Token>* tokens) {
   MendTotals(tokens);
   MendLevels(tokens);
   MendKinds(tokens);
-  MendMultiples(tokens);
   MendEves(tokens);
 }
 

@@ -39,15 +39,19 @@ bool IsRobotKindAt(const std::vector<Token>& tokens, std::size_t at) {
   return IsOneOf(WordAt(tokens, at), {"wheeled", "aerial", "flying", "legged", "humanoid"});
 }
 
-// "Robots: 3 wheeled, two of them flying": 3 wheeled robots, two flying robots.
+// "Robots: 3 wheeled, two of them flying, the rest humanoid": 3 wheeled robots, two flying robots,
+// the rest humanoid robots.
 void NameKinds(std::vector<Token>* tokens) {
   bool robots = false;
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     robots = robots || WordAt(*tokens, at) == "robots";
     if (!robots) continue;
     const Share share = ShareAt(*tokens, at);
-    const std::size_t part = share.tokens > 0 ? share.tokens : MatchNumber(*tokens, at).tokens;
+    std::size_t part = share.tokens > 0 ? share.tokens : MatchNumber(*tokens, at).tokens;
+    const bool rest = IsOneOf(WordAt(*tokens, at), {"rest", "others", "remainder"});
+    if (rest) part = 1;
     std::size_t kind = at + part;
+    if (rest && IsOneOf(WordAt(*tokens, kind), {"are", "is"})) ++kind;
     if (WordAt(*tokens, kind) == "of" && WordAt(*tokens, kind + 1) == "them") kind += 2;
     const std::size_t next = kind + 1;
     const bool ends = next >= tokens->size() || (*tokens)[next].kind != TokenKind::kWord ||
@@ -55,7 +59,7 @@ void NameKinds(std::vector<Token>* tokens) {
     if (part == 0 || !ends || !IsRobotKindAt(*tokens, kind)) continue;
     if (WordAt(*tokens, next) == "ones") EraseTokens(tokens, next, 1);
     InsertTokens(tokens, next, {WordLike("robots", (*tokens)[kind])});
-    if (share.tokens == 0) EraseTokens(tokens, at + part, kind - at - part);
+    if (share.tokens == 0 && !rest) EraseTokens(tokens, at + part, kind - at - part);
   }
 }
 
@@ -117,7 +121,9 @@ void CountShares(const EnvironmentWords& words, std::vector<Token>* tokens) {
     constexpr int kMostWhole = 1000000;
     if (whole < 2 || whole > kMostWhole) continue;
     const int part = (whole * share.parts + share.of / 2) / share.of;
-    const Token number = NumberLike(part, (*tokens)[at]);
+    Token number = NumberLike(part, (*tokens)[at]);
+    // The sign of percent is no more to be seen behind the number.
+    number.end = (*tokens)[at + share.tokens - 1].end;
     EraseTokens(tokens, at, noun - at);
     InsertTokens(tokens, at, {number});
   }
