@@ -17,7 +17,7 @@ namespace {
 std::string Mended(std::string_view text) {
   std::vector<Token> tokens = Tokenize(text);
   MendNones(GetEnvironmentWords(), &tokens);
-  MendLacks(GetEnvironmentWords(), &tokens);
+  MendLacks(GetEnvironmentWords(), text, &tokens);
   return JoinWords(tokens, 0, tokens.size());
 }
 
@@ -55,7 +55,16 @@ TEST(MendExceptionsTest, WhoIsExceptedIsThere) {
             "the fields are empty but for ten horses");
   ExpectKept(Excepted, {"every robot patrols the road", "except for the road all is grass",
                         "the world is empty except for trees", "no robots , only two dogs",
-                        "apart from ten sheep there are two horses"});
+                        "apart from ten sheep there are two horses",
+                        "excluding whales , add six animals , all asleep",
+                        "aside from two drones , six rovers patrol and none are here"});
+  EXPECT_EQ(Excepted("Every robot except the two drones patrols the road."),
+            "all robots patrols the road except the two drones .");
+  EXPECT_EQ(Excepted("Each animal but the wolf is asleep"), "all animals are asleep but the wolf");
+  EXPECT_EQ(Excepted("Apart from two knights, who patrol the road, there are no people"),
+            "there are no people except two knights who patrol the road");
+  EXPECT_EQ(Excepted("Except for the two knights who guard the village, everybody sleeps"),
+            "everybody sleeps . the two knights guard the village");
   EXPECT_EQ(AskedFor("Every machine sleeps except the three drones.", AgentCategory::kAerialRobot),
             3);
 }
@@ -63,7 +72,8 @@ TEST(MendExceptionsTest, WhoIsExceptedIsThere) {
 TEST(MendExceptionsTest, AllButSomeIsNoneOfThem) {
   EXPECT_EQ(Excepted("Everything but goblins."), "no goblins .");
   EXPECT_EQ(Excepted("Anybody except knights, please"), "no knights , please");
-  ExpectKept(Excepted, {"everybody but the two drones is idle", "everything but the sheep sleeps"});
+  ExpectKept(Excepted, {"everybody but the two drones is idle", "everything but the sheep sleeps",
+                        "everyone except goblins , who attack the village , is asleep"});
   EXPECT_EQ(AskedFor("Instead of goblins give me six knights.", AgentCategory::kAncientWarrior), 6);
   EXPECT_EQ(AskedFor("No living beings, just two rovers.", AgentCategory::kWheeledRobot), 2);
   EXPECT_EQ(AskedFor("No one, only a shepherd.", AgentCategory::kHumanoidRobot), 1);
@@ -71,15 +81,22 @@ TEST(MendExceptionsTest, AllButSomeIsNoneOfThem) {
 
 TEST(MendNonesTest, WhoDoesNotIsThereAllTheSame) {
   EXPECT_EQ(Mended("No horse is grazing."), "the horses are not grazing .");
-  EXPECT_EQ(Mended("No knight fights and no goblin attacks"),
-            "the knights do not fights and the goblins do not attacks");
-  EXPECT_EQ(Mended("Not a single goblin attacks the village"),
-            "the goblins do not attacks the village");
-  ExpectKept(Mended, {"no goblins", "no goblins attack the village", "no horse", "no goblin camps",
-                      "no whale swims in the lake", "no bird sings", "no guards in the village"});
+  EXPECT_EQ(Mended("Six goblins. No goblin attacks."),
+            "six goblins . the goblins do not attacks .");
+  EXPECT_EQ(Mended("Not a single goblin attacks the village, but six sleep"),
+            "the goblins do not attacks the village , but six sleep");
+  ExpectKept(Mended,
+             {"no goblins", "no goblins attack the village", "no horse", "no goblin camps",
+              "no whale swims in the lake", "no bird sings", "no guards in the village",
+              "no knight fights and no goblin attacks", "no drone flies",
+              "there are no goblins , so no goblin attacks", "it is so quiet that no sheep grazes",
+              "where no goblin hides , six sheep graze"});
   EXPECT_EQ(AskedFor("Twelve goblins. No goblin is attacking.", AgentCategory::kGoblin), 12);
   EXPECT_EQ(Mended("nobody is watching the horses"), "the horses");
   EXPECT_EQ(Mended("no one attacks the village"), "the village");
+  EXPECT_EQ(Mended("nobody guards the road except two drones"), "two drones guards the road");
+  EXPECT_EQ(Mended("no one is watching the horses but an old dog"),
+            "an old dog watching the horses");
   ExpectKept(Mended, {"nobody lives in the village", "nobody watches", "nobody walks"});
 }
 
@@ -88,7 +105,8 @@ TEST(MendNonesTest, NoneOfThemDoes) {
   EXPECT_EQ(Mended("ten sheep; and not one of them asleep"), "ten sheep ; and none of them asleep");
   EXPECT_EQ(Mended("three eagles, none of them on the ground"), "three eagles , all in the air");
   ExpectKept(Mended, {"sheep : none", "ten sheep , none of them asleep",
-                      "six eagles perched , not one of them in the air"});
+                      "six eagles perched , not one of them in the air",
+                      "six eagles in the trees , none on the ground"});
 }
 
 TEST(MendNonesTest, AllOfAKindAreOfItsName) {
@@ -117,7 +135,16 @@ TEST(MendLacksTest, NothingIsSaidInManyWays) {
   EXPECT_EQ(Mended("the bridge lies deserted"), "the bridge");
   ExpectKept(Mended, {"the knights free the horses", "an ice free lake", "a deserted village",
                       "it is fine , no sheep", "it is fine if it rains", "the moon is full",
-                      "abandoned houses in the forest"});
+                      "abandoned houses in the forest", "set the dog free", "keep the bridge free",
+                      "a horse free and wild", "no moon base",
+                      "an abandoned village where knights now live",
+                      "it is fine if the six sheep do not graze"});
+  EXPECT_EQ(Mended("the village is goblin free"), "the village is no goblin");
+  EXPECT_EQ(Mended("at dusk, without a moon"), "at dusk ,");
+  EXPECT_EQ(Mended("it is dawn and there is no moon yet"), "it is dawn and there is yet");
+  EXPECT_EQ(Mended("wolves creep without a moon along the road"),
+            "wolves creep moonless along the road");
+  EXPECT_EQ(Mended("it is all right if there are no sheep but add dogs"), "but add dogs");
 }
 
 }  // namespace

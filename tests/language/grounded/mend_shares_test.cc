@@ -71,8 +71,11 @@ TEST(MendSharesTest, PercentsOfAgentsAreCounted) {
   EXPECT_EQ(mended("80 agents. 5% are whales"), "80 agents . 4 of them are whales");
   EXPECT_EQ(mended("45% goblins and 55% knights, 40 in all"),
             "18 goblins and 22 knights , 40 in all");
-  for (const char* kept : {"40 sheep on 30 percent grass", "40 sheep , grass density 30 percent",
-                           "30 percent of the sheep graze"})
+  for (const char* kept :
+       {"40 sheep on 30 percent grass", "40 sheep , grass density 30 percent",
+        "30 percent of the sheep graze", "40 sheep . rain : 20 percent near the lake",
+        "40 sheep . rocks : 20 percent in the forest , 5 percent on the road",
+        "20 robots . 30 percent of the sheep graze"})
     EXPECT_EQ(mended(kept), kept);
 }
 
@@ -93,8 +96,11 @@ TEST(MendSharesTest, PartsComeFirst) {
   EXPECT_EQ(mended("of our horses, a few are asleep"), "a few of our horses are asleep");
   EXPECT_EQ(mended("all 12 horses except three are asleep"),
             "all but three of the 12 horses are asleep");
+  EXPECT_EQ(mended("12 horses. Every horse but three is asleep"),
+            "12 horses . all but three of the horses is asleep");
   for (const char* kept : {"most of the 12 horses graze", "all horses but two goblins are asleep",
-                           "of the 12 horses five graze"})
+                           "of the 12 horses five graze", "of the 12 robots , half are rovers",
+                           "every robot but one sleeps"})
     EXPECT_EQ(mended(kept), kept);
 }
 
@@ -145,12 +151,21 @@ TEST(MendRangesTest, TwoBoundsAreARange) {
   EXPECT_EQ(Ranged("at least 4 whales and at most 7 eagles"),
             "at least 4 whales and at most 7 eagles");
   EXPECT_EQ(Ranged("at least 4 but at most 7 m/s"), "at least 4 but at most 7 m s");
+  EXPECT_EQ(Ranged("at least 4 whales, at most 7 in all"), "between 4 and 7 whales in all");
+  for (const char* kept :
+       {"at least 4 whales , at most 7 m s wind", "at least 4 whales , at most 7 percent trees",
+        "at least 4 whales and at most seven houses",
+        "at least 4 whales , no more than 20 degrees slope",
+        "at most 7 whales and more than 4 big old brown shaggy horses"})
+    EXPECT_EQ(Ranged(kept), kept);
 }
 
 TEST(MendRangesTest, TolerancesAreARange) {
   EXPECT_EQ(Ranged("50 knights, give or take five"), "between 45 and 55 knights");
   EXPECT_EQ(Ranged("about 50 plus or minus 10 percent knights"), "between 45 and 55 knights");
   EXPECT_EQ(Ranged("50 knights plus 5 goblins"), "50 knights plus 5 goblins");
+  EXPECT_EQ(Ranged("50 knights give or take two or three"), "between 47 and 53 knights");
+  EXPECT_EQ(Ranged("50 knights plus minus 5 goblins"), "50 knights plus minus 5 goblins");
   EXPECT_EQ(Ranged("minus 10 degrees, 20 sheep"), "minus 10 degrees , 20 sheep");
 }
 
@@ -174,6 +189,8 @@ TEST(MendMultiplesTest, ComparedCountsAreCounted) {
                            "as many as twelve sheep", "many sheep and horses"})
     EXPECT_EQ(mended(kept), kept);
   EXPECT_EQ(AgentsOf("About 40 sheep, twice as many goblins."), "30-50 sheep; 60-100 goblin");
+  EXPECT_EQ(AgentsOf("As many sheep as possible."), "6-100 sheep");
+  EXPECT_EQ(AgentsOf("As many horses as fit on the road."), "6-100 horse");
 }
 
 TEST(MendSidesTest, LandIsAtASide) {
@@ -184,7 +201,7 @@ TEST(MendSidesTest, LandIsAtASide) {
   for (const char* kept :
        {"two sheep in the south of the forest", "two sheep to the left of the map",
         "two sheep to the left of the goblins", "the upper left of the forest",
-        "the houses to the left of the lake"})
+        "the houses to the left of the lake", "what is left of the village is guarded"})
     EXPECT_EQ(mended(kept), kept);
 }
 
@@ -199,6 +216,13 @@ TEST(FineBoundsTest, BoundsOfMeasuresAreRead) {
   EXPECT_EQ(NumbersOf("The mountain slopes must not exceed 30 degrees."), "snow_mountain 0-30");
   EXPECT_EQ(NumbersOf("Wind 5 m/s, at most ten sheep."), "desert 4.5-5.5");
   EXPECT_EQ(NumbersOf("Wind of 10 m/s and above the lake two drones."), "desert 9-11");
+  EXPECT_EQ(NumbersOf("Raise the wind from 5 to 8 m/s."), "desert 7.2-8.8");
+  EXPECT_EQ(NumbersOf("Wind from 5 to 8 m/s."), "desert 5-8");
+  EXPECT_EQ(NumbersOf("Three drones hover over 30 degree slopes."), "snow_mountain 25-35");
+  EXPECT_EQ(NumbersOf("Minimal style: slope 20 degrees."), "snow_mountain 15-25");
+  EXPECT_EQ(NumbersOf("Max fun: wind 8 m/s."), "desert 7.2-8.8");
+  EXPECT_EQ(NumbersOf("Max wind speed: 8 m/s."), "desert 0-8");
+  EXPECT_EQ(NumbersOf("Wind 10 m/s\nMax: 5 sheep"), "desert 9-11");
 }
 
 TEST(FineListsTest, OneAdjectiveIsSaidOfAList) {

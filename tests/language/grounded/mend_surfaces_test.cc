@@ -42,14 +42,18 @@ std::pair<double, double> Bounds(const char* text, EnvironmentClaimKind kind, As
 TEST(MendSurfacesTest, WetStonesAreNoRain) {
   EXPECT_EQ(MendedBy(MendSurfaces, "wet, mossy stones"), "mossy stones");
   EXPECT_EQ(MendedBy(MendSurfaces, "rocks, mossy and wet"), "rocks , mossy");
-  ExpectKept(MendSurfaces, {"a wet day , mossy stones", "mossy , wet weather"});
+  ExpectKept(MendSurfaces,
+             {"a wet day , mossy stones", "mossy , wet weather",
+              "the road is wet and mossy rocks lie here", "it is wet , mossy stones lie around"});
 }
 
 TEST(MendSurfacesTest, SheetsOfIceCoverWater) {
   EXPECT_EQ(MendedBy(MendSurfaces, "a thick layer of ice covers the pond"),
             "the pond is covered with ice");
   EXPECT_EQ(MendedBy(MendSurfaces, "sheets of ice on the lake"), "the lake is covered with ice");
-  ExpectKept(MendSurfaces, {"sheets of paper", "a layer of snow covers the road"});
+  ExpectKept(MendSurfaces, {"sheets of paper", "a layer of snow covers the road",
+                            "no layer of ice is on the pond", "under a sheet of ice a whale swims",
+                            "two whales break the layer of ice on the lake"});
 }
 
 TEST(MendSurfacesTest, WhatIsLeftOutIsSaidBefore) {
@@ -63,7 +67,8 @@ TEST(MendSurfacesTest, SharesOfTheLand) {
   EXPECT_EQ(MendedBy(MendSurfaces, "stones cover a quarter of the ground"),
             "stones cover 25 percent of the ground");
   EXPECT_EQ(MendedBy(MendSurfaces, "trees less than a third"), "trees less than 33 percent");
-  ExpectKept(MendSurfaces, {"half of the sheep sleep", "two thirds of the drones fly"});
+  ExpectKept(MendSurfaces, {"half of the sheep sleep", "two thirds of the drones fly",
+                            "half of the world sleeps , the ground is covered with snow"});
   using Pair = std::pair<double, double>;
   const auto density = EnvironmentClaimKind::kDensity;
   EXPECT_EQ(Bounds("Over 70% flowers.", density, AssetType::kFlower), Pair(0.7, 1.0));
@@ -95,8 +100,9 @@ TEST(MendSurfacesTest, WhereAgentsAct) {
   EXPECT_EQ(MendedBy(MendSurfaces, "over the forest hang two eagles"),
             "over the forest two eagles hovering");
   EXPECT_EQ(MendedBy(MendSurfaces, "drones hang over the lake"), "drones hover over the lake");
-  ExpectKept(MendSurfaces,
-             {"people hang around", "fog hangs over the lake", "the village is under attack"});
+  ExpectKept(MendSurfaces, {"people hang around", "three eagles hang out by the lake",
+                            "two drones hang in the trees", "from the tree hang three eagles",
+                            "fog hangs over the lake", "the village is under attack"});
 }
 
 TEST(MendEachTest, BandsAreMultiplied) {

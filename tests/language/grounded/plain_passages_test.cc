@@ -64,6 +64,21 @@ std::vector<Sample> Passages() {
       {"The tree line crosses the map, with snow above it and trees below it.",
        kWild,
        {"direction S F N"}},
+      {"A road with houses on both sides runs from west to east and a lake is in the north.",
+       kSuburb,
+       {"both_sides B R", "present W@northern third"},
+       {"both_sides B W"}},
+      {"A river with trees on both banks flows south and a village is on its west side.",
+       kSuburb,
+       {"both_sides F W"},
+       {"both_sides F B"}},
+      {"A river with houses on its east side runs from north to south and a forest lies in the "
+       "west.",
+       kSuburb,
+       {"direction B W E"}},
+      {"A road with houses on both sides runs between the lake and the village.",
+       kSuburb,
+       {"both_sides B R", "connects R W B"}},
   };
 }
 
@@ -133,6 +148,8 @@ std::vector<Sample> Arms() {
       {"Three ponds in a row from west to east.",
        kSuburb,
        {"present W@middle rows", "count W 3..3"}},
+      {"A road in the north and one that runs along the river.", kSuburb, {"along R W"}},
+      {"A road in the north and one that leads to the lake.", kSuburb, {"adjacent R W"}},
   };
 }
 
@@ -216,6 +233,25 @@ std::vector<Sample> Denials() {
       {"The path stops just before the river.", kSuburb, {"apart R W"}, {"direction R W S"}},
       {"The road and the river never meet.", kSuburb, {"apart W R"}},
       {"The road ends before reaching the woods.", kSuburb, {"apart R F"}, {"adjacent R F"}},
+      {"A round lake with no corners.", kSuburb, {"shape W round"}, {"shape W straight"}},
+      {"A forest without corners.", kSuburb, {"present F"}, {"shape F straight"}},
+      {"A town without any bends in the river.",
+       kSuburb,
+       {"shape W straight"},
+       {"shape B straight"}},
+      {"A road from the village to the lake without bends.",
+       kSuburb,
+       {"shape R straight"},
+       {"shape W straight"}},
+      {"A river without a bridge crosses the forest.", kSuburb, {"through W F"}},
+      {"A river with no bridge over it crosses the forest.", kSuburb, {"through W F"}},
+      {"Keep the shores of the lake free of houses and roads.",
+       kSuburb,
+       {"apart B W", "apart R W"},
+       {"apart B R"}},
+      {"Keep the river bank free of houses and a forest in the north.",
+       kSuburb,
+       {"apart B W", "present F@northern third"}},
   };
 }
 
@@ -259,6 +295,7 @@ std::vector<Sample> Offsets() {
        {"surrounds W B"},
        {"shape W ring"}},
       {"The river surrounds the town.", kSuburb, {"surrounds W B", "shape W ring"}},
+      {"The two rows below the lake are houses.", kSuburb, {"direction B W S"}},
   };
 }
 

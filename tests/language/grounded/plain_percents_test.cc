@@ -84,6 +84,13 @@ std::vector<Sample> SharesOfPlaces() {
        kSuburb,
        {"amount F 32..48", "present W@center"},
        {"present F@center"}},
+      {"In the north 60 percent forest, in the south 60 percent grass.",
+       kSuburb,
+       {"amount F 52..68@northern third", "amount G 52..68@southern third"},
+       {"present F@southern third"}},
+      {"In the west 60 percent is water, and in the east 40 percent is forest.",
+       kSuburb,
+       {"amount W 52..68@western third", "amount F 32..48@eastern third"}},
   };
 }
 
@@ -149,6 +156,25 @@ std::vector<Sample> Elsewhere() {
        kSuburb,
        {"absent W@northern third", "present W@southern third"}},
       {"A few little ponds.", kSuburb, {"count W 2..5"}},
+      {"There are houses near the lake in the north, and a few in the south.",
+       kSuburb,
+       {"present B@southern third"},
+       {"present W@southern third"}},
+      {"There are trees along the road in the west, and some in the east.",
+       kSuburb,
+       {"present F@eastern third"},
+       {"present R@eastern third"}},
+      {"The west has houses along a river, the east has none.",
+       kSuburb,
+       {"absent B@eastern third"},
+       {"absent W@eastern third"}},
+      {"In the north there are trees along the river, in the south too.",
+       kSuburb,
+       {"present F@southern third"},
+       {"present W@southern third"}},
+      {"A lake near the forest. The north is covered by trees, the south is full of them.",
+       kSuburb,
+       {"present F@southern third"}},
   };
 }
 
@@ -200,6 +226,19 @@ std::vector<Sample> PlacesAndNumbers() {
       {"A village with forest on all sides except the west.", kSuburb, {"surrounds F B"}},
       {"One cottage on each side of the river.", kSuburb, {"count B 2..2", "both_sides B W"}},
       {"A lake in the middle, fields and forest elsewhere.", kSuburb, {"present A", "present F"}},
+      {"At least two lakes and at most three villages.",
+       kSuburb,
+       {"count W 2..", "count B 1..3"},
+       {"count W 2..3"}},
+      {"At least one road and no more than three lakes in the north.",
+       kSuburb,
+       {"count W 1..3"},
+       {"count R 1..3"}},
+      {"At least two ponds and at most four lakes.", kSuburb, {"count W 2..4"}},
+      {"Percentage of forest: 40, lakes: 2.",
+       kSuburb,
+       {"amount F 32..48", "present W"},
+       {"amount W 0..7"}},
   };
 }
 

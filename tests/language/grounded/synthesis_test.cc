@@ -169,6 +169,32 @@ TEST(LayoutSynthesisTest, HalfAndHalfShareTheMap) {
   }
 }
 
+TEST(LayoutSynthesisTest, PiecesKeepTheGapThatWasSaid) {
+  LayoutPlan plan;
+  plan.background = 'G';
+  PlannedFeature ponds;
+  ponds.letter = 'W';
+  ponds.form = FeatureForm::kPatch;
+  ponds.pieces = 3;
+  ponds.cells = 12;
+  ponds.gap = 7.0;
+  plan.features = {ponds};
+  Claim count;
+  count.kind = ClaimKind::kCount;
+  count.subject = 'W';
+  count.least = count.most = 3.0;
+  plan.claims = {count};
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const SymbolicLayout layout = SynthesizeLayout(plan, nullptr, seed);
+    const std::vector<LayoutMask> pieces = MaskOf(layout, 'W').Pieces();
+    ASSERT_EQ(pieces.size(), 3u) << ToText(layout);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k)
+        EXPECT_TRUE((pieces[i].Grown8(6) & pieces[k]).empty()) << ToText(layout);
+    }
+  }
+}
+
 TEST(LayoutSynthesisTest, SeveralLinesInOneFeatureBecomeSeveral) {
   LayoutPlan plan;
   plan.background = 'G';

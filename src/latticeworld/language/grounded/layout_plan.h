@@ -45,6 +45,7 @@ struct PlannedFeature {
   bool share_of_zones = false;        // the share is one of its zone: "the north is half forest"
   double located_least = 0.0;         // "most of the houses are in the north": so much of its class
   Zone located_in;                    // lies there; 0: nothing said
+  double gap = 0.0;                   // steps that its pieces keep from each other; 0: not said
   bool confined = false;              // nowhere but in its zones: "only in the north"
   bool dominant = false;              // "mostly", "covers": more than any other class in its zones
   bool fills_rest = false;            // "the rest is": whatever nothing else takes

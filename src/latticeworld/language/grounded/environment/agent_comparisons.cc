@@ -39,6 +39,14 @@ Count AgentReader::ReadComparedCount() {
   while (noted_.IsAnyWord(next, {"just", "exactly", "equally", "the", "an", "again"})) ++next;
   if (noted_.IsWord(next, "as") && noted_.IsWord(next + 1, "many")) {
     next += 2;
+    // "as many sheep as possible", "as many as fit on the road"
+    for (std::size_t i = next; i < next + kToMeasure_tokens && !noted_.IsEnd(i); ++i) {
+      if (noted_.IsWord(i, "as") &&
+          noted_.IsAnyWord(i + 1, {"possible", "you", "we", "i", "can", "could", "fit", "fits",
+                                   "will", "feasible", "needed", "necessary"})) {
+        return {};
+      }
+    }
     // "as many as twenty" is a bound.
     if (noted_.IsWord(next, "as") && ReadCount(noted_, words_, next + 1).tokens > 0) return {};
   } else if (noted_.IsAnyWord(next, {"same", "equal", "identical"}) &&

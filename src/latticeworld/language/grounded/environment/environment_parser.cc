@@ -226,7 +226,7 @@ HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction,
   MendSpelling(added, words, &tokens, &heard.warnings);
   MendPlaces(&tokens);
   DropSubstitutes(&tokens);
-  MendCompounds(words, &tokens);
+  MendCompounds(words, instruction, &tokens);
   MendTimes(words, &tokens);
   MendAsides(words, &tokens);
   MendFields(words, &tokens);
@@ -234,7 +234,7 @@ HeardEnvironment ParseEnvironmentInstruction(std::string_view instruction,
   MendLabels(words, &tokens);
   MendExceptions(words, &tokens);
   MendNones(words, &tokens);
-  MendLacks(words, &tokens);
+  MendLacks(words, instruction, &tokens);
   MendSurfaces(words, &tokens);
   MendDenials(words, &tokens);
   MendRobots(words, &tokens);

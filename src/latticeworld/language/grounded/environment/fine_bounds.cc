@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "latticeworld/language/numbers.h"
+#include "latticeworld/language/token_edits.h"
 
 namespace latticeworld {
 namespace {
@@ -116,7 +117,8 @@ class BoundReader {
     if (Is(end - 1, {"to", "or", "until"})) {
       --end;
       if (end > 0 && Is(end - 1, {"up"})) --end;
-      return NumberBefore(end);
+      const LowEnd low = NumberBefore(end);
+      return low.found && IsChangedFrom(low.first) ? LowEnd{} : low;
     }
     const LowEnd low = NumberBefore(end);
     if (!low.found) return {};
@@ -131,6 +133,20 @@ class BoundReader {
       return between.find_first_not_of(" %") == between.npos ? low : LowEnd{};
     }
     return {};
+  }
+
+  // "raise the wind from (5) to 8 m/s": 5 is what it was.
+  bool IsChangedFrom(std::size_t low) const {
+    if (low == 0 || !Is(low - 1, {"from"})) return false;
+    for (std::size_t at = low; at > 0 && !IsStopAt(tokens_, at - 1); --at) {
+      if (Is(at - 1,
+             {"raise",  "raised",  "increase", "increased", "increases", "lower",   "lowered",
+              "reduce", "reduced", "decrease", "decreased", "change",    "changed", "turn",
+              "turned", "rise",    "rises",    "rose",      "drop",      "drops",   "dropped"})) {
+        return true;
+      }
+    }
+    return false;
   }
 
   static Side Other(Side side) { return side == Side::kLeast ? Side::kMost : Side::kLeast; }
@@ -161,9 +177,19 @@ class BoundReader {
         side = Side::kMost;
       }
       if (length == 1 && Is(first, {"exceeding", "exceeds", "exceed"})) side = Side::kLeast;
+      // "five eagles fly over 30 degree slopes"
+      const bool place = length == 1 && first > 0 && Is(first, {"over", "above", "under", "below"});
+      if (place && !noted_.IsPause(first - 1) && IsAgentOrActBefore(first)) continue;
       if (side != Side::kNone) return {IsDenied(first) ? Other(side) : side, first};
     }
     return Extreme(end);
+  }
+
+  // Whether agents, or what they do, are named right before `end`.
+  bool IsAgentOrActBefore(std::size_t end) const {
+    if (Is(end - 1, {"live", "lives", "wind", "winds"})) return Is(end - 1, {"live", "lives"});
+    return words_.species.LengthAt(tokens_, end - 1) == 1 ||
+           words_.states.LengthAt(tokens_, end - 1) >= 1;
   }
 
   bool IsMore(std::size_t at) const {
@@ -176,13 +202,29 @@ class BoundReader {
                    "smaller", "thinner", "lighter"});
   }
 
+  // Whether what is measured is named at `at`, or the number follows.
+  bool IsMeasuredAt(std::size_t at, std::size_t end) const {
+    return at >= end || tokens_[at].kind != TokenKind::kWord ||
+           Is(at, {"wind",    "winds",    "gust",     "gusts",   "breeze",      "speed",
+                   "slope",   "slopes",   "gradient", "incline", "inclination", "steepness",
+                   "density", "cover",    "coverage", "height",  "angle",       "rotation",
+                   "size",    "scale",    "value",    "of",      "is",          "amount",
+                   "average", "mountain", "allowed",  "possible"}) ||
+           words_.assets.LengthAt(tokens_, at) > 0 || words_.features.LengthAt(tokens_, at) > 0;
+  }
+
   // "max wind speed: (6 m/s)", "a maximum slope of (25 degrees)"
   Bound Extreme(std::size_t end) const {
     constexpr std::size_t kReach = 6;
     for (std::size_t at = end; at > 0 && at + kReach > end; --at) {
       const Token& token = tokens_[at - 1];
-      if (Is(at - 1, {"max", "maximum", "maximal"})) return {Side::kMost, at - 1};
-      if (Is(at - 1, {"min", "minimum", "minimal"})) return {Side::kLeast, at - 1};
+      const bool most = Is(at - 1, {"max", "maximum", "maximal"}),
+                 least = Is(at - 1, {"min", "minimum"});
+      // "max fun: wind 8 m/s"
+      if (most || least) {
+        if (!IsMeasuredAt(at, end)) return {};
+        return {most ? Side::kMost : Side::kLeast, at - 1};
+      }
       const bool goes_on = token.kind == TokenKind::kWord || token.text == ":" ||
                            token.text == "=" || token.text == "(" || token.text == ")";
       if (!goes_on || Is(at - 1, {"and", "but", "with"})) break;
@@ -204,7 +246,7 @@ class BoundReader {
       if (Is(at + 1, {"under", "below"}) || IsLess(at + 1)) return Side::kMost;
       return Side::kNone;
     }
-    if (noted_.IsPause(at) && at < tokens_.size() && tokens_[at].text != ".") ++at;
+    if (at < tokens_.size() && tokens_[at].text == ",") ++at;
     if (Is(at, {"at"})) {
       ++at;
       while (Is(at, {"the", "very"})) ++at;
@@ -212,7 +254,8 @@ class BoundReader {
       if (Is(at, {"least"})) return Side::kLeast;
       return Is(at, {"most"}) ? Side::kMost : Side::kNone;
     }
-    if (!noted_.IsPause(at + 1)) return Side::kNone;
+    const bool label = at + 1 < tokens_.size() && tokens_[at + 1].text == ":";  // "max: 5 sheep"
+    if (!noted_.IsPause(at + 1) || label) return Side::kNone;
     if (Is(at, {"minimum", "min"})) return Side::kLeast;
     return Is(at, {"maximum", "max", "tops"}) ? Side::kMost : Side::kNone;
   }

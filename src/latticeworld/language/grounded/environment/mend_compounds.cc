@@ -32,18 +32,40 @@ bool IsCompound(std::string_view animal, std::string_view next) {
 
 // "Horse chestnuts", "a wolf moon", "eagle-eyed guards", "a family-friendly look": chestnuts, a
 // moon, guards, a look; but "the eagle eyed the sheep", "the dogs are friendly".
-void DropParts(const EnvironmentWords& words, std::vector<Token>* tokens) {
+void DropParts(const EnvironmentWords& words, std::string_view instruction,
+               std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
     const std::string_view next = WordAt(*tokens, at + 1);
-    const bool hyphen = (*tokens)[at].end + 1 == (*tokens)[at + 1].begin;
-    const bool friendly = next == "friendly" && hyphen && !WordAt(*tokens, at).empty() &&
-                          words.species.LengthAt(*tokens, at) == 1;
+    const std::size_t gap = (*tokens)[at].end;
+    const bool hyphen = gap < instruction.size() && instruction[gap] == '-';
+    // "the park is dog friendly", but "a dog friendly and calm"
+    const bool is =
+        at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"is", "are"}) && IsPauseAt(*tokens, at + 2);
+    const bool thing =
+        IsOneOf(WordAt(*tokens, at + 2),
+                {"look", "farm", "place", "park", "village", "town", "house", "world", "scene",
+                 "atmosphere", "environment", "style", "road", "mood"});
+    const bool friendly = next == "friendly" && (hyphen || is || thing) &&
+                          !WordAt(*tokens, at).empty() && words.species.LengthAt(*tokens, at) == 1;
     if (!friendly && !IsCompound(WordAt(*tokens, at), next)) continue;
     const bool trait =
         friendly || IsOneOf(next, {"eyed", "hearted", "headed", "faced", "legged", "footed"});
     const bool verb =
         IsOneOf(WordAt(*tokens, at + 2), {"the", "a", "his", "her", "its", "their", "them", "him"});
     if (trait && verb) continue;
+    // "a fox headed into the forest"
+    const bool named = !IsPauseAt(*tokens, at + 2) && words.species.LengthAt(*tokens, at + 2) > 0;
+    if (trait && !hyphen && !friendly && !named) continue;
+    // "the horse flies along the road", "the dog rose and ran"
+    const bool led = at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"the", "a", "one", "this", "my",
+                                                                 "our", "his", "her", "white"});
+    const bool flies = next == "flies" &&
+                       (led || IsOneOf(WordAt(*tokens, at + 2),
+                                       {"along", "over", "in", "into", "to", "through", "across",
+                                        "and", "when", "from", "by", "on", "above", "away"}));
+    const bool rose = next == "rose" && IsOneOf(WordAt(*tokens, at + 2),
+                                                {"and", "when", "from", "to", "up", "slowly"});
+    if (!hyphen && (flies || rose)) continue;
     // At the head of a clause "guards" alone would be a verb.
     const bool head = at == 0 || IsPauseAt(*tokens, at - 1);
     if (trait && head && !friendly) {
@@ -60,7 +82,7 @@ void MendIdioms(std::vector<Token>* tokens) {
     const std::string_view word = WordAt(*tokens, at);
     const std::string_view next = WordAt(*tokens, at + 1);
     if (word == "cats" && next == "and" && WordAt(*tokens, at + 2) == "dogs" && at > 0 &&
-        IsOneOf(WordAt(*tokens, at - 1), {"raining", "rains", "rain", "rained"})) {
+        IsOneOf(WordAt(*tokens, at - 1), {"raining", "rains", "rained"})) {
       EraseTokens(tokens, at, 3);
       continue;
     }
@@ -105,6 +127,8 @@ void MendFlyers(const EnvironmentWords& words, std::vector<Token>* tokens) {
     std::size_t verb = at;
     if (IsOneOf(WordAt(*tokens, at - 1), {"is", "are", "who", "that"})) --verb;
     if (IsOneOf(WordAt(*tokens, noun), {"kite", "kites"})) {
+      // "over the lake fly kites", which are birds
+      if (PeopleBefore(words, *tokens, verb) == 0) continue;
       EraseTokens(tokens, verb, noun + 1 - verb);
       continue;
     }
@@ -145,8 +169,9 @@ void DropMeals(std::vector<Token>* tokens) {
 
 }  // namespace
 
-void MendCompounds(const EnvironmentWords& words, std::vector<Token>* tokens) {
-  DropParts(words, tokens);
+void MendCompounds(const EnvironmentWords& words, std::string_view instruction,
+                   std::vector<Token>* tokens) {
+  DropParts(words, instruction, tokens);
   MendIdioms(tokens);
   MendFlyers(words, tokens);
   DropMeals(tokens);

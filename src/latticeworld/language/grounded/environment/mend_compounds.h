@@ -1,6 +1,7 @@
 #ifndef LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_MEND_COMPOUNDS_H_
 #define LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_MEND_COMPOUNDS_H_
 
+#include <string_view>
 #include <vector>
 
 #include "latticeworld/language/grounded/environment/word_tables.h"
@@ -15,7 +16,8 @@ namespace latticeworld {
 // - "a cock crows": dawn;
 // - "the kids fly kites": the kids; "a boy flies a drone": a boy. A drone flying;
 // - "the turkey is in the oven": nothing.
-void MendCompounds(const EnvironmentWords& words, std::vector<Token>* tokens);
+void MendCompounds(const EnvironmentWords& words, std::string_view instruction,
+                   std::vector<Token>* tokens);
 
 }  // namespace latticeworld
 

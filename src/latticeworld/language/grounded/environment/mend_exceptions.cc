@@ -38,7 +38,8 @@ std::size_t AgentsAt(const EnvironmentWords& words, const std::vector<Token>& to
   return species == 0 ? 0 : noun + species - at;
 }
 
-// "Every robot patrols except the two drones": all robots patrols except the two drones.
+// "Every robot patrols except the two drones", "every robot except the two drones patrols": all
+// robots patrols except the two drones.
 void MendEvery(const EnvironmentWords& words, std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
     if (!IsOneOf(WordAt(*tokens, at), {"every", "each"}) || IsPauseAt(*tokens, at + 1)) continue;
@@ -53,16 +54,34 @@ void MendEvery(const EnvironmentWords& words, std::vector<Token>* tokens) {
     }
     if (IsPauseAt(*tokens, except) && !IsStopAt(*tokens, except)) ++except;
     const std::size_t said = WordAt(*tokens, except) == "but" ? 1 : ExceptAt(*tokens, except);
-    if (said == 0 || AgentsAt(words, *tokens, except + said) == 0) continue;
+    const std::size_t agents = said == 0 ? 0 : AgentsAt(words, *tokens, except + said);
+    if (agents == 0) continue;
+    if (except == at + 2) {
+      // "every robot except the two drones patrols"
+      const std::size_t verb = except + said + agents;
+      const bool does = !IsPauseAt(*tokens, verb) &&
+                        (WordAt(*tokens, verb) == "is" || words.states.LengthAt(*tokens, verb) > 0);
+      if (!does) continue;
+      InsertTokens(tokens, PauseAfter(*tokens, verb), TokensBetween(*tokens, except, verb));
+      EraseTokens(tokens, except, verb - except);
+    }
     (*tokens)[at].text = "all";
     (*tokens)[at + 1].text += "s";
     if (WordAt(*tokens, at + 2) == "is") (*tokens)[at + 2].text = "are";
   }
 }
 
-// Whether tokens [first, last) say something of all, or of none.
+// Whether tokens [first, last) begin with something that is said of all, or of none.
 bool SpeaksOfAll(const std::vector<Token>& tokens, std::size_t first, std::size_t last) {
-  for (std::size_t i = first; i < last; ++i) {
+  constexpr std::size_t kWords = 5;
+  for (std::size_t i = first; i < std::min(last, first + kWords); ++i) {
+    // "add ten robots, all idle", "five rovers are on the road"
+    if (IsPauseAt(tokens, i) || MatchNumber(tokens, i).tokens > 0) return false;
+    if (IsOneOf(WordAt(tokens, i), {"add", "put", "place", "give", "show", "make", "who", "which",
+                                    "that", "want", "need"}) ||
+        (WordAt(tokens, i) == "all" && IsOneOf(WordAt(tokens, i + 1), {"sorts", "kinds"}))) {
+      return false;
+    }
     if (IsOneOf(WordAt(tokens, i), {"no", "nobody", "nothing", "none", "empty", "deserted", "all",
                                     "every", "everyone", "everybody", "everything", "not"})) {
       return true;
@@ -84,11 +103,34 @@ void MendFronted(const EnvironmentWords& words, std::vector<Token>* tokens) {
                                            "everyone", "everybody", "everything", "it"})) {
       ++end;
     }
-    const std::size_t rest = end + (IsPauseAt(*tokens, end) ? 1 : 0);
-    const std::size_t stop = StopAfter(*tokens, end);
-    if (IsStopAt(*tokens, end) || !SpeaksOfAll(*tokens, rest, stop)) continue;
-    const std::vector<Token> who = TokensBetween(*tokens, at + said, end);
-    const Token except = WordLike("except", (*tokens)[at]);
+    if (IsStopAt(*tokens, end)) continue;
+    std::size_t rest = end + (IsPauseAt(*tokens, end) ? 1 : 0);
+    std::vector<Token> who = TokensBetween(*tokens, at + said, end);
+    bool acts = false;
+    if (rest > end && IsOneOf(WordAt(*tokens, rest), {"who", "which"})) {
+      // "apart from two knights, who patrol the village, there are no people"
+      const std::size_t relative = PauseAfter(*tokens, rest);
+      if (IsStopAt(*tokens, relative)) continue;
+      for (std::size_t i = rest; i < relative; ++i) who.push_back((*tokens)[i]);
+      rest = relative + 1;
+    }
+    const std::size_t stop = StopAfter(*tokens, rest);
+    if (!SpeaksOfAll(*tokens, rest, stop)) continue;
+    for (std::size_t i = at + said + agents; i + 1 < rest; ++i) {
+      acts = acts || (!IsPauseAt(*tokens, i) && words.states.LengthAt(*tokens, i) > 0);
+    }
+    // "apart from the two knights who guard the village, all people are asleep"
+    bool others_act = false;
+    for (std::size_t i = rest; i < stop; ++i) {
+      others_act = others_act || (!IsPauseAt(*tokens, i) && words.states.LengthAt(*tokens, i) > 0);
+    }
+    const bool apart = acts && others_act;
+    if (apart) {
+      for (std::size_t i = 0; i < who.size(); ++i) {
+        if (IsOneOf(who[i].text, {"who", "which", "that"})) EraseTokens(&who, i, 1);
+      }
+    }
+    const Token except = apart ? StopLike((*tokens)[at]) : WordLike("except", (*tokens)[at]);
     InsertTokens(tokens, stop, who);
     InsertTokens(tokens, stop, {except});
     EraseTokens(tokens, at, rest - at);
@@ -120,6 +162,13 @@ void MendEverythingBut(const EnvironmentWords& words, std::vector<Token>* tokens
     const std::size_t end = at + 1 + said + kind.tokens;
     if (!begins || kind.tokens == 0 || !IsPauseAt(*tokens, end)) continue;
     if (!kind.rows.front()->plural) continue;
+    // "everyone except goblins, who attack the village, is asleep"
+    const std::size_t next = end + 1;
+    const bool liked = IsOneOf(WordAt(*tokens, next + 1), {"i", "we"});  // "which I hate"
+    const bool goes_on = !IsPauseAt(*tokens, next) &&
+                         (IsOneOf(WordAt(*tokens, next), {"who", "which", "that", "is", "are"}) ||
+                          words.states.LengthAt(*tokens, next) > 0);
+    if (goes_on && !liked) continue;
     ReplaceTokens(tokens, at, 1 + said, {"no"});
   }
 }

@@ -44,6 +44,10 @@ void MendHour(std::vector<Token>* tokens) {
     if (number.kind != TokenKind::kNumber || colon) continue;
     if (number.text.find('.') != std::string::npos) continue;
     const bool hundreds = number.text.size() == 4;
+    // "Time: 1850, a medieval village" tells a year.
+    const bool quarter =
+        IsOneOf(number.text.substr(number.text.size() / 2), {"00", "15", "30", "45"});
+    if (hundreds && !quarter && WordAt(*tokens, at) == "time") continue;
     if (!hundreds && number.text.size() > 2) continue;
     InsertTokens(tokens, value + 1, {WordLike(hundreds ? "hours" : "h", number)});
   }

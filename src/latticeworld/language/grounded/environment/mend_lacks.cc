@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "latticeworld/language/numbers.h"
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/token_edits.h"
 
@@ -77,8 +78,10 @@ void MendNowhere(const EnvironmentWords& words, std::vector<Token>* tokens) {
   }
 }
 
-// "A robot-free world", "the lake is robot free": a no robot, world; but "knights free the horses".
-void MendFree(const EnvironmentWords& words, std::vector<Token>* tokens) {
+// "A robot-free world", "the lake is robot free": a no robot, world; but "knights free the horses",
+// "set the horse free".
+void MendFree(const EnvironmentWords& words, std::string_view instruction,
+              std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
     const std::size_t thing = IsPauseAt(*tokens, at) ? 0
                                                      : std::max(ThingAt(words, *tokens, at),
@@ -87,9 +90,20 @@ void MendFree(const EnvironmentWords& words, std::vector<Token>* tokens) {
     if (thing == 0 || WordAt(*tokens, free) != "free") continue;
     // "an ice-free lake" is read as it is.
     if (words.variants.LengthAt(*tokens, at) > thing) continue;
-    const bool hyphen = (*tokens)[free].begin == (*tokens)[free - 1].end + 1;
+    const std::size_t gap = (*tokens)[free - 1].end;
+    const bool hyphen = gap < instruction.size() && instruction[gap] == '-';
+    const bool is =
+        at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"is", "are", "stays", "be"}) &&
+        (IsPauseAt(*tokens, free + 1) || IsOneOf(WordAt(*tokens, free + 1), {"and", "but"}));
+    // "fog free weather", "a robot free zone"
+    const auto sky = words.coarse.At(*tokens, at);
+    const bool weather = sky.tokens == thing && sky.rows.front()->key == CoarseKey::kWeather &&
+                         (at == 0 || WordAt(*tokens, at - 1) != "the");
+    const bool land = IsOneOf(WordAt(*tokens, free + 1),
+                              {"world", "zone", "area", "place", "village", "forest", "land",
+                               "scene", "town", "city", "desert", "map", "environment", "road"});
     const std::string name((*tokens)[free - 1].text);
-    if (!hyphen || Singular(name) != name) continue;
+    if (!(hyphen || is || weather || land) || Singular(name) != name) continue;
     const bool other = IsOneOf(WordAt(*tokens, free + 1), {"the", "a", "to", "of", "from", "them",
                                                            "their", "roaming", "running"});
     if (other) continue;
@@ -102,7 +116,7 @@ void MendFree(const EnvironmentWords& words, std::vector<Token>* tokens) {
 
 // "The village is abandoned", "an abandoned village": deserted. "A deserted road", "the lake is
 // deserted": a road, the lake, of which alone it is said.
-void MendDeserted(std::vector<Token>* tokens) {
+void MendDeserted(const EnvironmentWords& words, std::vector<Token>* tokens) {
   for (std::size_t at = 1; at < tokens->size(); ++at) {
     const bool deserted = WordAt(*tokens, at) == "deserted";
     if (!deserted && WordAt(*tokens, at) != "abandoned") continue;
@@ -114,6 +128,16 @@ void MendDeserted(std::vector<Token>* tokens) {
     const bool is = verb > 1 && IsOneOf(WordAt(*tokens, verb - 1), {"is", "lies", "looks"});
     const std::string_view land = is ? WordAt(*tokens, verb - 2) : WordAt(*tokens, at + 1);
     if (!deserted) {
+      // "an abandoned village where goblins live"
+      const std::size_t next = at + (is ? 1 : 2);
+      bool lived_in = false;
+      for (std::size_t i = next + 1;
+           IsOneOf(WordAt(*tokens, next), {"where", "with", "which", "that", "in"}) &&
+           !IsStopAt(*tokens, i);
+           ++i) {
+        lived_in = lived_in || (!IsPauseAt(*tokens, i) && words.species.LengthAt(*tokens, i) > 0);
+      }
+      if (lived_in) continue;
       if (IsOneOf(land, {"village", "town", "city", "settlement", "hamlet", "world", "place",
                          "suburb", "farm"})) {
         (*tokens)[at].text = "deserted";
@@ -129,7 +153,7 @@ void MendDeserted(std::vector<Token>* tokens) {
 }
 
 // "It's fine if there are no sheep", "I don't mind if no robots patrol": nothing.
-void MendFineIf(std::vector<Token>* tokens) {
+void MendFineIf(const EnvironmentWords& words, std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
     if (!IsOneOf(WordAt(*tokens, at), {"fine", "ok", "okay", "alright", "mind", "care", "right"}) ||
         !IsOneOf(WordAt(*tokens, at + 1), {"if", "when"})) {
@@ -139,34 +163,61 @@ void MendFineIf(std::vector<Token>* tokens) {
     std::size_t first = at;
     while (first > begin && !IsPauseAt(*tokens, first - 1)) --first;
     const bool opens = IsOneOf(WordAt(*tokens, first), {"it", "its", "that", "i", "fine", "ok"});
-    const std::size_t end = PauseAfter(*tokens, at);
-    bool denies = false;
+    std::size_t end = at;
+    while (!IsPauseAt(*tokens, end) && WordAt(*tokens, end) != "but") ++end;
+    bool denies = false, counts = false;
     for (std::size_t i = at + 2; i < end; ++i) {
+      const std::size_t number = MatchNumber(*tokens, i).tokens;
+      counts = counts || (number > 0 && !IsPauseAt(*tokens, i + number) &&
+                          words.species.LengthAt(*tokens, i + number) > 0);
       denies = denies || IsOneOf(WordAt(*tokens, i), {"no", "not", "without", "none", "nobody"});
     }
-    if (opens && denies) EraseTokens(tokens, first, end - first);
+    if (opens && denies && !counts) EraseTokens(tokens, first, end - first);
   }
 }
 
-// "No moon", "without a moon": moonless, which is no day.
-void MendMoonless(std::vector<Token>* tokens) {
+// Whether another time of day than the night is told anywhere.
+bool IsOtherTimeTold(const EnvironmentWords& words, const std::vector<Token>& tokens) {
+  for (std::size_t at = 0; at < tokens.size(); ++at) {
+    if (IsPauseAt(tokens, at)) continue;
+    const auto said = words.coarse.At(tokens, at);
+    if (said.tokens > 0 && said.rows.front()->key == CoarseKey::kTimeOfDay &&
+        said.rows.front()->value != "night") {
+      return true;
+    }
+  }
+  return false;
+}
+
+// "No moon", "without a moon": moonless, which is no day; but "dawn, without a moon": dawn.
+void MendMoonless(const EnvironmentWords& words, std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
     if (!IsOneOf(WordAt(*tokens, at), {"no", "without"})) continue;
     const std::size_t noun = at + (WordAt(*tokens, at + 1) == "a" ? 2 : 1);
     if (!IsOneOf(WordAt(*tokens, noun), {"moon", "moonlight"})) continue;
-    ReplaceTokens(tokens, at, noun + 1 - at, {"moonless"});
+    // "no moon base", "no moon yet"
+    if (IsOneOf(WordAt(*tokens, noun + 1), {"base", "bases", "landing", "rover", "rovers", "rock",
+                                            "rocks", "lander", "dust", "colony", "station"})) {
+      continue;
+    }
+    if (IsOtherTimeTold(words, *tokens)) {
+      EraseTokens(tokens, at, noun + 1 - at);
+    } else if (WordAt(*tokens, noun + 1) != "yet") {
+      ReplaceTokens(tokens, at, noun + 1 - at, {"moonless"});
+    }
   }
 }
 
 }  // namespace
 
-void MendLacks(const EnvironmentWords& words, std::vector<Token>* tokens) {
+void MendLacks(const EnvironmentWords& words, std::string_view instruction,
+               std::vector<Token>* tokens) {
   MendFew(words, tokens);
   MendNowhere(words, tokens);
-  MendFree(words, tokens);
-  MendDeserted(tokens);
-  MendFineIf(tokens);
-  MendMoonless(tokens);
+  MendFree(words, instruction, tokens);
+  MendDeserted(words, tokens);
+  MendFineIf(words, tokens);
+  MendMoonless(words, tokens);
 }
 
 }  // namespace latticeworld

@@ -1,6 +1,7 @@
 #ifndef LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_MEND_LACKS_H_
 #define LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_MEND_LACKS_H_
 
+#include <string_view>
 #include <vector>
 
 #include "latticeworld/language/grounded/environment/word_tables.h"
@@ -14,7 +15,8 @@ namespace latticeworld {
 // - "the village is abandoned": deserted, but "a deserted road" tells of the road only;
 // - "it's fine if there are no sheep": nothing;
 // - "no moon": moonless.
-void MendLacks(const EnvironmentWords& words, std::vector<Token>* tokens);
+void MendLacks(const EnvironmentWords& words, std::string_view instruction,
+               std::vector<Token>* tokens);
 
 }  // namespace latticeworld
 

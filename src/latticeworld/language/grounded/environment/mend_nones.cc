@@ -21,8 +21,43 @@ bool BeginsAt(const std::vector<Token>& tokens, std::size_t at) {
          IsOneOf(WordAt(tokens, at - 1), {"and", "but", "so", "while", "where", "that", "because"});
 }
 
-// "No goblin is attacking", "no goblin attacks", "not a goblin attacks": the goblins are not
-// attacking, the goblins do not attacks; but "no goblins" denies them.
+// Whether agents of the same category as those at `noun` are asked for elsewhere than in
+// [first, last): "twelve goblins. No goblin attacks"; not "there are no goblins".
+bool IsNamedElsewhere(const EnvironmentWords& words, const std::vector<Token>& tokens,
+                      std::size_t noun, std::size_t first, std::size_t last) {
+  const AgentCategory category = words.species.At(tokens, noun).rows.front()->categories.front();
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if ((i >= first && i < last) || WordAt(tokens, i).empty()) continue;
+    if (IsOneOf(WordAt(tokens, i), {"empty", "deserted", "quiet", "silent"})) return false;
+  }
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    // "no goblin attacks the village, but three patrol", "no goblin attacks, they sleep"
+    const NumberMatch number = i < last ? NumberMatch{} : MatchNumber(tokens, i);
+    const std::size_t behind = i + number.tokens;
+    if (number.tokens > 0 && !IsPauseAt(tokens, behind) &&
+        (words.states.LengthAt(tokens, behind) > 0 ||
+         words.RoleAt(Role::kNear, tokens, behind) > 0 ||
+         words.RoleAt(Role::kIn, tokens, behind) > 0 ||
+         words.RoleAt(Role::kOfThem, tokens, behind) > 0) &&
+        words.species.LengthAt(tokens, behind) == 0) {
+      return true;
+    }
+    if (i >= last && i < last + 8 && IsOneOf(WordAt(tokens, i), {"they", "them"})) return true;
+    if ((i >= first && i < last) || WordAt(tokens, i).empty()) continue;
+    const auto other = words.species.At(tokens, i);
+    if (other.tokens == 0 || other.rows.front()->categories.front() != category) continue;
+    bool denied = false;
+    for (std::size_t k = i > 3 ? i - 3 : 0; k < i; ++k) {
+      if (IsPauseAt(tokens, k)) denied = false;
+      denied = denied || IsOneOf(WordAt(tokens, k), {"no", "not", "without", "never"});
+    }
+    if (!denied) return true;
+  }
+  return false;
+}
+
+// "No goblin is attacking", "no goblin attacks" where goblins are told, "not a goblin attacks": the
+// goblins are not attacking, the goblins do not attacks; but "no goblins" denies them.
 void MendNoOneDoes(const EnvironmentWords& words, std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 2 < tokens->size(); ++at) {
     if (!BeginsAt(*tokens, at)) continue;
@@ -54,6 +89,8 @@ void MendNoOneDoes(const EnvironmentWords& words, std::vector<Token>* tokens) {
                words.RoleAt(Role::kNear, *tokens, i) > 0;
     }
     if (placed || (!is && words.RoleAt(Role::kAfterSpecies, *tokens, state) > 0)) continue;
+    // "No goblin attacks" alone says that there are none.
+    if (!is && !IsNamedElsewhere(words, *tokens, noun, at, state + 1)) continue;
     if (name != "sheep") {
       Token plural = (*tokens)[verb - 1];
       plural.text += "s";
@@ -81,8 +118,41 @@ bool IsDoneToAt(const std::vector<Token>& tokens, std::size_t at) {
        "riding",    "threatening", "controls",  "controlling", "minds",      "minding"});
 }
 
-// "Nobody watches the sheep", "nobody is guarding the village": the sheep, the village.
-void MendNobodyDoes(std::vector<Token>* tokens) {
+// Where it is said who is left out, and how many words say so; 0: nowhere in the sentence.
+struct Except {
+  std::size_t at = 0;
+  std::size_t tokens = 0;
+};
+
+// "Except two drones", "but ten goblins from the forest".
+Except ExceptBehind(const EnvironmentWords& words, const std::vector<Token>& tokens,
+                    std::size_t at) {
+  for (; !IsStopAt(tokens, at); ++at) {
+    if (IsOneOf(WordAt(tokens, at), {"except", "save", "excepting", "excluding", "bar"})) {
+      return {at, WordAt(tokens, at + 1) == "for" ? 2U : 1U};
+    }
+    const bool from = IsOneOf(WordAt(tokens, at), {"apart", "aside"});
+    const bool than = WordAt(tokens, at) == "other";
+    if (from && WordAt(tokens, at + 1) == "from") return {at, 2};
+    if (than && WordAt(tokens, at + 1) == "than") return {at, 2};
+    if (WordAt(tokens, at) != "but") continue;
+    std::size_t noun = at + 1;
+    if (IsOneOf(WordAt(tokens, noun), {"the", "a", "an", "for", "some", "our"})) ++noun;
+    noun += MatchNumber(tokens, noun).tokens;
+    if (IsOneOf(WordAt(tokens, noun), {"old", "lone", "single", "few", "small", "big"})) ++noun;
+    const std::size_t species = IsPauseAt(tokens, noun) ? 0 : words.species.LengthAt(tokens, noun);
+    const std::size_t end = noun + species;
+    if (species > 0 && (IsPauseAt(tokens, end) || words.RoleAt(Role::kIn, tokens, end) > 0 ||
+                        WordAt(tokens, end) == "from")) {
+      return {at, WordAt(tokens, at + 1) == "for" ? 2U : 1U};
+    }
+  }
+  return {};
+}
+
+// "Nobody watches the sheep", "nobody is guarding the village": the sheep, the village. "Nobody
+// guards the road except two drones": two drones guards the road.
+void MendNobodyDoes(const EnvironmentWords& words, std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
     std::size_t verb = at;
     if (WordAt(*tokens, at) == "nobody") verb = at + 1;
@@ -92,6 +162,19 @@ void MendNobodyDoes(std::vector<Token>* tokens) {
     const bool object =
         IsOneOf(WordAt(*tokens, verb + 1), {"the", "these", "those", "them", "my", "our", "it"});
     if (!IsDoneToAt(*tokens, verb) || !object) continue;
+    if (const Except except = ExceptBehind(words, *tokens, verb); except.tokens > 0) {
+      const std::size_t end = PauseAfter(*tokens, except.at + except.tokens);
+      std::size_t place = except.at + except.tokens + 1;  // which stays behind
+      while (place < end && words.RoleAt(Role::kIn, *tokens, place) == 0 &&
+             words.RoleAt(Role::kNear, *tokens, place) == 0 && WordAt(*tokens, place) != "from") {
+        ++place;
+      }
+      const std::vector<Token> who = TokensBetween(*tokens, except.at + except.tokens, place);
+      EraseTokens(tokens, except.at, place - except.at);
+      EraseTokens(tokens, at, verb - at);
+      InsertTokens(tokens, at, who);
+      continue;
+    }
     EraseTokens(tokens, at, verb + 1 - at);
   }
 }
@@ -128,6 +211,12 @@ void MendNoneMoving(const EnvironmentWords& words, std::vector<Token>* tokens) {
     if (IsOneOf(WordAt(*tokens, state), {"is", "are"})) ++state;
     const bool ground = WordAt(*tokens, state) == "on" && WordAt(*tokens, state + 2) == "ground";
     if (IsPauseAt(*tokens, state)) continue;
+    bool elsewhere = false;  // "five eagles in the trees, none on the ground"
+    for (std::size_t i = SentenceBegin(*tokens, at); i < at; ++i) {
+      elsewhere = elsewhere || words.RoleAt(Role::kIn, *tokens, i) > 0 ||
+                  words.states.LengthAt(*tokens, i) > 0;
+    }
+    if (ground && elsewhere) continue;
     if (ground) {
       ReplaceTokens(tokens, at, state + 3 - at, {"all", "in", "the", "air"});
       continue;
@@ -198,7 +287,7 @@ void MendAllOfKind(const EnvironmentWords& words, std::vector<Token>* tokens) {
 
 void MendNones(const EnvironmentWords& words, std::vector<Token>* tokens) {
   MendNoOneDoes(words, tokens);
-  MendNobodyDoes(tokens);
+  MendNobodyDoes(words, tokens);
   MendNoneMoving(words, tokens);
   MendAllOfKind(words, tokens);
 }

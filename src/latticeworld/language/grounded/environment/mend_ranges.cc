@@ -88,11 +88,22 @@ void SayTolerances(const EnvironmentWords& words, std::string_view instruction,
       NumberMatch off = said > 0 ? CountAt(*tokens, second) : NumberMatch{};
       if (off.tokens == 0) continue;
       std::size_t last = second + off.tokens;
+      // "give or take one or two"
+      if (IsOneOf(WordAt(*tokens, last), {"or", "to"})) {
+        const NumberMatch more = CountAt(*tokens, last + 1);
+        if (more.tokens > 0 && more.value > off.value) {
+          off = more;
+          last += 1 + more.tokens;
+        }
+      }
       if (WordAt(*tokens, last) == "percent") {
         off.value = static_cast<int>((1LL * number.value * off.value + 50) / 100);
         ++last;
       }
-      const bool counts = noun > 0 || NounAt(words, *tokens, last) > 0;
+      const std::size_t other = NounAt(words, *tokens, last);
+      const bool counts = noun > 0 || other > 0;
+      // "ten sheep plus minus two goblins" are of two kinds.
+      if (noun > 0 && other > 0) continue;
       if (off.value >= number.value || !counts) continue;
       const Token beside = (*tokens)[at];
       EraseTokens(tokens, after, last - after);
@@ -136,6 +147,17 @@ Bound BoundAt(const EnvironmentWords& words, const std::vector<Token>& tokens, s
   return longest;
 }
 
+// Whether a bound that has no noun of its own may end here: "at most 10 in all", "at most 10 are
+// asleep"; but not in "at most 10 trees", "at most 8 m/s".
+bool MayEndAt(const EnvironmentWords& words, const std::vector<Token>& tokens, std::size_t at) {
+  if (IsPauseAt(tokens, at)) return true;
+  return IsOneOf(WordAt(tokens, at), {"are", "is", "and", "should", "must", "while", "who"}) ||
+         words.states.LengthAt(tokens, at) > 0 || words.RoleAt(Role::kIn, tokens, at) > 0 ||
+         words.RoleAt(Role::kNear, tokens, at) > 0 ||
+         (WordAt(tokens, at) == "in" && IsOneOf(WordAt(tokens, at + 1), {"all", "total"})) ||
+         IsOneOf(WordAt(tokens, at), {"altogether", "overall"});
+}
+
 // "At least 5 but at most 10 sheep", "more than ten sheep, but no more than twenty": between 5 and
 // 10 sheep, between 11 and 20 sheep.
 void JoinBounds(const EnvironmentWords& words, std::vector<Token>* tokens) {
@@ -159,6 +181,7 @@ void JoinBounds(const EnvironmentWords& words, std::vector<Token>* tokens) {
     }
     // Two kinds are bounded apart: "at least 5 sheep and at most 10 goblins".
     if ((noun > 0) == (own > 0) && !(noun == 0 && IsPauseAt(*tokens, end))) continue;
+    if (noun > 0 && own == 0 && !MayEndAt(words, *tokens, end)) continue;
     const Token beside = (*tokens)[at];
     EraseTokens(tokens, noun_at + noun, end - noun_at - noun);
     EraseTokens(tokens, at, first.tokens);

@@ -39,29 +39,57 @@ std::size_t PercentAt(const std::vector<Token>& tokens, std::size_t at) {
   return WordAt(tokens, at) == "per" && WordAt(tokens, at + 1) == "cent" ? 2 : 0;
 }
 
-// How many agents are counted at `at`, as in "50 white sheep"; 0: none.
-int CountedAt(const EnvironmentWords& words, const std::vector<Token>& tokens, std::size_t at) {
+// Agents that are counted, and where their noun is.
+struct Counted {
+  int value = 0;  // 0: none are
+  std::size_t noun = 0;
+};
+
+// The agents that are counted at `at`, as in "50 white sheep".
+Counted CountedAt(const EnvironmentWords& words, const std::vector<Token>& tokens, std::size_t at) {
   const NumberMatch number = MatchNumber(tokens, at);
   std::size_t noun = at + number.tokens;
-  if (number.tokens == 0 || PercentAt(tokens, noun) > 0) return 0;
+  if (number.tokens == 0 || PercentAt(tokens, noun) > 0) return {};
   for (const std::size_t end = noun + kNoun_tokens; noun < end; ++noun) {
-    if (IsPauseAt(tokens, noun) || MatchNumber(tokens, noun).tokens > 0) return 0;
-    if (words.assets.LengthAt(tokens, noun) > 0) return 0;
-    if (SpeciesAt(words, tokens, noun) > 0) return number.value;
+    if (IsPauseAt(tokens, noun) || MatchNumber(tokens, noun).tokens > 0) return {};
+    if (words.assets.LengthAt(tokens, noun) > 0) return {};
+    if (SpeciesAt(words, tokens, noun) > 0) return {number.value, noun};
   }
-  return 0;
+  return {};
 }
 
 // The agents that were counted last before `at`: in its sentence, or else in the one before.
-int CountedBefore(const EnvironmentWords& words, const std::vector<Token>& tokens, std::size_t at) {
+Counted CountedBefore(const EnvironmentWords& words, const std::vector<Token>& tokens,
+                      std::size_t at) {
   int sentences = 0;
   while (at-- > 0 && sentences < 2) {
     if (IsStopAt(tokens, at)) ++sentences;
     // Of a number of several words the first one tells all of it.
     const bool inner = at > 0 && MatchNumber(tokens, at - 1).tokens > 1;
-    if (const int counted = inner ? 0 : CountedAt(words, tokens, at); counted > 0) return counted;
+    const Counted counted = inner ? Counted{} : CountedAt(words, tokens, at);
+    if (counted.value > 0) return counted;
   }
-  return 0;
+  return {};
+}
+
+// Whether the two nouns may be of the same agents: "20 robots ... the drones".
+bool MayBeSame(const EnvironmentWords& words, const std::vector<Token>& tokens, std::size_t one,
+               std::size_t other) {
+  const auto first = words.species.At(tokens, one).rows.front()->categories;
+  const auto second = words.species.At(tokens, other).rows.front()->categories;
+  return std::find_first_of(first.begin(), first.end(), second.begin(), second.end()) !=
+         first.end();
+}
+
+// Whether the last colon before `at` stands behind no agents: "snow: 20 % here, 80 % there".
+bool IsOtherLabel(const EnvironmentWords& words, const std::vector<Token>& tokens, std::size_t at) {
+  bool colon = false;
+  for (std::size_t i = at; i > 0 && !IsStopAt(tokens, i - 1); --i) {
+    if (SpeciesAt(words, tokens, i - 1) > 0) return false;
+    if (colon && IsPauseAt(tokens, i - 1)) break;
+    colon = colon || tokens[i - 1].text == ":";
+  }
+  return colon;
 }
 
 // "50 in all" behind `at`.
@@ -87,12 +115,17 @@ struct Share {
 
 Share ShareAt(const EnvironmentWords& words, const std::vector<Token>& tokens, std::size_t at,
               std::size_t end) {
-  const int before = CountedBefore(words, tokens, at);
+  const Counted last = CountedBefore(words, tokens, at);
+  const int before = last.value;
+  if (IsOtherLabel(words, tokens, at)) return {};
   const bool led = at > 0 && IsOneOf(WordAt(tokens, at - 1), {"which", "whom"});
   if (words.RoleAt(Role::kOfThem, tokens, end) > 0 || led) return {before, false};
   if (WordAt(tokens, end) == "of" && IsArticle(WordAt(tokens, end + 1))) {
-    if (const int counted = CountedAt(words, tokens, end + 2); counted > 0) return {counted, false};
-    return {SpeciesAt(words, tokens, end + 2) > 0 ? before : 0, false};
+    const Counted counted = CountedAt(words, tokens, end + 2);
+    if (counted.value > 0) return {counted.value, false};
+    const bool those = SpeciesAt(words, tokens, end + 2) > 0 && before > 0 &&
+                       MayBeSame(words, tokens, last.noun, end + 2);
+    return {those ? before : 0, false};
   }
   const int whole = before > 0 ? before : SumBehind(tokens, end);
   if (SpeciesAt(words, tokens, end) > 0 && StateAt(words, tokens, end) == 0) return {whole, false};
@@ -180,7 +213,7 @@ void NameFractions(const EnvironmentWords& words, std::vector<Token>* tokens) {
     const bool opens =
         at > 0 && (IsPauseAt(*tokens, at - 1) || IsOneOf(WordAt(*tokens, at - 1), {"and", "with"}));
     const bool idiom = StateAt(words, *tokens, at) > fraction && shares == 0;
-    const int whole = opens && state > 0 && !idiom ? CountedBefore(words, *tokens, at) : 0;
+    const int whole = opens && state > 0 && !idiom ? CountedBefore(words, *tokens, at).value : 0;
     if (whole > 0 && !IsOneMore(*tokens, at, whole)) {
       const Token beside = (*tokens)[end - 1];
       InsertTokens(tokens, end, {WordLike("of", beside), WordLike("them", beside)});
@@ -200,6 +233,16 @@ std::size_t PartAt(const std::vector<Token>& tokens, std::size_t at) {
   return number > 0 ? 2 + number : FractionAt(tokens, at);
 }
 
+// Whether a part of some agents is told to be of a kind: "half are rovers", "a quarter knights".
+bool IsOfKindAt(const EnvironmentWords& words, const std::vector<Token>& tokens, std::size_t at) {
+  while (IsBe(WordAt(tokens, at))) ++at;
+  const std::size_t end = at + 2;  // of an adjective or an article
+  for (; at < end && !IsPauseAt(tokens, at) && StateAt(words, tokens, at) == 0; ++at) {
+    if (SpeciesAt(words, tokens, at) > 0) return true;
+  }
+  return false;
+}
+
 // "Of the 20 goblins most are asleep": most of the 20 goblins are asleep.
 void MendOfThose(const EnvironmentWords& words, std::vector<Token>* tokens) {
   for (std::size_t of = 0; of + 3 < tokens->size(); ++of) {
@@ -212,6 +255,7 @@ void MendOfThose(const EnvironmentWords& words, std::vector<Token>* tokens) {
     const std::size_t comma = noun < tokens->size() && (*tokens)[noun].text == "," ? 1 : 0;
     const std::size_t part = PartAt(*tokens, noun + comma);
     if (part == 0 || WordAt(*tokens, noun + comma + part) == "of") continue;
+    if (IsOfKindAt(words, *tokens, noun + comma + part)) continue;
     const std::vector<Token> said = TokensBetween(*tokens, noun + comma, noun + comma + part);
     EraseTokens(tokens, noun, comma + part);
     InsertTokens(tokens, of, said);
@@ -222,7 +266,9 @@ void MendOfThose(const EnvironmentWords& words, std::vector<Token>* tokens) {
 // "All 20 robots but two are patrolling": all but two of the 20 robots are patrolling.
 void MendAllButSome(const EnvironmentWords& words, std::vector<Token>* tokens) {
   for (std::size_t all = 0; all + 4 < tokens->size(); ++all) {
-    if (!IsOneOf(WordAt(*tokens, all), {"all", "every"})) continue;
+    const bool every =
+        WordAt(*tokens, all) == "every" && CountedBefore(words, *tokens, all).value > 0;
+    if (!every && WordAt(*tokens, all) != "all") continue;
     std::size_t first = all + 1;
     if (WordAt(*tokens, first) == "of") ++first;
     if (IsArticle(WordAt(*tokens, first))) ++first;
@@ -240,6 +286,7 @@ void MendAllButSome(const EnvironmentWords& words, std::vector<Token>* tokens) {
     said.push_back(WordLike("of", beside));
     said.push_back(WordLike("the", beside));
     for (std::size_t i = first; i < but; ++i) said.push_back((*tokens)[i]);
+    if (every && said.back().text != "sheep") said.back().text += "s";
     EraseTokens(tokens, all, end - all);
     InsertTokens(tokens, all, said);
   }

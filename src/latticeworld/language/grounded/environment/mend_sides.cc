@@ -44,6 +44,12 @@ void MendBeside(const EnvironmentWords& words, std::vector<Token>* tokens) {
                                          "center", "centre", "north", "south", "go", "goes",
                                          "going", "turn", "turned", "our", "your"});
     if (!to && (part || !(left || right))) continue;
+    // "what is left of the forest"
+    const bool rest = left && !to && at > 1 && WordAt(*tokens, at - 1) == "is" &&
+                      (IsOneOf(WordAt(*tokens, at - 2), {"what", "all", "little", "nothing"}) ||
+                       (WordAt(*tokens, at - 2) == "that" && at > 2 &&
+                        IsOneOf(WordAt(*tokens, at - 3), {"all", "everything"})));
+    if (rest) continue;
     // "the houses to the right of the lake": where those are.
     const std::size_t before = at - (to ? 2 : 0);
     if (before > 0 && !IsPauseAt(*tokens, before - 1) &&

@@ -28,6 +28,12 @@ void DropWet(std::vector<Token>* tokens) {
     const bool ends = IsPauseAt(*tokens, other + 1) ||
                       IsOneOf(WordAt(*tokens, other + 1),
                               {"stones", "stone", "rocks", "rock", "boulders", "pebbles"});
+    // "the road is wet and mossy rocks lie around"
+    const bool is = at > 0 && (IsOneOf(WordAt(*tokens, at - 1), {"is", "weather", "very"}) ||
+                               (*tokens)[at - 1].text == ":");
+    if (wet_first && is && !IsPauseAt(*tokens, other + 1) && WordAt(*tokens, other + 1) != "and") {
+      continue;
+    }
     if (mossy_first && ends) EraseTokens(tokens, next, other + 1 - next);
     if (wet_first) EraseTokens(tokens, at, other - at);
   }
@@ -35,7 +41,7 @@ void DropWet(std::vector<Token>* tokens) {
 
 // "Sheets of ice cover the lake", "a thick layer of ice lies on the pond": the lake is covered with
 // ice.
-void MendIce(std::vector<Token>* tokens) {
+void MendIce(const EnvironmentWords& words, std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 4 < tokens->size(); ++at) {
     const bool sheet = IsOneOf(WordAt(*tokens, at), {"sheet", "sheets", "layer", "layers", "crust",
                                                      "slabs", "slab", "plates", "skin", "film"}) &&
@@ -46,14 +52,36 @@ void MendIce(std::vector<Token>* tokens) {
                                 {"a", "the", "thick", "thin", "big", "large", "great", "solid"})) {
       --first;
     }
+    bool denied = false;
+    for (std::size_t i = first; i > 0 && !IsPauseAt(*tokens, i - 1); --i) {
+      denied = denied ||
+               IsOneOf(WordAt(*tokens, i - 1), {"no", "not", "without", "never", "any", "hardly"});
+    }
+    if (denied) continue;
+    if (IsOneOf(WordAt(*tokens, at + 3), {"no", "not", "never", "does", "do"})) {
+      EraseTokens(tokens, at, 2);
+      continue;
+    }
     const std::size_t verb = at + 3;
     std::size_t the = verb + 1;
     if (IsOneOf(WordAt(*tokens, verb), {"lie", "lies", "is", "are", "float", "sits"}) &&
         IsOneOf(WordAt(*tokens, verb + 1), {"on", "over", "upon", "across"})) {
       ++the;
     } else if (!IsOneOf(WordAt(*tokens, verb), {"cover", "covers", "covering", "on", "over"})) {
-      EraseTokens(tokens, at, 2);  // "covered with sheets of ice"
+      // "covered with layers of ice"
+      if (words.variants.LengthAt(*tokens, at) < 3) EraseTokens(tokens, at, 2);
       continue;
+    }
+    // "there is a sheet of ice on the lake", but "two whales break the layer of ice on the lake"
+    if (IsOneOf(WordAt(*tokens, verb), {"on", "over"})) {
+      if (first > 1 && IsOneOf(WordAt(*tokens, first - 1), {"is", "are", "lies", "lie"}) &&
+          WordAt(*tokens, first - 2) == "there") {
+        first -= 2;
+      }
+      const bool begins =
+          first == 0 || IsPauseAt(*tokens, first - 1) ||
+          IsOneOf(WordAt(*tokens, first - 1), {"and", "but", "so", "while", "with"});
+      if (!begins) continue;
     }
     const std::size_t noun = the + (IsOneOf(WordAt(*tokens, the), {"the", "all", "our"}) ? 1 : 0);
     const bool water = IsOneOf(WordAt(*tokens, noun), {"lake", "lakes", "pond", "ponds", "river",
@@ -124,10 +152,22 @@ void MendShares(const EnvironmentWords& words, std::vector<Token>* tokens) {
     if (the) ++next;
     const bool ground = the && IsOneOf(WordAt(*tokens, next),
                                        {"ground", "land", "area", "map", "world", "surface"});
+    // Only in its clause: "half of the world is asleep, the ground is covered with snow".
+    const auto is_cover = [&](std::size_t i) {
+      return IsOneOf(WordAt(*tokens, i), {"covered", "cover", "covers", "covering"});
+    };
+    const auto ends = [&](std::size_t i) {
+      return IsPauseAt(*tokens, i) || IsOneOf(WordAt(*tokens, i), {"and", "while", "but"});
+    };
     bool covered = false;
-    const std::size_t stop = StopAfter(*tokens, at);
-    for (std::size_t i = SentenceBegin(*tokens, at); i < stop; ++i) {
-      covered = covered || IsOneOf(WordAt(*tokens, i), {"covered", "cover", "covers", "covering"});
+    for (std::size_t i = at; !ends(i) && !covered; ++i) covered = is_cover(i);
+    for (std::size_t i = at; i > 0 && !ends(i - 1) && !covered; --i) covered = is_cover(i - 1);
+    // "half of the ground is covered with flowers, a quarter of the ground with stones"
+    const std::size_t other = next + 1;
+    if (!covered && IsOneOf(WordAt(*tokens, other), {"with", "by"})) {
+      for (std::size_t i = SentenceBegin(*tokens, at); i < at && !covered; ++i) {
+        covered = is_cover(i);
+      }
     }
     // "flowers more than half"
     const bool than = at > 2 && WordAt(*tokens, at - 1) == "than" &&
@@ -187,6 +227,19 @@ void MendHanging(const EnvironmentWords& words, std::vector<Token>* tokens) {
             IsOneOf(WordAt(*tokens, behind), {"a", "an", "the", "some", "about"}))) {
       ++behind;
     }
+    // "hang out", "hang from the trees", "hang their heads" are something else.
+    const auto is_high = [&](std::size_t i) {
+      return IsOneOf(WordAt(*tokens, i),
+                     {"over", "above", "low", "still", "motionless", "high", "overhead"}) ||
+             (WordAt(*tokens, i) == "in" && IsOneOf(WordAt(*tokens, i + 2), {"air", "sky"})) ||
+             (WordAt(*tokens, i) == "in" && IsOneOf(WordAt(*tokens, i + 1), {"midair", "mid"}));
+    };
+    bool high = is_high(at + 1);
+    for (std::size_t i = at; i > 0 && !IsPauseAt(*tokens, i - 1) && !high; --i)
+      high = is_high(i - 1);
+    if (!high || IsOneOf(WordAt(*tokens, at + 1), {"out", "around", "from", "upside", "their"})) {
+      continue;
+    }
     const std::size_t verb = IsOneOf(WordAt(*tokens, at - 1), {"is", "are"}) ? at - 1 : at;
     const bool before =
         (verb > 0 && winged(verb - 1)) ||
@@ -207,7 +260,7 @@ void MendHanging(const EnvironmentWords& words, std::vector<Token>* tokens) {
 
 void MendSurfaces(const EnvironmentWords& words, std::vector<Token>* tokens) {
   DropWet(tokens);
-  MendIce(tokens);
+  MendIce(words, tokens);
   MendEllipsis(words, tokens);
   MendShares(words, tokens);
   MendUnderAttack(words, tokens);

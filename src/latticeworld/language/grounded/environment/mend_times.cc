@@ -17,10 +17,37 @@ bool IsNowAt(const std::vector<Token>& tokens, std::size_t at) {
          (WordAt(tokens, at) == "for" && WordAt(tokens, at + 1) == "now");
 }
 
-// Whether another clause than that of tokens [first, last) speaks of now.
-bool IsToldNow(const std::vector<Token>& tokens, std::size_t first, std::size_t last) {
+// Whether a time or the weather is told in tokens [first, last).
+bool TellsSky(const EnvironmentWords& words, const std::vector<Token>& tokens, std::size_t first,
+              std::size_t last) {
+  for (std::size_t i = first; i < last && i < tokens.size(); ++i) {
+    const auto said = words.coarse.At(tokens, i);
+    if (said.tokens > 0 && (said.rows.front()->key == CoarseKey::kWeather ||
+                            said.rows.front()->key == CoarseKey::kTimeOfDay)) {
+      return true;
+    }
+    if (IsOneOf(WordAt(tokens, i), {"over", "stopped", "dry", "ended", "cleared", "sun", "clear",
+                                    "sunny", "cloudy", "raining", "snowing"})) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether another clause than that of tokens [first, last) tells the time or the weather of now.
+bool IsToldNow(const EnvironmentWords& words, const std::vector<Token>& tokens, std::size_t first,
+               std::size_t last) {
   for (std::size_t at = 0; at < tokens.size(); ++at) {
-    if ((at < first || at >= last) && IsNowAt(tokens, at)) return true;
+    if ((at >= first && at < last) || !IsNowAt(tokens, at)) continue;
+    // "Meanwhile", "already" and "for now" go on with what was before.
+    if (IsOneOf(WordAt(tokens, at), {"meanwhile", "already", "for"})) continue;
+    if (at > 0 && WordAt(tokens, at - 1) == "for") continue;
+    const std::size_t stop = StopAfter(tokens, at);
+    const std::size_t begin = SentenceBegin(tokens, at);
+    if (at >= last ? TellsSky(words, tokens, std::max(begin, last), stop)
+                   : TellsSky(words, tokens, begin, std::min(stop, first))) {
+      return true;
+    }
   }
   return false;
 }
@@ -75,7 +102,7 @@ void DropPast(const EnvironmentWords& words, std::vector<Token>* tokens) {
 
 // "It was raining this morning, but now the sun is out", "it rained last night": without the time.
 // "The rain of this morning is over": the rain is over.
-void DropBygoneTimes(std::vector<Token>* tokens) {
+void DropBygoneTimes(const EnvironmentWords& words, std::vector<Token>* tokens) {
   for (std::size_t at = 1; at + 1 < tokens->size(); ++at) {
     const bool of = WordAt(*tokens, at) == "of" || WordAt(*tokens, at) == "from";
     const std::size_t first = at + (of ? 1 : 0);
@@ -90,7 +117,7 @@ void DropBygoneTimes(std::vector<Token>* tokens) {
       past = past || IsOneOf(word, {"was", "were", "had", "rained", "snowed", "stormed", "shone"});
       over = over || IsOneOf(word, {"over", "gone", "passed", "ended", "stopped", "cleared"});
     }
-    const bool bygone = of ? over : past && IsToldNow(*tokens, begin, end);
+    const bool bygone = of ? over : past && IsToldNow(words, *tokens, begin, end);
     if (bygone) EraseTokens(tokens, at, first + time - at);
   }
 }
@@ -121,14 +148,41 @@ void DropForecasts(const EnvironmentWords& words, std::vector<Token>* tokens) {
       weather = weather || (said.tokens > 0 && said.rows.front()->key == CoarseKey::kWeather);
       if (words.species.LengthAt(*tokens, i) > 0) later = false;
     }
-    if (!later || !weather || !IsToldNow(*tokens, begin, end)) continue;
+    if (!later || !weather || !IsToldNow(words, *tokens, begin, end)) continue;
     EraseTokens(tokens, begin, end - begin);
     at = begin + 1;
   }
 }
 
+// Whether tokens [but, stop) take the place of what was thought of in [first, but): "but now it is
+// sunny", "but ten drones will do", "but summer it is"; "but add a horse" only adds.
+bool Replaces(const EnvironmentWords& words, const std::vector<Token>& tokens, std::size_t first,
+              std::size_t but, std::size_t stop) {
+  bool replaced = false, names = false, counts = false, other = false;
+  for (std::size_t i = first; i < but; ++i) {
+    counts = counts || (!WordAt(tokens, i).empty() && words.species.LengthAt(tokens, i) > 0);
+  }
+  for (std::size_t i = but + 1; i < stop; ++i) {
+    const std::string_view word = WordAt(tokens, i);
+    if (IsOneOf(word, {"one", "ones", "not", "no", "add", "also"})) return false;
+    replaced = replaced ||
+               IsOneOf(word, {"now", "instead", "rather", "better", "enough", "fine", "prefer"}) ||
+               (word == "will" && WordAt(tokens, i + 1) == "do");
+    if (word.empty()) continue;
+    const auto said = words.coarse.At(tokens, i);
+    names = names || said.tokens > 0 || words.species.LengthAt(tokens, i) > 0;
+    if (said.tokens == 0) continue;
+    for (std::size_t k = first; k < but; ++k) {
+      const auto thought = words.coarse.At(tokens, k);
+      other = other || (thought.tokens > 0 && thought.rows.front()->key == said.rows.front()->key &&
+                        thought.rows.front()->value != said.rows.front()->value);
+    }
+  }
+  return names && (replaced || (other && !counts));
+}
+
 // "I was thinking of a desert storm, but a plain cloudy day will do": a plain cloudy day will do.
-void DropThoughts(std::vector<Token>* tokens) {
+void DropThoughts(const EnvironmentWords& words, std::vector<Token>* tokens) {
   constexpr std::size_t kReach = 16;  // words of what was thought of
   for (std::size_t at = 0; at + 4 < tokens->size(); ++at) {
     if (!IsOneOf(WordAt(*tokens, at), {"i", "we"})) continue;
@@ -145,13 +199,19 @@ void DropThoughts(std::vector<Token>* tokens) {
                   IsOneOf(WordAt(*tokens, verb + 1), {"of", "about", "a", "an"});
     if (!thought) continue;
     std::size_t but = verb + 1;
-    while (but < verb + kReach && !IsStopAt(*tokens, but) && WordAt(*tokens, but) != "but") ++but;
+    const auto is_but = [&](std::size_t i) {
+      return WordAt(*tokens, i) == "but" &&
+             !IsOneOf(WordAt(*tokens, i - 1), {"nothing", "everything", "all", "anything",
+                                               "everyone", "everybody", "nobody", "none"});
+    };
+    while (but < verb + kReach && !IsStopAt(*tokens, but) && !is_but(but)) ++but;
     if (WordAt(*tokens, but) != "but" || IsStopAt(*tokens, but + 1)) continue;
     // "but make it twelve", "but not by the lake": what was thought of still holds.
     if (IsOneOf(WordAt(*tokens, but + 1), {"make", "not", "only", "with", "it", "they", "without",
                                            "no", "in", "at", "by", "as", "just"})) {
       continue;
     }
+    if (!Replaces(words, *tokens, verb, but, StopAfter(*tokens, but))) continue;
     EraseTokens(tokens, at, but + 1 - at);
   }
 }
@@ -207,26 +267,55 @@ void MendSun(std::vector<Token>* tokens) {
   }
 }
 
-// "A plain cloudy day", "plain fog": no plains.
+bool IsSkyNoun(std::string_view word) {
+  return IsOneOf(
+      word, {"day", "night", "sky", "skies", "weather", "morning", "afternoon", "evening", "noon"});
+}
+
+// "A plain cloudy day", "plain fog": no plains; but "a plain at night", "a plain clear of trees".
 void DropPlain(const EnvironmentWords& words, std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 1 < tokens->size(); ++at) {
     if (WordAt(*tokens, at) != "plain" || IsPauseAt(*tokens, at + 1)) continue;
     const std::size_t said = at + (WordAt(*tokens, at + 1) == "old" ? 2 : 1);
     if (IsPauseAt(*tokens, said)) continue;
+    // "just plain haze-free sunshine"
+    if (at > 0 && WordAt(*tokens, at - 1) == "just" && TellsSky(words, *tokens, said, said + 3)) {
+      EraseTokens(tokens, at, said - at);
+      continue;
+    }
     const auto next = words.coarse.At(*tokens, said);
     const bool sky = next.tokens > 0 && (next.rows.front()->key == CoarseKey::kWeather ||
                                          next.rows.front()->key == CoarseKey::kTimeOfDay);
-    const bool article = at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"the", "this", "open", "our"});
-    if (sky && !article) EraseTokens(tokens, at, said - at);
+    const std::string_view first = WordAt(*tokens, said);
+    if (!sky || IsOneOf(first, {"in", "at", "by", "under", "with", "during", "on", "before"})) {
+      continue;
+    }
+    const std::size_t end = said + next.tokens;
+    const bool led =
+        at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"a", "some", "just", "another", "only"});
+    const bool noun = IsSkyNoun(WordAt(*tokens, end)) || IsSkyNoun(WordAt(*tokens, end - 1));
+    const bool substance = IsOneOf(first, {"fog", "mist", "rain", "sunshine", "clouds", "snow"});
+    // "on a plain clear skies"
+    const bool land = at > 1 && WordAt(*tokens, at - 2) == "on" &&
+                      (IsOneOf(WordAt(*tokens, end), {"sky", "skies"}) ||
+                       IsOneOf(WordAt(*tokens, end - 1), {"sky", "skies"}));
+    const bool alone = substance && IsPauseAt(*tokens, end) &&
+                       (at == 0 || (IsPauseAt(*tokens, at - 1) && (*tokens)[at - 1].text != ":") ||
+                        IsOneOf(WordAt(*tokens, at - 1), {"some", "just", "only"}));
+    // "plain sunny weather"
+    const bool weather =
+        (at == 0 || IsPauseAt(*tokens, at - 1)) &&
+        (WordAt(*tokens, end) == "weather" || WordAt(*tokens, end - 1) == "weather");
+    if (alone || weather || (led && noun && !land)) EraseTokens(tokens, at, said - at);
   }
 }
 
 }  // namespace
 
 void MendTimes(const EnvironmentWords& words, std::vector<Token>* tokens) {
-  DropThoughts(tokens);
+  DropThoughts(words, tokens);
   DropPast(words, tokens);
-  DropBygoneTimes(tokens);
+  DropBygoneTimes(words, tokens);
   DropForecasts(words, tokens);
   MendSun(tokens);
   DropPlain(words, tokens);

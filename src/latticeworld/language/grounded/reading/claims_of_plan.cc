@@ -98,6 +98,12 @@ class ClaimMaker {
       claim.least = feature.located_least;
       Add(std::move(claim));
     }
+    if (feature.gap > 0.0) {
+      Claim claim = Of(ClaimKind::kApart, feature.letter, feature.words);
+      claim.object = feature.letter;
+      claim.least = feature.gap;
+      Add(std::move(claim));
+    }
     if (feature.fills_rest) ClaimRest(feature);
   }
 

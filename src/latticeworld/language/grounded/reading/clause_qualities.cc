@@ -52,7 +52,8 @@ void ClauseReader::ReadQualities(const Chunk& chunk) {
   std::size_t next = at_ + 1;
   // "at least five cells from the water"
   if (said.count.has_value() && !subjects_.empty() &&
-      (IsSense(next, Sense::kFrom) || IsSense(next, Sense::kAway))) {
+      (IsSense(next, Sense::kFrom) || IsSense(next, Sense::kAway) ||
+       IsSense(next, Sense::kApartEach))) {
     const std::string unit = ToLowerAscii(d_.Words(chunk.end, chunks_[next].begin));
     for (const std::string_view word : {"cells", "tiles", "steps", "squares"}) {
       if (unit.find(word) != std::string::npos) gap_ = said.count->least;

@@ -140,6 +140,7 @@ class ClauseReader {
   void ReadBridge(const Chunk& chunk);
   std::vector<int> Own(const Frame& frame, const std::vector<int>& subjects) const;
   bool SaysLeaving() const;
+  void KeepApart();
   bool SaysThreeSides() const;
   bool RunsBetween() const;
   bool TiesSubject(std::size_t at) const;

@@ -146,6 +146,23 @@ bool ClauseReader::IsElsewhere(const NounPhrase& phrase, int known) const {
   });
 }
 
+// "two lakes at least five cells apart", "the villages are far from each other"
+void ClauseReader::KeepApart() {
+  constexpr double kApartSteps = 3.0;
+  const double steps = gap_ > 0 ? gap_ : kApartSteps;
+  gap_ = 0;
+  const std::vector<int> about = subjects_.empty() ? d_.Antecedent({}, /*many=*/true) : subjects_;
+  for (const int index : about) {
+    // "two woods"
+    const bool several = d_.thing(index).plural || d_.feature(index).pieces > 1;
+    if (!several) continue;
+    d_.feature(index).gap = steps;
+    // "houses, well apart": here and there.
+    const bool counted = d_.feature(index).pieces > 0 || d_.feature(index).pieces_least > 0;
+    if (!counted && !IsLine(index)) d_.feature(index).texture = Texture::kScattered;
+  }
+}
+
 // Land that lies in water; in the lake that was spoken of.
 void ClauseReader::Island(int index) {
   for (int i = index - 1; i >= 0; --i) {

@@ -406,6 +406,9 @@ void ClauseReader::ReadSense(const Chunk& chunk) {
       AssertEachOther(frame, &d_);
       break;
     }
+    case Sense::kApartEach:
+      KeepApart();
+      break;
     case Sense::kHalfEach: {
       // The things that follow, or were named, share it evenly.
       // "... of forest and fields, and a village where they meet": not the village.

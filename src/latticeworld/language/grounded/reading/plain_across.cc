@@ -244,6 +244,8 @@ void TurnAcrossFrom(std::vector<Token>* tokens, std::size_t at) {
   const ClassWord* noun = NounBefore(*tokens, other.end);
   const bool line = noun != nullptr && noun->shape == WordShape::kLine;
   if (WordAt(*tokens, across.end) == "to" || (line && WordAt(*tokens, at) == "across")) return;
+  // "a lake facing the forest, on the other side of the road a village"
+  if (PhraseEnd(*tokens, across.end) > across.end) return;
   SayBetween(tokens, {begin, across.end}, across.middle, other, across.from);
 }
 
@@ -267,7 +269,16 @@ void TurnNearSide(std::vector<Token>* tokens, std::size_t at) {
     const std::size_t side = IsFlank(WordAt(*tokens, i + 3)) ? 4 : 3;
     if (!IsPauseAt(*tokens, i + side)) return;
     ReplaceTokens(tokens, i, side, {"on", "the", "other", "side"});
+    // "a lake with trees on one shore and houses on the other shore": of the lake
+    std::string owner;
+    for (const NamedThing& named : NamedBefore(*tokens, at)) {
+      if (!one || named.begin < SentenceBegin(*tokens, at)) break;
+      if (MatchClassWord(*tokens, named.begin).word->wild == 'W')
+        owner = "of the " + JoinWords(*tokens, named.begin, named.end);
+    }
+    InsertTokens(tokens, i + 4, SaidLike(owner, (*tokens)[i]));
     ReplaceTokens(tokens, at, end - at, {"on", "one", "side"});
+    InsertTokens(tokens, at + 3, SaidLike(owner, (*tokens)[at]));
     return;
   }
 }

@@ -150,6 +150,7 @@ void TurnAnotherOne(std::vector<Token>* tokens, std::size_t at) {
   if (!IsOneOf(WordAt(*tokens, verb), {"goes", "runs", "leads", "flows", "comes", "crosses"}))
     return;
   if (one && verb == next) return;
+  if (WordAt(*tokens, verb + 1) == "along") return;
   const std::vector<NamedThing> named = NamedBefore(*tokens, at);
   if (named.empty()) return;
   // The last line, in this sentence or the one before.

@@ -82,11 +82,18 @@ void TurnAllSides(std::vector<Token>* tokens, std::size_t at) {
   if (noun == at || noun <= begin + 1) return;
   std::size_t verb = noun - 1;
   const std::string_view word = WordAt(*tokens, verb);
-  if (IsEnclosing(word)) {
+  if (IsEnclosing(word) || IsOneOf(word, {"around", "round"})) {
     EraseTokens(tokens, at, end - at);
     return;
   }
   if (IsBordering(word) && verb > begin) {
+    // A line has two sides.
+    if (!it && MatchClassWord(*tokens, NamedBefore(*tokens, at).front().begin).is_line()) {
+      ReplaceTokens(tokens, at, end - at, {"on", "both", "sides"});
+      if (!IsOneOf(word, {"line", "lines", "flank", "flanks"}))
+        ReplaceTokens(tokens, verb, 1, {"border"});
+      return;
+    }
     EraseTokens(tokens, at, end - at);
     ReplaceTokens(tokens, verb, 1, {"surrounds"});
     return;
@@ -115,6 +122,14 @@ void TurnAllSides(std::vector<Token>* tokens, std::size_t at) {
   if (!own || IsOneOf(WordAt(*tokens, at - 1), {"island", "islands"})) return;
   // "a village in the wood, with fields on all sides": of which of the two?
   if (mark && named.size() > 1 && named[1].begin >= begin) return;
+  if (!IsOneOf(word, {"has", "have", "with"})) return;
+  // "roads from every side": no ring of them.
+  const bool line = MatchClassWord(*tokens, NamedBefore(*tokens, at).front().begin).is_line();
+  if (line && IsOneOf(WordAt(*tokens, at), {"from", "to"})) return;
+  if (MatchClassWord(*tokens, named[0].begin).is_line()) {
+    ReplaceTokens(tokens, at, end - at, {"on", "both", "sides"});
+    return;
+  }
   if (IsOneOf(word, {"has", "have"})) {
     EraseTokens(tokens, at, end - at);
     ReplaceTokens(tokens, verb, 1, {"is", "surrounded", "by"});

@@ -187,11 +187,23 @@ void TurnOtherHalf(std::vector<Token>* tokens, std::size_t at) {
       !IsOneOf(WordAt(*tokens, at + 2), {"is", "has", "should", "consists", "must"})) {
     return;
   }
+  // "the other is in the fields": the other of two things
+  if (IsOneOf(WordAt(*tokens, SkipBeing(*tokens, at + 2)),
+              {"in", "at", "on", "near", "to", "next", "by", "north", "south", "east", "west"})) {
+    return;
+  }
   const std::size_t begin = SentenceBegin(*tokens, at);
   const std::size_t from = begin == at && begin > 0 ? SentenceBegin(*tokens, begin - 1) : begin;
   for (std::size_t i = from; i + 1 < at; ++i) {
     if (WordAt(*tokens, i) != "one" || WordAt(*tokens, i + 1) != "half") continue;
-    InsertTokens(tokens, at + 2, {WordLike("half", (*tokens)[at + 1])});
+    if (WordAt(*tokens, i + 2) == "of" && !IsMapWord(WordAt(*tokens, i + 4))) return;
+    for (std::size_t k = i + 2; k < at; ++k)
+      if (WordAt(*tokens, k) == "one") return;
+    // "the other has a lake": nobody says how much of it
+    if (WordAt(*tokens, at + 2) == "has")
+      ReplaceTokens(tokens, at, 3, {"there", "is"});
+    else
+      InsertTokens(tokens, at + 2, {WordLike("half", (*tokens)[at + 1])});
     return;
   }
 }

@@ -138,12 +138,19 @@ void TurnReaches(std::vector<Token>* tokens, std::size_t at) {
   const auto say = [&](std::string_view words) {
     for (const Token& token : SaidLike(words, beside)) said.push_back(token);
   };
-  say("is next to");
+  const NamedThing last = NamedBefore(*tokens, at).front();
+  const bool many = MatchClassWord(*tokens, last.begin).plural;
+  say(many ? "are next to" : "is next to");
   add(at + 2, one);
   say(".");
-  said.insert(said.end(), lake.begin(), lake.end());
-  if (IsOneOf(WordAt(lake, 0), {"a", "an"})) said[said.size() - lake.size()].text = "the";
-  say("is next to");
+  // "two lakes" are told of once more, not two others
+  if (many && !IsOneOf(WordAt(lake, 0), {"the", "its", "their", "these"})) {
+    say("they");
+  } else {
+    said.insert(said.end(), lake.begin(), lake.end());
+    if (IsOneOf(WordAt(lake, 0), {"a", "an"})) said[said.size() - lake.size()].text = "the";
+  }
+  say(many ? "are next to" : "is next to");
   add(one_end + 1, other);
   if (one_end > one) {
     say(".");

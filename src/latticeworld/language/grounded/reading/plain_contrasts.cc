@@ -76,39 +76,6 @@ std::size_t SkipBeside(const std::vector<Token>& tokens, std::size_t at) {
   return IsOneOf(word, {"near", "around", "round", "beside", "by", "touching"}) ? at + 1 : at;
 }
 
-// "A village with no forest around it", "without any trees near it", "with no forest nearby": the
-// forest is not close to it.
-void TurnNoneBeside(std::vector<Token>* tokens, std::size_t at) {
-  const bool without = WordAt(*tokens, at) == "without";
-  if (!without && WordAt(*tokens, at) != "no") return;
-  const std::size_t noun = at + (WordAt(*tokens, at + 1) == "any" ? 2 : 1);
-  const std::size_t end = noun + MatchClassWord(*tokens, noun).tokens;
-  if (end == noun) return;
-  std::size_t beside = end;
-  while (IsOneOf(WordAt(*tokens, beside), {"directly", "right", "immediately"})) ++beside;
-  const std::size_t it = SkipBeside(*tokens, beside);
-  std::size_t last = it;
-  if (it > beside && IsOneOf(WordAt(*tokens, it), {"it", "them"})) {
-    last = it + 1;
-  } else if (WordAt(*tokens, beside) == "nearby") {
-    last = beside + 1;
-  } else if (WordAt(*tokens, beside) == "close" && WordAt(*tokens, beside + 1) == "by") {
-    last = beside + 2;
-  } else {
-    return;
-  }
-  if (!IsPauseAt(*tokens, last) && WordAt(*tokens, last) != "and") return;
-  // It was named before; of the others that were named it is not said.
-  if (NamedBefore(*tokens, at).empty()) return;
-  for (std::size_t i = 0; i < at; ++i)
-    if (SameClass(MatchClassWord(*tokens, i).word, MatchClassWord(*tokens, noun).word)) return;
-  const bool many = WordAt(*tokens, it) == "them";
-  ReplaceTokens(tokens, end, last - end, {"not", "close", "to", many ? "them" : "it"});
-  std::vector<std::string_view> said = {"the"};
-  if (without) said.insert(said.begin(), "with");
-  ReplaceTokens(tokens, at, noun - at, said);
-}
-
 // "The two villages are not connected by a road": the two villages. "A town by a lake, but not
 // surrounded by it": a town by a lake.
 void TurnNotRelated(std::vector<Token>* tokens, std::size_t at) {
@@ -214,7 +181,6 @@ void TurnContrasts(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     TurnAsideNot(tokens, at);
     TurnNotBut(tokens, at);
-    TurnNoneBeside(tokens, at);
     TurnNotRelated(tokens, at);
     TurnOnce(tokens, at);
     TurnNothingBut(tokens, at);

@@ -5,6 +5,7 @@
 
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
+#include "latticeworld/language/grounded/reading/side_words.h"
 #include "latticeworld/language/grounded/reading/thing_words.h"
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/token_edits.h"
@@ -97,12 +98,14 @@ void TurnNoBridge(std::vector<Token>* tokens, std::size_t at) {
   if (lack.end == 0 || !IsOneOf(WordAt(*tokens, lack.end), {"bridge", "bridges", "ford", "fords"}))
     return;
   std::size_t end = lack.end + 1;
-  const bool over = IsOneOf(WordAt(*tokens, end), {"over", "across", "on", "crosses", "cross",
-                                                   "spans", "span", "crossing", "spanning"});
-  if (over) ++end;
   const bool of_it =
       WordAt(*tokens, lack.begin) == "without" || WordAt(*tokens, lack.begin) == "with";
-  const bool ends = IsPauseAt(*tokens, end) || WordAt(*tokens, end) == "and" ||
+  // "a river without a bridge crosses the forest": the river does
+  const bool spans = IsOneOf(WordAt(*tokens, end), {"crosses", "cross", "spans", "span"});
+  const bool over = (spans && !of_it) ||
+                    IsOneOf(WordAt(*tokens, end), {"over", "across", "on", "crossing", "spanning"});
+  if (over) ++end;
+  const bool ends = IsPauseAt(*tokens, end) || WordAt(*tokens, end) == "and" || (of_it && spans) ||
                     (of_it && !NamesThing(*tokens, end)) ||
                     (of_it && IsOneOf(WordAt(*tokens, end), {"separates", "divides", "flows",
                                                              "runs", "splits", "leads", "goes"}));
@@ -161,6 +164,48 @@ void TurnNoBends(std::vector<Token>* tokens, std::size_t at) {
   const bool has = IsOneOf(WordAt(*tokens, lack.begin), {"has", "have"}) ||
                    IsOneOf(WordAt(*tokens, lack.begin + 1), {"has", "have"}) ||
                    IsOneOf(WordAt(*tokens, lack.begin + 2), {"has", "have"});
+  // "a lake with no corners", "a town without bends in the river": nothing straight
+  const std::size_t before =
+      lack.begin - (lack.begin > 0 && IsMark(*tokens, lack.begin - 1) ? 1 : 0);
+  const bool pronoun =
+      has && IsOneOf(WordAt(*tokens, lack.begin), {"it", "they", "which", "that", "and", "but"});
+  const std::size_t sentence = SentenceBegin(*tokens, lack.begin);
+  bool line = pronoun || before == sentence;
+  NamedThing bent = {0, 0};
+  for (const NamedThing& named : NamedBefore(*tokens, before)) {
+    if (line || named.begin < sentence) break;
+    line = MatchClassWord(*tokens, named.begin).is_line();
+    if (line) bent = named;
+    // "a road from the village to the lake without bends"
+    const std::size_t first = PhraseBegin(*tokens, named.end);
+    if (!line && named.end == before &&
+        (first == 0 || !IsOneOf(WordAt(*tokens, first - 1), {"to", "from", "past", "through",
+                                                             "across", "towards", "between"}))) {
+      break;
+    }
+  }
+  if (!line) {
+    // "a town without any bends in the river": with a straight one
+    const std::size_t in = WordAt(*tokens, end) == "in" ? PastThing(*tokens, end + 1) : 0;
+    const NamedThing other = in > 0 ? NamedBefore(*tokens, in).front() : NamedThing{0, 0};
+    const Token beside = (*tokens)[lack.begin];
+    if (!has && in > 0 && MatchClassWord(*tokens, other.begin).is_line()) {
+      const bool many = MatchClassWord(*tokens, other.begin).plural;
+      const std::string name = JoinWords(*tokens, other.begin, other.end);
+      EraseTokens(tokens, lack.begin, in - lack.begin);
+      InsertTokens(tokens, lack.begin,
+                   SaidLike((many ? "with straight " : "with a straight ") + name, beside));
+    } else if (!has && (IsPauseAt(*tokens, end) || WordAt(*tokens, end) == "and")) {
+      EraseTokens(tokens, lack.begin, end - lack.begin);
+    }
+    return;
+  }
+  // "a road from the village to the lake without bends": a straight road
+  if (!has && bent.end > 0 && bent.end < before) {
+    EraseTokens(tokens, lack.begin, end - lack.begin);
+    InsertTokens(tokens, bent.begin, {WordLike("straight", (*tokens)[bent.begin])});
+    return;
+  }
   if (!has) {
     ReplaceTokens(tokens, lack.begin, end - lack.begin, {"in", "a", "straight", "line"});
     return;

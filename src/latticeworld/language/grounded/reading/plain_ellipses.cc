@@ -52,8 +52,35 @@ struct Placed {
   bool denied = false;
 };
 
+// "houses near the lake", "a row of houses along the road": told only to say where something is.
+bool OnlySaysWhere(const std::vector<Token>& tokens, const NamedThing& named) {
+  const std::size_t first = PhraseBegin(tokens, named.end);
+  if (first == 0) return false;
+  const std::string_view before = WordAt(tokens, first - 1);
+  // "covered by trees"
+  if (before == "by" && first > 1 &&
+      IsOneOf(WordAt(tokens, first - 2), {"covered", "filled", "surrounded", "bordered"})) {
+    return false;
+  }
+  return IsOneOf(before, {"near", "along", "alongside", "by", "around", "beside", "behind",
+                          "between", "through", "from"}) ||
+         (before == "to" && first > 1 &&
+          IsOneOf(WordAt(tokens, first - 2), {"next", "close", "adjacent"})) ||
+         (before == "of" && first > 1 &&
+          IsOneOf(WordAt(tokens, first - 2), {"side", "sides", "bank", "banks", "shore", "shores",
+                                              "edge", "north", "south", "east", "west"}));
+}
+
+// What there cannot be many or a few of: "a lake".
+bool IsOneThing(const std::vector<Token>& tokens, const NamedThing& named) {
+  const ClassWordMatch match = MatchClassWord(tokens, named.begin);
+  return match.word != nullptr && !match.plural && match.word->shape != WordShape::kMass &&
+         IsOneOf(WordAt(tokens, named.begin > 0 ? named.begin - 1 : 0), {"a", "an", "the", "one"});
+}
+
 Placed PlacedBefore(const std::vector<Token>& tokens, std::size_t at) {
   for (const NamedThing& named : NamedBefore(tokens, at)) {
+    if (OnlySaysWhere(tokens, named) || IsOneThing(tokens, named)) continue;
     std::size_t first = named.begin;
     while (first > 0 && IsSize(WordAt(tokens, first - 1))) --first;
     const std::string_view before = first > 0 ? WordAt(tokens, first - 1) : std::string_view();
@@ -65,8 +92,17 @@ Placed PlacedBefore(const std::vector<Token>& tokens, std::size_t at) {
     bool had = false;
     for (std::size_t i = first; i > 0 && first - i < 4 && !IsPauseAt(tokens, i - 1); --i)
       had = had || IsOneOf(WordAt(tokens, i - 1), {"has", "have"});
-    if (had && IsPauseAt(tokens, named.end)) return {named.begin, named.end, owned};
-    if (PlaceAt(tokens, named.end) || (owned && IsPauseAt(tokens, named.end)))
+    const std::string_view near = WordAt(tokens, named.end);
+    const bool ends = IsPauseAt(tokens, named.end) ||
+                      IsOneOf(near, {"near", "along", "by", "around", "next", "beside"});
+    if (had && ends) return {named.begin, named.end, owned};
+    // "houses near the lake in the north"
+    std::size_t place = named.end;
+    if (ends && !IsPauseAt(tokens, place)) {
+      place += WordAt(tokens, place + 1) == "to" ? 2 : 1;
+      place = PhraseEnd(tokens, place);
+    }
+    if (PlaceAt(tokens, place) || (owned && IsPauseAt(tokens, named.end)))
       return {named.begin, named.end, owned};
   }
   return {};
@@ -144,9 +180,16 @@ void TurnCoveredWithThem(std::vector<Token>* tokens, std::size_t at) {
       !IsOneOf(WordAt(*tokens, at - 2), {"covered", "full", "filled"})) {
     return;
   }
+  // Not what is covered: "a lake, and the forest is full of them".
+  const std::size_t being = BeingBegin(*tokens, at - 2);
   const std::vector<NamedThing> named = NamedBefore(*tokens, at);
-  if (named.empty()) return;
-  const std::string name = JoinWords(*tokens, named[0].begin, named[0].end);
+  std::size_t thing = 0;
+  while (thing < named.size() &&
+         (named[thing].end == being || OnlySaysWhere(*tokens, named[thing]))) {
+    ++thing;
+  }
+  if (thing == named.size()) return;
+  const std::string name = JoinWords(*tokens, named[thing].begin, named[thing].end);
   ReplaceTokens(tokens, at, 1, {name});
   const std::vector<Token> words = SaidLike(name, (*tokens)[at]);
   EraseTokens(tokens, at, 1);
@@ -293,7 +336,13 @@ void TurnThereToo(std::vector<Token>* tokens, std::size_t at) {
       NamesThing(*tokens, at + 1)) {
     return;
   }
-  const std::string name = JoinWords(*tokens, named[0].begin, named[0].end);
+  // "In the north there are trees along the river, in the south too": the trees.
+  std::size_t thing = 0;
+  while (thing + 1 < named.size() && named[thing + 1].begin >= begin &&
+         OnlySaysWhere(*tokens, named[thing])) {
+    ++thing;
+  }
+  const std::string name = JoinWords(*tokens, named[thing].begin, named[thing].end);
   const std::vector<Token> said = SaidLike("there is " + name, (*tokens)[at]);
   const std::size_t too = end - (well ? 2 : 1);
   EraseTokens(tokens, too, end - too);

@@ -123,18 +123,74 @@ void TurnKeptBank(std::vector<Token>* tokens, std::size_t at) {
       !IsOneOf(WordAt(*tokens, next + 1), {"of", "from"})) {
     return;
   }
-  const std::size_t end = PastThing(*tokens, next + 2);
-  if (end == 0) return;
-  const std::size_t noun = PastArticle(*tokens, next + 2);
-  const std::string said = "the " + JoinWords(*tokens, noun, end) + " not next to the " + owner;
+  std::size_t end = next + 1;
+  std::string said;
+  // "free of houses, trees and roads"
+  for (std::size_t thing = next + 2; PastThing(*tokens, thing) > 0;) {
+    const std::size_t noun = PastArticle(*tokens, thing);
+    end = PastThing(*tokens, thing);
+    said += (said.empty() ? "the " : " . the ") + JoinWords(*tokens, noun, end) +
+            " not next to the " + owner;
+    thing = end + (IsMark(*tokens, end) ? 1 : 0);
+    if (IsOneOf(WordAt(*tokens, thing), {"and", "or"})) ++thing;
+    const std::size_t after = PastThing(*tokens, thing);
+    const bool listed =
+        after > 0 && (IsPauseAt(*tokens, after) || WordAt(*tokens, after) == "and" ||
+                      WordAt(*tokens, after) == "or");
+    if (thing == end || !listed) break;
+  }
+  if (said.empty()) return;
   const Token beside = (*tokens)[at];
+  // "..., and put a village in the north": a sentence of its own
+  std::size_t next_clause = end + (IsMark(*tokens, end) ? 1 : 0);
+  if (WordAt(*tokens, next_clause) == "and") ++next_clause;
+  if (next_clause > end) {
+    said += " .";
+    end = next_clause;
+  }
   EraseTokens(tokens, at, end - at);
   InsertTokens(tokens, at, SaidLike(said, beside));
 }
 
-// "No houses should be near it", "do not put any water near it": the houses not near it.
+bool SameClass(const ClassWord* one, const ClassWord* other) {
+  return one != nullptr && other != nullptr && one->suburb == other->suburb &&
+         one->wild == other->wild;
+}
+
+// The thing that "it" or "them" stands for behind what ends before `at`: right before "with", else
+// the last that no preposition leads in. "a lake near a wood. No houses near it": the lake.
+NamedThing OwnerBefore(const std::vector<Token>& tokens, std::size_t at, const ClassWord* denied) {
+  NamedThing owner = {0, 0};
+  for (const NamedThing& named : NamedBefore(tokens, at)) {
+    if (SameClass(MatchClassWord(tokens, named.begin).word, denied)) continue;
+    const std::size_t first = PhraseBegin(tokens, named.end);
+    const bool led = first > 0 && IsOneOf(WordAt(tokens, first - 1),
+                                          {"near", "along", "by", "around", "of", "to", "beside",
+                                           "in", "from", "with", "no", "through", "behind"});
+    if (owner.end == 0) owner = named;
+    if (!led || named.end == at) return named;
+  }
+  return owner;
+}
+
+// "near it", "around them", "close by", "nearby": the token after them; 0: no such words.
+std::size_t NearItEnd(const std::vector<Token>& tokens, std::size_t at) {
+  while (IsOneOf(WordAt(tokens, at), {"directly", "right", "immediately", "anywhere"})) ++at;
+  const std::string_view word = WordAt(tokens, at), next = WordAt(tokens, at + 1);
+  if (word == "nearby") return at + 1;
+  std::size_t it = 0;
+  if (IsOneOf(word, {"near", "around", "round", "beside", "by", "touching"})) it = at + 1;
+  if (IsOneOf(word, {"next", "close", "adjacent"}) && next == "to") it = at + 2;
+  if (word == "all" && next == "around") it = at + 2;
+  if (word == "close" && next == "by") return at + 2;
+  return it > 0 && IsOneOf(WordAt(tokens, it), {"it", "them"}) ? it + 1 : 0;
+}
+
+// "A lake. No houses should be near it. A road leads to it", "a lake with no forest around it",
+// "do not put any water near it": a lake. A road leads to it. The houses not close to the lake.
 void TurnNoneNearIt(std::vector<Token>* tokens, std::size_t at) {
   std::size_t begin = at, noun = at + 1;
+  const bool without = WordAt(*tokens, at) == "without";
   if (WordAt(*tokens, at) == "not") {
     if (at == 0 || WordAt(*tokens, at - 1) != "do" ||
         !IsOneOf(WordAt(*tokens, at + 1), {"put", "place", "build", "add", "draw", "plant"})) {
@@ -142,39 +198,69 @@ void TurnNoneNearIt(std::vector<Token>* tokens, std::size_t at) {
     }
     --begin;
     noun = at + 2;
-    if (WordAt(*tokens, noun) == "any") ++noun;
-  } else if (WordAt(*tokens, at) != "no") {
+  } else if (!without && WordAt(*tokens, at) != "no") {
     return;
   }
-  const std::size_t length = MatchClassWord(*tokens, noun).tokens;
-  std::size_t near = noun + length;
+  if (WordAt(*tokens, noun) == "any") ++noun;
+  const ClassWordMatch denied = MatchClassWord(*tokens, noun);
+  std::size_t near = noun + denied.tokens;
   while (IsOneOf(WordAt(*tokens, near), {"should", "may", "must", "can", "be", "stand", "lie",
                                          "built", "are", "is", "placed"})) {
     ++near;
   }
-  const bool close =
-      WordAt(*tokens, near) == "near" || WordAt(*tokens, near) == "beside" ||
-      (IsOneOf(WordAt(*tokens, near), {"next", "close"}) && WordAt(*tokens, near + 1) == "to");
-  const std::size_t it = near + (WordAt(*tokens, near + 1) == "to" ? 2 : 1);
-  if (length == 0 || !close || !IsOneOf(WordAt(*tokens, it), {"it", "them"}) ||
-      !IsPauseAt(*tokens, it + 1) || NamedBefore(*tokens, begin).empty()) {
+  std::size_t end = NearItEnd(*tokens, near);
+  if (denied.word == nullptr || end == 0) return;
+  const bool with = without || (begin > 0 && WordAt(*tokens, begin - 1) == "with");
+  if (with && !without) --begin;
+  if (!with) begin = BeingBegin(*tokens, begin);
+  // "the lake has no houses around it"
+  if (!with && begin > 0 && WordAt(*tokens, begin - 1) == "has") --begin;
+  // "with no houses around it lies in the south"
+  const bool goes_on =
+      with && near == noun + denied.tokens &&
+      (SkipBeing(*tokens, end) > end || IsOneOf(WordAt(*tokens, end), {"in", "on", "at", "but"}));
+  if (!IsPauseAt(*tokens, end) && !IsOneOf(WordAt(*tokens, end), {"and", "but"}) && !goes_on)
     return;
-  }
-  if (begin > 1 && IsOneOf(WordAt(*tokens, begin - 1), {"is", "are"}) &&
-      WordAt(*tokens, begin - 2) == "there") {
-    begin -= 2;
-  }
-  const bool with = begin > 0 && WordAt(*tokens, begin - 1) == "with";
-  if (with) --begin;
-  const bool stop = begin == 0 || IsPauseAt(*tokens, begin - 1);
-  ReplaceTokens(tokens, near, it - near, {"not", "close", "to"});
-  EraseTokens(tokens, noun + length, near - noun - length);
-  const Token beside = (*tokens)[begin];
   const bool linked = begin > 0 && IsOneOf(WordAt(*tokens, begin - 1), {"and", "but"});
   if (linked) --begin;
-  EraseTokens(tokens, begin, noun - begin);
-  InsertTokens(tokens, begin, SaidLike("the", beside));
-  if (linked || !stop) InsertTokens(tokens, begin, {StopLike(beside)});
+  const bool mark = begin > 0 && IsMark(*tokens, begin - 1);
+  if (mark) --begin;
+  const NamedThing owner = OwnerBefore(*tokens, begin, denied.word);
+  if (owner.end == 0) return;
+  if (WordAt(*tokens, end - 1) == "nearby") {
+    for (std::size_t i = 0; i < at; ++i)
+      if (SameClass(MatchClassWord(*tokens, i).word, denied.word)) return;
+  }
+  const Token beside = (*tokens)[at];
+  std::vector<Token> said;
+  if (tokens->back().kind != TokenKind::kStop) said.push_back(StopLike(beside));
+  const auto say = [&](std::string_view words) {
+    for (const Token& token : SaidLike(words, beside)) said.push_back(token);
+  };
+  const std::string kept =
+      "the " + JoinWords(*tokens, noun, noun + denied.tokens) + " not close to the ";
+  say(kept + JoinWords(*tokens, owner.begin, owner.end) + " .");
+  // "a village and a lake. No trees near them": near either of the two
+  if (WordAt(*tokens, end - 1) == "them" && !MatchClassWord(*tokens, owner.begin).plural) {
+    const std::size_t second = PhraseBegin(*tokens, owner.end);
+    const std::vector<NamedThing> named = NamedBefore(*tokens, second);
+    if (second > 0 && WordAt(*tokens, second - 1) == "and" && !named.empty() &&
+        named.front().begin >= SentenceBegin(*tokens, second)) {
+      say(kept + JoinWords(*tokens, named.front().begin, named.front().end) + " .");
+    }
+  }
+  const bool opens = begin == 0 || IsStopAt(*tokens, begin - 1);
+  if (opens) {
+    // A sentence of its own goes away with the stop, comma or "and" behind it.
+    if (end < tokens->size()) ++end;
+  } else if (IsMark(*tokens, end) && mark) {
+    // Between commas: one is left before the next thing.
+    const bool thing = PhraseEnd(*tokens, end + 1) > end + 1 ||
+                       IsOneOf(WordAt(*tokens, end + 1), {"and", "but", "with"});
+    if (!thing) ++end;
+  }
+  InsertTokens(tokens, tokens->size(), said);
+  EraseTokens(tokens, begin, end - begin);
 }
 
 }  // namespace

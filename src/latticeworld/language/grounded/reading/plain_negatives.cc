@@ -90,7 +90,10 @@ std::string_view WithoutIt(const ClassWord& word) {
 // the forest": the road does.
 void TurnWithout(std::vector<Token>* tokens, std::size_t at) {
   const std::size_t first = SkipLack(*tokens, at);
+  // "a meadow clear of the forest": of that which there is
   if (first == at || at == 0) return;
+  const bool clear = first > 1 && WordAt(*tokens, first - 2) == "clear";
+  if (clear && WordAt(*tokens, first) == "the") return;
   const std::size_t before = IsMark(*tokens, at - 1) ? at - 1 : at;
   const std::vector<NamedThing> named = NamedBefore(*tokens, before);
   if (named.empty() || named.front().end != before) return;

@@ -57,7 +57,14 @@ void TurnTwoBounds(std::vector<Token>* tokens, std::size_t at) {
     if (MatchClassWord(*tokens, noun).tokens == 0) return;
   } else {
     if (WordAt(*tokens, end) == "of" && WordAt(*tokens, end + 1) == "them") end += 2;
-    if (MatchClassWord(*tokens, end).word != nullptr) ++end;
+    // "at least two lakes and at most three villages": of each of them.
+    const ClassWordMatch other = MatchClassWord(*tokens, end);
+    const ClassWord* one = MatchClassWord(*tokens, noun).word;
+    if (other.word != nullptr &&
+        (other.word->suburb != one->suburb || other.word->wild != one->wild)) {
+      return;
+    }
+    end += other.tokens;
     if (!IsPauseAt(*tokens, end) && WordAt(*tokens, end) != "in") return;
   }
   const Token beside = (*tokens)[at];

@@ -65,6 +65,8 @@ void TurnCellsOff(std::vector<Token>* tokens, std::size_t at) {
       return;
     }
   }
+  // "the two rows below the lake are houses"
+  if (begin > 0 && WordAt(*tokens, begin - 1) == "the") --begin;
   EraseTokens(tokens, begin, next - begin);
 }
 

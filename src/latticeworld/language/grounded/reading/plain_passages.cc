@@ -85,7 +85,24 @@ void TurnFlankedSubject(std::vector<Token>* tokens, std::size_t at) {
   if (verb < tokens->size() && (*tokens)[verb].kind == TokenKind::kComma) ++verb;
   if (!IsRunning(WordAt(*tokens, verb))) return;
   std::vector<Token> moved = TokensBetween(*tokens, at, end);
-  const std::size_t to = PauseAfter(*tokens, verb);
+  std::size_t to = PauseAfter(*tokens, verb);
+  // "... and a lake is in the north": of something else.
+  for (std::size_t i = verb + 1; i < to; ++i) {
+    if (!IsOneOf(WordAt(*tokens, i), {"and", "but", "while", "whereas"})) continue;
+    const std::size_t other = PhraseEnd(*tokens, i + 1);
+    const bool clause =
+        WordAt(*tokens, i + 1) == "there" ||
+        (other > i + 1 && WordAt(*tokens, i + 1) != "it" &&
+         (SkipBeing(*tokens, other) > other || IsRunning(WordAt(*tokens, other)) ||
+          IsOneOf(WordAt(*tokens, other), {"has", "have", "covers", "cover", "fills", "fill",
+                                           "surrounds", "surround", "occupies"})));
+    if (!clause) continue;
+    // In a sentence of its own, which TurnRelatives makes of it.
+    for (std::size_t k = at; k < end; ++k)
+      if (IsOneOf(WordAt(*tokens, k), {"both", "either", "each"})) return;
+    (*tokens)[i] = StopLike((*tokens)[i]);
+    to = i;
+  }
   // "..., turns south and ends there": it is told to the end of the sentence.
   // "a ridge of rock": what is no line is left in one phrase with its way.
   if (MatchClassWord(*tokens, NamedBefore(*tokens, begin).front().begin).is_line())

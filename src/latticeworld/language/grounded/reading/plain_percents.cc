@@ -234,9 +234,20 @@ void TurnNorthPercent(std::vector<Token>* tokens, std::size_t at) {
       !IsNumberAt(*tokens, at + 3)) {
     return;
   }
-  std::size_t noun = NumberEnd(*tokens, at + 3);
+  const std::size_t being = NumberEnd(*tokens, at + 3);
+  std::size_t noun = being;
   while (IsOneOf(WordAt(*tokens, noun), {"is", "are", "should", "be"})) ++noun;
-  if (NounEnd(*tokens, noun) > noun) InsertTokens(tokens, at + 3, {CommaLike((*tokens)[at])});
+  std::size_t more = NounEnd(*tokens, noun);
+  if (more == noun) return;
+  // "in the west 60% is forest and 40% is grass": a list of the place
+  if (IsMark(*tokens, more)) ++more;
+  if (WordAt(*tokens, more) == "and") ++more;
+  if (IsNumberAt(*tokens, more)) {
+    InsertTokens(tokens, at + 3, {CommaLike((*tokens)[at])});
+    return;
+  }
+  EraseTokens(tokens, being, noun - being);
+  InsertTokens(tokens, at + 3, SaidLike("there is", (*tokens)[at]));
 }
 
 // "Forest: 0.4, water = 0.6", "the forest is 0.4", "forest = 40, water = 60", "percentage of
@@ -277,7 +288,14 @@ void TurnDecimals(std::vector<Token>* tokens) {
   for (const Token& token : *tokens) percentage = percentage || token.text == "percentage";
   const bool all = whole.size() >= 2 && std::abs(sum - 100.0) < 0.5;
   if (!all && !(percentage && sum <= 100.0)) return;
-  for (std::size_t i = whole.size(); i-- > 0;) SetPercent(tokens, whole[i], value(whole[i]));
+  for (std::size_t i = whole.size(); i-- > 0;) {
+    // "Percentage of forest: 40, lakes: 2": so many lakes
+    const NamedThing thing = NamedBefore(*tokens, whole[i] - 1).front();
+    const ClassWordMatch match = MatchClassWord(*tokens, thing.begin);
+    constexpr double kFew = 5.0;
+    const bool counted = match.plural && match.word->shape != WordShape::kMass;
+    if (all || !counted || value(whole[i]) > kFew) SetPercent(tokens, whole[i], value(whole[i]));
+  }
 }
 
 void TurnPercents(std::vector<Token>* tokens) {

@@ -119,6 +119,8 @@ void TurnAllPlacesBut(std::vector<Token>* tokens, std::size_t at) {
   std::string noun;
   const std::size_t all_end = AllPlacesEnd(*tokens, at, &noun);
   if (all_end == at) return;
+  // The sides of something are not those of the map.
+  if (WordAt(*tokens, all_end) == "of" && !IsMapWord(WordAt(*tokens, all_end + 2))) return;
   std::size_t but = all_end;
   while (!IsStopAt(*tokens, but) &&
          !IsOneOf(WordAt(*tokens, but), {"except", "but", "save", "only", "apart", "bar"})) {
@@ -149,10 +151,14 @@ void TurnAllPlacesBut(std::vector<Token>* tokens, std::size_t at) {
   if (told && other) end = which;
   if (within && is) (*tokens)[end].text = "are";
   if (!is && !other && (word == "only" || !IsPauseAt(*tokens, end))) return;
-  // The sides of something are not those of the map.
   if (noun == "side") {
-    for (std::size_t i = SentenceBegin(*tokens, at); i < at; ++i)
-      if (IsOneOf(WordAt(*tokens, i), {"surrounded", "enclosed", "with", "has", "its"})) return;
+    for (std::size_t i = SentenceBegin(*tokens, at); i < at; ++i) {
+      if (IsOneOf(WordAt(*tokens, i),
+                  {"surrounded", "enclosed", "with", "has", "its", "around", "bordered", "lined",
+                   "fringed", "ringed", "hemmed", "surrounds", "borders", "bounded", "flanked"})) {
+        return;
+      }
+    }
   }
   const std::size_t preposition =
       at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"in", "on", "at", "along"}) ? 1 : 0;

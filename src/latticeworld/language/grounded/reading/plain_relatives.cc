@@ -126,7 +126,23 @@ void TurnInserted(std::vector<Token>* tokens, std::size_t at) {
   SayAfter(tokens, at, end + 1, said);
 }
 
-// "A town through which a river flows": a town, a river flows through the town.
+// Where what is told of a line's way ends: "from north to south"; `at`: nothing is told of it. What
+// "in" tells is of the thing that it runs through.
+std::size_t WayEnd(const std::vector<Token>& tokens, std::size_t at) {
+  if (!IsOneOf(WordAt(tokens, at), {"from", "to", "towards", "toward", "into", "down", "up",
+                                    "northwards", "southwards", "eastwards", "westwards"})) {
+    return at;
+  }
+  std::size_t end = at;
+  while (!IsPauseAt(tokens, end) && !IsMainVerb(WordAt(tokens, end)) &&
+         !IsOneOf(WordAt(tokens, end), {"and", "but", "with", "while"})) {
+    ++end;
+  }
+  return end;
+}
+
+// "A town through which a river flows to the south": a town, a river flows through the town to the
+// south.
 void TurnThroughWhich(std::vector<Token>* tokens, std::size_t at) {
   if (!IsOneOf(WordAt(*tokens, at), {"through", "across"}) || WordAt(*tokens, at + 1) != "which" ||
       at == 0) {
@@ -134,28 +150,27 @@ void TurnThroughWhich(std::vector<Token>* tokens, std::size_t at) {
   }
   const std::size_t owner = at - (IsMark(*tokens, at - 1) ? 1 : 0);
   if (NounBefore(*tokens, owner) == nullptr) return;
-  const std::size_t verb = PhraseEnd(*tokens, at + 2);
-  if (verb == at + 2) {  // "through which flows a river"
-    if (!IsOneOf(WordAt(*tokens, verb), {"flows", "runs", "passes", "leads", "goes", "winds"}))
-      return;
-    const std::size_t end = PhraseEnd(*tokens, verb + 1);
-    if (end == verb + 1) return;
-    std::vector<Token> said = TokensBetween(*tokens, verb + 1, end);
-    said.push_back(WordLike("runs", (*tokens)[at]));
-    said.push_back(WordLike(WordAt(*tokens, at), (*tokens)[at]));
-    for (const Token& token : TheThing(*tokens, owner)) said.push_back(token);
-    SayAfter(tokens, owner, end, said);
-    return;
-  }
+  std::size_t line = at + 2, line_end = PhraseEnd(*tokens, line), way = line_end + 1;
+  const bool turned = line_end == line;  // "through which flows a river"
+  const std::size_t verb = line_end;
   if (!IsOneOf(WordAt(*tokens, verb), {"flows", "flow", "runs", "run", "passes", "pass", "leads",
                                        "lead", "goes", "go", "winds", "wind", "cuts", "meanders"}))
     return;
-  std::vector<Token> said = TokensBetween(*tokens, at + 2, verb);
-  said.push_back(WordLike("runs", (*tokens)[at]));
+  if (turned) {
+    line = verb + 1;
+    line_end = way = PhraseEnd(*tokens, line);
+    if (line_end == line) return;
+  }
+  const std::size_t end = WayEnd(*tokens, way);
+  std::vector<Token> said = TokensBetween(*tokens, line, line_end);
+  const bool many = IsOneOf(WordAt(*tokens, verb), {"flow", "run", "pass", "lead", "go", "wind"});
+  said.push_back(WordLike(many ? "run" : "runs", (*tokens)[at]));
   said.push_back(WordLike(WordAt(*tokens, at), (*tokens)[at]));
   for (const Token& token : TheThing(*tokens, owner)) said.push_back(token);
-  const std::size_t end = verb + 1 + (IsMark(*tokens, verb + 1) ? 1 : 0);
-  SayAfter(tokens, owner, IsStopAt(*tokens, end) ? verb + 1 : end, said);
+  for (const Token& token : TokensBetween(*tokens, way, end)) said.push_back(token);
+  const bool aside = IsMark(*tokens, end) && (owner < at || IsMainVerb(WordAt(*tokens, end + 1))) &&
+                     PhraseEnd(*tokens, end + 1) == end + 1 && WordAt(*tokens, end + 1) != "and";
+  SayAfter(tokens, owner, end + (aside ? 1 : 0), said);
 }
 
 // "A road with houses on both sides leads from the south to the lake": it leads there. Houses on

@@ -9,6 +9,10 @@
 // Examples stand with their definitions.
 namespace latticeworld {
 
+// plain_manners.cc: "the river is going up", "at north from the lake", "roads should not exist": goes
+// up, north of the lake, no roads.
+void TurnManners(std::vector<Token>* tokens);
+
 // plain_labels.cc: "bare rock: 0", "on 3 sides": none, three sides.
 void TurnLabels(std::vector<Token>* tokens);
 
@@ -37,8 +41,9 @@ void TurnUses(std::vector<Token>* tokens);
 // "a road with no bends": a river, and never through the village, in a straight line.
 void TurnDenials(std::vector<Token>* tokens);
 
-// plain_keepouts.cc: "ends before it reaches the wood", "keep the river bank free of houses": stops
-// short of it, the houses not next to the river.
+// plain_keepouts.cc: "ends before it reaches the wood", "keep the river bank free of houses", "a
+// village with no forest around it, and a lake": stops short of it, the houses not next to the
+// river, a village and a lake. The forest not close to the village.
 void TurnKeepouts(std::vector<Token>* tokens);
 
 // plain_passages.cc: "a road with houses on both sides runs from west to east", "two rivers meet in
@@ -58,8 +63,8 @@ void TurnOffsets(std::vector<Token>* tokens);
 // town, the river lies between the town and a forest, trees lie between the houses and the road.
 void TurnAcross(std::vector<Token>* tokens);
 
-// plain_contrasts.cc: "a lake, not a river, in the middle", "not a lake but a forest", "a village
-// with no forest around it": a lake in the middle, a forest, with the forest not close to it.
+// plain_contrasts.cc: "a lake, not a river, in the middle", "not a lake but a forest", "around the
+// lake no trees, only meadow": a lake in the middle, a forest, around the lake only meadow.
 void TurnContrasts(std::vector<Token>* tokens);
 
 // plain_vantage.cc: "behind the lake, seen from the west", "the town overlooks a lake to the

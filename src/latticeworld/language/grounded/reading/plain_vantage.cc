@@ -81,6 +81,25 @@ void TurnSeenFrom(std::vector<Token>* tokens, std::size_t at) {
   ReplaceTokens(tokens, at, thing - at, {"to", "the", side, "of"});
 }
 
+// "All sides of the lake are forest except the north": forest surrounds the lake.
+void TurnSidesAre(std::vector<Token>* tokens, std::size_t at) {
+  if (!IsOneOf(WordAt(*tokens, at), {"all", "every"}) ||
+      !IsOneOf(WordAt(*tokens, at + 1), {"side", "sides"}) || WordAt(*tokens, at + 2) != "of" ||
+      (at > 0 && !IsPauseAt(*tokens, at - 1) && WordAt(*tokens, at - 1) != "and")) {
+    return;
+  }
+  const std::size_t end = PhraseEnd(*tokens, at + 3);
+  if (end == at + 3 || !IsOneOf(WordAt(*tokens, end), {"is", "are"})) return;
+  const ClassWord* owner = NounBefore(*tokens, end);
+  const std::size_t land = end + 1, last = land + MatchClassWord(*tokens, land).tokens;
+  if (last == land || owner == nullptr || owner->shape == WordShape::kLine) return;
+  std::vector<Token> said = TokensBetween(*tokens, land, last);
+  said.push_back(WordLike("surrounds", (*tokens)[at]));
+  for (const Token& token : TokensBetween(*tokens, at + 3, end)) said.push_back(token);
+  EraseTokens(tokens, at, last - at);
+  InsertTokens(tokens, at, said);
+}
+
 // "The forest surrounds the lake except on the west": surrounds the lake.
 void TurnSideExcept(std::vector<Token>* tokens, std::size_t at) {
   const std::string_view word = WordAt(*tokens, at);
@@ -94,6 +113,11 @@ void TurnSideExcept(std::vector<Token>* tokens, std::size_t at) {
   }
   const std::size_t end = PhraseEnd(*tokens, thing);
   if (end == thing) return;
+  // "around the lake on all sides but the west"
+  if (WordAt(*tokens, end) == "on" && IsOneOf(WordAt(*tokens, end + 1), {"all", "every"}) &&
+      IsOneOf(WordAt(*tokens, end + 2), {"side", "sides"})) {
+    EraseTokens(tokens, end, 3);
+  }
   std::size_t side = end + (IsMark(*tokens, end) ? 1 : 0);
   if (!IsOneOf(WordAt(*tokens, side), {"except", "but", "save", "bar"})) return;
   ++side;
@@ -129,11 +153,10 @@ void TurnSideExcept(std::vector<Token>* tokens, std::size_t at) {
 void TurnOnTop(std::vector<Token>* tokens, std::size_t at) {
   if (WordAt(*tokens, at) != "with") return;
   const std::vector<NamedThing> named = NamedBefore(*tokens, at);
-  if (named.empty() || named.front().begin < SentenceBegin(*tokens, at) ||
-      !IsOneOf(Singular(WordAt(*tokens, named.front().end - 1)),
-               {"mountain", "hill", "peak", "rock", "cliff", "ridge", "mound", "massif", "crag"})) {
-    return;
-  }
+  if (named.empty() || named.front().begin < SentenceBegin(*tokens, at)) return;
+  const std::string high = Singular(WordAt(*tokens, named.front().end - 1));
+  const bool low = IsOneOf(high, {"rock", "cliff", "ridge", "crag"});
+  if (!low && !IsOneOf(high, {"mountain", "hill", "peak", "mound", "massif"})) return;
   const std::size_t on = PhraseEnd(*tokens, at + 1);
   if (on == at + 1 || !IsOneOf(WordAt(*tokens, on), {"on", "at"})) return;
   const std::size_t top = on + (IsOneOf(WordAt(*tokens, on + 1), {"the", "its", "their"}) ? 2 : 1);
@@ -141,8 +164,17 @@ void TurnOnTop(std::vector<Token>* tokens, std::size_t at) {
       !IsPauseAt(*tokens, top + 1)) {
     return;
   }
-  for (std::size_t i = SentenceBegin(*tokens, at); !IsStopAt(*tokens, i); ++i)
-    if (IsOneOf(WordAt(*tokens, i), {"below", "bottom", "under", "beneath", "lower"})) return;
+  // "the rock with snow at the top": of the map
+  const bool one = named.front().end == at && named.front().begin > 0 &&
+                   IsOneOf(WordAt(*tokens, named.front().begin - 1), {"a", "an", "one"});
+  if (low && !one && !IsOneOf(WordAt(*tokens, on + 1), {"its", "their"})) return;
+  for (std::size_t i = SentenceBegin(*tokens, at); !IsStopAt(*tokens, i); ++i) {
+    if (IsMapWord(WordAt(*tokens, i)) ||
+        IsOneOf(WordAt(*tokens, i), {"below", "bottom", "under", "beneath", "lower", "mostly",
+                                     "everywhere", "mainly", "everything"})) {
+      return;
+    }
+  }
   ReplaceTokens(tokens, on, top + 1 - on, {"on", "top", "of", "it"});
 }
 
@@ -164,24 +196,27 @@ void TurnBypass(std::vector<Token>* tokens, std::size_t at) {
 }
 
 // The sides that are listed from `at`, "forest to the north and water to the south", become its
-// own: "on its north side". The number of them; 0: `at` begins no such list.
-int OwnSides(std::vector<Token>* tokens, std::size_t at) {
-  int count = 0;
-  while (true) {
-    const std::size_t side = PhraseEnd(*tokens, at);
+// own: "on its north side". The number of them; less than `least`: they are left as they are.
+int OwnSides(std::vector<Token>* tokens, std::size_t at, int least) {
+  std::vector<Token> said = *tokens;
+  for (int count = 0;;) {
+    const std::size_t side = PhraseEnd(said, at);
     Heading heading;
-    const std::size_t end = side > at ? TakeSideOf(*tokens, side, &heading) : 0;
+    const std::size_t end = side > at ? TakeSideOf(said, side, &heading) : 0;
     const bool goes_on =
-        end > 0 && WordAt(*tokens, end) == "and" && PhraseEnd(*tokens, end + 1) > end + 1;
-    if (end == 0 || (!IsPauseAt(*tokens, end) && !goes_on)) return count;
-    ReplaceTokens(tokens, side, end - side, {"on", "its", NameOf(heading), "side"});
-    ++count;
-    if (!goes_on) return count;
-    at = side + 5;
+        end > 0 && WordAt(said, end) == "and" && PhraseEnd(said, end + 1) > end + 1;
+    if (end > 0 && (IsPauseAt(said, end) || goes_on)) {
+      ReplaceTokens(&said, side, end - side, {"on", "its", NameOf(heading), "side"});
+      ++count;
+      at = side + 5;
+      if (goes_on) continue;
+    }
+    if (count >= least) *tokens = said;
+    return count;
   }
 }
 
-// "The town overlooks a lake to the south": which lies to the south of the town.
+// "The town overlooks a lake to the south": it lies to the south of the town.
 void TurnOverlooked(std::vector<Token>* tokens, std::size_t at) {
   std::size_t thing = at + 1;
   if (IsOneOf(WordAt(*tokens, at), {"looks", "look", "looking"}) &&
@@ -204,23 +239,32 @@ void TurnOverlooked(std::vector<Token>* tokens, std::size_t at) {
   Heading heading;
   const std::size_t end = TakeSideOf(*tokens, side, &heading);
   if (end == 0) return;
-  if (WordAt(*tokens, end) == "and") {
-    if (OwnSides(tokens, thing) > 1) ReplaceTokens(tokens, at, thing - at, {"with"});
+  const bool linked = WordAt(*tokens, end) == "and";
+  if (linked && OwnSides(tokens, thing, 2) > 1) {
+    ReplaceTokens(tokens, at, thing - at, {"with"});
     return;
   }
-  if (!IsPauseAt(*tokens, end)) return;
+  if (!IsPauseAt(*tokens, end) && !(linked && PhraseEnd(*tokens, end + 1) > end + 1)) return;
+  // At the end of all, so that what "it" is stays as it was.
   const NamedThing owner = NamedBefore(*tokens, being).front();
-  std::vector<Token> said = SaidLike("which lies to the", (*tokens)[side]);
-  for (const std::string_view word : {NameOf(heading), std::string_view("of")})
-    said.push_back(WordLike(word, (*tokens)[side]));
-  said.push_back(WordLike("the", (*tokens)[side]));
-  for (std::size_t i = owner.begin; i < owner.end; ++i) said.push_back((*tokens)[i]);
+  const NamedThing other = NamedBefore(*tokens, side).front();
+  const Token beside = (*tokens)[side];
+  std::vector<Token> said;
+  if (tokens->back().kind != TokenKind::kStop) said.push_back(StopLike(beside));
+  const std::string verb = MatchClassWord(*tokens, other.begin).plural ? " are" : " is";
+  for (const Token& token : SaidLike("the " + JoinWords(*tokens, other.begin, other.end) + verb +
+                                         " to the " + std::string(NameOf(heading)) + " of the " +
+                                         JoinWords(*tokens, owner.begin, owner.end) + " .",
+                                     beside)) {
+    said.push_back(token);
+  }
+  InsertTokens(tokens, tokens->size(), said);
   EraseTokens(tokens, side, end - side);
-  InsertTokens(tokens, side, said);
+  if (linked) InsertTokens(tokens, side, {CommaLike(beside)});
 }
 
 // "Walled by rock to the east", "hemmed in by rock on its northern side": with rock on its east
-// side. // "Enclosed by rock on three sides": bordered by rock.
+// side. "Enclosed by rock on three sides": surrounded by rock. "Walled by it on two": bordered.
 void TurnPartlyWalled(std::vector<Token>* tokens, std::size_t at) {
   if (!IsOneOf(WordAt(*tokens, at), {"walled", "hemmed", "fenced", "closed", "shut", "enclosed",
                                      "surrounded", "ringed", "framed", "sheltered"}) ||
@@ -238,12 +282,14 @@ void TurnPartlyWalled(std::vector<Token>* tokens, std::size_t at) {
   if (three) {
     for (std::size_t i = on; i < tokens->size(); ++i)
       if (IsOneOf(WordAt(*tokens, i), {"fourth", "other", "last"})) return;
+    const bool around = WordAt(*tokens, on + 1) != "two" &&
+                        IsOneOf(WordAt(*tokens, at), {"surrounded", "enclosed", "ringed"});
     EraseTokens(tokens, on, 3);
-    ReplaceTokens(tokens, at, by + 1 - at, {"bordered", "by"});
+    ReplaceTokens(tokens, at, by + 1 - at, {around ? "surrounded" : "bordered", "by"});
     return;
   }
   const bool is = IsOneOf(WordAt(*tokens, at - 1), {"is", "are"});
-  if (NounBefore(*tokens, is ? at - 1 : at) == nullptr || OwnSides(tokens, by + 1) == 0) return;
+  if (NounBefore(*tokens, is ? at - 1 : at) == nullptr || OwnSides(tokens, by + 1, 1) == 0) return;
   ReplaceTokens(tokens, is ? at - 1 : at, by + 1 - (is ? at - 1 : at), {is ? "has" : "with"});
 }
 
@@ -272,6 +318,7 @@ void TurnBareShore(std::vector<Token>* tokens, std::size_t at) {
 void TurnVantage(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     TurnSeenFrom(tokens, at);
+    TurnSidesAre(tokens, at);
     TurnSideExcept(tokens, at);
     TurnOnTop(tokens, at);
     TurnBypass(tokens, at);

@@ -9,6 +9,7 @@ namespace latticeworld {
 // Each step reads what the steps before it have left.
 std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnDecimals(&tokens);
+  TurnManners(&tokens);
   TurnLabels(&tokens);
   TurnNumbered(&tokens);
   TurnPlaces(&tokens);

@@ -103,6 +103,7 @@ enum class Sense : std::uint8_t {
   kCutBy,
   kCrosses,
   kCrossEachOther,
+  kApartEach,
   kParallel,
   kParallelEach,
   kConnects,
@@ -161,7 +162,7 @@ enum class Sense : std::uint8_t {
   kLikewise,
 };
 
-constexpr std::array<EnumName<Sense>, 142> EnumNames(Sense) {
+constexpr std::array<EnumName<Sense>, 143> EnumNames(Sense) {
   return {{
       {Sense::kFunction, "function"},
       {Sense::kDefinite, "definite"},
@@ -249,6 +250,7 @@ constexpr std::array<EnumName<Sense>, 142> EnumNames(Sense) {
       {Sense::kCutBy, "cut_by"},
       {Sense::kCrosses, "crosses"},
       {Sense::kCrossEachOther, "cross_each_other"},
+      {Sense::kApartEach, "apart_each"},
       {Sense::kParallel, "parallel"},
       {Sense::kParallelEach, "parallel_each"},
       {Sense::kConnects, "connects"},

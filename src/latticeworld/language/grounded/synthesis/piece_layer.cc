@@ -10,11 +10,12 @@ namespace latticeworld {
 namespace {
 
 // Cells that a piece of the feature may take: none that are forbidden, none beside another piece of
-// its letter, and room kept to what it shall stay away from.
+// its letter or nearer to it than was said, and room kept to what it shall stay away from.
 LayoutMask AllowedFor(int index, const Draft& draft) {
   const char letter = draft.feature(index).letter;
   LayoutMask allowed = ~draft.forbidden.of(letter);
-  allowed = allowed - draft.canvas.MaskOfLetter(letter).Grown8(2);
+  const int gap = std::max(2, static_cast<int>(std::ceil(draft.feature(index).gap)));
+  allowed = allowed - draft.canvas.MaskOfLetter(letter).Grown8(gap);
   for (const PlannedRelation& relation : draft.plan.relations) {
     if (relation.kind != RelationKind::kApart) continue;
     const int other = relation.subject == index  ? relation.object
