@@ -91,21 +91,6 @@ class ChatDataTest(unittest.TestCase):
         self.assertEqual(chat_data.plain_answer("GG\nWW\n"), "GG\nWW")
         self.assertEqual(chat_data.plain_answer("{A lake} \n"), "{A lake}")
 
-    def test_a_brief_conversation_keeps_what_was_said_and_what_was_asked_for(self):
-        answer = {"coarse": {"season": "winter"}, "fine": {"grass": {"density": 0.5}}, "agents": [{"category": "cow"}]}
-        talk = [
-            ("system", "You write."),
-            ("user", "The map:\nGGWW\n\nDescription of the environment:\nSnow.\n\nA cow.\n\nWrite now."),
-            ("assistant", json.dumps(answer)),
-        ]
-        shorter = chat_data.brief(talk)
-        self.assertEqual(shorter[0], talk[0])
-        self.assertEqual(shorter[1], ("user", "Description of the environment:\nSnow.\n\nA cow.\n\nWrite now."))
-        del answer["fine"]
-        self.assertEqual(json.loads(shorter[2][1]), answer)
-        for other in tiny_talks.conversations(3):
-            self.assertEqual(chat_data.brief(other), other)
-
     def test_a_line_that_is_none_is_named(self):
         good = json.dumps({"messages": [{"role": "assistant", "content": "W"}]})
         for bad in ["{", "[]", '{"messages": 3}', '{"messages": [{"role": "user", "content": "?"}]}']:
@@ -139,7 +124,7 @@ class FitTest(unittest.TestCase):
             model, spelling, talks, losses = tiny_talks.learned_by_heart(directory)
             self.assertTrue(os.path.getsize(os.path.join(directory, "checkpoint.pt")))
         self.assertGreater(losses[0], 4.0)
-        self.assertLess(losses[-1], 0.05)
+        self.assertLess(losses[-1], 0.02)
         for talk in talks:
             prompt = chat_data.prompt_tokens(spelling, talk[:2])
             wanted = spelling.encode(talk[2][1].rstrip()) + [tokenizer.TURN_END]

@@ -53,7 +53,7 @@ def tiny_sizes(tokens):
     return llama.LlamaSizes(tokens=tokens, width=32, layers=2, heads=4, kv_heads=2, hidden=64, context=256)
 
 
-def learned_by_heart(directory, count=8, epochs=150):
+def learned_by_heart(directory, count=8, epochs=250):
     """A tiny model that knows `count` conversations, its tokenizer, the conversations and the losses of its steps."""
     import torch
 

@@ -9,8 +9,8 @@
 // Examples stand with their definitions.
 namespace latticeworld {
 
-// plain_manners.cc: "the river is going up", "at north from the lake", "roads should not exist": goes
-// up, north of the lake, no roads.
+// plain_manners.cc: "the river is going up", "at north from the lake", "roads should not exist":
+// goes up, north of the lake, no roads.
 void TurnManners(std::vector<Token>* tokens);
 
 // plain_labels.cc: "bare rock: 0", "on 3 sides": none, three sides.
