@@ -95,6 +95,7 @@ TEST(MendNonesTest, WhoDoesNotIsThereAllTheSame) {
   EXPECT_EQ(Mended("nobody is watching the horses"), "the horses");
   EXPECT_EQ(Mended("no one attacks the village"), "the village");
   EXPECT_EQ(Mended("nobody guards the road except two drones"), "two drones guards the road");
+  EXPECT_EQ(Mended("nobody guards the road except"), "nobody guards the road except");
   EXPECT_EQ(Mended("no one is watching the horses but an old dog"),
             "an old dog watching the horses");
   ExpectKept(Mended, {"nobody lives in the village", "nobody watches", "nobody walks"});

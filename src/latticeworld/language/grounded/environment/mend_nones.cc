@@ -164,6 +164,7 @@ void MendNobodyDoes(const EnvironmentWords& words, std::vector<Token>* tokens) {
     if (!IsDoneToAt(*tokens, verb) || !object) continue;
     if (const Except except = ExceptBehind(words, *tokens, verb); except.tokens > 0) {
       const std::size_t end = PauseAfter(*tokens, except.at + except.tokens);
+      if (end == except.at + except.tokens) continue;     // nobody is excepted
       std::size_t place = except.at + except.tokens + 1;  // which stays behind
       while (place < end && words.RoleAt(Role::kIn, *tokens, place) == 0 &&
              words.RoleAt(Role::kNear, *tokens, place) == 0 && WordAt(*tokens, place) != "from") {
