@@ -18,6 +18,10 @@ inline std::string_view WordAt(const std::vector<Token>& tokens, std::size_t at)
              : std::string_view();
 }
 
+inline bool IsNumberAt(const std::vector<Token>& tokens, std::size_t at) {
+  return at < tokens.size() && tokens[at].kind == TokenKind::kNumber;
+}
+
 // A comma, a stop or the end.
 inline bool IsPauseAt(const std::vector<Token>& tokens, std::size_t at) {
   return at >= tokens.size() || tokens[at].kind == TokenKind::kStop ||

@@ -7,25 +7,13 @@
 
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/grounded/reading/plain_turns.h"
+#include "latticeworld/language/grounded/reading/side_words.h"
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/places.h"
 #include "latticeworld/language/token_edits.h"
 
 namespace latticeworld {
 namespace {
-
-std::string_view NounOfPlace(std::string_view word) {
-  for (const auto& [plural, noun] :
-       {std::pair<std::string_view, std::string_view>{"corners", "corner"},
-        {"quadrants", "quadrant"},
-        {"quarters", "quarter"},
-        {"sides", "side"},
-        {"edges", "edge"},
-        {"borders", "border"}}) {
-    if (word == plural || word == noun) return noun;
-  }
-  return {};
-}
 
 std::vector<std::string_view> WordsOf(Heading heading) {
   std::vector<std::string_view> words;

@@ -14,10 +14,6 @@
 namespace latticeworld {
 namespace {
 
-bool IsNumberAt(const std::vector<Token>& tokens, std::size_t at) {
-  return at < tokens.size() && tokens[at].kind == TokenKind::kNumber;
-}
-
 // "Houses may take up to 20 percent": cover at most so much. "Water for the remaining 10 %": 10
 // percent water.
 void TurnUpTo(std::vector<Token>* tokens, std::size_t at) {

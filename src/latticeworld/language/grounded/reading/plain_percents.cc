@@ -17,10 +17,6 @@
 namespace latticeworld {
 namespace {
 
-bool IsNumberAt(const std::vector<Token>& tokens, std::size_t at) {
-  return at < tokens.size() && tokens[at].kind == TokenKind::kNumber;
-}
-
 bool IsLink(std::string_view word) {
   return IsOneOf(word, {"and", "but", "while", "whereas", "plus"});
 }

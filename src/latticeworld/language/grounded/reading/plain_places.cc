@@ -67,19 +67,10 @@ void TurnElse(std::vector<Token>* tokens, std::size_t at) {
   ReplaceTokens(tokens, at, noun - at, {"the", "rest", "is"});
 }
 
-// "Corners", "every edge": the singular of a place that there are some of; "".
+// NounOfPlace(), and a border is an edge.
 std::string_view PlaceNoun(std::string_view word) {
-  for (const auto& [plural, noun] :
-       {std::pair<std::string_view, std::string_view>{"corners", "corner"},
-        {"quadrants", "quadrant"},
-        {"quarters", "quarter"},
-        {"sides", "side"},
-        {"edges", "edge"},
-        {"borders", "edge"},
-        {"border", "edge"}}) {
-    if (word == plural || word == noun) return noun;
-  }
-  return {};
+  const std::string_view noun = NounOfPlace(word);
+  return noun == "border" ? "edge" : noun;
 }
 
 // "All four corners", "every edge", "the four quarters"; the token after it, `at`: none.

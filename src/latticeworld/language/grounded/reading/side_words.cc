@@ -67,4 +67,17 @@ std::size_t TakeSideWords(const std::vector<Token>& tokens, std::size_t at, std:
   return at;
 }
 
+std::string_view NounOfPlace(std::string_view word) {
+  for (const auto& [plural, noun] :
+       {std::pair<std::string_view, std::string_view>{"corners", "corner"},
+        {"quadrants", "quadrant"},
+        {"quarters", "quarter"},
+        {"sides", "side"},
+        {"edges", "edge"},
+        {"borders", "border"}}) {
+    if (word == plural || word == noun) return noun;
+  }
+  return {};
+}
+
 }  // namespace latticeworld

@@ -29,6 +29,8 @@ std::size_t TakeHeading(const std::vector<Token>& tokens, std::size_t at, Headin
 // "The west", "west edge" after an article: which side, "west", "western edge", and the token after
 // it; 0: none.
 std::size_t TakeSideWords(const std::vector<Token>& tokens, std::size_t at, std::string* place);
+// "Corners", "quarter", "border": the singular of a place that there are several of; "".
+std::string_view NounOfPlace(std::string_view word);
 
 }  // namespace latticeworld
 
