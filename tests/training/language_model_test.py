@@ -11,7 +11,7 @@ import unittest
 
 import torch
 import tiny_talks
-from latticeworld_training import chat_data, export_gguf, fitting, llama, tokenizer
+from latticeworld_training import chat_data, export_gguf, fitting, llama, optimizers, tokenizer
 
 
 def greedy(model, tokens, count):
@@ -138,7 +138,6 @@ class FitTest(unittest.TestCase):
         self.assertEqual(max(rates), max(rates[9:12]))
         self.assertEqual(fitting._rate(fitting.FitOptions(), 77, 100, 0.0), 5e-5)
 
-
     def test_a_share_is_learned_without_prompts(self):
         spelling = tiny_talks.tiny_tokenizer()
         examples, _ = chat_data.encode_all(spelling, tiny_talks.conversations(16), 256)
@@ -148,6 +147,55 @@ class FitTest(unittest.TestCase):
         self.assertLess(abs(unprompted / 1600 - 0.25), 0.05)
         self.assertEqual(steps[7], fitting._batch(examples, range(16), options, 7))
         self.assertEqual(fitting._batch(examples, range(16), fitting.FitOptions(), 7), examples)
+
+
+class OptimizersTest(unittest.TestCase):
+    def test_a_matrix_is_made_orthogonal_in_its_own_directions(self):
+        torch.manual_seed(4)
+        for rows, columns in [(24, 24), (16, 40), (40, 16)]:
+            u, _, v = torch.linalg.svd(torch.randn(rows, columns), full_matrices=False)
+            matrix = u @ torch.diag(torch.linspace(3.0, 0.1, min(rows, columns))) @ v
+            made = optimizers.orthogonalized(matrix)
+            values = torch.diagonal(u.T @ made @ v.T)
+            self.assertGreater(float(values.min()), 0.6)
+            self.assertLess(float(values.max()), 1.3)
+            self.assertLess(float((u @ torch.diag(values) @ v - made).abs().max()), 1e-4)
+
+    def test_a_step_of_a_matrix_is_a_fifth_of_the_rate(self):
+        torch.manual_seed(5)
+        weights = torch.nn.Parameter(torch.randn(24, 64))
+        before = weights.detach().clone()
+        weights.grad = torch.randn(24, 64)
+        optimizers.Muon([weights], lr=0.01, weight_decay=0.5).step()
+        step = weights.detach() - before * (1 - 0.01 * 0.5)
+        self.assertAlmostEqual(float(step.pow(2).mean().sqrt()) / (0.2 * 0.01), 1.0, delta=0.2)
+
+    def test_muon_has_the_matrices_of_layers_and_adamw_the_rest(self):
+        model = llama.Llama(tiny_talks.tiny_sizes(300))
+        both = optimizers.make_optimizer(model, fitting.FitOptions(optimizer="muon"))
+        names = {id(weights): name for name, weights in model.named_parameters()}
+        muon, adamw = ({names[id(w)] for g in o.param_groups for w in g["params"]} for o in both.optimizers)
+        self.assertEqual(len(muon), 7 * model.sizes.layers)
+        self.assertTrue(all(name.startswith("layers.") and "norm" not in name for name in muon))
+        self.assertEqual(muon | adamw, set(names.values()))
+        self.assertFalse(muon & adamw)
+
+    def test_muon_learns_eight_conversations_by_heart(self):
+        with tempfile.TemporaryDirectory() as directory:
+            losses = tiny_talks.learned_by_heart(directory, epochs=150, optimizer="muon")[3]
+        self.assertLess(losses[-1], 0.05)
+
+
+class BriefTest(unittest.TestCase):
+    def test_leaves_out_the_map_and_what_follows_from_it(self):
+        answer = {"coarse": {"season": "winter"}, "fine": {"grass": {"density": 0.5}}, "agents": []}
+        asked = "The map:\nGG\nDescription of the environment:\nWinter.\n\nWrite the configuration now."
+        talk = [("system", "You configure."), ("user", asked), ("assistant", json.dumps(answer))]
+        shorter = chat_data.brief(talk)
+        self.assertEqual(shorter[0], talk[0])
+        self.assertEqual(shorter[1], ("user", asked[asked.index("Description"):]))
+        self.assertEqual(shorter[2], ("assistant", '{"coarse":{"season":"winter"},"agents":[]}'))
+        self.assertEqual(chat_data.brief(tiny_talks.conversations(1)[0]), tiny_talks.conversations(1)[0])
 
 
 class RestartTest(unittest.TestCase):
@@ -170,13 +218,18 @@ class RestartTest(unittest.TestCase):
         return said
 
     def test_a_killed_run_goes_on_to_the_same_losses(self):
+        for optimizer in optimizers.OPTIMIZERS:
+            with self.subTest(optimizer):
+                self.kill_and_go_on("--optimizer", optimizer)
+
+    def kill_and_go_on(self, *options):
         with tempfile.TemporaryDirectory() as directory:
             data = os.path.join(directory, "talks.jsonl")
             tiny_talks.write_conversations(data, 16)
             whole, killed = os.path.join(directory, "whole"), os.path.join(directory, "killed")
-            self.run_training(data, whole)
-            self.run_training(data, killed, kill_at=6)
-            self.assertIn("goes on at step 6", self.run_training(data, killed))
+            self.run_training(data, whole, *options)
+            self.run_training(data, killed, *options, kill_at=6)
+            self.assertIn("goes on at step 6", self.run_training(data, killed, *options))
             curves = []
             for out in (whole, killed):
                 with open(os.path.join(out, "loss.csv"), newline="", encoding="utf-8") as file:
@@ -185,6 +238,17 @@ class RestartTest(unittest.TestCase):
                     self.assertEqual(file.read(4), b"\x89PNG")
         self.assertEqual(len(curves[0]), 6)
         self.assertEqual(curves[0], curves[1])
+
+    def test_an_unknown_optimizer_is_refused(self):
+        with tempfile.TemporaryDirectory() as directory:
+            data = os.path.join(directory, "talks.jsonl")
+            tiny_talks.write_conversations(data, 4)
+            command = [sys.executable, "-m", "latticeworld_training.train_language_model", "--data", data]
+            command += ["--out", os.path.join(directory, "run"), "--optimizer", "sgd"]
+            done = subprocess.run(command, stderr=subprocess.PIPE, text=True, check=False)
+            self.assertEqual(os.listdir(directory), ["talks.jsonl"])
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("'sgd'; legal are adamw, muon", done.stderr)
 
     def test_a_run_begins_with_the_weights_of_another(self):
         with tempfile.TemporaryDirectory() as directory:

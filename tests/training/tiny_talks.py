@@ -53,7 +53,7 @@ def tiny_sizes(tokens):
     return llama.LlamaSizes(tokens=tokens, width=32, layers=2, heads=4, kv_heads=2, hidden=64, context=256)
 
 
-def learned_by_heart(directory, count=8, epochs=250):
+def learned_by_heart(directory, count=8, epochs=250, optimizer="adamw"):
     """A tiny model that knows `count` conversations, its tokenizer, the conversations and the losses of its steps."""
     import torch
 
@@ -63,6 +63,8 @@ def learned_by_heart(directory, count=8, epochs=250):
     talks = conversations(count)
     examples, _ = chat_data.encode_all(spelling, talks, 256)
     model = llama.Llama(tiny_sizes(len(spelling)))
-    options = fitting.FitOptions(rate=1e-2, epochs=epochs, batch_size=8, warmup_steps=5, checkpoint_steps=epochs)
+    options = fitting.FitOptions(
+        optimizer=optimizer, rate=1e-2, epochs=epochs, batch_size=8, warmup_steps=5, checkpoint_steps=epochs
+    )
     losses = fitting.fit(model, examples, [], directory, options, say=lambda text: None)
     return model.eval(), spelling, talks, losses

@@ -12,12 +12,14 @@ from torch.nn import functional
 from .chat_data import IGNORED, batch_tensors, batches_of_epoch, without_prompt
 from .checkpoint import load_checkpoint, save_checkpoint
 from .curves import LossCurve
+from .optimizers import make_optimizer
 
 
 @dataclass
 class FitOptions:
     """The defaults are the method's for a LLaMA-2-7B that is fine-tuned on text."""
 
+    optimizer: str = "adamw"  # or "muon", which learns from scratch in a fraction of the steps
     rate: float = 5e-5
     betas: tuple = (0.9, 0.999)
     weight_decay: float = 0.001
@@ -95,9 +97,7 @@ def fit(model, examples, validation, directory, options, device=None, say=print)
     os.makedirs(directory, exist_ok=True)
     model.to(device)
     torch.manual_seed(options.seed)
-    optimizer = torch.optim.AdamW(
-        model.parameters(), lr=options.rate, betas=options.betas, weight_decay=options.weight_decay
-    )
+    optimizer = make_optimizer(model, options)
     checkpoint = os.path.join(directory, "checkpoint.pt")
     curve = LossCurve(os.path.join(directory, "loss.csv"), ["training", "validation"])
     step, spent_before_s, tokens_seen = 0, 0.0, 0

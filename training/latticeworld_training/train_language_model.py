@@ -15,10 +15,11 @@ import shutil
 
 import torch
 
-from .chat_data import encode_all, read_conversations
+from .chat_data import brief, encode_all, read_conversations
 from .checkpoint import read_checkpoint
 from .fitting import FitOptions, fit
 from .llama import Llama, LlamaSizes
+from .optimizers import OPTIMIZERS
 from .tokenizer import Tokenizer, train_tokenizer
 
 
@@ -51,6 +52,7 @@ def main(arguments=None):
     parser.add_argument("--validation", nargs="*", default=[], help="JSON Lines that are not trained on")
     parser.add_argument("--out", required=True, help="folder of the run")
     parser.add_argument("--begin-with", help="folder of a run whose tokenizer, sizes and weights this one begins with")
+    parser.add_argument("--brief", action="store_true", help="environments without map and fine attributes, to begin with")
     parser.add_argument("--most-fours", type=int, default=1000, help="pieces of maps in the vocabulary [1000]")
     parser.add_argument("--most-words", type=int, default=1000, help="pieces of words in the vocabulary [1000]")
     parser.add_argument("--threads", type=int, default=1, help="of the processor [1]")
@@ -60,6 +62,8 @@ def main(arguments=None):
     add_fields(parser, options)
     parser.set_defaults(tokens=0)
     given = parser.parse_args(arguments)
+    if given.optimizer not in OPTIMIZERS:
+        parser.error(f"--optimizer: '{given.optimizer}'; legal are {', '.join(OPTIMIZERS)}")
 
     torch.set_num_threads(given.threads)
     torch.manual_seed(given.seed)
@@ -78,8 +82,11 @@ def main(arguments=None):
         model.load_state_dict(read_checkpoint(os.path.join(given.begin_with, "checkpoint.pt"))["model"])
     with open(os.path.join(given.out, "model.json"), "w", encoding="utf-8") as file:
         json.dump(dataclasses.asdict(sizes), file, indent=2)
+    unseen = read_conversations(given.validation)
+    if given.brief:
+        conversations, unseen = [[brief(messages) for messages in some] for some in (conversations, unseen)]
     examples, longer = encode_all(tokenizer, conversations, sizes.context)
-    validation, _ = encode_all(tokenizer, read_conversations(given.validation), sizes.context)
+    validation, _ = encode_all(tokenizer, unseen, sizes.context)
     weights = sum(weight.numel() for weight in model.parameters())
     length = sum(len(example.tokens) for example in examples) / max(len(examples), 1)
     print(f"{weights} weights, a vocabulary of {len(tokenizer)}, {len(examples)} examples of {length:.0f} tokens")
