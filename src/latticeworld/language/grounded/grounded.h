@@ -24,6 +24,13 @@ struct LayoutReading {
 };
 LayoutReading ReadLayoutInstruction(std::string_view instruction, Vocabulary vocabulary);
 
+// Lets another generator, one that draws its answers, try `tries` times (1 or more) with seeds of
+// their own, the first with the request's. The layout with most of the claims that are read in the
+// instruction is the answer; one that has them all ends it. A try that fails is passed over.
+// Errors: the last try's where all failed; CANCELLED.
+std::unique_ptr<LayoutGenerator> MakeBestOfLayoutGenerator(
+    std::unique_ptr<LayoutGenerator> generator, int tries);
+
 // What an environment instruction says. Places that features of the land name ("by the lake") are
 // claimed only where the layout is given. Values that the catalogue adds are known by their names.
 struct EnvironmentReading {

@@ -48,7 +48,11 @@ bool AddQuality(const Lexeme& lexeme, Qualities* said) {
       break;
     case LexemeKind::kSense:
       if (const auto shape = ShapeOf(lexeme.sense); shape.has_value()) {
-        said->shape = shape;
+        // "a straight strip of grassland": a strip is long anyway.
+        const bool line =
+            shape == ClaimShape::kElongated &&
+            (said->shape == ClaimShape::kStraight || said->shape == ClaimShape::kWinding);
+        if (!line) said->shape = shape;
         break;
       }
       switch (lexeme.sense) {

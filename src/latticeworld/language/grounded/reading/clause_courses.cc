@@ -405,10 +405,17 @@ void ClauseReader::ReadAxis(const Chunk& chunk) {
     const bool lake = d_.feature(index).letter == 'W' && !d_.thing(index).plural &&
                       d_.feature(index).pieces <= 1 && !d_.feature(index).share.has_value() &&
                       !d_.feature(index).share_least.has_value();
-    if (d_.feature(index).form == FeatureForm::kSpread || lake) {
+    // "Exactly one ridge of rock. A ridge of rock runs from west to east."
+    const bool ridge_counted =
+        d_.thing(index).counted == 1 && d_.thing(index).noun->shape == WordShape::kMass;
+    if (d_.feature(index).form == FeatureForm::kSpread || lake || ridge_counted) {
       d_.feature(index).form = FeatureForm::kLine;
       d_.feature(index).wide = true;
-      if (d_.feature(index).shape == ClaimShape::kElongated) d_.feature(index).shape.reset();
+      // "A long narrow lake. The lake runs from west to east.": both were said.
+      if (d_.feature(index).shape == ClaimShape::kElongated &&
+          d_.thing(index).sentence == d_.sentence()) {
+        d_.feature(index).shape.reset();
+      }
     }
     return;
   }

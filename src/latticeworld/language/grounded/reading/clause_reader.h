@@ -81,6 +81,16 @@ class ClauseReader {
   bool SaysAround(std::size_t at) const;
   bool IsElsewhere(const NounPhrase& phrase, int known) const;
   bool CountsAgain(const Chunk& chunk, int known) const;
+  bool SaysExactly(const Chunk& chunk) const;
+  void CountExactly(const Chunk& chunk, int index);
+  std::vector<Zone> PlacesAhead(const Chunk& chunk) const;
+  bool IsInAnother(int index) const;
+  bool RunsElsewhere(int line) const;
+  bool CountsAll(const Chunk& chunk, const std::vector<int>& known);
+  std::vector<int> OfCounted(const Chunk& chunk);
+  int ShapedAgain(const Chunk& chunk, const std::vector<int>& known) const;
+  bool BoundsAgain(const Chunk& chunk, int known) const;
+  void JoinBounds(const Chunk& chunk, int known);
   void Island(int index);
   void Beside(int index, Sense beside);
 

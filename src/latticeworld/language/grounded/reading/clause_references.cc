@@ -7,6 +7,25 @@
 #include "latticeworld/language/grounded/reading/place_phrases.h"
 
 namespace latticeworld {
+namespace {
+
+// "at least 10 percent", "at most a fifth"
+bool IsBound(const ShareMatch& share) {
+  constexpr double kSome = 0.01;
+  return share.fraction && (share.least <= kSome) != (share.most >= 1.0);
+}
+
+// The same of what was said before.
+bool IsBound(const PlannedFeature& feature) {
+  ShareMatch share;
+  share.fraction = feature.share_least.has_value() && feature.share_most.has_value();
+  share.least = feature.share_least.value_or(0.0);
+  share.most = feature.share_most.value_or(1.0);
+  return IsBound(share);
+}
+
+}  // namespace
+
 std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
   const NounPhrase& phrase = chunk.phrase;
   std::vector<int> about = subjects_;
@@ -145,6 +164,7 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
   const bool single =
       counted && phrase.qualities.count->least == 1 && phrase.qualities.count->most == 1;
   const std::vector<int> known = d_.Find(phrase, about);
+  if (const std::vector<int> member = OfCounted(chunk); !member.empty()) return member;
   const bool points_back = phrase.definite || phrase.head == Head::kBoth ||
                            phrase.head == Head::kFirst || phrase.head == Head::kOther;
   if (!known.empty() && !phrase.another && !rest_next_) {
@@ -196,6 +216,17 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
     }
     if (known.size() == 1 && CountsAgain(chunk, last)) {
       d_.Describe(phrase.qualities, last);
+      CountExactly(chunk, last);
+      d_.Mention(last);
+      return {last};
+    }
+    if (CountsAll(chunk, known)) return known;
+    if (known.size() == 1 && BoundsAgain(chunk, last)) {
+      JoinBounds(chunk, last);
+      return {last};
+    }
+    if (ShapedAgain(chunk, known) == last) {
+      d_.Describe(phrase.qualities, last);
       d_.Mention(last);
       return {last};
     }
@@ -228,12 +259,18 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
                             !phrase.plural && d_.feature(last).letter == 'B';
     const bool bare_name = !phrase.indefinite && !counted && phrase.places.empty() &&
                            (same_name || settlement) && lead_.empty() && !ordering_;
-    const bool same_share = !phrase.qualities.share.has_value() ||
+    const bool bounds_share = phrase.qualities.share.has_value() && EndsAt(at_ + 1) &&
+                              IsBound(*phrase.qualities.share) && IsBound(d_.feature(last)) &&
+                              d_.thing(last).sentence < d_.sentence();
+    const bool same_share = !phrase.qualities.share.has_value() || bounds_share ||
                             (d_.feature(last).share.has_value() &&
                              *d_.feature(last).share == phrase.qualities.share->value);
     const bool spread = phrase.noun->shape == WordShape::kMass;
+    const bool bounds_map_share = map_share_.has_value() && IsBound(*map_share_) &&
+                                  IsBound(d_.feature(last)) &&
+                                  d_.thing(last).sentence < d_.sentence();
     const bool same_map_share =
-        !map_share_.has_value() ||
+        !map_share_.has_value() || bounds_map_share ||
         (d_.feature(last).share.has_value() && *d_.feature(last).share == map_share_->value);
     // "a stream under the road. Stream north to south, road east to west"
     const bool line_without_course =
@@ -241,7 +278,7 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
         d_.feature(last).pieces <= 1 && d_.thing(last).sentence != d_.sentence();
     if (bare_name && same_share && same_map_share &&
         (spread || line_without_course || d_.feature(last).zones.empty())) {
-      if (!phrase.qualities.share.has_value()) d_.Describe(phrase.qualities, last);
+      if (!phrase.qualities.share.has_value() || bounds_share) d_.Describe(phrase.qualities, last);
       d_.Mention(last);
       return {last};
     }
@@ -277,6 +314,7 @@ std::vector<int> ClauseReader::Refer(const Chunk& chunk) {
   }
   const int created = d_.Create(phrase, chunk.begin, chunk.end);
   if (created < 0) return {};
+  CountExactly(chunk, created);
   if (phrase.head == Head::kFirst) first_ = created;
   if (d_.thing(created).is_island) Island(created);
   const Sense beside =

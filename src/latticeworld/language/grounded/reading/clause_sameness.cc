@@ -151,6 +151,10 @@ void ClauseReader::KeepApart() {
   constexpr double kApartSteps = 3.0;
   const double steps = gap_ > 0 ? gap_ : kApartSteps;
   gap_ = 0;
+  // "the houses do not touch each other": they may stand close.
+  const bool touch = at_ < chunks_.size() &&
+                     ToLowerAscii(d_.Words(chunks_[at_].begin, chunks_[at_].end)).find("touch") !=
+                         std::string::npos;
   const std::vector<int> about = subjects_.empty() ? d_.Antecedent({}, /*many=*/true) : subjects_;
   for (const int index : about) {
     // "two woods"
@@ -159,7 +163,7 @@ void ClauseReader::KeepApart() {
     d_.feature(index).gap = steps;
     // "houses, well apart": here and there.
     const bool counted = d_.feature(index).pieces > 0 || d_.feature(index).pieces_least > 0;
-    if (!counted && !IsLine(index)) d_.feature(index).texture = Texture::kScattered;
+    if (!counted && !IsLine(index) && !touch) d_.feature(index).texture = Texture::kScattered;
   }
 }
 

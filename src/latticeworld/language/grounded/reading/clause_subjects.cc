@@ -36,7 +36,11 @@ bool TiesObject(const Frame& frame) {
 
 // "nothing but trees along the river"
 bool ClauseReader::TiesSubject(std::size_t at) const {
+  // "Only grassland lies south of the lake."
+  const bool verb = IsSense(at, Sense::kBe) || IsSense(at, Sense::kStands);
+  if (verb && IsKind(at + 1, ChunkKind::kDirection)) ++at;
   if (!IsThing(at + 1)) return false;
+  if (IsKind(at, ChunkKind::kDirection)) return true;
   for (const Sense sense : {Sense::kBetween, Sense::kNextTo, Sense::kNear, Sense::kAlong,
                             Sense::kBothSides, Sense::kBehind, Sense::kBeyond}) {
     if (IsSense(at, sense)) return true;

@@ -57,6 +57,21 @@ bool MayMean(const ClassWord& word, const ClassWord& known) {
   return false;
 }
 
+// Whether the share bounds from one side what was bounded from the other.
+bool BoundsShare(const PlannedFeature& feature, const ShareMatch& share) {
+  constexpr double kSome = 0.01;  // "at most" allows less
+  if (!share.fraction || !feature.share.has_value() || !feature.share_least.has_value() ||
+      !feature.share_most.has_value()) {
+    return false;
+  }
+  const bool above = *feature.share_least > kSome && *feature.share_most >= 1.0;
+  const bool below = *feature.share_least <= kSome && *feature.share_most < 1.0;
+  const bool upper = share.least <= kSome && share.most < 1.0;
+  const bool lower = share.least > kSome && share.most >= 1.0;
+  return (above && upper && *feature.share_least < share.most) ||
+         (below && lower && share.least < *feature.share_most);
+}
+
 FeatureForm FormOf(WordShape shape) {
   switch (shape) {
     case WordShape::kThing:
@@ -215,6 +230,11 @@ void Discourse::Describe(const Qualities& said, int index) {
     if (share.mostly && !share.fraction) {
       feature.dominant = true;
       if (share.least >= 0.6) feature.share_least = share.least;
+    } else if (BoundsShare(feature, share)) {
+      // "at least 10 percent ... At most 20 percent": both hold.
+      const bool upper = share.most < 1.0;
+      (upper ? feature.share_most : feature.share_least) = upper ? share.most : share.least;
+      feature.share = (*feature.share_least + *feature.share_most) / 2.0;
     } else {
       feature.share = share.value;
       feature.share_least = share.least;

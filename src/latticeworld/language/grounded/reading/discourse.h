@@ -20,6 +20,8 @@ struct Thing {
   bool zones_from_lead = false;   // "In the north ...": a place of its own replaces it
   bool dropped = false;           // "scratch that"
   std::optional<Waypoint> start;  // of what may yet turn out to run: "cuts in from the north"
+  int counted = 0;                // "exactly two lakes": there are no others; 0: not said
+  int left = 0;                   // those of them that no words have told of one by one
   int sentence = 0;
   std::size_t begin = 0;  // bytes of the instruction
   std::size_t end = 0;

@@ -97,6 +97,11 @@ void TurnBends(std::vector<Token>* tokens);
 // village": follows the east bank of the river, to a village in the center.
 void TurnMotions(std::vector<Token>* tokens);
 
+// plain_listed.cc: "houses are scattered all over the map", "more forest than any other land",
+// "exactly four meadows. A house inside every meadow": scattered houses, mostly forest, four
+// houses.
+void TurnListed(std::vector<Token>* tokens);
+
 // plain_counts.cc: "three houses in the north and two in the south": five, three of them in the
 // north.
 void TurnCounts(std::vector<Token>* tokens);

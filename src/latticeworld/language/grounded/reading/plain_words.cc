@@ -12,6 +12,7 @@ std::vector<Token> WithPlainWords(std::vector<Token> tokens) {
   TurnManners(&tokens);
   TurnLabels(&tokens);
   TurnNumbered(&tokens);
+  TurnListed(&tokens);
   TurnPlaces(&tokens);
   TurnUses(&tokens);
   TurnDenials(&tokens);
