@@ -140,6 +140,8 @@ def main():
         if name is None:
             parser.error(f"{word}: unknown")
         backends.setdefault(name, []).append(word)
+    if "remote" in backends:
+        backends["interpreted"] = backends["remote"]
     if "local" in backends and not given.local_model:
         parser.error("options of a local model without --local-model")
 

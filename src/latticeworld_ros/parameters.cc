@@ -57,6 +57,7 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"local_layout_model", Bind(&options->local.layout_model)},
       {"local_environment_model", Bind(&options->local.environment_model)},
       {"local_temperature", Bind(&options->local.temperature)},
+      {"local_tries", Bind(&options->local.tries)},
       {"local_threads", Bind(&options->local.threads)},
       {"local_fallback", Bind(&options->local.fallback)},
       {"worlds_directory", Bind(&options->worlds_directory)},

@@ -68,11 +68,13 @@ std::vector<Violation> Validate(const WorldServerOptions& options) {
   check_range("robot_mass", options.robot.mass_kg, 0.0, 1e6);
   check_range("robot_grip", options.robot.grip, 0.05, 10.0);
   const bool remote = options.remote.is_wanted(), local = options.local.is_wanted();
-  if (options.generator != "grounded" && !(remote && options.generator == "remote") &&
-      !(local && options.generator == "local")) {
-    refuse("generator", Quote(options.generator),
-           std::string("grounded, remote") + (remote ? "" : " (where remote_url is set)") +
-               ", local" + (local ? "" : " (where local_layout_model is set)"));
+  const std::string& generator = options.generator;
+  const bool asks_server = generator == "remote" || generator == "interpreted";
+  if (generator != "grounded" && !(remote && asks_server) && !(local && generator == "local")) {
+    refuse("generator", Quote(generator),
+           std::string("grounded, remote and interpreted") +
+               (remote ? "" : " (where remote_url is set)") + ", local" +
+               (local ? "" : " (where local_layout_model is set)"));
   }
   for (Violation& violation : Named("remote", Validate(options.remote)))
     violations.push_back(std::move(violation));

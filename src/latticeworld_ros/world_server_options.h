@@ -43,7 +43,8 @@ struct WorldServerOptions {
   int marker_max_assets = 20000;    // [0, 500000]: assets of world/markers
 
   // Worlds.
-  // "grounded", "remote" where remote.server.url is set, "local" where local.layout_model is.
+  // "grounded", "remote" and "interpreted" where remote.server.url is set, "local" where
+  // local.layout_model is.
   std::string generator = "grounded";
   RemoteBackendOptions remote;
   LocalBackendOptions local;

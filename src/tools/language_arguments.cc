@@ -14,15 +14,20 @@ namespace latticeworld::tools {
 void AddLanguageOptions(CLI::App* command) {
   AddValueOption(
       command, "--generator", "NAME",
-      "Who reads the words: grounded (embedded), remote (a model behind --remote-url), or "
-      "local (a model in this process, --local-model) [remote where --remote-url is "
-      "given, else local where --local-model is, else grounded].");
+      "Who reads the words: grounded (embedded), remote (a model behind --remote-url), interpreted "
+      "(that model says them in plain sentences, grounded does the rest), or local (a model in "
+      "this process, --local-model) [remote where --remote-url is given, else local where "
+      "--local-model is, else grounded].");
   AddValueOption(command, "--local-model", "FILE",
                  "GGUF file of LLaMA's architecture (f32, f16 or q8_0) that draws layouts.");
   AddValueOption(command, "--local-environment-model", "FILE",
                  "The same for environments, or grounded for the embedded back end "
                  "[that of --local-model].");
   AddValueOption(command, "--local-temperature", "NUMBER", "0 to 2 [1].");
+  AddValueOption(
+      command, "--local-tries", "N",
+      "Layouts that are drawn at most, 1 to 64; the one that has most of what is read in "
+      "the words is the answer [1].");
   AddValueOption(command, "--local-threads", "N",
                  "That compute an answer, which does not depend on them, 0 to 256 [0: as many as "
                  "cores].");
@@ -54,8 +59,10 @@ Result<LanguageBackends> MakeLanguageBackends(const CLI::App& command) {
   local.environment_model = ValueOf(command, "--local-environment-model").value_or("");
   local.fallback = command.count("--local-fallback") > 0;
   local.temperature = arguments.Number("--local-temperature", local.temperature);
+  local.tries = static_cast<int>(arguments.Integer("--local-tries", 1, 64, local.tries));
   local.threads = static_cast<int>(arguments.Integer("--local-threads", 0, 256, local.threads));
-  for (const char* option : {"--local-environment-model", "--local-temperature", "--local-threads"})
+  for (const char* option :
+       {"--local-environment-model", "--local-temperature", "--local-threads", "--local-tries"})
     arguments.RequireBeside(option, "--local-model");
   LW_RETURN_IF_ERROR(arguments.status());
 

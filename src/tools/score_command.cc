@@ -61,7 +61,7 @@ Status ScoreBenchmark(const CLI::App& command) {
   const auto backend = backends.by_name.find(generator);
   if (backend == backends.by_name.end()) {
     return InvalidArgument(
-        "--generator: must be grounded, remote beside --remote-url, or local "
+        "--generator: must be grounded, remote or interpreted beside --remote-url, or local "
         "beside --local-model, not " +
         Quote(generator));
   }

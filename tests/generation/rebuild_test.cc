@@ -58,6 +58,21 @@ TEST(RebuildTest, AWorldOfAModelIsMadeAgainWithoutTheModel) {
   ExpectSameWorld(*world, **rebuilt);
 }
 
+TEST(RebuildTest, AWorldThatAModelReadIsMadeAgainWithoutTheModel) {
+  const std::string map = R"({"sentences": ["A lake in the south.", "No buildings."]})";
+  const std::string scene = R"({"sentences": ["Night.", "Two goblins attack."]})";
+  // The first is given twice, for good; the second was cut off by its server after once.
+  const auto world = Generate({{"layout_words", "m", map, "stop"},
+                               {"layout_words", "m", map, "stop"},
+                               {"environment_words", "m", scene, "stop"}},
+                              "interpreted");
+  ASSERT_EQ(world->replies.size(), 3u);
+  EXPECT_EQ(world->environment.coarse.time_of_day, TimeOfDay::kNight);
+  const auto rebuilt = RebuildWorld(*world, Progress());
+  ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
+  ExpectSameWorld(*world, **rebuilt);
+}
+
 TEST(RebuildTest, OtherRepliesMakeAnotherWorld) {
   std::vector<ModelReply> replies = Replies();
   replies[1].text[0] = 'F';
@@ -83,6 +98,8 @@ TEST(LanguageBackendsTest, RemoteIsThereOnlyWhereItIsWanted) {
   auto both = MakeLanguageBackends(options);
   ASSERT_TRUE(both.ok()) << both.status().ToString();
   EXPECT_EQ(both->by_name.count("remote"), 1u);
+  EXPECT_EQ(both->by_name.count("interpreted"), 1u);
+  EXPECT_EQ(DefaultBackend(*both), "remote");
   ASSERT_NE(both->server, nullptr);
   EXPECT_EQ(both->server->statistics().requests, 0u);
 }

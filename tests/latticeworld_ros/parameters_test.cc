@@ -133,6 +133,8 @@ TEST(ParametersTest, AServerMakesRemoteALegalGenerator) {
   EXPECT_EQ(options->remote.server.total_timeout_s, 30.0);
   EXPECT_EQ(options->remote.server.max_answer_bytes, 4096u);
   EXPECT_TRUE(options->remote.fallback);
+  parameters["generator"] = std::string("interpreted");
+  EXPECT_TRUE(OptionsFromParameters(parameters).ok());
 
   XmlRpc::XmlRpcValue alone;
   alone["generator"] = std::string("remote");

@@ -175,6 +175,27 @@ class LanguageTest(unittest.TestCase):
                             answer.warnings)
             self.assertEqual(before.world_id, answer.world_id)
 
+    def test_a_model_reads_for_the_embedded_back_end(self):
+        def words(*sentences):
+            return [json.dumps({"sentences": sentences})]
+
+        lake, night = words("A lake covers the south.", "No buildings."), words("Night.", "Two goblins attack.")
+        with self.server():
+            world = World()
+            # The first is said again when it was read; the second's server fails when it is asked again.
+            self.model.answers = [lake, lake, night]
+            answer = world.generate(seed=4, layout="somewhere to swim where the sun stands at noon",
+                                    environment="moonlight and a brawl", generator="interpreted")
+            self.assertEqual("interpreted", answer.generator)
+            self.assertIn("W" * 16, answer.layout.split()[-1])
+            self.assertNotIn("B", answer.layout)
+            self.assertEqual("night", json.loads(answer.environment)["coarse"]["time_of_day"])
+            read = [warning for warning in answer.warnings if warning.startswith("read as:")]
+            self.assertEqual(['read as: "A lake covers the south. No buildings."',
+                              'read as: "Night. Two goblins attack."'], read)
+            shown = self.model.requests[1][1]["messages"][-1]["content"]
+            self.assertIn("southern third", shown)
+
     def test_what_a_model_says_wrongly_never_becomes_a_world(self):
         with self.server(remote_repair_turns=1):
             world = World()

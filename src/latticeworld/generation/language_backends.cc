@@ -5,6 +5,7 @@
 
 #include "latticeworld/common/range.h"
 #include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/interpreted/interpreted.h"
 #include "latticeworld/language/local/local.h"
 
 namespace latticeworld {
@@ -31,6 +32,14 @@ LanguageBackend MakeRemote(const std::shared_ptr<ChatServer>& server, const Remo
       fallback);
 }
 
+LanguageBackend MakeInterpreted(const std::shared_ptr<ChatServer>& server, RemoteOptions options,
+                                bool fallback) {
+  options.name = "interpreted";
+  return WithFallback({MakeInterpretedLayoutGenerator(server, options),
+                       MakeInterpretedEnvironmentGenerator(server, options)},
+                      fallback);
+}
+
 // As of a model in this process, which is asked as one from afar is. Its answers have their form by
 // construction; models of this size cannot be talked into what no form says.
 RemoteOptions LocalModelOptions() {
@@ -47,19 +56,20 @@ Result<LanguageBackend> MakeLocal(const LocalBackendOptions& options) {
                       MakeLocalChatServer(options.layout_model, options.threads));
   RemoteOptions model = LocalModelOptions();
   model.temperature = options.temperature;
+  LanguageBackend backend;
+  backend.layout =
+      MakeBestOfLayoutGenerator(MakeRemoteLayoutGenerator(layout, model), options.tries);
   if (options.environment_model == "grounded") {
-    return WithFallback(
-        {MakeRemoteLayoutGenerator(layout, model), MakeGroundedEnvironmentGenerator()},
-        options.fallback);
+    backend.environment = MakeGroundedEnvironmentGenerator();
+    return WithFallback(std::move(backend), options.fallback);
   }
   std::shared_ptr<ChatServer> environment = layout;
   if (!options.environment_model.empty() && options.environment_model != options.layout_model) {
     LW_ASSIGN_OR_RETURN(environment,
                         MakeLocalChatServer(options.environment_model, options.threads));
   }
-  return WithFallback({MakeRemoteLayoutGenerator(layout, model),
-                       MakeRemoteEnvironmentGenerator(environment, model)},
-                      options.fallback);
+  backend.environment = MakeRemoteEnvironmentGenerator(environment, model);
+  return WithFallback(std::move(backend), options.fallback);
 }
 
 }  // namespace
@@ -75,6 +85,7 @@ std::vector<Violation> Validate(const LocalBackendOptions& options) {
   std::vector<Violation> violations;
   if (!options.is_wanted()) return violations;
   CheckRange("temperature", options.temperature, {0.0, 2.0}, "", &violations);
+  CheckRange("tries", options.tries, {1.0, 64.0}, "", &violations);
   CheckRange("threads", options.threads, {0.0, 256.0}, "", &violations);
   return violations;
 }
@@ -91,6 +102,7 @@ Result<LanguageBackends> MakeLanguageBackends(const RemoteBackendOptions& remote
   if (!remote.is_wanted()) return backends;
   LW_ASSIGN_OR_RETURN(std::shared_ptr<OpenAiClient> server, MakeOpenAiClient(remote.server));
   backends.by_name["remote"] = MakeRemote(server, remote.model, remote.fallback);
+  backends.by_name["interpreted"] = MakeInterpreted(server, remote.model, remote.fallback);
   backends.server = std::move(server);
   return backends;
 }
@@ -108,6 +120,8 @@ LanguageBackends MakeReplayBackends(std::vector<ModelReply> replies) {
   LanguageBackends backends;
   backends.by_name["grounded"] = MakeGrounded();
   backends.by_name["remote"] = MakeRemote(MakeReplayServer(replies), options, /*fallback=*/true);
+  backends.by_name["interpreted"] =
+      MakeInterpreted(MakeReplayServer(replies), options, /*fallback=*/true);
   RemoteOptions local = LocalModelOptions();
   local.repair_turns = options.repair_turns;
   backends.by_name["local"] =

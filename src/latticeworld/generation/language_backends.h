@@ -13,7 +13,8 @@
 
 namespace latticeworld {
 
-// The back end "remote": a model behind an OpenAI-compatible server.
+// The back ends "remote" and "interpreted": a model behind an OpenAI-compatible server that
+// answers, or that reads for the embedded back end.
 struct RemoteBackendOptions {
   OpenAiOptions server;  // url "": there is no such back end
   RemoteOptions model;
@@ -29,6 +30,7 @@ struct LocalBackendOptions {
   std::string layout_model;       // GGUF file of LLM_L; "": there is no such back end
   std::string environment_model;  // of LLM_C; "": the layout's; "grounded": that back end answers
   double temperature = 1.0;       // 0 .. 2; 1: as the model has learned
+  int tries = 1;          // 1 .. 64 layouts that are drawn at most; the one with most claims counts
   int threads = 0;        // 0 .. 256 that compute an answer; 0: as many as the machine has cores
   bool fallback = false;  // true: where an answer stays illegal the grounded back end answers
 
@@ -38,9 +40,9 @@ struct LocalBackendOptions {
 std::vector<Violation> Validate(const LocalBackendOptions& options);
 
 struct LanguageBackends {
-  // "grounded", and "remote" and "local" where they are wanted.
+  // "grounded", and "remote" and "interpreted", and "local" where they are wanted.
   std::map<std::string, LanguageBackend> by_name;
-  std::shared_ptr<const OpenAiClient> server;  // of "remote"; nullptr: none
+  std::shared_ptr<const OpenAiClient> server;  // of both; nullptr: none
 };
 
 // Errors: INVALID_ARGUMENT with every violation; those of MakeLocalChatServer.
@@ -50,7 +52,7 @@ Result<LanguageBackends> MakeLanguageBackends(const RemoteBackendOptions& remote
 // Who answers where nobody says who: a model, where one was named, else the grounded back end.
 std::string DefaultBackend(const LanguageBackends& backends);
 
-// Back ends for making a world of a bundle again: "remote" and "local" read the recorded replies,
+// Back ends for making a world of a bundle again: all but "grounded" read the recorded replies,
 // and where there are none the grounded back end answers, as it did then.
 LanguageBackends MakeReplayBackends(std::vector<ModelReply> replies);
 

@@ -43,4 +43,10 @@ Result<std::string> FillTemplate(std::string_view text, const std::vector<Prompt
   return Status(StatusCode::kInternal, status.message(), status.violations());
 }
 
+std::string FillPromptFile(std::string_view text, const std::vector<PromptValue>& values) {
+  std::string filled = FillTemplate(text, values).value();
+  while (!filled.empty() && filled.back() == '\n') filled.pop_back();
+  return filled;
+}
+
 }  // namespace latticeworld

@@ -18,6 +18,9 @@ struct PromptValue {
 // INTERNAL with every violation at once (unknown_name: no value is given; unused_value: its name is
 // not in the text; open_brace: "{{" without "}}").
 Result<std::string> FillTemplate(std::string_view text, const std::vector<PromptValue>& values);
+// The same for a file that is part of the program, without the newlines at its end: a name that
+// does not fit is a bug, which a test finds.
+std::string FillPromptFile(std::string_view text, const std::vector<PromptValue>& values);
 
 }  // namespace latticeworld
 

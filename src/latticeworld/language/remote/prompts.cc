@@ -19,22 +19,7 @@ namespace {
 constexpr std::size_t kMostViolationsSaid = 100;
 
 std::string Fill(std::string_view file_name, const std::vector<PromptValue>& values) {
-  // The files are part of the program: a name that does not fit is a bug, and a test finds it.
-  std::string text = FillTemplate(RemotePromptFile(file_name), values).value();
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
-}
-
-// "A  farmland: fields, orchards, crops" and so on, a line each.
-std::string ClassLines(Vocabulary vocabulary) {
-  std::string text;
-  for (const LayoutClass& entry : ClassesOf(vocabulary)) {
-    if (!text.empty()) text += '\n';
-    text += entry.letter;
-    text += " = ";
-    text += entry.meaning;
-  }
-  return text;
+  return FillPromptFile(RemotePromptFile(file_name), values);
 }
 
 std::string InstructionText(std::string_view instruction) {
@@ -55,6 +40,24 @@ Status AddRelief(const Relief* relief, bool sees, std::string* words, std::strin
 }
 
 std::string RepairText(const std::vector<Violation>& violations, std::string form) {
+  return Fill("repair.txt",
+              {{"violations", ViolationLines(violations)}, {"form", std::move(form)}});
+}
+
+}  // namespace
+
+std::string ClassLines(Vocabulary vocabulary) {
+  std::string text;
+  for (const LayoutClass& entry : ClassesOf(vocabulary)) {
+    if (!text.empty()) text += '\n';
+    text += entry.letter;
+    text += " = ";
+    text += entry.meaning;
+  }
+  return text;
+}
+
+std::string ViolationLines(const std::vector<Violation>& violations) {
   std::string lines;
   const std::size_t said = std::min(violations.size(), kMostViolationsSaid);
   for (std::size_t i = 0; i < said; ++i) {
@@ -66,10 +69,8 @@ std::string RepairText(const std::vector<Violation>& violations, std::string for
   if (said < violations.size()) {
     lines += "\n- and " + std::to_string(violations.size() - said) + " further such things";
   }
-  return Fill("repair.txt", {{"violations", lines}, {"form", std::move(form)}});
+  return lines;
 }
-
-}  // namespace
 
 Result<std::vector<ChatMessage>> LayoutMessages(const LayoutRequest& request, bool sees) {
   std::string relief;

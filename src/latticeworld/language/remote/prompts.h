@@ -24,6 +24,11 @@ Result<std::vector<ChatMessage>> EnvironmentMessages(const EnvironmentRequest& r
 std::string LayoutRepairText(const std::vector<Violation>& violations, Vocabulary vocabulary);
 std::string EnvironmentRepairText(const std::vector<Violation>& violations);
 
+// "A = farmland: fields, orchards, crops" and so on, a line each.
+std::string ClassLines(Vocabulary vocabulary);
+// At most a hundred violations, a line each.
+std::string ViolationLines(const std::vector<Violation>& violations);
+
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_LANGUAGE_REMOTE_PROMPTS_H_

@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "language/remote/fake_chat_server.h"
+#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/interpreted/interpreted.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr char kLake[] = R"({"sentences": ["A lake in the south."]})";
+constexpr char kRound[] = R"({"sentences": ["A lake in the south.", "The lake is round."]})";
+
+class InterpretedLayoutTest : public testing::Test {
+ protected:
+  Result<LayoutAnswer> Generate(RemoteOptions options = {}) {
+    options.name = "interpreted";
+    return MakeInterpretedLayoutGenerator(server_, options)->Generate(request_, progress_);
+  }
+  // What the embedded back end makes of these words.
+  std::string Embedded(const std::string& words) const {
+    LayoutRequest request = request_;
+    request.instruction = words;
+    return ToText(MakeGroundedLayoutGenerator()->Generate(request, Progress())->layout);
+  }
+
+  std::shared_ptr<FakeChatServer> server_ = std::make_shared<FakeChatServer>();
+  LayoutRequest request_{"where the sun stands at noon, something to swim in", Vocabulary::kSuburb,
+                         nullptr, 42};
+  Progress progress_;
+};
+
+TEST_F(InterpretedLayoutTest, WhatTheModelSaysTwiceIsLaidOut) {
+  server_->Say(kLake).Say(kLake);
+  const auto answer = Generate();
+  ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+  EXPECT_EQ(ToText(answer->layout), Embedded("A lake in the south."));
+  ASSERT_FALSE(answer->warnings.empty());
+  EXPECT_EQ(answer->warnings[0], "read as: \"A lake in the south.\"");
+  ASSERT_EQ(answer->replies.size(), 2u);
+  EXPECT_EQ(answer->replies[0].purpose, "layout_words");
+  EXPECT_EQ(answer->replies[1].text, kLake);
+}
+
+TEST_F(InterpretedLayoutTest, TheModelSeesWhatIsReadInItsSentences) {
+  server_->Say(R"({"sentences": ["A lake in the south.", "Frobs."]})").Say(kRound).Say(kRound);
+  const auto answer = Generate();
+  ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+  EXPECT_EQ(ToText(answer->layout), Embedded("A lake in the south. The lake is round."));
+  ASSERT_EQ(server_->requests().size(), 3u);
+  EXPECT_NE(server_->requests()[0].messages.back().text.find(request_.instruction),
+            std::string::npos);
+  const std::string shown = server_->requests()[1].messages.back().text;
+  for (const char* read : {"\"present\"", "\"southern third\"", "not understood: \"Frobs"})
+    EXPECT_NE(shown.find(read), std::string::npos) << shown;
+  EXPECT_EQ(server_->requests()[1].form.name, "layout_words");
+}
+
+TEST_F(InterpretedLayoutTest, TheLastSentencesCountWhenTheTurnsAreUsedUp) {
+  RemoteOptions options;
+  options.repair_turns = 1;
+  server_->Say(kLake).Say(kRound);
+  const auto answer = Generate(options);
+  ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+  EXPECT_EQ(ToText(answer->layout), Embedded("A lake in the south. The lake is round."));
+  options.repair_turns = 0;
+  server_->Say(kLake);
+  const auto at_once = Generate(options);
+  ASSERT_TRUE(at_once.ok()) << at_once.status().ToString();
+  EXPECT_EQ(at_once->replies.size(), 1u);
+}
+
+TEST_F(InterpretedLayoutTest, AnAnswerWithoutSentencesGoesBackWithWhatIsWrongWithIt) {
+  server_->Say("A lake, I think.").Say(kLake).Say(kLake);
+  const auto answer = Generate();
+  ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+  EXPECT_NE(server_->requests()[1].messages.back().text.find("no JSON object"), std::string::npos);
+  server_->Say("No.").Say("No!").Say("Never.");
+  EXPECT_EQ(Generate().status().code(), StatusCode::kDataLoss);
+}
+
+TEST_F(InterpretedLayoutTest, AServerThatFailsAfterwardsTakesNothingAway) {
+  server_->Say(kLake).Fail(Status(StatusCode::kUnavailable, "gone"));
+  const auto answer = Generate();
+  ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+  EXPECT_EQ(ToText(answer->layout), Embedded("A lake in the south."));
+  server_->Fail(Status(StatusCode::kUnavailable, "gone"));
+  EXPECT_EQ(Generate().status().code(), StatusCode::kUnavailable);
+}
+
+TEST_F(InterpretedLayoutTest, CancellingEndsItWhateverWasSaid) {
+  server_->Say({Status(), kLake, "stop", 7, [this] { progress_.Cancel(); }}).Say(kLake);
+  EXPECT_EQ(Generate().status().code(), StatusCode::kCancelled);
+}
+
+TEST_F(InterpretedLayoutTest, WhereNothingIsAskedTheOwnWordsAreRead) {
+  request_.instruction = "A forest.";
+  server_->Say(R"({"sentences": []})").Say(R"({"sentences": []})");
+  const auto answer = Generate();
+  ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+  EXPECT_EQ(ToText(answer->layout), Embedded("A forest."));
+}
+
+TEST_F(InterpretedLayoutTest, ARecordingGivesTheSameLayout) {
+  server_->Say("?").Say(kRound).Say(kLake);
+  const auto answer = Generate();
+  ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+  RemoteOptions options;
+  options.repair_turns = 3;  // as many as there are replies
+  const auto again = MakeInterpretedLayoutGenerator(MakeReplayServer(answer->replies), options)
+                         ->Generate(request_, Progress());
+  ASSERT_TRUE(again.ok()) << again.status().ToString();
+  EXPECT_EQ(ToText(again->layout), ToText(answer->layout));
+}
+
+TEST_F(InterpretedLayoutTest, AnIllegalRequestIsRefusedBeforeAnybodyIsAsked) {
+  request_.instruction = "\xFF";
+  EXPECT_EQ(Generate().status().code(), StatusCode::kInvalidArgument);
+  EXPECT_TRUE(server_->requests().empty());
+}
+
+}  // namespace
+}  // namespace latticeworld
