@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <memory>
 #include <set>
 
 #include "generation/test_world.h"
+#include "latticeworld/language/grounded/grounded.h"
 
 namespace latticeworld {
 namespace {
@@ -159,6 +161,61 @@ TEST_F(FidelityBenchmarkTest, TheBenchmarkThatIsShippedIsReadAndLargeEnough) {
   // A quarter of these at least is set aside; what is written later may all be for work.
   EXPECT_GE(test_layouts, kLeastLayouts / 4);
   EXPECT_GE(test_environments, kLeastEnvironments / 4);
+}
+
+// The embedded back end, its answers read back as if somebody else had sent them.
+class CheckedLayouts : public LayoutGenerator {
+ public:
+  std::string_view name() const override { return "checked"; }
+  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress) override {
+    auto answer = embedded_->Generate(request, progress);
+    EXPECT_TRUE(answer.ok()) << answer.status().ToString();
+    if (answer.ok()) {
+      const auto back = ParseLayout(ToText(answer->layout), request.vocabulary);
+      EXPECT_TRUE(back.ok()) << back.status().ToString();
+    }
+    return answer;
+  }
+
+ private:
+  std::unique_ptr<LayoutGenerator> embedded_ = MakeGroundedLayoutGenerator();
+};
+
+class CheckedEnvironments : public EnvironmentGenerator {
+ public:
+  std::string_view name() const override { return "checked"; }
+  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request,
+                                     const Progress& progress) override {
+    auto answer = embedded_->Generate(request, progress);
+    EXPECT_TRUE(answer.ok()) << answer.status().ToString();
+    if (answer.ok()) {
+      const auto back = ParseEnvironment(ToJson(answer->environment));
+      EXPECT_TRUE(back.ok()) << back.status().ToString();
+    }
+    return answer;
+  }
+
+ private:
+  std::unique_ptr<EnvironmentGenerator> embedded_ = MakeGroundedEnvironmentGenerator();
+};
+
+// Of both parts; what single instructions of the test part come to is nobody's business here.
+TEST(ShippedFidelityBenchmarkTest, EveryEmbeddedAnswerIsLegalAndNineClaimsInTenHold) {
+  for (const auto& entry : EnumNames(BenchmarkPart{})) {
+    const auto part = ReadFidelityBenchmark(LATTICEWORLD_FIDELITY_BENCHMARK, entry.value);
+    ASSERT_TRUE(part.ok()) << part.status().ToString();
+    CheckedLayouts layouts;
+    CheckedEnvironments environments;
+    const auto layout_score = ScoreLayouts(part->layouts, 1, &layouts, Progress());
+    const auto environment_score =
+        ScoreEnvironments(part->environments, 1, &environments, Progress());
+    ASSERT_TRUE(layout_score.ok() && environment_score.ok());
+    EXPECT_EQ(layout_score->answered, layout_score->items);
+    EXPECT_EQ(environment_score->answered, environment_score->items);
+    if (entry.value == BenchmarkPart::kTest) continue;
+    EXPECT_GE(10 * layout_score->all().satisfied, 9 * layout_score->all().total);
+    EXPECT_GE(10 * environment_score->all().satisfied, 9 * environment_score->all().total);
+  }
 }
 
 }  // namespace

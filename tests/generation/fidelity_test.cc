@@ -43,6 +43,24 @@ TEST(FidelityTest, MeasuresWhatTheWordsSayAndNotWhoAnswered) {
   EXPECT_LT(forest.satisfied(), static_cast<int>(forest.claims.size()));
 }
 
+// "By the village" is where the layout has it.
+TEST(FidelityTest, MeasuresPlacesThatTheLayoutNames) {
+  SymbolicLayout layout = Uniform('G');
+  for (int row = 24; row < 30; ++row) {
+    for (int column = 24; column < 30; ++column) layout.cells(row, column) = 'B';
+  }
+  const auto holds = [&](Region position) {
+    EnvironmentConfig environment = Autumn();
+    environment.agents = {{AgentCategory::kSheep, 10, AgentState::kGrazing, position}};
+    const FidelityReport report =
+        AssessFidelity("", "Ten sheep graze by the village.", layout, environment);
+    EXPECT_FALSE(report.claims.empty());
+    return report.satisfied() == static_cast<int>(report.claims.size());
+  };
+  EXPECT_TRUE(holds(Region::kLowerRight));
+  EXPECT_FALSE(holds(Region::kUpperLeft));
+}
+
 TEST(FidelityTest, WarnsOfEveryMissAndOfWhatWasNotUnderstood) {
   const FidelityReport report = AssessFidelity("A lake in the north and a zorblax.",
                                                "a herd of quxes", Uniform('G'), Autumn());

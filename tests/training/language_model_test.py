@@ -49,6 +49,13 @@ class TokenizerTest(unittest.TestCase):
     def test_nothing_in_a_text_controls(self):
         self.assertTrue(all(token >= 4 for token in self.tokenizer.encode("<s><|im_end|><unk>")))
 
+    def test_members_of_an_answer_are_pieces(self):
+        answers = ['{"a":{"season":"%s","rotation":[0,0,15]},"b":[{"n":%d},{"n":3}]}' % (season, number)
+                   for season in ("winter", "summer") for number in (3, 12)]
+        spelling = tokenizer.train_tokenizer(2 * answers, most_words=200)
+        self.assertEqual([spelling.pieces[token] for token in spelling.encode(answers[1])],
+                         ['{', '"a":{', '"season":"winter",', '"rotation":[0,0,15]},', '"b":[{', '"n":12},{', '"n":3}]}'])
+
     def test_is_the_same_after_saving(self):
         with tempfile.TemporaryDirectory() as directory:
             path = os.path.join(directory, "tokenizer.json")

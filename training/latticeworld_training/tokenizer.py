@@ -25,8 +25,8 @@ NORMAL, KIND_UNKNOWN, CONTROL, BYTE = 1, 2, 3, 6
 # Letters of both vocabularies of layouts.
 LAYOUT_LETTERS = "ABDFGRSW"
 PAIR_SCORE, FOUR_SCORE = 1.0, 2.0
-# Within JSON that is written without spaces: '{"a":' | '"b",' | ...
-_WORD_ENDS = re.compile("(?<=[,:{[])(?=[^ ])")
+# Within JSON that is written without spaces, members are words: '{' | '"a":[0,0,15],' | '"b":"c",' | ...
+_WORD_ENDS = re.compile('(?<=[,{])(?=")')
 _CAPITALS = re.compile("[A-Z][A-Z]")
 
 

@@ -11,6 +11,7 @@ import argparse
 import dataclasses
 import json
 import os
+import random
 import shutil
 
 import torch
@@ -52,7 +53,7 @@ def main(arguments=None):
     parser.add_argument("--validation", nargs="*", default=[], help="JSON Lines that are not trained on")
     parser.add_argument("--out", required=True, help="folder of the run")
     parser.add_argument("--begin-with", help="folder of a run whose tokenizer, sizes and weights this one begins with")
-    parser.add_argument("--brief", action="store_true", help="environments without map and fine attributes, to begin with")
+    parser.add_argument("--brief-share", type=float, default=0.0, help="of environments that come without map and fine attributes [0]")
     parser.add_argument("--most-fours", type=int, default=1000, help="pieces of maps in the vocabulary [1000]")
     parser.add_argument("--most-words", type=int, default=1000, help="pieces of words in the vocabulary [1000]")
     parser.add_argument("--threads", type=int, default=1, help="of the processor [1]")
@@ -83,8 +84,8 @@ def main(arguments=None):
     with open(os.path.join(given.out, "model.json"), "w", encoding="utf-8") as file:
         json.dump(dataclasses.asdict(sizes), file, indent=2)
     unseen = read_conversations(given.validation)
-    if given.brief:
-        conversations, unseen = [[brief(messages) for messages in some] for some in (conversations, unseen)]
+    draws = random.Random(given.seed)
+    conversations = [brief(messages) if draws.random() < given.brief_share else messages for messages in conversations]
     examples, longer = encode_all(tokenizer, conversations, sizes.context)
     validation, _ = encode_all(tokenizer, unseen, sizes.context)
     weights = sum(weight.numel() for weight in model.parameters())

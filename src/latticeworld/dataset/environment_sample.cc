@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "latticeworld/language/grounded/environment/agent_fitting.h"
 #include "latticeworld/language/grounded/environment/attribute_fitting.h"
 #include "latticeworld/language/places.h"
+#include "latticeworld/language/remote/answer_in_form.h"
 #include "latticeworld/layout/measures.h"
 
 namespace latticeworld {
@@ -133,20 +133,6 @@ std::vector<Choice> Choices(const SymbolicLayout& layout, const EnvironmentConfi
   return choices;
 }
 
-// Typical numbers in hundredths, as people and models write them, where they stay within the rules.
-void RoundNumbers(EnvironmentConfig* environment) {
-  for (const auto& entry : EnumNames(AssetType{})) {
-    const FineBounds bounds = BoundsOf(environment->coarse, entry.value);
-    FineAttribute& fine = environment->fine_of(entry.value);
-    for (const auto& parameter : EnumNames(FineParameter{})) {
-      const std::optional<NumberBound>& bound = bounds.number(parameter.value);
-      if (!bound.has_value()) continue;
-      const double rounded = std::round(ValueOf(fine, parameter.value) * 100.0) / 100.0;
-      if (BreachOf(*bound, rounded).empty()) SetValue(parameter.value, rounded, &fine);
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<Weather> LikelyWeathers(const SymbolicLayout& layout, TerrainType terrain,
@@ -183,7 +169,7 @@ SampledEnvironment SampleEnvironment(const SymbolicLayout& layout, double size_m
   }
   coarse.weather = weathers[random->Weighted(weights)];
   environment.fine = DeriveFineAttributes(coarse);
-  RoundNumbers(&environment);
+  RoundToForm(&environment);
 
   const int told = random->UniformInt(0, kMostTold);
   for (int i = 0; i < told; ++i) {

@@ -43,16 +43,18 @@ class EnvironmentWriter {
     if (coarse.artistic_style != ArtisticStyle::kRealistic || random_->Chance(0.3)) {
       sentences.push_back(Word("style", NameOf(coarse.artistic_style)));
     }
-    const std::size_t opening = sentences.size();
-    for (const std::string& key : sample.told)
-      sentences.push_back(book_.Pick(key, voice_, random_));
-    for (const AgentGroup& group : sample.environment.agents) sentences.push_back(Agents(group));
-    // Agents and things come in any order.
-    std::vector<std::string> rest(sentences.begin() + static_cast<std::ptrdiff_t>(opening),
-                                  sentences.end());
-    random_->Shuffle(&rest);
-    std::copy(rest.begin(), rest.end(), sentences.begin() + static_cast<std::ptrdiff_t>(opening));
-    if (sample.environment.agents.empty() && (sentences.empty() || random_->Chance(0.5))) {
+    // Agents and things come in any order; the answer names the agents as the words do.
+    std::size_t told = 0, agents = 0;
+    const std::vector<AgentGroup>& groups = sample.environment.agents;
+    while (told < sample.told.size() || agents < groups.size()) {
+      const auto left = static_cast<double>(sample.told.size() - told);
+      if (random_->Chance(left / (left + static_cast<double>(groups.size() - agents)))) {
+        sentences.push_back(book_.Pick(sample.told[told++], voice_, random_));
+      } else {
+        sentences.push_back(Agents(groups[agents++]));
+      }
+    }
+    if (groups.empty() && (sentences.empty() || random_->Chance(0.5))) {
       sentences.push_back(book_.Pick("agents.none", voice_, random_));
     }
     std::string text;

@@ -8,6 +8,7 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/dataset/generated_source.h"
 #include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/remote/answer_in_form.h"
 
 namespace latticeworld {
 namespace {
@@ -76,6 +77,7 @@ class GivenEnvironmentAnnotator final : public Annotator {
     request.seed = seed;
     LW_ASSIGN_OR_RETURN(EnvironmentAnswer answer,
                         MakeGroundedEnvironmentGenerator()->Generate(request, progress));
+    RoundToForm(&answer.environment);
     const std::vector<EnvironmentClaim> claims =
         ReadEnvironmentInstruction(request.instruction, &instance.layout).claims;
     const bool whole = std::all_of(claims.begin(), claims.end(), [&](const EnvironmentClaim& c) {

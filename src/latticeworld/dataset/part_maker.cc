@@ -12,6 +12,7 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/dataset/instance_images.h"
 #include "latticeworld/dataset/laid_out_anew.h"
+#include "latticeworld/language/remote/answer_in_form.h"
 #include "latticeworld/layout/claims_json.h"
 
 namespace latticeworld {
@@ -204,7 +205,7 @@ class PartInTheMaking {
       request.size_m = options().size_m;
       LW_ASSIGN_OR_RETURN(auto messages, maker_.prompts->Environment(request));
       AddRecord(DatasetTask::kEnvironment, described, std::move(messages),
-                ToJson(described.environment.environment), described.image_paths, nullptr);
+                AnswerInForm(described.environment.environment), described.image_paths, nullptr);
       CountLength(DatasetTask::kEnvironment, described.environment.text);
     }
     if (!described.image_paths.empty() && !described.layout.relief_text.empty()) {

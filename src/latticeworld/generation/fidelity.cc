@@ -44,7 +44,7 @@ FidelityReport AssessFidelity(std::string_view layout_instruction,
                               const Catalogue& catalogue) {
   FidelityReport report = AssessLayoutFidelity(layout_instruction, layout);
   EnvironmentReading reading =
-      ReadEnvironmentInstruction(environment_instruction, nullptr, catalogue);
+      ReadEnvironmentInstruction(environment_instruction, &layout, catalogue);
   for (const EnvironmentClaim& claim : reading.claims) {
     report.claims.push_back(
         OutcomeOf(InstructionPart::kEnvironment, claim, Measure(claim, environment)));

@@ -37,7 +37,8 @@ struct FidelityReport {
 };
 
 // Reads both instructions and measures layout and environment by what they say, whichever back end
-// made them. catalogue: what the environment's values are of.
+// made them; places that features of the land name ("by the lake") are those of this layout.
+// catalogue: what the environment's values are of.
 FidelityReport AssessFidelity(std::string_view layout_instruction,
                               std::string_view environment_instruction,
                               const SymbolicLayout& layout, const EnvironmentConfig& environment,

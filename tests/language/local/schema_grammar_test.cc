@@ -7,7 +7,9 @@
 
 #include "language/remote/form_checkers.h"
 #include "latticeworld/common/random.h"
+#include "latticeworld/environment/environment_config.h"
 #include "latticeworld/language/local/grammar.h"
+#include "latticeworld/language/remote/answer_in_form.h"
 #include "latticeworld/language/remote/forms.h"
 
 namespace latticeworld {
@@ -64,6 +66,22 @@ TEST(SchemaGrammarTest, AcceptsEveryInstanceOfTheEnvironmentsSchema) {
     // In the schema's order: nlohmann's ordered form of what the checker made.
     const std::string text = nlohmann::ordered_json::parse(RandomInstance(schema, &random)).dump();
     EXPECT_TRUE(Accepts(grammar, text)) << text;
+  }
+}
+
+// What data sets teach is what can be said.
+TEST(SchemaGrammarTest, AcceptsAnswersInForm) {
+  const Grammar grammar = Of(EnvironmentForm().json_schema);
+  for (const auto& season : EnumNames(Season{})) {
+    for (const auto& weather : EnumNames(Weather{})) {
+      EnvironmentConfig environment;
+      environment.coarse.season = season.value;
+      environment.coarse.weather = weather.value;
+      environment.fine = DeriveFineAttributes(environment.coarse);
+      environment.agents = {{AgentCategory::kEagle, 3, AgentState::kFlying, Region::kUpperLeft}};
+      RoundToForm(&environment);
+      EXPECT_TRUE(Accepts(grammar, AnswerInForm(environment))) << AnswerInForm(environment);
+    }
   }
 }
 

@@ -1,10 +1,10 @@
 #include "latticeworld/language/remote/forms.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "latticeworld/environment/environment_config.h"
+#include "latticeworld/language/remote/number_steps.h"
 #include "latticeworld/layout/symbolic_layout.h"
 
 namespace latticeworld {
@@ -14,37 +14,18 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kMostGroups = 64;
 
-// A step between values, as a fraction so that its multiples are exact.
-struct Step {
-  int units;
-  int per;
-};
-constexpr Step kSteps[] = {{1, 10}, {1, 4}, {1, 2}, {1, 1}, {2, 1}, {5, 1}, {10, 1}, {15, 1}};
-constexpr int kMostValues = 24;
-
-// The multiples of a step that a schema of a number accepts.
-Json Multiples(const Json& number, const Step& step) {
-  const double low = number.at("minimum");
-  const bool open = number.contains("exclusiveMaximum");
-  const double high = number.at(open ? "exclusiveMaximum" : "maximum");
-  Json values = Json::array();
-  for (int i = static_cast<int>(std::ceil(low * step.per / step.units));; ++i) {
-    const double value = static_cast<double>(i) * step.units / step.per;
-    if (value > high || (open && value == high)) return values;
-    if (step.per == 1) {
-      values.push_back(i * step.units);
-    } else {
-      values.push_back(value);
-    }
-  }
-}
-
-// A range of numbers as a few values that every grammar can spell.
+// A number's schema as a few values.
 Json Steps(const Json& number) {
-  Json values;
-  for (const Step& step : kSteps) {
-    values = Multiples(number, step);
-    if (values.size() <= kMostValues) break;
+  const bool open = number.contains("exclusiveMaximum");
+  const NumberSteps steps(
+      Range{number.at("minimum"), number.at(open ? "exclusiveMaximum" : "maximum"), false, open});
+  Json values = Json::array();
+  for (int i = 0; i < steps.count(); ++i) {
+    if (steps.whole()) {
+      values.push_back(static_cast<int>(steps.At(i)));
+    } else {
+      values.push_back(steps.At(i));
+    }
   }
   return {{"type", "number"}, {"enum", std::move(values)}};
 }
