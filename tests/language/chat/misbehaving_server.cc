@@ -46,15 +46,16 @@ MisbehavingServer::~MisbehavingServer() {
   std::filesystem::remove_all(folder_);
 }
 
-std::vector<nlohmann::json> MisbehavingServer::Requests(const std::string& scenario) const {
-  std::ifstream log(folder_ + "/requests.jsonl");
-  std::vector<nlohmann::json> requests;
+std::vector<nlohmann::json> MisbehavingServer::Log(const char* file,
+                                                   const std::string& scenario) const {
+  std::ifstream log(folder_ + "/" + file);
+  std::vector<nlohmann::json> lines;
   for (std::string line; std::getline(log, line);) {
-    nlohmann::json request = nlohmann::json::parse(line);
-    const std::string path = request.at("path");
-    if (path.rfind("/" + scenario + "/", 0) == 0) requests.push_back(std::move(request));
+    nlohmann::json entry = nlohmann::json::parse(line);
+    const std::string path = entry.at("path");
+    if (path.rfind("/" + scenario + "/", 0) == 0) lines.push_back(std::move(entry));
   }
-  return requests;
+  return lines;
 }
 
 std::string MisbehavingServer::Address(const char* scheme, const char* port,

@@ -3,8 +3,9 @@
 
 The first part of a request's path names what goes wrong: http://127.0.0.1:PORT/hang/v1 never
 answers. Called as misbehaving_server.py FOLDER, it prints one line of JSON with its ports and the
-certificate of its TLS ports, appends each request to FOLDER/requests.jsonl, and ends when its
-standard input does, so that it never outlives the test that started it.
+certificates of its TLS ports, appends each request to FOLDER/requests.jsonl and, once the other side
+has closed a request's connection, its path to FOLDER/closed.jsonl. It ends when its standard input
+does, so that it never outlives the test that started it.
 """
 
 import collections
@@ -21,6 +22,7 @@ FOLDER = pathlib.Path(sys.argv[1])
 WORDS = ["Hel", "lo, ", "w\u00f6", "rld"]
 LOCK = threading.Lock()
 SEEN = collections.Counter()  # requests by scenario
+TLS_HANDSHAKE = b"\x16"  # with which TLS begins
 
 
 def chunk(delta, finish_reason=None, **more):
@@ -70,6 +72,13 @@ def hang(connection):
         pass
 
 
+def wait_until_closed(connection):
+    try:
+        hang(connection)
+    except OSError:
+        pass  # that is closed as well
+
+
 def for_ever(connection, piece, pause_s=0.0):
     while True:
         connection.sendall(piece)
@@ -99,6 +108,7 @@ SCENARIOS = {
     "no_models": lambda c, n, r: c.sendall(whole(200, {"object": "list", "data": []})),
     # Faults of the connection.
     "hang": lambda c, n, r: hang(c),
+    "tls_hello": lambda c, n, r: hang(c),  # TLS where none is spoken, whatever its path
     "hang_in_answer": lambda c, n, r: (c.sendall(STREAM_HEAD + TOKENS[0]), hang(c)),
     "hang_after_token": lambda c, n, r: (c.sendall(STREAM_HEAD + TOKENS[0]), hang(c)),
     "hang_in_head": lambda c, n, r: (c.sendall(b"HTTP/1.1 200 OK\r\nContent-"), hang(c)),
@@ -168,6 +178,9 @@ SCENARIOS = {
     "429_date_then_good": lambda c, n, r: c.sendall(first_then(
         n, whole(429, {"message": "slow down"}, "application/json",
                  "Retry-After: Sun, 06 Nov 1994 08:49:37 GMT"), STREAM_HEAD + STREAM)),
+    "429_for_a_second": lambda c, n, r: c.sendall(first_then(
+        n, whole(429, {"message": "slow down"}, "application/json", "Retry-After: 1"),
+        STREAM_HEAD + STREAM)),
     "429_too_long": lambda c, n, r: c.sendall(whole(
         429, {"message": "slow down"}, "application/json", "Retry-After: 3600")),
     "429_date_too_long": lambda c, n, r: c.sendall(whole(
@@ -187,6 +200,9 @@ SCENARIOS = {
     "503_in_time": lambda c, n, r: c.sendall(LOADING),
     "503_for_long": lambda c, n, r: c.sendall(LOADING),
     "504": lambda c, n, r: c.sendall(whole(504, b"upstream timed out", "text/plain")),
+    "busy_then_good_then_401": lambda c, n, r: (
+        SCENARIOS["401"](c, n, r) if n > 2 else
+        c.sendall(first_then(n, LOADING, STREAM_HEAD + STREAM))),
     "redirect": lambda c, n, r: c.sendall(whole(
         307, b"", None, f"Location: http://127.0.0.1:{r['port']}/collector/v1")),
     # What an interim answer says is not about the answer.
@@ -225,6 +241,8 @@ def read_request(connection):
         if not more:
             return None
         data += more
+        if data.startswith(TLS_HANDSHAKE):
+            return {"method": "TLS", "path": "/tls_hello/", "headers": {}, "body": ""}
     text, body = data.split(b"\r\n\r\n", 1)
     first, *lines = text.decode("latin-1").split("\r\n")
     headers = {name.lower(): value.strip() for name, _, value in
@@ -237,7 +255,13 @@ def read_request(connection):
     return {"method": method, "path": path, "headers": headers, "body": body.decode()}
 
 
+def note(file, line):
+    with open(FOLDER / file, "a", encoding="utf-8") as log:
+        log.write(json.dumps(line) + "\n")
+
+
 def serve(connection, port):
+    request = None
     with connection:
         try:
             request = read_request(connection)
@@ -245,12 +269,12 @@ def serve(connection, port):
                 return
             scenario = request["path"].split("/")[1]
             answer = models(scenario) if request["method"] == "GET" else None
+            request["time_s"] = time.monotonic()
             with LOCK:
                 if answer is None:
                     SEEN[scenario] += 1
                 count = SEEN[scenario]
-                with open(FOLDER / "requests.jsonl", "a", encoding="utf-8") as log:
-                    log.write(json.dumps(request) + "\n")
+                note("requests.jsonl", request)
             request["port"] = port
             if answer is not None:
                 connection.sendall(answer)
@@ -259,6 +283,11 @@ def serve(connection, port):
             connection.shutdown(socket.SHUT_WR)
         except OSError:
             pass  # the client had enough, as many of its tests want
+        if request is None:
+            return
+        wait_until_closed(connection)
+        with LOCK:
+            note("closed.jsonl", {"path": request["path"]})
 
 
 def accept_for_ever(listener, context):
@@ -296,13 +325,38 @@ def certificate(name, subject_alternative):
     return context, str(paths[0])
 
 
+def expired_certificate(subject_alternative):
+    """As certificate() makes, of 2020. Only `openssl ca` takes dates that are over."""
+    paths = FOLDER / "expired.pem", FOLDER / "expired.key"
+    configuration, request = FOLDER / "ca.cnf", FOLDER / "expired.csr"
+    configuration.write_text(
+        f"[ca]\ndefault_ca=own\n[own]\ndatabase={FOLDER}/issued.txt\nnew_certs_dir={FOLDER}\n"
+        "rand_serial=yes\ndefault_md=sha256\npolicy=names\ncopy_extensions=copy\n"
+        "[names]\ncommonName=supplied\n", encoding="utf-8")
+    (FOLDER / "issued.txt").touch()
+    for command in (
+            ["req", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes", "-subj",
+             "/CN=test", "-addext", f"subjectAltName={subject_alternative}", "-out", request,
+             "-keyout", paths[1]],
+            ["ca", "-batch", "-notext", "-selfsign", "-config", configuration, "-keyfile", paths[1],
+             "-in", request, "-startdate", "20200101000000Z", "-enddate", "20200102000000Z", "-out",
+             paths[0]]):
+        subprocess.run(["openssl", *command], check=True, stdin=subprocess.DEVNULL,
+                       capture_output=True)
+    context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
+    context.load_cert_chain(*paths)
+    return context, str(paths[0])
+
+
 def main():
     own, own_path = certificate("own", "IP:127.0.0.1")
+    expired, expired_path = expired_certificate("IP:127.0.0.1")
     foreign, foreign_path = certificate("foreign", "DNS:elsewhere.test")
     refusing = socket.socket()  # bound, so that nobody else listens there, and not listening
     refusing.bind(("127.0.0.1", 0))
     print(json.dumps({"port": listen(), "tls_port": listen(own), "tls_certificate": own_path,
                       "foreign_port": listen(foreign), "foreign_certificate": foreign_path,
+                      "expired_port": listen(expired), "expired_certificate": expired_path,
                       "refusing_port": refusing.getsockname()[1]}), flush=True)
     sys.stdin.read()
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -132,16 +133,27 @@ TEST_F(OpenAiClientTest, TheLengthLimitIsHandedOn) {
 }
 
 TEST_F(OpenAiClientTest, CancelEndsEveryKindOfWaiting) {
+  using Clock = std::chrono::steady_clock;
+  // Far above what it takes on a busy machine, and far below every time limit of the request.
+  constexpr std::chrono::seconds kAtOnce(5);
   struct Row {
     std::string scenario;
-    bool lists_models;
+    std::string url;
+    bool lists_models = false;
   };
-  const Row rows[] = {{"hang", false}, {"hang_in_answer", false}, {"slow_drip", false},
-                      {"hang", true},  {"hang_in_head", false},   {"429_too_long", false}};
+  const Row rows[] = {{"hang", server_.Url("hang")},
+                      {"hang_in_answer", server_.Url("hang_in_answer")},
+                      {"slow_drip", server_.Url("slow_drip")},
+                      {"hang", server_.Url("hang"), true},
+                      {"hang_in_head", server_.Url("hang_in_head")},
+                      {"429_too_long", server_.Url("429_too_long")},
+                      {"tls_hello", server_.HangingTlsUrl("any")}};
   for (const Row& row : rows) {
     SCOPED_TRACE(row.scenario);
     // Nothing but the cancellation could end it before the test's own time limit.
     OpenAiOptions options = Options(row.scenario);
+    options.url = row.url;
+    options.connect_timeout_s = 600;
     options.first_token_timeout_s = 3600;
     options.total_timeout_s = 7200;
     options.backoff_s = 60;
@@ -150,16 +162,36 @@ TEST_F(OpenAiClientTest, CancelEndsEveryKindOfWaiting) {
     Progress progress;
     Status status;
     const auto before = server_.Requests(row.scenario).size();
+    const auto closed_before = server_.Closed(row.scenario);
     std::thread caller([&] { status = client->Complete(Hello(), nullptr, progress).status(); });
     while (server_.Requests(row.scenario).size() == before) std::this_thread::yield();
+    const auto cancelled = Clock::now();
     progress.Cancel();
     caller.join();
+    EXPECT_LT(Clock::now() - cancelled, kAtOnce);
     EXPECT_EQ(status.code(), StatusCode::kCancelled) << status.ToString();
+    // The server sees the connection closed while the client lives on.
+    while (server_.Closed(row.scenario) == closed_before && Clock::now() < cancelled + kAtOnce) {
+      std::this_thread::yield();
+    }
+    EXPECT_EQ(server_.Closed(row.scenario), closed_before + 1);
     const ServerStatistics statistics = client->statistics();
     EXPECT_EQ(statistics.requests, 1u);
     EXPECT_EQ(statistics.failures, 0u);
     EXPECT_EQ(statistics.last_error, "");
   }
+}
+
+TEST_F(OpenAiClientTest, TheNextTryWaitsForAsLongAsTheServerWishes) {
+  const auto reply = Make(Options("429_for_a_second"))->Complete(Hello(), nullptr, progress_);
+  ASSERT_TRUE(reply.ok()) << reply.status().ToString();
+  EXPECT_EQ(reply->retries, 1);
+  const std::vector<Json> requests = server_.Requests("429_for_a_second");
+  ASSERT_EQ(requests.size(), 2u);
+  const double between_s =
+      requests[1].at("time_s").get<double>() - requests[0].at("time_s").get<double>();
+  EXPECT_GE(between_s, 1.0);
+  EXPECT_LT(between_s, 6.0);
 }
 
 TEST_F(OpenAiClientTest, ACallThatIsCancelledAlreadyAsksNobody) {
