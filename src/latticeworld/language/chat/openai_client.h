@@ -25,8 +25,9 @@ constexpr std::array<EnumName<ChatDialect>, 5> EnumNames(ChatDialect) {
            {ChatDialect::kNone, "none"}}};
 }
 
-// Where a server is and how long it may take. Each timeout ends a request with DEADLINE_EXCEEDED
-// and words of its own.
+// Where a server is and how long it may take. A request that a timeout ends gives DEADLINE_EXCEEDED
+// with words of its own: the first-token and the total timeout end it at once, the connect timeout
+// when no retry is left.
 struct OpenAiOptions {
   std::string url;    // base, "http://127.0.0.1:8080/v1"; http or https, no password, no query
   std::string model;  // "": the first that the server lists
