@@ -37,6 +37,10 @@ void AddLanguageOptions(CLI::App* command) {
   AddValueOption(command, "--remote-repair-turns", "N",
                  "Times that what is wrong with an answer goes back to the model, 0 to 8 [2].");
   AddValueOption(command, "--remote-temperature", "NUMBER", "0 to 2 [0.7].");
+  AddValueOption(command, "--remote-layout-max-tokens", "N",
+                 "Of one answer, thinking included, 64 to 65536 [2048].");
+  AddValueOption(command, "--remote-environment-max-tokens", "N",
+                 "The same for environments [4096].");
   command->add_flag("--remote-sees", "The model looks at images: it gets the relief as one.");
   command->add_flag("--remote-fallback",
                     "Where the server cannot be had, grounded answers, with a warning.");
@@ -51,7 +55,12 @@ Result<LanguageBackends> MakeLanguageBackends(const CLI::App& command) {
   remote.model.repair_turns =
       static_cast<int>(arguments.Integer("--remote-repair-turns", 0, 8, remote.model.repair_turns));
   remote.model.temperature = arguments.Number("--remote-temperature", remote.model.temperature);
-  for (const char* option : {"--remote-repair-turns", "--remote-temperature"}) {
+  remote.model.layout_max_tokens = static_cast<int>(
+      arguments.Integer("--remote-layout-max-tokens", 64, 65536, remote.model.layout_max_tokens));
+  remote.model.environment_max_tokens = static_cast<int>(arguments.Integer(
+      "--remote-environment-max-tokens", 64, 65536, remote.model.environment_max_tokens));
+  for (const char* option : {"--remote-repair-turns", "--remote-temperature",
+                             "--remote-layout-max-tokens", "--remote-environment-max-tokens"}) {
     arguments.RequireBeside(option, "--remote-url");
   }
   LocalBackendOptions local;

@@ -4,6 +4,8 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -26,6 +28,12 @@ void AddServerOptions(CLI::App* command) {
   AddValueOption(command, "--remote-first-token-timeout", "SECONDS", "0.01 to 3600 [60].");
   AddValueOption(command, "--remote-total-timeout", "SECONDS",
                  "Of one answer with all retries, 0.01 to 7200 [180].");
+  AddValueOption(command, "--remote-max-retries", "N",
+                 "After 429, 503 and connections that fail, 0 to 20 [3].");
+  AddValueOption(command, "--remote-backoff", "SECONDS",
+                 "Before the first retry, doubled each time, 0 to 60 [0.5].");
+  AddValueOption(command, "--remote-max-answer-bytes", "N",
+                 "Of one answer's body, 1024 to 67108864 [1048576].");
 }
 
 OpenAiOptions ReadServerOptions(const CLI::App& command, ArgumentReader* reader) {
@@ -41,9 +49,16 @@ OpenAiOptions ReadServerOptions(const CLI::App& command, ArgumentReader* reader)
   server.first_token_timeout_s =
       reader->Number("--remote-first-token-timeout", server.first_token_timeout_s);
   server.total_timeout_s = reader->Number("--remote-total-timeout", server.total_timeout_s);
+  server.max_retries =
+      static_cast<int>(reader->Integer("--remote-max-retries", 0, 20, server.max_retries));
+  server.backoff_s = reader->Number("--remote-backoff", server.backoff_s);
+  server.max_answer_bytes =
+      static_cast<std::size_t>(reader->Integer("--remote-max-answer-bytes", 1024, 64 << 20,
+                                               static_cast<std::int64_t>(server.max_answer_bytes)));
   for (const char* option :
        {"--remote-model", "--remote-dialect", "--remote-api-key-variable", "--remote-ca-file",
-        "--remote-connect-timeout", "--remote-first-token-timeout", "--remote-total-timeout"}) {
+        "--remote-connect-timeout", "--remote-first-token-timeout", "--remote-total-timeout",
+        "--remote-max-retries", "--remote-backoff", "--remote-max-answer-bytes"}) {
     reader->RequireBeside(option, "--remote-url");
   }
   return server;

@@ -14,7 +14,8 @@ namespace latticeworld::tools {
 class ArgumentReader;
 
 // The options by which a command is told of a model's server: --remote-url, --remote-model,
-// --remote-dialect, --remote-api-key-variable, --remote-ca-file and the three --remote-...-timeout.
+// --remote-dialect, --remote-api-key-variable, --remote-ca-file, the three --remote-...-timeout,
+// --remote-max-retries, --remote-backoff and --remote-max-answer-bytes.
 void AddServerOptions(CLI::App* command);
 
 // What they say, not validated; `reader` gets a violation for each that cannot be read or stands

@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dataset/answering_server.h"
 #include "tools/run_program.h"
 
 namespace latticeworld {
@@ -73,6 +78,44 @@ TEST_F(ScoreCommandTest, RebuildMakesTheSameWorldAgain) {
                            "agents.json", "elements.json", "fidelity.json", "replies.json"}) {
     EXPECT_EQ(Read(std::string("lake/") + file), Read(std::string("again/") + file)) << file;
   }
+}
+
+TEST_F(ScoreCommandTest, MeasuresWhatAModelBehindAServerAnswers) {
+  MakeBundle();  // of a rainy night
+  std::string lake_in_the_north, meadow;
+  for (int row = 0; row < 32; ++row) {
+    lake_in_the_north += std::string(32, row < 10 ? 'W' : 'G') + "\n";
+    meadow += std::string(32, 'G') + "\n";
+  }
+  std::filesystem::create_directories(PathOf("benchmark/layouts"));
+  Write("benchmark/layouts/meadow.txt", meadow);
+  Write("benchmark/layout_development.json", R"([
+    {"id": "a", "vocabulary": "suburb", "voice": "plain",
+     "instruction": "A lake in the north, a town in the south.", "claims": [
+      {"kind": "present", "subject": "W", "zone": "north", "words": "A lake in the north"},
+      {"kind": "present", "subject": "B", "zone": "south", "words": "a town in the south"}]}])");
+  Write("benchmark/environment_development.json", R"([
+    {"id": "b", "layout": "meadow", "vocabulary": "suburb", "voice": "plain",
+     "instruction": "Rain at noon.", "claims": [
+      {"kind": "coarse", "attribute": "weather", "values": ["rain"], "words": "Rain"},
+      {"kind": "coarse", "attribute": "time_of_day", "values": ["noon"], "words": "at noon"}]}])");
+  const AnsweringServer server({lake_in_the_north, Read("lake/environment.json")});
+  const ProgramRun run =
+      RunProgram({"score", "--benchmark", PathOf("benchmark"), "--generator", "remote",
+                  "--remote-url", server.url(), "--remote-repair-turns", "0", "--misses"});
+  EXPECT_EQ(run.exit_status, 0) << run.err;
+  for (const char* words :
+       {"layout instructions, development part, by remote\n  present              1 of     2",
+        "  a present: \"a town in the south\"",
+        "environment instructions, development part, by remote\n"
+        "  coarse               1 of     2",
+        "  b coarse: \"at noon\"", "  valid answers        1 of     1"}) {
+    EXPECT_NE(run.out.find(words), std::string::npos) << words << " | " << run.out;
+  }
+  const auto requests = server.Requests();
+  ASSERT_EQ(requests.size(), 2u);
+  EXPECT_NE(requests[0].dump().find("A lake in the north, a town"), std::string::npos);
+  EXPECT_NE(requests[1].dump().find("Rain at noon."), std::string::npos);
 }
 
 TEST_F(ScoreCommandTest, AServerThatIsNotThereIsAFailureOrTheFallback) {
