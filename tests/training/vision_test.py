@@ -10,41 +10,15 @@ import tempfile
 import unittest
 
 import numpy
+import tiny_lands
 import torch
 from latticeworld_training import (chat_data, export_eyes, export_gguf, fitting, llama, tokenizer, vision_data,
                                    vision_stages)
 from latticeworld_training.vision_network import Projection, VisionOptions, contrastive_loss
 from PIL import Image
+from tiny_lands import SIDES, land
 
-SIDES = {"north": (-1, 0), "south": (1, 0), "west": (0, -1), "east": (0, 1)}
 TOY = {"side": 16, "patch": 4, "width": 32, "heads": 2, "layers": 2, "text_layers": 1, "shared": 16}
-
-
-def land(side, seed, samples=24):
-    """(samples x samples) uint16, rising to a side of the world."""
-    random = numpy.random.RandomState(seed)
-    down, right = SIDES[side]
-    line = numpy.linspace(-1, 1, samples)
-    height = down * line[:, None] + right * line[None] + 0.3 * random.randn(samples, samples)
-    return (32768 + 9000 * height).astype(numpy.uint16)
-
-
-def write_set(folder, count=16):
-    """A data set of captions as `latticeworld dataset` writes one, with a record that has no picture."""
-    os.makedirs(os.path.join(folder, "relief"))
-    os.makedirs(os.path.join(folder, "images"))
-    records = [{"messages": [{"role": "user", "content": "?"}, {"role": "assistant", "content": "!"}], "images": []}]
-    for i in range(count):
-        side = list(SIDES)[i % 4]
-        name = f"images/{i}.png"
-        Image.fromarray(land(side, i)).save(os.path.join(folder, name))
-        said = f"It is highest in the {side}."
-        records.append({"messages": [{"role": "user", "content": "Where is it high?"},
-                                     {"role": "assistant", "content": said}], "images": [name]})
-    path = os.path.join(folder, "relief", "train.jsonl")
-    with open(path, "w", encoding="utf-8") as file:
-        file.writelines(json.dumps(record) + "\n" for record in records)
-    return path
 
 
 class VisionTest(unittest.TestCase):
@@ -52,7 +26,7 @@ class VisionTest(unittest.TestCase):
     def setUpClass(cls):
         torch.set_num_threads(1)
         cls.folder = tempfile.TemporaryDirectory()
-        cls.path = write_set(cls.folder.name)
+        cls.path = tiny_lands.write_split(cls.folder.name, "relief", "train")
         cls.pictures = vision_data.read_pictures(cls.path, TOY["side"])
         texts = [content for picture in cls.pictures for _, content in picture.messages]
         cls.tokenizer = tokenizer.train_tokenizer(texts, most_fours=8, most_words=60)

@@ -117,12 +117,13 @@ def fit(model, examples, validation, directory, options, device=None, say=print)
         return spent_before_s + time.monotonic() - begin
 
     def save():
-        save_checkpoint(checkpoint, model, optimizer, step=step, seconds=spent_s(), tokens=tokens_seen)
         values = {"training": sum(recent) / len(recent)} if recent else {}
         if validation:
             some = validation[: options.check_examples]
             values["validation"] = validation_loss(model, some, options.batch_size, device)
+        # The curve first: a run that ends in between measures this step again, and no point of it is lost.
         curve.add(step, **values)
+        save_checkpoint(checkpoint, model, optimizer, step=step, seconds=spent_s(), tokens=tokens_seen)
         curve.draw(os.path.join(directory, "loss.png"), "loss [nats a token of the answer]")
         recent.clear()
         figures = ", ".join(f"{name} {value:.4f}" for name, value in values.items())

@@ -96,14 +96,15 @@ def fit(pairs, small_pairs, directory, network=None, options=None, device=None, 
     last = min(options.steps(), step + (most_steps or options.steps()))
 
     def save():
-        spent_s = before_s + time.monotonic() - begin
-        save_checkpoint(checkpoint, model, optimizers, step=step, seconds=spent_s, network=network.as_dict())
         values = {name: float(numpy.mean([row[name] for row in recent if name in row]))
                   for name in ("land", "features", "judged") if any(name in row for row in recent)}
         now = small_pairs if step <= options.small_steps else pairs
         if kept < len(pairs):
             values["correlation"] = float(numpy.mean(correlations(generator, now, range(kept, len(pairs)), device)))
+        # The curve first: a run that ends in between measures this step again, and no point of it is lost.
         curve.add(step, **values)
+        spent_s = before_s + time.monotonic() - begin
+        save_checkpoint(checkpoint, model, optimizers, step=step, seconds=spent_s, network=network.as_dict())
         curve.draw(os.path.join(directory, "loss.png"), "losses of the generator, correlation with unseen land")
         recent.clear()
         say(f"step {step} of {options.steps()}, {spent_s:.0f} s: " +

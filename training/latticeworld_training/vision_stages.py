@@ -81,13 +81,14 @@ def fit_stage(trained, loss_of, count, directory, options, check=None, rest=None
         losses.append(float(loss.detach()))
         recent.append(losses[-1])
         if step % options.checkpoint_steps == 0 or step == last:
-            spent_s = before_s + time.monotonic() - begin
-            save_checkpoint(checkpoint, trained, optimizer, step=step, seconds=spent_s, **(rest or {}))
             values = {"training": float(numpy.mean(recent))}
             if check:
                 with torch.no_grad():
                     values["validation"] = float(check())
+            # The curve first: a run that ends in between measures this step again, and no point of it is lost.
             curve.add(step, **values)
+            spent_s = before_s + time.monotonic() - begin
+            save_checkpoint(checkpoint, trained, optimizer, step=step, seconds=spent_s, **(rest or {}))
             curve.draw(os.path.join(directory, "loss.png"), "loss")
             recent.clear()
             say(f"step {step} of {options.epochs * each}, {spent_s:.0f} s: " +

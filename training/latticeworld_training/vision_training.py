@@ -38,21 +38,32 @@ def main(arguments=None):
     parser.add_argument("--align-epochs", type=int, default=align_options().epochs)
     parser.add_argument("--together-epochs", type=int, default=together_options().epochs)
     parser.add_argument("--batch-size", type=int, default=32)
+    parser.add_argument("--checkpoint-steps", type=int, default=50, help="between two checkpoints [50]")
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--device", default="cpu", help="cpu or cuda [cpu]")
     given = parser.parse_args(arguments)
     torch.set_num_threads(given.threads)
 
+    def path_of(task, split):
+        return os.path.join(given.data, task, split + ".jsonl")
+
     def pictures(task, split):
-        path = os.path.join(given.data, task, split + ".jsonl")
+        path = path_of(task, split)
         return read_pictures(path, given.side) if os.path.exists(path) else []
 
+    def to_learn_from(task):
+        found = pictures(task, "train")
+        if not found:
+            parser.error(f"{path_of(task, 'train')}: no record with a height map")
+        return found
+
     def options(stage, epochs):
-        return stage(epochs=epochs, batch_size=given.batch_size)
+        return stage(epochs=epochs, batch_size=given.batch_size, checkpoint_steps=given.checkpoint_steps)
 
     tokenizer = Tokenizer.load(os.path.join(given.language_model, "tokenizer.json"))
     language_model = read_language_model(given.language_model)
-    captions, unseen = pictures("relief", "train"), pictures("relief", "validation")[:256]
+    captions, unseen = to_learn_from("relief"), pictures("relief", "validation")[:256]
+    answers, unseen_answers = to_learn_from(given.task), pictures(given.task, "validation")[:256]
     common = {"device": given.device}
     network = VisionOptions(side=given.side, tokens=len(tokenizer))
     model, _ = contrast(captions, tokenizer, os.path.join(given.out, "contrast"), network,
@@ -60,9 +71,9 @@ def main(arguments=None):
     encoder = model.heights.eval()
     projection, _ = align(encoder, language_model, tokenizer, captions, os.path.join(given.out, "align"),
                           options(align_options, given.align_epochs), unseen, **common)
-    together(encoder, projection, language_model, tokenizer, pictures(given.task, "train"),
-             os.path.join(given.out, "together"), options(together_options, given.together_epochs),
-             pictures(given.task, "validation")[:256], **common)
+    together(encoder, projection, language_model, tokenizer, answers,
+             os.path.join(given.out, "together"), options(together_options, given.together_epochs), unseen_answers,
+             **common)
 
 
 if __name__ == "__main__":
