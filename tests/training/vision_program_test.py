@@ -67,8 +67,9 @@ class VisionProgramTest(unittest.TestCase):
 
     def train_language_model(self):
         data = os.path.join(self.set, "relief", "train.jsonl")
-        arguments = ["--data", data, "--out", self.language_model, "--most-words", "60", "--width", "32", "--layers", "1"]
-        arguments += ["--heads", "2", "--kv-heads", "2", "--hidden", "32", "--context", "128", "--most-steps", "2"]
+        arguments = ["--data", data, "--out", self.language_model, "--most-words", "60", "--most-steps", "2"]
+        arguments += ["--width", "32", "--layers", "1", "--heads", "2", "--kv-heads", "2", "--hidden", "32"]
+        arguments += ["--context", "128"]
         train_language_model.main(arguments)
 
     def arguments(self, out):
@@ -155,6 +156,16 @@ class VisionProgramTest(unittest.TestCase):
         for task in ("relief", "layout"):
             with self.subTest(task):
                 self.run_without(task)
+
+    def test_a_model_of_hugging_face_is_refused(self):
+        self.write_set()
+        os.makedirs(self.language_model)
+        for name in ("config.json", "tokenizer.json"):
+            with open(os.path.join(self.language_model, name), "w", encoding="utf-8") as file:
+                file.write("{}")
+        said = self.run_python("-m", "latticeworld_training.vision_training", *self.arguments("out"), status=2)
+        self.assertIn(f"{self.language_model} is no run of train_language_model", said)
+        self.assertFalse(os.path.exists(self.out("out")))
 
     def run_without(self, task):
         self.write_set()

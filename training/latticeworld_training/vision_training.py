@@ -3,7 +3,8 @@
   python3 -m latticeworld_training.vision_training --data set --language-model runs/layout --out runs/vision
 
 `runs/vision` gets contrast/, align/ and together/, each with checkpoint.pt, loss.csv and loss.png; a call that finds
-them goes on where they end. --language-model is the folder of a run of train_language_model.
+them goes on where they end. --language-model is the folder of a run of train_language_model; models of Hugging Face
+are not taken.
 """
 
 import argparse
@@ -43,6 +44,9 @@ def main(arguments=None):
     parser.add_argument("--device", default="cpu", help="cpu or cuda [cpu]")
     given = parser.parse_args(arguments)
     torch.set_num_threads(given.threads)
+    if not os.path.exists(os.path.join(given.language_model, "model.json")):
+        parser.error(f"--language-model: {given.language_model} is no run of train_language_model: no model.json there; "
+                     "models of Hugging Face cannot be given eyes")
 
     def path_of(task, split):
         return os.path.join(given.data, task, split + ".jsonl")
