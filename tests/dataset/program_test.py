@@ -57,7 +57,7 @@ class DatasetProgramTest(unittest.TestCase):
         lines = (self.folder / out / task / f"{split}.jsonl").read_text().splitlines()
         return [json.loads(line) for line in lines]
 
-    def test_pandas_and_a_hub_read_it(self):
+    def test_pandas_reads_it_and_the_card_lists_it(self):
         run = self.must_run("set", "--generate", PLACES, "--seed", 3)
         self.assertIn(f"{PLACES} instances, {PLACES} records for layout", run.stdout)
         self.assertRegex(run.stderr, r"120 of 120 groups, \d+ a second, 0:00:00 left")
@@ -82,6 +82,11 @@ class DatasetProgramTest(unittest.TestCase):
                     self.assertEqual([len(row) for row in rows], [32] * 32)
                 elif file["task"] == "environment":
                     self.assertIn("coarse", json.loads(record.messages[-1]["content"]))
+                self.assertFalse(any("<image>" in message["content"] for message in record.messages))
+                kinds = ("height",) if file["task"] == "relief" else ("height", "sketch")
+                if record.images:
+                    self.assertRegex(" ".join(record.images),
+                                     "^" + " ".join(rf"images/\d{{6}}/{record.id}-{kind}\.png" for kind in kinds) + "$")
                 for image in record.images:
                     with PIL.Image.open(self.folder / "set" / image) as picture:
                         self.assertEqual(picture.size, (129, 129))

@@ -45,8 +45,8 @@ def main(arguments=None):
     given = parser.parse_args(arguments)
     torch.set_num_threads(given.threads)
     if not os.path.exists(os.path.join(given.language_model, "model.json")):
-        parser.error(f"--language-model: {given.language_model} is no run of train_language_model: no model.json there; "
-                     "models of Hugging Face cannot be given eyes")
+        parser.error(f"--language-model: {given.language_model} is no run of train_language_model: no model.json "
+                     "there; models of Hugging Face cannot be given eyes")
 
     def path_of(task, split):
         return os.path.join(given.data, task, split + ".jsonl")
