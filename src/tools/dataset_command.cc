@@ -49,6 +49,7 @@ Result<DatasetOptions> ReadOptions(const CLI::App& command) {
   options.images = !IsGiven(command, "--no-images");
   if (IsGiven(command, "--layout")) options.environment = false;
   if (IsGiven(command, "--environment")) options.layout = false;
+  if (ValueOf(command, "--annotator") == "remote") options.groups_per_part = kGroupsPerRemotePart;
   std::vector<Violation> violations = Validate(options);
   for (Violation& violation : violations) {
     const bool share = EndsWith(violation.pointer, "_share");
@@ -95,6 +96,15 @@ class GroupDisplay {
   std::chrono::steady_clock::time_point begin_;
 };
 
+// What a server that cannot be had leaves, beside what was wrong with it.
+Status WithWayOn(const Status& status) {
+  const bool outage =
+      status.code() == StatusCode::kUnavailable || status.code() == StatusCode::kDeadlineExceeded;
+  if (!outage) return status;
+  return Status(status.code(),
+                status.message() + "; what is whole stays, and --resume goes on with it");
+}
+
 // The command without what changes no byte of the result, and without places on this machine.
 std::string CommandText(const CLI::App& command) {
   std::string text = "latticeworld dataset";
@@ -104,9 +114,9 @@ std::string CommandText(const CLI::App& command) {
       continue;
     text += " " + name;
     if (option->get_expected_min() == 0) continue;  // a flag
-    const bool place = name == "--loveda" || name == "--scenes" || name == "--instructions" ||
-                       StartsWith(name, "--remote-");
-    text += " " + (place ? option->get_type_name() : option->results().front());
+    const std::string kind = option->get_type_name();
+    const bool place = kind == "DIR" || kind == "FILE" || StartsWith(name, "--remote-");
+    text += " " + (place ? kind : option->results().front());
   }
   return text + " --out DIR";
 }
@@ -131,7 +141,7 @@ Status RunDataset(const CLI::App& command) {
   const auto written =
       WriteDataset(job, progress, [&groups](const DatasetProgress& where) { groups.Show(where); });
   display.Clear();
-  LW_RETURN_IF_ERROR(written.status());
+  if (!written.ok()) return WithWayOn(written.status());
   std::printf("%zu instances", written->instances);
   for (std::size_t task = 0; task < kDatasetTasks; ++task) {
     if (written->records[task] == 0) continue;

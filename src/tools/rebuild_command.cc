@@ -3,11 +3,15 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <iostream>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "latticeworld/common/text.h"
 #include "latticeworld/generation/bundle.h"
+#include "latticeworld/generation/bundle_files.h"
 #include "latticeworld/generation/rebuild.h"
 #include "latticeworld/generation/sketch_translator.h"
 #include "tools/arguments.h"
@@ -18,7 +22,8 @@ namespace latticeworld::tools {
 namespace {
 
 Status Rebuild(const CLI::App& command) {
-  LW_ASSIGN_OR_RETURN(const auto recorded, LoadBundle(*ValueOf(command, "DIR")));
+  const std::string directory = *ValueOf(command, "DIR");
+  LW_ASSIGN_OR_RETURN(const auto recorded, LoadBundle(directory));
   auto sketches = SketchTranslator::Load(ValueOf(command, "--sketch-model").value_or(""));
   if (!sketches.ok()) return sketches.status().WithContext("--sketch-model");
   ProgressDisplay display;
@@ -28,13 +33,19 @@ Status Rebuild(const CLI::App& command) {
   const auto rebuilt = RebuildWorld(*recorded, progress, *std::move(sketches));
   display.Clear();
   if (!rebuilt.ok()) return rebuilt.status();
-  if ((*rebuilt)->id != recorded->id) {
+  if (const auto out = ValueOf(command, "--out")) LW_RETURN_IF_ERROR(SaveBundle(**rebuilt, *out));
+  LW_ASSIGN_OR_RETURN(const Manifest before, ReadManifest(directory));
+  LW_ASSIGN_OR_RETURN(const Manifest after, MakeManifest(**rebuilt));
+  const std::vector<std::string> differing = DifferingFiles(before, after);
+  if (!differing.empty()) {
     return FailedPrecondition("the bundle holds " + recorded->id + ", but this program makes " +
-                              (*rebuilt)->id + " of its request and replies");
+                              (before.world_id == after.world_id ? "the same" : after.world_id) +
+                              " of its request and replies with other bytes in " +
+                              Join(differing, ", "));
   }
-  std::cout << recorded->id << ": made again, the same, from " << recorded->replies.size()
-            << " recorded replies\n";
-  if (const auto out = ValueOf(command, "--out")) return SaveBundle(**rebuilt, *out);
+  const auto replies = std::count_if(recorded->replies.begin(), recorded->replies.end(),
+                                     [](const ModelReply& reply) { return reply.failure.ok(); });
+  std::cout << recorded->id << ": made again, the same, from " << replies << " recorded replies\n";
   return Status();
 }
 
@@ -44,12 +55,13 @@ void AddRebuildCommand(CLI::App* app, int* exit_status) {
   CLI::App* command = app->add_subcommand(
       "rebuild",
       "Makes a bundle's world again from its request and its model's recorded replies, without the "
-      "model, and says whether it is the same.");
+      "model, and says whether it is the same, byte for byte, or which files differ.");
   AddValueOption(command, "DIR", "DIR", "The bundle.");
   command->get_option("DIR")->required();
   AddValueOption(command, "--sketch-model", "FILE",
                  "The ONNX model that the world's sketch became land by, where one did.");
-  AddValueOption(command, "--out", "DIR", "Saves it there as a bundle of its own.");
+  AddValueOption(command, "--out", "DIR",
+                 "Saves it there as a bundle of its own, the same or not.");
   command->callback([command, exit_status] {
     const Status status = Rebuild(*command);
     if (!status.ok()) *exit_status = ReportFailure("rebuild", status);

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """Runs `latticeworld dataset` as a person does, and reads what it writes with other people's tools."""
 
+import contextlib
 import hashlib
 import json
 import pathlib
 import re
 import resource
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
@@ -20,6 +22,7 @@ import yaml
 
 SERVER = pathlib.Path(__file__).with_name("answering_server.py")
 PLACES = 120  # of the data sets of generated places: three parts
+OUTAGE_SEED = 0  # of places whose written words the remote annotator takes as they are
 
 
 def files_of(folder):
@@ -28,9 +31,9 @@ def files_of(folder):
             for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
-def instruction_of(record):
-    """What a person would have said, out of a layout record's user message."""
-    return record["messages"][-2]["content"].split("Description of the place:\n")[1].split("\n\n")[0]
+def instruction_of(record, what="place"):
+    """What a person would have said of a place or an environment, out of a record's user message."""
+    return record["messages"][-2]["content"].split(f"Description of the {what}:\n")[1].split("\n\n")[0]
 
 
 class DatasetProgramTest(unittest.TestCase):
@@ -52,6 +55,22 @@ class DatasetProgramTest(unittest.TestCase):
         run = self.run_dataset(out, *arguments)
         self.assertEqual(run.returncode, 0, run.stderr)
         return run
+
+    @contextlib.contextmanager
+    def server(self, answers, *more):
+        """A scripted server: its URL, and the requests that it had, a list that is filled when it is gone."""
+        given, asked, requests = self.folder / "answers.json", self.folder / "requests.jsonl", []
+        given.write_text(json.dumps(answers))
+        asked.write_text("")
+        with subprocess.Popen([sys.executable, SERVER, given, asked, *map(str, more)], stdin=subprocess.PIPE,
+                              stdout=subprocess.PIPE, text=True) as process:
+            watch = threading.Timer(60, process.kill)
+            watch.start()
+            yield f"http://127.0.0.1:{process.stdout.readline().strip()}/v1", requests
+            process.stdin.close()
+            process.wait()
+            watch.cancel()
+        requests += [json.loads(line) for line in asked.read_text().splitlines()]
 
     def records(self, out, task, split="train"):
         lines = (self.folder / out / task / f"{split}.jsonl").read_text().splitlines()
@@ -236,23 +255,12 @@ class DatasetProgramTest(unittest.TestCase):
         if written["vocabulary"] == "wild":
             names.update({"B": "low bushes", "R": "rocky land"})
         false = f"There is no {names[largest]} anywhere. {instruction_of(written)}"
-        answers = self.folder / "answers.json"
-        answers.write_text(json.dumps([false, instruction_of(written)]))
-        asked = self.folder / "asked.jsonl"
-        with subprocess.Popen([sys.executable, SERVER, answers, asked], stdin=subprocess.PIPE,
-                              stdout=subprocess.PIPE, text=True) as server:
-            watch = threading.Timer(60, server.kill)
-            watch.start()
-            url = f"http://127.0.0.1:{server.stdout.readline().strip()}/v1"
+        with self.server([false, instruction_of(written)]) as (url, requests):
             run = self.must_run("remote", "--generate", 1, "--layout", "--split", "1,0",
                                 "--annotator", "remote", "--remote-url", url)
-            server.stdin.close()
-            server.wait()
-            watch.cancel()
         self.assertIn("1 instances", run.stdout)
         self.assertEqual(instruction_of(self.records("remote", "layout")[0]),
                          instruction_of(written))
-        requests = [json.loads(line) for line in asked.read_text().splitlines()]
         self.assertEqual(len(requests), 2)
         self.assertIn("you wrote", requests[1]["messages"][-1]["content"])
         # Nobody answers any more: nothing counts, and the work can be gone on with.
@@ -260,6 +268,49 @@ class DatasetProgramTest(unittest.TestCase):
         self.assertNotEqual(run.returncode, 0)
         self.assertIn("no connection", run.stderr)
         self.assertFalse((self.folder / "gone/dataset.json").exists())
+
+    def test_a_server_that_goes_away_loses_little_and_is_gone_on_with_when_it_is_back(self):
+        places = ("--generate", 12, "--seed", OUTAGE_SEED, "--threads", 1, "--split", "1,0")
+        self.must_run("written", *places)
+        answers = {}
+        for layout, environment in zip(self.records("written", "layout"), self.records("written", "environment")):
+            instruction = instruction_of(layout)
+            answers[layout["messages"][-1]["content"]] = instruction
+            answers[instruction] = instruction_of(environment, "environment")
+        # The port stays the test's own while no server listens on it.
+        with socket.socket() as held:
+            held.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            held.bind(("127.0.0.1", 0))
+            port = held.getsockname()[1]
+            arguments = (*places, "--annotator", "remote", "--remote-url", f"http://127.0.0.1:{port}/v1")
+            with self.server(answers, port) as (_, whole):
+                run = self.must_run("whole", *arguments)
+            self.assertIn("12 instances, 12 records for layout, 12 records for environment", run.stdout)
+            self.assertEqual(len(whole), 24)
+
+            with self.server(answers, port, 17) as (_, before):
+                run = self.run_dataset("broken", *arguments)
+            self.assertEqual(run.returncode, 1)
+            self.assertRegex(run.stderr, r"latticeworld dataset: generated-\S+: .*no connection.*; "
+                                         "what is whole stays, and --resume goes on with it")
+            self.assertFalse((self.folder / "broken/dataset.json").exists())
+            self.assertEqual(before, whole[:17])
+            with self.server(answers, port) as (_, after):
+                run = self.must_run("broken", *arguments, "--resume")
+        self.assertEqual(after, whole[10:], "five groups are kept, seven are asked for")
+        self.assertEqual(files_of(self.folder / "broken"), files_of(self.folder / "whole"))
+
+    def test_no_place_of_this_machine_is_told(self):
+        asked = self.folder / "asked.json"
+        for task, instruction in (("layout", "A lake in the north."), ("environment", "Snow at night.")):
+            with self.subTest(task):
+                source = "--instructions" if task == "layout" else "--environment-instructions"
+                asked.write_text(json.dumps([{"id": "one", "vocabulary": "suburb", "instruction": instruction}]))
+                self.must_run(task, source, asked, f"--{task}", "--no-images", "--answers", 1, "--split", "1,0")
+                self.assertEqual(len(self.records(task, task)), 1)
+                told = {path: path.read_text() for path in (self.folder / task).rglob("*") if path.is_file()}
+                self.assertIn(f"{source} FILE", told[self.folder / task / "README.md"])
+                self.assertEqual([], [path for path, text in told.items() if str(self.folder) in text])
 
     def test_what_cannot_be_asked_for_is_named(self):
         for arguments, words in [

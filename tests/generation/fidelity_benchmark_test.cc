@@ -62,7 +62,8 @@ class FidelityBenchmarkTest : public testing::Test {
 class ForestGenerator : public LayoutGenerator {
  public:
   std::string_view name() const override { return "forest"; }
-  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress&) override {
+  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress&,
+                                std::vector<ModelReply>*) override {
     if (request.vocabulary == Vocabulary::kWild) return Unavailable("nobody there");
     LayoutAnswer answer;
     answer.layout = {request.vocabulary, Grid<char>(kLayoutSize, kLayoutSize, 'F')};
@@ -73,7 +74,8 @@ class ForestGenerator : public LayoutGenerator {
 class WinterGenerator : public EnvironmentGenerator {
  public:
   std::string_view name() const override { return "winter"; }
-  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request, const Progress&) override {
+  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request, const Progress&,
+                                     std::vector<ModelReply>*) override {
     EXPECT_EQ(request.layout->cells(0, 0), 'G');
     EnvironmentAnswer answer;
     answer.environment.coarse.season = Season::kWinter;
@@ -167,8 +169,9 @@ TEST_F(FidelityBenchmarkTest, TheBenchmarkThatIsShippedIsReadAndLargeEnough) {
 class CheckedLayouts : public LayoutGenerator {
  public:
   std::string_view name() const override { return "checked"; }
-  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress) override {
-    auto answer = embedded_->Generate(request, progress);
+  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress,
+                                std::vector<ModelReply>* replies) override {
+    auto answer = embedded_->Generate(request, progress, replies);
     EXPECT_TRUE(answer.ok()) << answer.status().ToString();
     if (answer.ok()) {
       const auto back = ParseLayout(ToText(answer->layout), request.vocabulary);
@@ -184,9 +187,9 @@ class CheckedLayouts : public LayoutGenerator {
 class CheckedEnvironments : public EnvironmentGenerator {
  public:
   std::string_view name() const override { return "checked"; }
-  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request,
-                                     const Progress& progress) override {
-    auto answer = embedded_->Generate(request, progress);
+  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request, const Progress& progress,
+                                     std::vector<ModelReply>* replies) override {
+    auto answer = embedded_->Generate(request, progress, replies);
     EXPECT_TRUE(answer.ok()) << answer.status().ToString();
     if (answer.ok()) {
       const auto back = ParseEnvironment(ToJson(answer->environment));

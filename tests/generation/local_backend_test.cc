@@ -56,6 +56,7 @@ TEST(LocalBackendTest, AWorldOfAModelInThisProcessIsMadeAgainWithoutIt) {
     ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
     EXPECT_EQ(ToText((*rebuilt)->layout), ToText((*world)->layout));
     EXPECT_EQ((*rebuilt)->id, (*world)->id);
+    EXPECT_EQ((*rebuilt)->warnings, (*world)->warnings);
     id = (*world)->id;
   }
   const ModelFile other(TinyGguf(Noise(2)));
@@ -75,7 +76,8 @@ TEST(LocalBackendTest, WhatTheModelCannotWriteIsAnErrorOrTheGroundedBackEnds) {
   options.fallback = true;
   const auto world = Generate(options);
   ASSERT_TRUE(world.ok()) << world.status().ToString();
-  EXPECT_EQ((*world)->replies.size(), 1u);
+  ASSERT_EQ((*world)->replies.size(), 2u);
+  EXPECT_EQ((*world)->replies[1].failure.code(), StatusCode::kResourceExhausted);
   ASSERT_FALSE((*world)->warnings.empty());
   EXPECT_NE((*world)->warnings[0].find("grounded back end answered"), std::string::npos);
 }
@@ -98,6 +100,7 @@ TEST(LocalBackendTest, AnEnvironmentOfNoiseKeepsToTheRulesAndIsMadeAgain) {
   const auto rebuilt = RebuildWorld(**world, Progress());
   ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
   EXPECT_EQ((*rebuilt)->id, (*world)->id);
+  EXPECT_EQ((*rebuilt)->warnings, (*world)->warnings);
 }
 
 TEST(LocalBackendTest, AModelOfLayoutsGoesWithTheGroundedBackEndsEnvironments) {
@@ -113,6 +116,7 @@ TEST(LocalBackendTest, AModelOfLayoutsGoesWithTheGroundedBackEndsEnvironments) {
   const auto rebuilt = RebuildWorld(**world, Progress());
   ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
   EXPECT_EQ((*rebuilt)->id, (*world)->id);
+  EXPECT_EQ((*rebuilt)->warnings, (*world)->warnings);
 }
 
 TEST(LocalBackendTest, SaysWhatIsWrongWithItsOptionsAndFiles) {

@@ -4,6 +4,7 @@
 
 #include "generation/test_world.h"
 #include "latticeworld/generation/bundle.h"
+#include "latticeworld/generation/bundle_files.h"
 #include "latticeworld/generation/language_backends.h"
 #include "latticeworld/generation/world_generator.h"
 
@@ -79,13 +80,41 @@ TEST(RebuildTest, OtherRepliesMakeAnotherWorld) {
   EXPECT_NE(Generate(Replies(), "remote")->id, Generate(replies, "remote")->id);
 }
 
-TEST(RebuildTest, AWorldThatTheFallbackMadeIsMadeAgain) {
+// As a bundle of before failures were recorded: nothing tells that a model was asked.
+TEST(RebuildTest, WhereNothingIsRecordedTheGroundedBackEndAnswers) {
   const auto world = Generate({}, "remote");
   EXPECT_TRUE(world->replies.empty());
   EXPECT_EQ(world->id, Generate({}, "grounded")->id);
-  const auto rebuilt = RebuildWorld(*world, Progress());
-  ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
-  ExpectSameWorld(*world, **rebuilt);
+  EXPECT_EQ(world->warnings, Generate({}, "grounded")->warnings);
+}
+
+TEST(RebuildTest, ARecordingOfAsManyTurnsAsAreLegalIsMadeAgain) {
+  std::vector<ModelReply> replies = Replies();
+  replies.insert(replies.begin(), kMostRepairTurns - 1, replies.front());
+  replies.insert(replies.end() - 1, kMostRepairTurns, {"environment", "m", "{}", "stop"});
+  const auto world = Generate(replies, "remote");
+  EXPECT_EQ(world->replies.size(), 2u * (kMostRepairTurns + 1));
+  EXPECT_EQ(world->id, Generate(Replies(), "remote")->id);
+}
+
+TEST(RebuildTest, NamesTheFilesInWhichBundlesDiffer) {
+  const auto manifest_of = [](const World& world) { return MakeManifest(world).value(); };
+  const auto world = Generate(Replies(), "remote");
+  const Manifest recorded = manifest_of(*world);
+  World other = *world;
+  other.stages.clear();
+  EXPECT_TRUE(DifferingFiles(recorded, manifest_of(other)).empty()) << "times are not told";
+  other.warnings.push_back("another one");
+  EXPECT_EQ(DifferingFiles(recorded, manifest_of(other)), std::vector<std::string>{"world.json"});
+  other = *world;
+  other.replies.pop_back();
+  EXPECT_EQ(DifferingFiles(recorded, manifest_of(other)), std::vector<std::string>{"replies.json"});
+  // A file that only one of them has, whichever it is.
+  Manifest less = recorded;
+  less.files.pop_back();
+  const std::vector<std::string> missing = {recorded.files.back().name};
+  EXPECT_EQ(DifferingFiles(recorded, less), missing);
+  EXPECT_EQ(DifferingFiles(less, recorded), missing);
 }
 
 TEST(LanguageBackendsTest, RemoteIsThereOnlyWhereItIsWanted) {

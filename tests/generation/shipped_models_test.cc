@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
 
+#include "latticeworld/environment/environment_claims.h"
 #include "latticeworld/generation/language_backends.h"
 #include "latticeworld/language/grounded/grounded.h"
 #include "latticeworld/layout/claims.h"
@@ -14,7 +16,7 @@ namespace {
 LanguageBackends Shipped() {
   LocalBackendOptions options;
   options.layout_model = LATTICEWORLD_MODELS "/layouts.gguf";
-  options.environment_model = "grounded";
+  options.environment_model = LATTICEWORLD_MODELS "/environments.gguf";
   auto backends = MakeLanguageBackends({}, options);
   EXPECT_TRUE(backends.ok()) << backends.status().ToString();
   return *std::move(backends);
@@ -41,6 +43,35 @@ const std::vector<Wish>& Wishes() {
   return wishes;
 }
 
+// For a meadow with a lake in the west, a forest in the north-east and a village in the south.
+SymbolicLayout Land() {
+  SymbolicLayout layout{Vocabulary::kSuburb, Grid<char>(kLayoutSize, kLayoutSize, 'G')};
+  const auto fill = [&](int top, int left, char letter) {
+    for (int row = top; row < top + 10; ++row) {
+      for (int column = left; column < left + 10; ++column) layout.cells(row, column) = letter;
+    }
+  };
+  fill(11, 1, 'W');
+  fill(1, 21, 'F');
+  fill(22, 11, 'B');
+  return layout;
+}
+
+const std::vector<const char*>& Descriptions() {
+  static const std::vector<const char*> descriptions = {
+      "A rainy autumn morning. Five sheep graze in the upper left.",
+      "Winter, night, snow. Three goblins attack in the center.",
+      "A sunny summer day. Two horses graze on the right.",
+      "Fog at dawn in spring. No animals and no people.",
+      "Dusk. Four eagles fly in the upper right. In a cartoon style.",
+      "It is cloudy. One wheeled robot patrols in the lower left. Ten sheep graze in the upper "
+      "right.",
+      "A winter evening with fog. Two humanoid robots are idle in the center.",
+      "Spring rain at noon. Six ancient warriors patrol at the bottom.",
+  };
+  return descriptions;
+}
+
 // How many of the claims of a wish a layout has.
 std::size_t Held(const std::vector<Claim>& claims, const SymbolicLayout& layout) {
   std::size_t held = 0;
@@ -63,9 +94,10 @@ TEST(ShippedModelsTest, TheLayoutModelListens) {
       request.instruction = wish.words;
       request.vocabulary = wish.vocabulary;
       request.seed = static_cast<std::uint64_t>(seed);
-      const auto answer = shipped.Generate(request, Progress());
+      std::vector<ModelReply> replies;
+      const auto answer = shipped.Generate(request, Progress(), &replies);
       ASSERT_TRUE(answer.ok()) << wish.words << ": " << answer.status().ToString();
-      EXPECT_EQ(answer->replies.size(), 1u) << wish.words << ": an answer was illegal";
+      EXPECT_EQ(replies.size(), 1u) << wish.words << ": an answer was illegal";
       asked += claims.size();
       held += Held(claims, answer->layout);
       // What was not asked for is there less often.
@@ -81,6 +113,47 @@ TEST(ShippedModelsTest, TheLayoutModelListens) {
   RecordProperty("held", std::to_string(held) + " of " + std::to_string(asked));
   EXPECT_GE(held * 10, asked * 4) << held << " of " << asked;
   EXPECT_GE(held * others * 10, 13 * held_by_others * asked)
+      << held << " of " << asked << "; unasked: " << held_by_others << " of " << others;
+}
+
+TEST(ShippedModelsTest, TheEnvironmentModelListens) {
+  const LanguageBackends backends = Shipped();
+  EnvironmentGenerator& shipped = *backends.by_name.at("local").environment;
+  const SymbolicLayout land = Land();
+  constexpr int kSeeds = 3;
+  std::size_t asked = 0, held = 0, held_by_others = 0, others = 0;
+  const auto claims_of = [&](std::size_t i) {
+    return ReadEnvironmentInstruction(Descriptions()[i], &land).claims;
+  };
+  const auto held_of = [](const std::vector<EnvironmentClaim>& claims,
+                          const EnvironmentConfig& environment) {
+    return static_cast<std::size_t>(std::count_if(
+        claims.begin(), claims.end(),
+        [&](const EnvironmentClaim& claim) { return Measure(claim, environment).holds; }));
+  };
+  for (std::size_t i = 0; i < Descriptions().size(); ++i) {
+    const std::vector<EnvironmentClaim> claims = claims_of(i);
+    ASSERT_FALSE(claims.empty()) << Descriptions()[i];
+    for (int seed = 0; seed < kSeeds; ++seed) {
+      EnvironmentRequest request;
+      request.instruction = Descriptions()[i];
+      request.layout = &land;
+      request.seed = static_cast<std::uint64_t>(seed);
+      const auto answer = shipped.Generate(request, Progress());
+      ASSERT_TRUE(answer.ok()) << Descriptions()[i] << ": " << answer.status().ToString();
+      asked += claims.size();
+      held += held_of(claims, answer->environment);
+      for (std::size_t j = 0; j < Descriptions().size(); ++j) {
+        if (j == i) continue;
+        const std::vector<EnvironmentClaim> unasked = claims_of(j);
+        others += unasked.size();
+        held_by_others += held_of(unasked, answer->environment);
+      }
+    }
+  }
+  RecordProperty("held", std::to_string(held) + " of " + std::to_string(asked));
+  EXPECT_GE(held * 10, asked * 7) << held << " of " << asked;
+  EXPECT_GE(held * others, 3 * held_by_others * asked)
       << held << " of " << asked << "; unasked: " << held_by_others << " of " << others;
 }
 

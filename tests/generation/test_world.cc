@@ -249,6 +249,7 @@ void ExpectSameReplies(const std::vector<ModelReply>& a, const std::vector<Model
     EXPECT_EQ(a[i].completion_tokens, b[i].completion_tokens);
     EXPECT_EQ(a[i].retries, b[i].retries);
     EXPECT_EQ(a[i].seconds, b[i].seconds);
+    EXPECT_EQ(a[i].failure.ToString(), b[i].failure.ToString());
   }
 }
 
@@ -286,7 +287,8 @@ std::shared_ptr<World> MakeTestWorld() {
   world->fidelity.not_understood = {"Königssee"};
   world->replies = {
       {"layout", "a model", "FFF\nGGG <think>\xF0\x9F\x8C\xB2", "length", 700, 2048, 1, 0.1},
-      {"environment", "a model", "{}", "stop", 0, 0, 0, 1.0 / 7.0}};
+      {"environment", "a model", "{}", "stop", 0, 0, 0, 1.0 / 7.0},
+      {"environment", "", "", "", 0, 0, 0, 0.0, Unavailable("\"Königssee\" is\nfar")}};
   world->warnings = {"not understood: \"Königssee\"", "a second one"};
   world->stages = {{"relief", 0.001}, {"layout", 1.0 / 3.0}};
   world->geo = GeoOrigin{40.0 / 3.0, -105.1, 1999.9};

@@ -28,7 +28,8 @@ class FakeLayoutGenerator : public LayoutGenerator {
  public:
   explicit FakeLayoutGenerator(FakeLog* log) : log_(log) {}
   std::string_view name() const override { return "fake"; }
-  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress&) override {
+  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress&,
+                                std::vector<ModelReply>* replies) override {
     log_->calls.push_back("layout");
     log_->layout_request = request;
     log_->layout_had_relief = request.relief != nullptr;
@@ -39,7 +40,7 @@ class FakeLayoutGenerator : public LayoutGenerator {
     for (int row = 20; row < 30; ++row) {
       for (int col = 20; col < 30; ++col) answer.layout.cells(row, col) = 'W';
     }
-    answer.replies = {{"layout", "fake", "FFFF", "stop", 1, 2, 0, 0.5}};
+    replies->push_back({"layout", "fake", "FFFF", "stop", 1, 2, 0, 0.5});
     answer.warnings = {"from layout"};
     return answer;
   }
@@ -52,7 +53,8 @@ class FakeEnvironmentGenerator : public EnvironmentGenerator {
  public:
   explicit FakeEnvironmentGenerator(FakeLog* log) : log_(log) {}
   std::string_view name() const override { return "fake"; }
-  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request, const Progress&) override {
+  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request, const Progress&,
+                                     std::vector<ModelReply>* replies) override {
     log_->calls.push_back("environment");
     log_->environment_request = request;
     log_->environment_had_layout = request.layout != nullptr && request.layout->cells(0, 0) == 'F';
@@ -61,7 +63,7 @@ class FakeEnvironmentGenerator : public EnvironmentGenerator {
     answer.environment.fine = DeriveFineAttributes(answer.environment.coarse);
     answer.environment.agents = {
         {AgentCategory::kSheep, 2, AgentState::kGrazing, Region::kUpperLeft}};
-    answer.replies = {{"environment", "fake", "{}", "stop", 1, 2, 0, 0.5}};
+    replies->push_back({"environment", "fake", "{}", "stop", 1, 2, 0, 0.5});
     answer.warnings = {"from environment"};
     return answer;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dataset/answering_server.h"
+#include "latticeworld/generation/bundle.h"
 #include "tools/run_program.h"
 
 namespace latticeworld {
@@ -92,8 +93,8 @@ TEST_F(ScoreCommandTest, MeasuresWhatAModelBehindAServerAnswers) {
   Write("benchmark/layout_development.json", R"([
     {"id": "a", "vocabulary": "suburb", "voice": "plain",
      "instruction": "A lake in the north, a town in the south.", "claims": [
-      {"kind": "present", "subject": "W", "zone": "north", "words": "A lake in the north"},
-      {"kind": "present", "subject": "B", "zone": "south", "words": "a town in the south"}]}])");
+      {"kind": "present", "subject": "W", "zone": "northern third", "words": "A lake in the north"},
+      {"kind": "present", "subject": "B", "zone": "southern third", "words": "a town in the south"}]}])");
   Write("benchmark/environment_development.json", R"([
     {"id": "b", "layout": "meadow", "vocabulary": "suburb", "voice": "plain",
      "instruction": "Rain at noon.", "claims": [
@@ -116,6 +117,30 @@ TEST_F(ScoreCommandTest, MeasuresWhatAModelBehindAServerAnswers) {
   ASSERT_EQ(requests.size(), 2u);
   EXPECT_NE(requests[0].dump().find("A lake in the north, a town"), std::string::npos);
   EXPECT_NE(requests[1].dump().find("Rain at noon."), std::string::npos);
+}
+
+TEST_F(ScoreCommandTest, RebuildNamesTheFilesThatDiffer) {
+  World world = *LoadBundle(MakeBundle()).value();
+  world.warnings.push_back("nobody said this");
+  ASSERT_TRUE(SaveBundle(world, PathOf("told")).ok());
+  const ProgramRun told = RunProgram({"rebuild", PathOf("told"), "--out", PathOf("made")});
+  EXPECT_EQ(told.exit_status, 1);
+  EXPECT_EQ(told.out, "");
+  EXPECT_NE(
+      told.err.find("makes the same of its request and replies with other bytes in world.json"),
+      std::string::npos)
+      << told.err;
+  EXPECT_EQ(Read("made/layout.txt"), Read("told/layout.txt")) << "it can be looked at";
+
+  world.request.seed = 6;  // of another land
+  ASSERT_TRUE(SaveBundle(world, PathOf("seeded")).ok());
+  const ProgramRun seeded = RunProgram({"rebuild", PathOf("seeded")});
+  EXPECT_EQ(seeded.exit_status, 1);
+  for (const std::string& words : {"holds " + world.id + ", but", std::string("assets.csv, "),
+                                   std::string("terrain.bin, "), std::string("world.json")}) {
+    EXPECT_NE(seeded.err.find(words), std::string::npos) << words << " | " << seeded.err;
+  }
+  EXPECT_EQ(seeded.err.find("replies.json"), std::string::npos) << seeded.err;
 }
 
 TEST_F(ScoreCommandTest, AServerThatIsNotThereIsAFailureOrTheFallback) {
@@ -145,6 +170,9 @@ TEST_F(ScoreCommandTest, AServerThatIsNotThereIsAFailureOrTheFallback) {
   const ProgramRun made = RunProgram(fallback);
   EXPECT_EQ(made.exit_status, 0) << made.err;
   EXPECT_NE(made.out.find("warning"), std::string::npos) << made.out;
+  const ProgramRun again = RunProgram({"rebuild", PathOf("w")});
+  EXPECT_EQ(again.exit_status, 0) << again.err;
+  EXPECT_NE(again.out.find("the same, from 0 recorded replies"), std::string::npos) << again.out;
 }
 
 }  // namespace

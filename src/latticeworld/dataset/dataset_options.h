@@ -48,6 +48,11 @@ constexpr std::array<EnumName<LayoutsBy>, 2> EnumNames(LayoutsBy) {
   return {{{LayoutsBy::kSource, "source"}, {LayoutsBy::kGrounded, "grounded"}}};
 }
 
+// Of a part: written ones are made in an instant, a model's cost minutes each and are lost with a
+// part that a server does not live to see whole.
+inline constexpr int kGroupsPerPart = 50;
+inline constexpr int kGroupsPerRemotePart = 5;
+
 struct DatasetOptions {
   std::uint64_t seed = 0;   // of the words; a source has its own
   bool layout = true;       // which tasks are written
@@ -59,8 +64,10 @@ struct DatasetOptions {
   double validation_share = 0.05;  // [0, 1]; the rest is for tests
   double sketch_share = 0.02;  // of a sketch's pixels, at most, for each kind of stroke, (0, 0.5)
   double size_m = 512.0;       // [16, 8192]: side of the world that environments are for
-  int groups_per_part = 50;    // [1, 10000]: what is lost at most when the work is broken off
-  int threads = 0;             // [0, 256]; 0: as many as cores
+  // [1, 10000]: what a thread loses at most when the work is broken off. Of a data set, so that its
+  // bytes do not depend on breaks
+  int groups_per_part = kGroupsPerPart;
+  int threads = 0;  // [0, 256]; 0: as many as cores
 };
 std::vector<Violation> Validate(const DatasetOptions& options);
 

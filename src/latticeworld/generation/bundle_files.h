@@ -36,6 +36,9 @@ inline constexpr std::size_t kMaxBundleFileBytes = 2048u << 20;
 
 // The manifest of the bundle in a directory. Errors: as LoadBundle.
 Result<Manifest> ReadManifest(const std::filesystem::path& directory);
+// The manifest of the bundle that SaveBundle would make of a world; nothing is written.
+// Errors: RESOURCE_EXHAUSTED.
+Result<Manifest> MakeManifest(const World& world);
 
 }  // namespace latticeworld
 

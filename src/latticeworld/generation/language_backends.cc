@@ -72,6 +72,35 @@ Result<LanguageBackend> MakeLocal(const LocalBackendOptions& options) {
   return WithFallback(std::move(backend), options.fallback);
 }
 
+// What a recording has of "layout" or "environment".
+std::vector<ModelReply> RepliesOf(const std::string& part, const std::vector<ModelReply>& replies) {
+  std::vector<ModelReply> found;
+  for (const ModelReply& reply : replies) {
+    if (reply.purpose == part || reply.purpose == part + "_words") found.push_back(reply);
+  }
+  return found;
+}
+
+bool HaveFailed(const std::vector<ModelReply>& replies) {
+  return !replies.empty() && !replies.back().failure.ok();
+}
+
+// The back end whose model is a recording, as it answered then: where it failed it fails again, so
+// that the grounded back end answers; where nothing is recorded no model was asked.
+LanguageBackend AsRecorded(LanguageBackend model, const std::vector<ModelReply>& replies) {
+  const std::string name(model.layout->name());
+  const std::vector<ModelReply> layout = RepliesOf("layout", replies);
+  const std::vector<ModelReply> environment = RepliesOf("environment", replies);
+  if (HaveFailed(layout)) model.layout = MakeFailedLayoutGenerator(name, layout);
+  if (HaveFailed(environment)) {
+    model.environment = MakeFailedEnvironmentGenerator(name, environment);
+  }
+  LanguageBackend backend = WithFallback(std::move(model), true);
+  if (layout.empty()) backend.layout = MakeGroundedLayoutGenerator();
+  if (environment.empty()) backend.environment = MakeGroundedEnvironmentGenerator();
+  return backend;
+}
+
 }  // namespace
 
 std::vector<Violation> Validate(const RemoteBackendOptions& options) {
@@ -113,19 +142,18 @@ std::string DefaultBackend(const LanguageBackends& backends) {
   return "grounded";
 }
 
-LanguageBackends MakeReplayBackends(std::vector<ModelReply> replies) {
+LanguageBackends MakeReplayBackends(const std::vector<ModelReply>& replies) {
   RemoteOptions options;
   // The recording ends where an answer was taken, so that no turn is asked that was not.
-  options.repair_turns = static_cast<int>(replies.size());
+  options.repair_turns = kMostRepairTurns;
+  RemoteOptions local = LocalModelOptions();
+  local.repair_turns = kMostRepairTurns;
+  const auto server = [&replies] { return MakeReplayServer(replies); };
   LanguageBackends backends;
   backends.by_name["grounded"] = MakeGrounded();
-  backends.by_name["remote"] = MakeRemote(MakeReplayServer(replies), options, /*fallback=*/true);
-  backends.by_name["interpreted"] =
-      MakeInterpreted(MakeReplayServer(replies), options, /*fallback=*/true);
-  RemoteOptions local = LocalModelOptions();
-  local.repair_turns = options.repair_turns;
-  backends.by_name["local"] =
-      MakeRemote(MakeReplayServer(std::move(replies)), local, /*fallback=*/true);
+  backends.by_name["remote"] = AsRecorded(MakeRemote(server(), options, false), replies);
+  backends.by_name["interpreted"] = AsRecorded(MakeInterpreted(server(), options, false), replies);
+  backends.by_name["local"] = AsRecorded(MakeRemote(server(), local, false), replies);
   return backends;
 }
 

@@ -52,9 +52,10 @@ Result<LanguageBackends> MakeLanguageBackends(const RemoteBackendOptions& remote
 // Who answers where nobody says who: a model, where one was named, else the grounded back end.
 std::string DefaultBackend(const LanguageBackends& backends);
 
-// Back ends for making a world of a bundle again: all but "grounded" read the recorded replies,
-// and where there are none the grounded back end answers, as it did then.
-LanguageBackends MakeReplayBackends(std::vector<ModelReply> replies);
+// Back ends for making a world of a bundle again, with the same warnings and replies: all but
+// "grounded" read the recorded replies of a layout or an environment. Where a failure is recorded
+// after them, or nothing at all, the grounded back end answers, as it did then.
+LanguageBackends MakeReplayBackends(const std::vector<ModelReply>& replies);
 
 }  // namespace latticeworld
 

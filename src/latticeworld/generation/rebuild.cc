@@ -1,7 +1,9 @@
 #include "latticeworld/generation/rebuild.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "latticeworld/generation/bundle_files.h"
 #include "latticeworld/generation/language_backends.h"
 #include "latticeworld/generation/world_generator.h"
 
@@ -18,6 +20,28 @@ Result<std::shared_ptr<const World>> RebuildWorld(const World& world, const Prog
   WorldGenerator generator(std::move(backends.by_name), "grounded", std::move(sketches),
                            world.scene->catalogue);
   return generator.Generate(world.request, progress);
+}
+
+std::vector<std::string> DifferingFiles(const Manifest& a, const Manifest& b) {
+  std::vector<std::string> names;
+  for (const auto& [here, there] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    for (const BundleFile& file : here->files) {
+      const bool same =
+          std::any_of(there->files.begin(), there->files.end(), [&file](const BundleFile& other) {
+            return other.name == file.name && other.sha256 == file.sha256;
+          });
+      if (!same) names.push_back(file.name);
+    }
+  }
+  const auto rest_of = [](Manifest manifest) {
+    manifest.files.clear();
+    manifest.stages.clear();
+    return EncodeManifest(manifest);
+  };
+  if (rest_of(a) != rest_of(b)) names.emplace_back(kManifestFile);
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
 }
 
 }  // namespace latticeworld

@@ -2,9 +2,12 @@
 #define LATTICEWORLD_GENERATION_REBUILD_H_
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
+#include "latticeworld/generation/manifest.h"
 #include "latticeworld/generation/sketch_translator.h"
 #include "latticeworld/generation/world.h"
 
@@ -16,6 +19,10 @@ namespace latticeworld {
 // another translator.
 Result<std::shared_ptr<const World>> RebuildWorld(const World& world, const Progress& progress,
                                                   SketchTranslator sketches = SketchTranslator());
+
+// The names of the files in which the bundles of two manifests differ or that only one of them has,
+// sorted; world.json where it says anything else but the files and how long the stages took.
+std::vector<std::string> DifferingFiles(const Manifest& a, const Manifest& b);
 
 }  // namespace latticeworld
 

@@ -12,11 +12,26 @@ namespace {
 namespace jf = json_fields;
 using jf::Json;
 
+StatusCode DecodeFailure(const Json& json) {
+  constexpr int kLastCode = static_cast<int>(StatusCode::kUnauthenticated);
+  const std::string name = jf::Text(json, "failure");
+  for (int code = 1; code <= kLastCode; ++code) {
+    if (ToString(static_cast<StatusCode>(code)) == name) return static_cast<StatusCode>(code);
+  }
+  jf::Fail("failure", json["failure"], "the name of an error");
+}
+
 ModelReply DecodeReply(const Json& json) {
+  ModelReply reply;
+  if (json.is_object() && json.contains("failure")) {
+    jf::ExpectKeys(json, {"purpose", "failure", "message"});
+    reply.purpose = jf::Text(json, "purpose");
+    reply.failure = Status(DecodeFailure(json), jf::Text(json, "message"));
+    return reply;
+  }
   constexpr int kMost = std::numeric_limits<int>::max();
   jf::ExpectKeys(json, {"purpose", "model", "text", "finish_reason", "prompt_tokens",
                         "completion_tokens", "retries", "seconds"});
-  ModelReply reply;
   reply.purpose = jf::Text(json, "purpose");
   reply.model = jf::Text(json, "model");
   reply.text = jf::Text(json, "text");
@@ -28,20 +43,27 @@ ModelReply DecodeReply(const Json& json) {
   return reply;
 }
 
+Json Encode(const ModelReply& reply) {
+  if (!reply.failure.ok()) {
+    return {{"purpose", reply.purpose},
+            {"failure", ToString(reply.failure.code())},
+            {"message", reply.failure.message()}};
+  }
+  return {{"purpose", reply.purpose},
+          {"model", reply.model},
+          {"text", reply.text},
+          {"finish_reason", reply.finish_reason},
+          {"prompt_tokens", reply.prompt_tokens},
+          {"completion_tokens", reply.completion_tokens},
+          {"retries", reply.retries},
+          {"seconds", reply.seconds}};
+}
+
 }  // namespace
 
 std::string EncodeReplies(const std::vector<ModelReply>& replies) {
   Json json = Json::array();
-  for (const ModelReply& reply : replies) {
-    json.push_back({{"purpose", reply.purpose},
-                    {"model", reply.model},
-                    {"text", reply.text},
-                    {"finish_reason", reply.finish_reason},
-                    {"prompt_tokens", reply.prompt_tokens},
-                    {"completion_tokens", reply.completion_tokens},
-                    {"retries", reply.retries},
-                    {"seconds", reply.seconds}});
-  }
+  for (const ModelReply& reply : replies) json.push_back(Encode(reply));
   return jf::Dump(json);
 }
 

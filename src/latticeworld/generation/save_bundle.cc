@@ -30,14 +30,15 @@ namespace fs = std::filesystem;
 constexpr double kMaxOctreeColumns = 2048.0;
 constexpr int kPreviewWidth_px = 512;  // the map: painted, which takes less than tracing rays
 
-// Writes files one after another and keeps the manifest's list of them.
+// Writes files one after another, if there is a directory, and keeps the manifest's list of them.
 class BundleWriter {
  public:
+  // directory: nullptr: nothing is written.
   BundleWriter(DirectoryWriter* directory, Manifest* manifest)
       : directory_(directory), manifest_(manifest) {}
 
   Status Add(const std::string& name, const std::string& content) {
-    LW_RETURN_IF_ERROR(directory_->Write(name, content));
+    if (directory_ != nullptr) LW_RETURN_IF_ERROR(directory_->Write(name, content));
     manifest_->files.push_back({name, content.size(), Sha256Hex(content)});
     return Status();
   }
@@ -128,9 +129,8 @@ fs::path WithoutTrailingSlash(const fs::path& directory) {
   return directory.has_filename() ? directory : directory.parent_path();
 }
 
-Status Save(const World& world, const fs::path& target) {
-  LW_ASSIGN_OR_RETURN(DirectoryWriter directory,
-                      DirectoryWriter::Create(WithoutTrailingSlash(target)));
+// Encodes every file but the manifest. directory: where they go; nullptr: nowhere.
+Result<Manifest> Encode(const World& world, DirectoryWriter* directory) {
   Manifest manifest;
   manifest.world_id = world.id;
   manifest.geo = world.geo;
@@ -139,23 +139,40 @@ Status Save(const World& world, const fs::path& target) {
   manifest.warnings = world.warnings;
   manifest.stages = world.stages;
 
-  BundleWriter writer(&directory, &manifest);
+  BundleWriter writer(directory, &manifest);
   LW_RETURN_IF_ERROR(AddFiles(world, &writer, &manifest));
+  return manifest;
+}
+
+Status Save(const World& world, const fs::path& target) {
+  LW_ASSIGN_OR_RETURN(DirectoryWriter directory,
+                      DirectoryWriter::Create(WithoutTrailingSlash(target)));
+  LW_ASSIGN_OR_RETURN(const Manifest manifest, Encode(world, &directory));
   LW_RETURN_IF_ERROR(directory.Write(kManifestFile, EncodeManifest(manifest)));
   return directory.Commit();
+}
+
+// What `function` gives, or the failure that it throws.
+template <typename Function>
+auto Caught(const std::string& context, const Function& function) -> decltype(function()) {
+  try {
+    return function();
+  } catch (const std::bad_alloc&) {
+    return ResourceExhausted(context + ": not enough memory");
+  } catch (const std::exception& error) {  // std::filesystem, JSON
+    return Internal(context + ": " + error.what());
+  }
 }
 
 }  // namespace
 
 Status SaveBundle(const World& world, const fs::path& directory) {
   const std::string context = "cannot save " + directory.string();
-  try {
-    return Save(world, directory).WithContext(context);
-  } catch (const std::bad_alloc&) {
-    return ResourceExhausted(context + ": not enough memory");
-  } catch (const std::exception& error) {  // std::filesystem, JSON
-    return Internal(context + ": " + error.what());
-  }
+  return Caught(context, [&] { return Save(world, directory).WithContext(context); });
+}
+
+Result<Manifest> MakeManifest(const World& world) {
+  return Caught("cannot encode " + world.id, [&] { return Encode(world, nullptr); });
 }
 
 }  // namespace latticeworld

@@ -64,7 +64,7 @@ struct World {
   std::shared_ptr<const Scene> scene;
   std::optional<GeoOrigin> geo;     // where it lies on the earth; nullopt: nowhere
   FidelityReport fidelity;          // how well it matches the words
-  std::vector<ModelReply> replies;  // what a language model answered; empty: none was asked
+  std::vector<ModelReply> replies;  // of a language model, layout first; empty: none was asked
   std::vector<std::string> warnings;
   std::vector<StageTime> stages;  // in order: relief, layout, environment, terrain, scene
 };

@@ -101,10 +101,9 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
     layout_request.vocabulary = *FromName<Vocabulary>(request.vocabulary);
     layout_request.relief = relief_pointer;
     layout_request.seed = StreamSeed(request.seed, "layout");
-    return backend->layout->Generate(layout_request, progress);
+    return backend->layout->Generate(layout_request, progress, &world->replies);
   }));
   world->layout = std::move(layout.layout);
-  world->replies = std::move(layout.replies);
   add_warnings(std::move(layout.warnings));
 
   LW_ASSIGN_OR_RETURN(EnvironmentAnswer environment, stages.Run("environment", [&] {
@@ -115,10 +114,9 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
     environment_request.size_m = request.size_m;
     environment_request.catalogue = catalogue;
     environment_request.seed = StreamSeed(request.seed, "environment");
-    return backend->environment->Generate(environment_request, progress);
+    return backend->environment->Generate(environment_request, progress, &world->replies);
   }));
   world->environment = std::move(environment.environment);
-  for (ModelReply& reply : environment.replies) world->replies.push_back(std::move(reply));
   add_warnings(std::move(environment.warnings));
   world->fidelity = AssessFidelity(request.layout_instruction, request.environment_instruction,
                                    world->layout, world->environment, *catalogue);

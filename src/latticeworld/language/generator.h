@@ -26,9 +26,11 @@ struct LayoutRequest {
 };
 
 // One answer of a language model, as it came: enough to read the same layout or environment from it
-// again without the model.
+// again without the model. Or, at the end of those for a layout or an environment, why none of them
+// was used.
 struct ModelReply {
-  std::string purpose;  // "layout", "environment"
+  std::string purpose;  // "layout", "environment"; "layout_words", "environment_words": how each
+                        // was read
   std::string model;    // as its server names it
   std::string text;
   std::string finish_reason;
@@ -36,12 +38,14 @@ struct ModelReply {
   int completion_tokens = 0;
   int retries = 0;
   double seconds = 0.0;
+  // Not OK: no reply, but what the back end failed of before another one answered. The purpose is
+  // "layout" or "environment", and the rest says nothing.
+  Status failure{};
 };
 
 struct LayoutAnswer {
   SymbolicLayout layout;
   std::vector<std::string> warnings;  // each quotes the words it is about
-  std::vector<ModelReply> replies;    // in order, refused ones too; empty: no model was asked
 };
 
 // LLM_L: text (and relief) to the symbolic layout.
@@ -49,8 +53,16 @@ class LayoutGenerator {
  public:
   virtual ~LayoutGenerator() = default;
   virtual std::string_view name() const = 0;
-  // Errors: INVALID_ARGUMENT, CANCELLED, and what the back end adds (UNAVAILABLE, ...).
-  virtual Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress) = 0;
+  // replies (never null): what a model answered is appended, in order, refused answers too, and
+  // also where there is no layout in the end. Errors: INVALID_ARGUMENT, CANCELLED, and what the
+  // back end adds (UNAVAILABLE, ...).
+  virtual Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress,
+                                        std::vector<ModelReply>* replies) = 0;
+  // For who does not keep the replies.
+  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress) {
+    std::vector<ModelReply> replies;
+    return Generate(request, progress, &replies);
+  }
 };
 
 struct EnvironmentRequest {
@@ -65,7 +77,6 @@ struct EnvironmentRequest {
 struct EnvironmentAnswer {
   EnvironmentConfig environment;  // valid
   std::vector<std::string> warnings;
-  std::vector<ModelReply> replies;
 };
 
 // LLM_C: text (and relief) and layout to the environment configuration.
@@ -73,8 +84,14 @@ class EnvironmentGenerator {
  public:
   virtual ~EnvironmentGenerator() = default;
   virtual std::string_view name() const = 0;
+  // As of a LayoutGenerator.
   virtual Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request,
-                                             const Progress& progress) = 0;
+                                             const Progress& progress,
+                                             std::vector<ModelReply>* replies) = 0;
+  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request, const Progress& progress) {
+    std::vector<ModelReply> replies;
+    return Generate(request, progress, &replies);
+  }
 };
 
 // The checks that every back end's request passes: UTF-8, length, emptiness.

@@ -13,6 +13,7 @@
 
 #include "latticeworld/common/files.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/relief/onnx_check.h"
 #include "latticeworld/relief/onnx_input.h"
 #include "latticeworld/relief/sketch_lines.h"
 
@@ -89,6 +90,8 @@ Result<SketchModel> SketchModel::Load(const std::string& path) {
   const bool legal = shape.size() == 4 && shape[0] == 1 && (shape[1] == 1 || shape[1] == 3) &&
                      shape[2] == shape[3] && shape[2] >= kMinSide && shape[2] <= kMaxSide;
   if (!legal) return InvalidArgument(name + " takes an input of " + ShapeText(shape) + kLegal);
+  const Status trusted = internal::CheckOnnxNetwork(*bytes);
+  if (!trusted.ok()) return trusted.WithContext(name);
   auto network = std::make_unique<Network>();
   network->channels = static_cast<int>(shape[1]);
   network->side = static_cast<int>(shape[2]);

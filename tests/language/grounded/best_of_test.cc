@@ -28,14 +28,18 @@ class Listed final : public LayoutGenerator {
  public:
   explicit Listed(std::set<std::uint64_t>* seeds) : seeds_(seeds) {}
   std::string_view name() const override { return "listed"; }
-  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress&) override {
+  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress&,
+                                std::vector<ModelReply>* replies) override {
     seeds_->insert(request.seed);
+    replies->push_back({"layout", "m", said.front(), "stop"});
+    said.pop_front();
     Result<LayoutAnswer> answer = std::move(answers.front());
     answers.pop_front();
     return answer;
   }
 
   std::deque<Result<LayoutAnswer>> answers;
+  std::deque<std::string> said;
 
  private:
   std::set<std::uint64_t>* seeds_;
@@ -46,22 +50,26 @@ class BestOfTest : public testing::Test {
   void Say(bool water, bool forest, const std::string& reply) {
     LayoutAnswer answer;
     answer.layout = Land(water, forest);
-    answer.replies.push_back({"layout", "m", reply, "stop"});
     listed_->answers.push_back(std::move(answer));
+    listed_->said.push_back(reply);
   }
-  void Fail(StatusCode code) { listed_->answers.push_back(Status(code, "failed")); }
+  void Fail(StatusCode code, const std::string& reply = "") {
+    listed_->answers.push_back(Status(code, "failed"));
+    listed_->said.push_back(reply);
+  }
   // The reply of the layout that was taken, or the name of the error.
   std::string Taken(int tries) {
     auto generator = MakeBestOfLayoutGenerator(std::move(listed_), tries);
     const auto answer = generator->Generate(
         {"A lake in the north and a forest in the south.", Vocabulary::kSuburb, nullptr, 7},
-        Progress());
+        Progress(), &replies_);
     if (!answer.ok()) return std::string(ToString(answer.status().code()));
-    EXPECT_EQ(answer->replies.size(), 1u);
-    return answer->replies.front().text;
+    EXPECT_EQ(replies_.size(), 1u);
+    return replies_.front().text;
   }
 
   std::set<std::uint64_t> seeds_;
+  std::vector<ModelReply> replies_;
   std::unique_ptr<Listed> listed_ = std::make_unique<Listed>(&seeds_);
 };
 
@@ -94,9 +102,11 @@ TEST_F(BestOfTest, ATryThatFailsIsPassedOver) {
 }
 
 TEST_F(BestOfTest, WhereAllFailSoDoesIt) {
-  Fail(StatusCode::kUnavailable);
-  Fail(StatusCode::kDataLoss);
+  Fail(StatusCode::kUnavailable, "first");
+  Fail(StatusCode::kDataLoss, "last");
   EXPECT_EQ(Taken(2), ToString(StatusCode::kDataLoss));
+  ASSERT_EQ(replies_.size(), 1u) << "those of the failure that is told";
+  EXPECT_EQ(replies_.front().text, "last");
 }
 
 TEST_F(BestOfTest, CancellingEndsIt) {

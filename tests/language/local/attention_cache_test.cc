@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -91,6 +92,22 @@ TEST_P(AttentionCacheTest, IsTheSameHoweverThePlacesCame) {
       EXPECT_EQ(Looked(&one_by_one, head, length), Looked(&at_once, head, length));
       EXPECT_EQ(Looked(&anew, head, length), Looked(&at_once, head, length));
     }
+  }
+}
+
+TEST_P(AttentionCacheTest, AKeyThatIsNoNumberSpoilsWhatLooksAtItAndNothingElse) {
+  constexpr std::size_t kSpoilt = 40;
+  for (const float value : {std::numeric_limits<float>::quiet_NaN(),
+                            std::numeric_limits<float>::infinity() * query_[0]}) {
+    std::vector<float> keys = keys_;
+    keys[kSpoilt * stride_] = value;  // of the first head
+    AttentionCache cache(heads_, width_), whole(heads_, width_);
+    cache.Append(keys.data(), values_.data(), stride_, kPlaces);
+    whole.Append(keys_.data(), values_.data(), stride_, kPlaces);
+    for (const std::size_t length : {kSpoilt + 1, std::size_t{48}, kPlaces})
+      for (const float number : Looked(&cache, 0, length)) EXPECT_TRUE(std::isnan(number));
+    EXPECT_EQ(Looked(&cache, 0, kSpoilt), Looked(&whole, 0, kSpoilt));
+    if (heads_ > 1) EXPECT_EQ(Looked(&cache, 1, kPlaces), Looked(&whole, 1, kPlaces));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "latticeworld/common/random.h"
@@ -63,6 +64,35 @@ TEST_P(ByteRowsTest, AllInstructionsOfThisProcessorGiveTheSameBits) {
     if (HasInstructions(instructions)) EXPECT_EQ(Multiplied(instructions), plain);
   }
   EXPECT_TRUE(HasInstructions(FastestInstructions()));
+}
+
+TEST_P(ByteRowsTest, WhatIsNoNumberSpoilsEveryProductOfItsRowAndNoOther) {
+  for (const float value :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+        -std::numeric_limits<float>::infinity()}) {
+    std::vector<float> in(2 * columns_, 1.0f);
+    in[columns_ - 1] = value;
+    const ByteRows rows = RoundToBytes(in.data(), 2, columns_);
+    for (const auto instructions :
+         {ByteInstructions::kPlain, ByteInstructions::kAvx2, ByteInstructions::kVnni}) {
+      if (!HasInstructions(instructions)) continue;
+      std::vector<float> out(2 * kRows);
+      MultiplyBytes({bytes_.data(), scales_.data(), kRows}, rows, kRows, out.data(), instructions);
+      for (std::size_t r = 0; r < kRows; ++r) {
+        EXPECT_TRUE(std::isnan(out[r])) << value << ", " << r;
+        EXPECT_TRUE(std::isfinite(out[kRows + r])) << value << ", " << r;
+      }
+    }
+  }
+}
+
+TEST_P(ByteRowsTest, WhatIsTooSmallForAScaleIsNothing) {
+  for (const float value : {1e-7f, 1e-37f, 1e-44f}) {
+    const std::vector<float> in(columns_, value);
+    const ByteRows rows = RoundToBytes(in.data(), 1, columns_);
+    for (const float scale : rows.scales) EXPECT_EQ(scale, 0.0f) << value;
+    for (const std::int8_t byte : rows.bytes) EXPECT_EQ(byte, 0) << value;
+  }
 }
 
 // Even and odd numbers of blocks, and one alone.

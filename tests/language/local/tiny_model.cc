@@ -69,7 +69,7 @@ void WriteMetadata(const TinyModel& model, GgufWriter* writer) {
   writer->Entry("tokenizer.ggml.token_type", kArray, Raw<std::uint32_t>(kInt32) + count + types);
   writer->Number("tokenizer.ggml.unknown_token_id", 0);
   writer->Number("tokenizer.ggml.bos_token_id", 1);
-  writer->Number("tokenizer.ggml.eos_token_id", 2);
+  writer->Number("tokenizer.ggml.eos_token_id", model.end_token);
   writer->Entry("tokenizer.ggml.add_space_prefix", kBool, Raw(model.adds_space));
   if (!model.chat_template.empty())
     writer->Entry("tokenizer.chat_template", kString, Text(model.chat_template));
@@ -98,7 +98,7 @@ void WriteTensors(const TinyModel& model, GgufWriter* writer) {
 }  // namespace
 
 std::string TinyGguf(const TinyModel& model) {
-  GgufWriter writer(model.seed, model.weight_type, model.without);
+  GgufWriter writer(model.seed, model.weight_type, model.without, model.spoilt, model.spoilt_with);
   WriteMetadata(model, &writer);
   WriteTensors(model, &writer);
   return writer.File();

@@ -21,10 +21,13 @@ struct TinyModel {
   std::size_t context = 4096;
   bool ties_output = false;  // the embeddings serve as output weights
   bool adds_space = false;
+  std::size_t end_token = 2;         // the number of the token that ends texts
   std::optional<float> guidance;     // what the file says of it
   bool sees = false;                 // the same: it has eyes
   std::string chat_template;         // "": none
   std::vector<std::string> without;  // keys and tensors that are left out
+  std::string spoilt;                // a tensor whose weights are all the same
+  float spoilt_with = 1.0f;          // these; not 0
   std::uint64_t seed = 1;
 };
 

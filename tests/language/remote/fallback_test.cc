@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "language/remote/fake_chat_server.h"
 #include "latticeworld/language/remote/remote.h"
@@ -15,14 +16,16 @@ class Embedded final : public LayoutGenerator, public EnvironmentGenerator {
  public:
   explicit Embedded(Status error = Status()) : error_(std::move(error)) {}
   std::string_view name() const override { return "embedded"; }
-  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress&) override {
+  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress&,
+                                std::vector<ModelReply>*) override {
     if (!error_.ok()) return error_;
     LayoutAnswer answer;
     answer.layout = ParseLayout(LegalMatrix(), request.vocabulary).value();
     answer.warnings = {"own warning"};
     return answer;
   }
-  Result<EnvironmentAnswer> Generate(const EnvironmentRequest&, const Progress&) override {
+  Result<EnvironmentAnswer> Generate(const EnvironmentRequest&, const Progress&,
+                                     std::vector<ModelReply>*) override {
     if (!error_.ok()) return error_;
     EnvironmentAnswer answer;
     answer.environment = ParseEnvironment(LegalEnvironment()).value();
@@ -39,12 +42,13 @@ class FallbackTest : public testing::Test {
     auto generator = MakeFallbackLayoutGenerator(MakeRemoteLayoutGenerator(server_, {}),
                                                  std::make_unique<Embedded>(std::move(embedded)));
     EXPECT_EQ(generator->name(), "remote");
-    return generator->Generate(request_, progress_);
+    return generator->Generate(request_, progress_, &replies_);
   }
 
   std::shared_ptr<FakeChatServer> server_ = std::make_shared<FakeChatServer>();
   LayoutRequest request_{"a lake", Vocabulary::kSuburb, nullptr, 9};
   Progress progress_;
+  std::vector<ModelReply> replies_;
 };
 
 TEST_F(FallbackTest, AServerThatAnswersIsNotReplaced) {
@@ -52,7 +56,8 @@ TEST_F(FallbackTest, AServerThatAnswersIsNotReplaced) {
   const auto answer = Generate();
   ASSERT_TRUE(answer.ok());
   EXPECT_TRUE(answer->warnings.empty());
-  EXPECT_EQ(answer->replies.size(), 1u);
+  ASSERT_EQ(replies_.size(), 1u);
+  EXPECT_TRUE(replies_[0].failure.ok());
 }
 
 TEST_F(FallbackTest, EveryFailureButACancelFallsBackWithAWarningThatSaysWhy) {
@@ -75,10 +80,33 @@ TEST_F(FallbackTest, EveryFailureButACancelFallsBackWithAWarningThatSaysWhy) {
 }
 
 TEST_F(FallbackTest, AnswersThatNoTurnRepairsFallBackToo) {
-  server_->Say("no").Say("no").Say("no");
+  server_->Say("no").Say("never").Say("not at all");
   const auto answer = Generate();
   ASSERT_TRUE(answer.ok());
   EXPECT_NE(answer->warnings[0].find("DATA_LOSS"), std::string::npos);
+  // What was refused is kept, and why nothing came of it.
+  ASSERT_EQ(replies_.size(), 4u);
+  EXPECT_EQ(replies_[0].text, "no");
+  EXPECT_EQ(replies_[2].text, "not at all");
+  EXPECT_EQ(replies_[3].purpose, "layout");
+  EXPECT_EQ(replies_[3].failure.code(), StatusCode::kDataLoss);
+}
+
+TEST_F(FallbackTest, WhatFailedAsItWasRecordedIsAnsweredTheSameWayWithoutAServer) {
+  server_->Say("no").Fail(Unavailable("gone"));
+  const auto answer = Generate();
+  ASSERT_TRUE(answer.ok());
+  ASSERT_EQ(replies_.size(), 2u);
+  std::vector<ModelReply> replies;
+  const auto again = MakeFallbackLayoutGenerator(MakeFailedLayoutGenerator("remote", replies_),
+                                                 std::make_unique<Embedded>())
+                         ->Generate(request_, progress_, &replies);
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->warnings, answer->warnings);
+  ASSERT_EQ(replies.size(), 2u);
+  EXPECT_EQ(replies[0].text, "no");
+  EXPECT_EQ(replies[1].purpose, "layout");
+  EXPECT_EQ(replies[1].failure.ToString(), replies_[1].failure.ToString());
 }
 
 TEST_F(FallbackTest, AnInvalidRequestIsRefusedByBoth) {
@@ -108,10 +136,13 @@ TEST_F(FallbackTest, EnvironmentFallsBackByTheSameRule) {
   server_->Fail(Status(StatusCode::kUnauthenticated, "bad key"));
   auto generator = MakeFallbackEnvironmentGenerator(MakeRemoteEnvironmentGenerator(server_, {}),
                                                     std::make_unique<Embedded>());
-  const auto answer = generator->Generate(request, progress_);
+  const auto answer = generator->Generate(request, progress_, &replies_);
   ASSERT_TRUE(answer.ok()) << answer.status().ToString();
   EXPECT_EQ(ToJson(answer->environment), LegalEnvironment());
   EXPECT_NE(answer->warnings[0].find("UNAUTHENTICATED"), std::string::npos);
+  ASSERT_EQ(replies_.size(), 1u);
+  EXPECT_EQ(replies_[0].purpose, "environment");
+  EXPECT_EQ(replies_[0].failure.code(), StatusCode::kUnauthenticated);
   request.layout = nullptr;
   EXPECT_EQ(generator->Generate(request, progress_).status().code(), StatusCode::kInvalidArgument);
 }

@@ -20,12 +20,13 @@ class RemoteEnvironmentTest : public testing::Test {
     request_.seed = 7;
   }
   Result<EnvironmentAnswer> Generate() {
-    return MakeRemoteEnvironmentGenerator(server_, {})->Generate(request_, progress_);
+    return MakeRemoteEnvironmentGenerator(server_, {})->Generate(request_, progress_, &replies_);
   }
 
   std::shared_ptr<FakeChatServer> server_ = std::make_shared<FakeChatServer>();
   SymbolicLayout layout_ = ParseLayout(LegalMatrix(), Vocabulary::kSuburb).value();
   EnvironmentRequest request_;
+  std::vector<ModelReply> replies_;
   std::vector<double> fractions_;
   Progress progress_{[this](std::string_view stage, double fraction) {
     EXPECT_EQ(stage, "environment");
@@ -38,8 +39,8 @@ TEST_F(RemoteEnvironmentTest, AsksOnceForALegalAnswer) {
   const auto answer = Generate();
   ASSERT_TRUE(answer.ok()) << answer.status().ToString();
   EXPECT_EQ(ToJson(answer->environment), LegalEnvironment());
-  ASSERT_EQ(answer->replies.size(), 1u);
-  EXPECT_EQ(answer->replies[0].purpose, "environment");
+  ASSERT_EQ(replies_.size(), 1u);
+  EXPECT_EQ(replies_[0].purpose, "environment");
   const ChatRequest& asked = server_->requests()[0];
   EXPECT_EQ(asked.form.name, "environment");
   EXPECT_EQ(asked.form.json_schema, EnvironmentForm().json_schema);

@@ -24,28 +24,34 @@ class BestOfLayoutGenerator final : public LayoutGenerator {
 
   std::string_view name() const override { return generator_->name(); }
 
-  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress) override {
+  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress,
+                                std::vector<ModelReply>* replies) override {
     LW_RETURN_IF_ERROR(Validate(request));
     const std::vector<Claim> claims =
         ReadLayoutInstruction(request.instruction, request.vocabulary).claims;
     const auto all = static_cast<std::ptrdiff_t>(claims.size());
     std::optional<LayoutAnswer> best;
+    std::vector<ModelReply> kept;  // of the best try, or of the last one where none has a layout
     std::ptrdiff_t best_held = -1;
     Status failure;
     for (int i = 0; i < tries_ && best_held < all; ++i) {
       LayoutRequest again = request;
       if (i > 0) again.seed = StreamSeed(request.seed, "layout try " + std::to_string(i));
-      Result<LayoutAnswer> answer = generator_->Generate(again, progress);
+      std::vector<ModelReply> said;
+      Result<LayoutAnswer> answer = generator_->Generate(again, progress, &said);
       if (!answer.ok()) {
         if (answer.status().code() == StatusCode::kCancelled) return answer;
         failure = answer.status();
+        if (!best) kept = std::move(said);
         continue;
       }
       const std::ptrdiff_t held = HeldOn(answer->layout, claims);
       if (held <= best_held) continue;
       best = *std::move(answer);
       best_held = held;
+      kept = std::move(said);
     }
+    for (ModelReply& reply : kept) replies->push_back(std::move(reply));
     if (!best) return failure;
     return *std::move(best);
   }

@@ -42,7 +42,8 @@ class GroundedLayoutGenerator final : public LayoutGenerator {
  public:
   std::string_view name() const override { return "grounded"; }
 
-  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress) override {
+  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress,
+                                std::vector<ModelReply>* /*replies*/) override {
     LW_RETURN_IF_ERROR(Validate(request));
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
     progress.Report("layout", 0.0);

@@ -1,6 +1,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/language/grounded/grounded.h"
@@ -22,10 +23,11 @@ class InterpretedEnvironmentGenerator final : public EnvironmentGenerator {
 
   std::string_view name() const override { return options_.name; }
 
-  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request,
-                                     const Progress& progress) override {
+  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request, const Progress& progress,
+                                     std::vector<ModelReply>* replies) override {
     LW_RETURN_IF_ERROR(latticeworld::Validate(request));
-    if (Trimmed(request.instruction).empty()) return embedded_->Generate(request, progress);
+    if (Trimmed(request.instruction).empty())
+      return embedded_->Generate(request, progress, replies);
     progress.Report("environment", 0.0);
     Interpretation interpretation;
     interpretation.purpose = "environment_words";
@@ -37,15 +39,13 @@ class InterpretedEnvironmentGenerator final : public EnvironmentGenerator {
     interpretation.max_tokens = options_.environment_max_tokens;
     interpretation.temperature = options_.temperature;
     interpretation.seed = request.seed;
-    std::vector<ModelReply> replies;
     LW_ASSIGN_OR_RETURN(const std::string words,
-                        Interpret(server_.get(), interpretation, progress, &replies));
+                        Interpret(server_.get(), interpretation, progress, replies));
     EnvironmentRequest plain = request;
     // Where nothing is asked of it, the person's own words are nearest to it.
     if (!words.empty()) plain.instruction = words;
-    LW_ASSIGN_OR_RETURN(EnvironmentAnswer answer, embedded_->Generate(plain, progress));
+    LW_ASSIGN_OR_RETURN(EnvironmentAnswer answer, embedded_->Generate(plain, progress, replies));
     answer.warnings.insert(answer.warnings.begin(), ReadAsWarning(plain.instruction));
-    answer.replies = std::move(replies);
     return answer;
   }
 

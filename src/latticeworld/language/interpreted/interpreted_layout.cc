@@ -1,6 +1,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/language/grounded/grounded.h"
@@ -20,9 +21,11 @@ class InterpretedLayoutGenerator final : public LayoutGenerator {
 
   std::string_view name() const override { return options_.name; }
 
-  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress) override {
+  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress,
+                                std::vector<ModelReply>* replies) override {
     LW_RETURN_IF_ERROR(latticeworld::Validate(request));
-    if (Trimmed(request.instruction).empty()) return embedded_->Generate(request, progress);
+    if (Trimmed(request.instruction).empty())
+      return embedded_->Generate(request, progress, replies);
     progress.Report("layout", 0.0);
     Interpretation interpretation;
     interpretation.purpose = "layout_words";
@@ -34,15 +37,13 @@ class InterpretedLayoutGenerator final : public LayoutGenerator {
     interpretation.max_tokens = options_.layout_max_tokens;
     interpretation.temperature = options_.temperature;
     interpretation.seed = request.seed;
-    std::vector<ModelReply> replies;
     LW_ASSIGN_OR_RETURN(const std::string words,
-                        Interpret(server_.get(), interpretation, progress, &replies));
+                        Interpret(server_.get(), interpretation, progress, replies));
     LayoutRequest plain = request;
     // Where nothing is asked of the map, the person's own words are nearest to it.
     if (!words.empty()) plain.instruction = words;
-    LW_ASSIGN_OR_RETURN(LayoutAnswer answer, embedded_->Generate(plain, progress));
+    LW_ASSIGN_OR_RETURN(LayoutAnswer answer, embedded_->Generate(plain, progress, replies));
     answer.warnings.insert(answer.warnings.begin(), ReadAsWarning(plain.instruction));
-    answer.replies = std::move(replies);
     return answer;
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "latticeworld/language/local/gguf_file.h"
 
@@ -193,15 +194,20 @@ ByteRows RoundToBytes(const float* in, std::size_t count, std::size_t columns) {
     const float* values = in + block * kBlock;
     std::int8_t* bytes = rows.bytes.data() + block * kBlock;
     float most = 0.0f;
-    for (std::size_t i = 0; i < kBlock; ++i) most = std::max(most, std::abs(values[i]));
-    // What is no number makes an answer of noise; it is not to be undefined.
-    if (!std::isfinite(most)) most = 0.0f;
-    rows.scales[block] = RoundedToHalf(most / 127.0f);
-    const float inverse = most > 0.0f ? 127.0f / most : 0.0f;
+    bool finite = true;
     for (std::size_t i = 0; i < kBlock; ++i) {
-      const float scaled = std::isfinite(values[i]) ? values[i] * inverse : 0.0f;
-      bytes[i] = static_cast<std::int8_t>((scaled + kRounder) - kRounder);
+      most = std::max(most, std::abs(values[i]));
+      finite = finite && std::isfinite(values[i]);
     }
+    if (!finite) {  // no byte says so; the scale makes all products NaN
+      rows.scales[block] = std::numeric_limits<float>::quiet_NaN();
+      continue;
+    }
+    rows.scales[block] = RoundedToHalf(most / 127.0f);
+    // What is too small for a scale is 0, as the reciprocal would be infinite.
+    const float inverse = rows.scales[block] > 0.0f ? 127.0f / most : 0.0f;
+    for (std::size_t i = 0; i < kBlock; ++i)
+      bytes[i] = static_cast<std::int8_t>((values[i] * inverse + kRounder) - kRounder);
   }
   return rows;
 }

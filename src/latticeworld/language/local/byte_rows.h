@@ -16,7 +16,7 @@ struct ByteRows {
 };
 
 // Each block by its largest magnitude, which becomes 127; scales are rounded to float16, as
-// llama.cpp stores them.
+// llama.cpp stores them. Of a block with what is not finite the scale is NaN.
 ByteRows RoundToBytes(const float* in, std::size_t count, std::size_t columns);
 
 // Weights of the same form (rows x columns of what they are multiplied with).

@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,11 @@ using Clock = std::chrono::steady_clock;
 
 double SecondsSince(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// Where in an answer something was: " after '...'".
+std::string After(const std::string& text) {
+  return " after '" + text.substr(text.size() - std::min<std::size_t>(text.size(), 40)) + "'";
 }
 
 class LocalServer : public ChatServer {
@@ -132,17 +138,20 @@ class LocalServer : public ChatServer {
            static_cast<std::size_t>(reply.completion_tokens) < room) {
       const std::vector<TokenId>& allowed = mask ? mask->Allowed() : any_token_;
       if (allowed.empty())
-        return InvalidArgument(
-            "the model '" + name_ + "' has no token that the form allows after '" +
-            reply.text.substr(reply.text.size() - std::min<std::size_t>(reply.text.size(), 40)) +
-            "'");
+        return InvalidArgument("the model '" + name_ + "' has no token that the form allows" +
+                               After(reply.text));
       if (allowed.size() > 1 && !unheard.empty()) {
         LW_RETURN_IF_ERROR(Hear(unheard, progress));
         unheard.clear();
       }
-      const TokenId token = allowed.size() == 1
-                                ? allowed.front()
-                                : ChooseToken(Logits(), allowed, request.temperature, &random);
+      const std::optional<TokenId> chosen =
+          allowed.size() == 1 ? allowed.front()
+                              : ChooseToken(Logits(), allowed, request.temperature, &random);
+      if (!chosen)
+        return DataLoss("the model '" + name_ + "' gives no number to any token" +
+                        (mask ? " that the form allows" : "") + After(reply.text) +
+                        ": its weights are damaged or overflow");
+      const TokenId token = *chosen;
       if (token == end()) {
         reply.finish_reason = "stop";
         break;
@@ -220,6 +229,10 @@ Result<std::shared_ptr<ChatServer>> MakeLocalChatServer(const std::string& model
   }
   const Result<std::string> chat_template = file.Text("tokenizer.chat_template");
   const ChatStyle style = ChatStyleOf(chat_template.ok() ? *chat_template : std::string());
+  if (*guidance != 1.0f && ChatTokens(*tokenizer, style, {}).empty())
+    return context(
+        DataLoss("'latticeworld.guidance' asks what the model says to nothing, which "
+                 "needs a token that begins texts; the tokenizer has none"));
   const Result<std::string> name = file.Text("general.name");
   return std::shared_ptr<ChatServer>(std::make_shared<LocalServer>(
       name.ok() && !name->empty() ? *name : std::filesystem::path(model_file).stem().string(),

@@ -5,17 +5,17 @@
 
 namespace latticeworld {
 
-TokenId ChooseToken(const std::vector<float>& logits, const std::vector<TokenId>& allowed,
-                    double temperature, RandomStream* random) {
-  constexpr float kLowest = std::numeric_limits<float>::lowest();
-  TokenId best = allowed.front();
-  float highest = kLowest;
+std::optional<TokenId> ChooseToken(const std::vector<float>& logits,
+                                   const std::vector<TokenId>& allowed, double temperature,
+                                   RandomStream* random) {
+  std::optional<TokenId> best;
+  float highest = -std::numeric_limits<float>::infinity();
   for (const TokenId token : allowed) {
-    if (!(logits[token] > highest)) continue;
+    if (!(logits[token] > highest)) continue;  // nor is NaN
     highest = logits[token];
     best = token;
   }
-  if (temperature <= 0.0 || allowed.size() == 1 || !std::isfinite(highest)) return best;
+  if (!best || temperature <= 0.0 || allowed.size() == 1 || !std::isfinite(highest)) return best;
   std::vector<double> weights;
   weights.reserve(allowed.size());
   for (const TokenId token : allowed) {

@@ -1,6 +1,7 @@
 #ifndef LATTICEWORLD_LANGUAGE_LOCAL_TOKEN_CHOICE_H_
 #define LATTICEWORLD_LANGUAGE_LOCAL_TOKEN_CHOICE_H_
 
+#include <optional>
 #include <vector>
 
 #include "latticeworld/common/random.h"
@@ -8,12 +9,13 @@
 
 namespace latticeworld {
 
-// One of the allowed tokens (at least one, increasing): at temperature 0 the
-// one of the highest logit, the first of equals; else drawn by the softmax of
-// logits / temperature over the allowed. Logits that are no numbers count as
-// the lowest.
-TokenId ChooseToken(const std::vector<float>& logits, const std::vector<TokenId>& allowed,
-                    double temperature, RandomStream* random);
+// One of the allowed tokens (increasing): at temperature 0, and where a logit is
+// infinity, the one of the highest logit, the first of equals; else drawn by the
+// softmax of logits / temperature over the allowed. Tokens whose logit is NaN or
+// -infinity are never chosen; none: there are no others.
+std::optional<TokenId> ChooseToken(const std::vector<float>& logits,
+                                   const std::vector<TokenId>& allowed, double temperature,
+                                   RandomStream* random);
 
 }  // namespace latticeworld
 

@@ -1,6 +1,7 @@
 #include "latticeworld/language/local/token_mask.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -36,7 +37,8 @@ const std::vector<TokenId>& TokenMask::Allowed() {
     const auto [at, state] = std::move(open.back());
     open.pop_back();
     const TokenTree::Node& node = tree_.nodes()[at];
-    allowed.insert(allowed.end(), node.tokens.begin(), node.tokens.end());
+    // A token that ends the answer spells nothing, whatever the file says of it.
+    std::remove_copy(node.tokens.begin(), node.tokens.end(), std::back_inserter(allowed), end_);
     for (const auto& [byte, child] : node.children) {
       GrammarMatcher::State next = matcher_.After(state, byte);
       if (!next.empty()) open.emplace_back(child, std::move(next));

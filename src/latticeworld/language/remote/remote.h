@@ -11,10 +11,12 @@
 
 namespace latticeworld {
 
+inline constexpr int kMostRepairTurns = 8;
+
 // How a model is asked.
 struct RemoteOptions {
-  int repair_turns = 2;               // times that violations go back to the model; 0 .. 8
-  double temperature = 0.7;           // 0 .. 2
+  int repair_turns = 2;      // times that violations go back to the model; 0 .. kMostRepairTurns
+  double temperature = 0.7;  // 0 .. 2
   int layout_max_tokens = 2048;       // of one answer, thinking included; 64 .. 65536
   int environment_max_tokens = 4096;  // the same
   bool mends = false;  // of environments, what only the rules forbid becomes the nearest legal
@@ -25,10 +27,10 @@ std::vector<Violation> Validate(const RemoteOptions& options);
 
 // Generators over any chat server: prompts (prompts/*.txt), the form of the answer, strict reading
 // of whatever comes, repair. A server may be shared; each call asks it at most 1 + repair_turns
-// times, and the model's replies come with the answer. Progress reports the rows of a layout as
-// they arrive; a layout that cannot become legal is cut short and repaired. options: valid.
-// Errors: as ChatServer (INVALID_ARGUMENT may mean that the server refused what it was sent), and
-// DATA_LOSS with every violation of the last answer when no turn repaired it.
+// times. Progress reports the rows of a layout as they arrive; a layout that cannot become legal is
+// cut short and repaired. options: valid. Errors: as ChatServer (INVALID_ARGUMENT may mean that the
+// server refused what it was sent), and DATA_LOSS with every violation of the last answer when no
+// turn repaired it.
 std::unique_ptr<LayoutGenerator> MakeRemoteLayoutGenerator(std::shared_ptr<ChatServer> server,
                                                            const RemoteOptions& options);
 std::unique_ptr<EnvironmentGenerator> MakeRemoteEnvironmentGenerator(
@@ -40,10 +42,18 @@ std::unique_ptr<EnvironmentGenerator> MakeRemoteEnvironmentGenerator(
 // recorded; CANCELLED.
 std::shared_ptr<ChatServer> MakeReplayServer(std::vector<ModelReply> replies);
 
+// Generators that fail as those of this name did: with the same replies, of which the last is the
+// record of the failure, so that a fallback over them answers as it did then, byte for byte.
+std::unique_ptr<LayoutGenerator> MakeFailedLayoutGenerator(std::string name,
+                                                           std::vector<ModelReply> replies);
+std::unique_ptr<EnvironmentGenerator> MakeFailedEnvironmentGenerator(
+    std::string name, std::vector<ModelReply> replies);
+
 // Asks the first generator; whatever its server failed of (UNAVAILABLE, DEADLINE_EXCEEDED,
 // UNAUTHENTICATED, DATA_LOSS, INVALID_ARGUMENT of the server, ...), the second answers, with a
-// first warning that says why. A request that is invalid itself is refused with INVALID_ARGUMENT
-// before either is asked, and CANCELLED is passed on. name() is that of the first.
+// first warning that says why, and the failure is recorded after the first one's replies. A request
+// that is invalid itself is refused with INVALID_ARGUMENT before either is asked, and CANCELLED is
+// passed on. name() is that of the first.
 std::unique_ptr<LayoutGenerator> MakeFallbackLayoutGenerator(
     std::unique_ptr<LayoutGenerator> first, std::unique_ptr<LayoutGenerator> second);
 std::unique_ptr<EnvironmentGenerator> MakeFallbackEnvironmentGenerator(

@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/language/remote/conversation.h"
@@ -37,8 +38,8 @@ class RemoteEnvironmentGenerator final : public EnvironmentGenerator {
 
   std::string_view name() const override { return options_.name; }
 
-  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request,
-                                     const Progress& progress) override {
+  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request, const Progress& progress,
+                                     std::vector<ModelReply>* replies) override {
     LW_RETURN_IF_ERROR(latticeworld::Validate(request));
     EnvironmentAnswer answer;
     Question question;
@@ -58,7 +59,7 @@ class RemoteEnvironmentGenerator final : public EnvironmentGenerator {
       return Status();
     };
     question.repair_text = EnvironmentRepairText;
-    LW_RETURN_IF_ERROR(Ask(server_.get(), std::move(question), progress, &answer.replies));
+    LW_RETURN_IF_ERROR(Ask(server_.get(), std::move(question), progress, replies));
     return answer;
   }
 

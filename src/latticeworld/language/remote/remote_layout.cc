@@ -1,6 +1,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/language/remote/conversation.h"
@@ -49,7 +50,8 @@ class RemoteLayoutGenerator final : public LayoutGenerator {
 
   std::string_view name() const override { return options_.name; }
 
-  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress) override {
+  Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress,
+                                std::vector<ModelReply>* replies) override {
     LW_RETURN_IF_ERROR(latticeworld::Validate(request));
     const Vocabulary vocabulary = request.vocabulary;
     LayoutAnswer answer;
@@ -72,7 +74,7 @@ class RemoteLayoutGenerator final : public LayoutGenerator {
     question.repair_text = [vocabulary](const std::vector<Violation>& violations) {
       return LayoutRepairText(violations, vocabulary);
     };
-    LW_RETURN_IF_ERROR(Ask(server_.get(), std::move(question), progress, &answer.replies));
+    LW_RETURN_IF_ERROR(Ask(server_.get(), std::move(question), progress, replies));
     return answer;
   }
 

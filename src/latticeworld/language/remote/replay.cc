@@ -2,9 +2,11 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "latticeworld/common/check.h"
 #include "latticeworld/language/remote/remote.h"
 
 namespace latticeworld {
@@ -55,10 +57,51 @@ class ReplayServer final : public ChatServer {
   std::vector<bool> given_;  // under mutex_
 };
 
+// Layout and environment fail by the same rule.
+template <typename Generator, typename Request, typename Answer>
+class FailedGenerator final : public Generator {
+ public:
+  FailedGenerator(std::string name, std::vector<ModelReply> replies)
+      : name_(std::move(name)), replies_(std::move(replies)) {
+    LW_CHECK(!replies_.empty() && !replies_.back().failure.ok(),
+             "what failed has a record of its failure");
+    failure_ = replies_.back().failure;
+    replies_.pop_back();
+  }
+
+  std::string_view name() const override { return name_; }
+
+  Result<Answer> Generate(const Request& request, const Progress& progress,
+                          std::vector<ModelReply>* replies) override {
+    LW_RETURN_IF_ERROR(latticeworld::Validate(request));
+    LW_RETURN_IF_ERROR(progress.CheckCancelled());
+    replies->insert(replies->end(), replies_.begin(), replies_.end());
+    return failure_;
+  }
+
+ private:
+  std::string name_;
+  std::vector<ModelReply> replies_;
+  Status failure_;
+};
+
 }  // namespace
 
 std::shared_ptr<ChatServer> MakeReplayServer(std::vector<ModelReply> replies) {
   return std::make_shared<ReplayServer>(std::move(replies));
+}
+
+std::unique_ptr<LayoutGenerator> MakeFailedLayoutGenerator(std::string name,
+                                                           std::vector<ModelReply> replies) {
+  return std::make_unique<FailedGenerator<LayoutGenerator, LayoutRequest, LayoutAnswer>>(
+      std::move(name), std::move(replies));
+}
+
+std::unique_ptr<EnvironmentGenerator> MakeFailedEnvironmentGenerator(
+    std::string name, std::vector<ModelReply> replies) {
+  return std::make_unique<
+      FailedGenerator<EnvironmentGenerator, EnvironmentRequest, EnvironmentAnswer>>(
+      std::move(name), std::move(replies));
 }
 
 }  // namespace latticeworld

@@ -99,17 +99,32 @@ TEST_P(AgreementTest, TheLikeliestTokensAreTheSame) {
 
 INSTANTIATE_TEST_SUITE_P(Types, AgreementTest, testing::Values(0u, 1u, 8u));
 
-TEST(ShippedModelTest, WritesTheLayoutsThatLlamaCppWrites) {
-  const std::string file = SHIPPED_MODELS "/layouts.gguf";
+void ExpectAgreementOfShipped(const std::string& name, const std::vector<std::string>& texts) {
+  const std::string file = SHIPPED_MODELS "/" + name;
   const auto opened = GgufFile::Open(file);
   ASSERT_TRUE(opened.ok()) << opened.status().ToString();
   const Tokenizer tokenizer = *Tokenizer::Read(*opened);
   std::vector<std::vector<TokenId>> prompts;
-  for (const char* words : {"A lake in the north.", "Mostly forest, with a village in the east."}) {
+  for (const std::string& words : texts) {
     std::vector<ChatMessage> messages = {{ChatRole::kUser, words, ""}};
     prompts.push_back(ChatTokens(tokenizer, ChatStyle::kChatMl, messages));
   }
   ExpectAgreement(file, prompts, 300, /*int8=*/true);
+}
+
+TEST(ShippedModelTest, WritesTheLayoutsThatLlamaCppWrites) {
+  ExpectAgreementOfShipped("layouts.gguf",
+                           {"A lake in the north.", "Mostly forest, with a village in the east."});
+}
+
+TEST(ShippedModelTest, WritesTheEnvironmentsThatLlamaCppWrites) {
+  std::string begin =
+      "The map, 32 by 32 squares of 16 m, line 1 in the north, first letter in the west:\n";
+  for (int row = 0; row < 32; ++row) begin += std::string(32, row < 12 ? 'F' : 'G') + "\n";
+  begin += "\nDescription of the environment:\n";
+  ExpectAgreementOfShipped("environments.gguf",
+                           {begin + "A foggy autumn morning. Five sheep graze in the upper left.",
+                            begin + "Winter, night, snow. Three goblins attack in the center."});
 }
 
 TEST(TokenizerAgreementTest, TextsBecomeTheSameTokens) {

@@ -46,10 +46,12 @@ TEST_F(LlamaTest, NoiseUnderTheGrammarIsALegalLayoutInOneTurn) {
     std::vector<double> rows;
     const Progress progress([&](std::string_view, double fraction) { rows.push_back(fraction); });
     const LayoutRequest request{"A lake lies in the north.", vocabulary, nullptr, 11};
-    const auto answer = MakeRemoteLayoutGenerator(server_, {})->Generate(request, progress);
+    std::vector<ModelReply> replies;
+    const auto answer =
+        MakeRemoteLayoutGenerator(server_, {})->Generate(request, progress, &replies);
     ASSERT_TRUE(answer.ok()) << answer.status().ToString();
-    ASSERT_EQ(answer->replies.size(), 1u);
-    const ModelReply& reply = answer->replies[0];
+    ASSERT_EQ(replies.size(), 1u);
+    const ModelReply& reply = replies[0];
     EXPECT_EQ(reply.text + "\n", ToText(answer->layout));
     EXPECT_EQ(reply.finish_reason, "stop");
     EXPECT_EQ(reply.completion_tokens, 1055) << "one token a letter";

@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/text.h"
@@ -46,8 +47,8 @@ class GroundedEnvironmentGenerator final : public EnvironmentGenerator {
  public:
   std::string_view name() const override { return "grounded"; }
 
-  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request,
-                                     const Progress& progress) override {
+  Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request, const Progress& progress,
+                                     std::vector<ModelReply>* /*replies*/) override {
     LW_RETURN_IF_ERROR(latticeworld::Validate(request));
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
     const Catalogue& catalogue = *request.catalogue;

@@ -10,8 +10,9 @@
 
 namespace latticeworld {
 
-// A warning for each claim whose words ask for snow or rock where the relief is low, or for water
-// where it is high. The words are obeyed all the same.
+// A warning for each claim whose words ask for snow or rock where the relief is low, for water
+// where it is high, or for water that runs from low to high land. The words are obeyed all the
+// same.
 std::vector<std::string> ReliefConflicts(const std::vector<Claim>& claims, Vocabulary vocabulary,
                                          const Relief& relief);
 
