@@ -14,12 +14,12 @@ namespace latticeworld::tools {
 void AddLanguageOptions(CLI::App* command) {
   AddValueOption(
       command, "--generator", "NAME",
-      "Who reads the words: grounded (embedded), remote (a model behind --remote-url), interpreted "
-      "(that model says them in plain sentences, grounded does the rest), or local (a model in "
+      "Who reads the words: grounded (embedded), controlled (they are sentences of the small "
+      "language), remote (a model behind --remote-url), interpreted (that model says them in plain sentences, grounded does the rest), or local (a model in "
       "this process, --local-model) [remote where --remote-url is given, else local where "
       "--local-model is, else grounded].");
   AddValueOption(command, "--local-model", "FILE",
-                 "GGUF file of LLaMA's architecture (f32, f16 or q8_0) that draws layouts.");
+                 "GGUF file of LLaMA's architecture (f32, f16, q4_1 or q8_0) that draws layouts.");
   AddValueOption(command, "--local-environment-model", "FILE",
                  "The same for environments, or grounded for the embedded back end "
                  "[that of --local-model].");

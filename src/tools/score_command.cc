@@ -13,6 +13,7 @@
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/fidelity.h"
 #include "latticeworld/generation/fidelity_benchmark.h"
+#include "latticeworld/language/grounded/grounded.h"
 #include "tools/arguments.h"
 #include "tools/fidelity_tables.h"
 #include "tools/interrupt.h"
@@ -26,10 +27,11 @@ constexpr std::size_t kMaxLayoutBytes = 64u << 10;
 
 Status ScoreBundle(const std::string& directory) {
   LW_ASSIGN_OR_RETURN(const auto world, LoadBundle(directory));
-  PrintReport(
-      AssessFidelity(world->request.layout_instruction, world->request.environment_instruction,
-                     world->layout, world->environment, *world->scene->catalogue),
-      &std::cout);
+  LW_ASSIGN_OR_RETURN(const FidelityReport report,
+                      ReadAndAssess(MakeRuleReader().get(), world->request.layout_instruction,
+                                    world->request.environment_instruction, world->layout,
+                                    world->environment, world->scene->catalogue));
+  PrintReport(report, &std::cout);
   return Status();
 }
 
@@ -47,7 +49,8 @@ Status ScoreSymbols(const CLI::App& command) {
   if (!text.ok()) return text.status().WithContext("--symbols");
   const auto layout = ParseLayout(*text, vocabulary);
   if (!layout.ok()) return layout.status();
-  PrintReport(AssessLayoutFidelity(instruction, *layout), &std::cout);
+  PrintReport(AssessLayoutFidelity(ReadLayoutInstruction(instruction, vocabulary), *layout),
+              &std::cout);
   return Status();
 }
 
@@ -61,7 +64,7 @@ Status ScoreBenchmark(const CLI::App& command) {
   const auto backend = backends.by_name.find(generator);
   if (backend == backends.by_name.end()) {
     return InvalidArgument(
-        "--generator: must be grounded, remote or interpreted beside --remote-url, or local "
+        "--generator: must be grounded or controlled, remote or interpreted beside --remote-url, or local "
         "beside --local-model, not " +
         Quote(generator));
   }

@@ -56,8 +56,8 @@ TEST(WrittenAnnotatorTest, AReaderFindsTheCaptionsTrue) {
     const auto caption = annotator->DescribeLayout(instance, 2, Progress());
     ASSERT_TRUE(caption.ok());
     const LayoutReading reading = ReadLayoutInstruction(caption->text, instance.layout.vocabulary);
-    not_understood += !reading.not_understood.empty();
-    for (const Claim& claim : reading.claims) {
+    not_understood += !reading.plan.not_understood.empty();
+    for (const Claim& claim : reading.plan.claims) {
       ++read;
       satisfied += Measure(claim, instance.layout).holds;
       kinds.insert(claim.kind);
@@ -188,7 +188,7 @@ TEST(WrittenAnnotatorTest, TypingMistakesAreAnOptionAndCanBeRead) {
     const Instance instance = MadeInstance(Vocabulary::kSuburb, seed, false);
     const std::string text = slips->DescribeLayout(instance, 6, Progress())->text;
     changed += text != clean->DescribeLayout(instance, 6, Progress())->text;
-    for (const Claim& claim : ReadLayoutInstruction(text, Vocabulary::kSuburb).claims) {
+    for (const Claim& claim : ReadLayoutInstruction(text, Vocabulary::kSuburb).plan.claims) {
       ++read;
       satisfied += Measure(claim, instance.layout).holds;
     }

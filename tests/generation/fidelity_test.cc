@@ -22,9 +22,20 @@ EnvironmentConfig Autumn() {
   return environment;
 }
 
+// The instructions as the rules read them.
+FidelityReport Assess(const std::string& layout_instruction,
+                      const std::string& environment_instruction, const SymbolicLayout& layout,
+                      const EnvironmentConfig& environment) {
+  const auto report =
+      ReadAndAssess(MakeRuleReader().get(), layout_instruction, environment_instruction, layout,
+                    environment, Catalogue::BuiltIn());
+  EXPECT_TRUE(report.ok()) << report.status().ToString();
+  return *report;
+}
+
 TEST(FidelityTest, MeasuresWhatTheWordsSayAndNotWhoAnswered) {
   const std::string layout = "The map is mostly forest. A lake lies in the center.";
-  const FidelityReport forest = AssessFidelity(layout, "autumn", Uniform('F'), Autumn());
+  const FidelityReport forest = Assess(layout, "autumn", Uniform('F'), Autumn());
   ASSERT_GE(forest.claims.size(), 3u);
   bool dominance = false, lake = false, season = false;
   for (const ClaimOutcome& claim : forest.claims) {
@@ -55,7 +66,7 @@ TEST(FidelityTest, MeasuresPlacesThatTheLayoutNames) {
     EnvironmentConfig environment = Autumn();
     environment.agents = {{AgentCategory::kSheep, 10, AgentState::kGrazing, position}};
     const FidelityReport report =
-        AssessFidelity("", "Ten sheep graze by the village.", layout, environment);
+        Assess("", "Ten sheep graze by the village.", layout, environment);
     const auto sheep =
         std::find_if(report.claims.begin(), report.claims.end(),
                      [](const ClaimOutcome& claim) { return claim.kind == "agents"; });
@@ -66,8 +77,8 @@ TEST(FidelityTest, MeasuresPlacesThatTheLayoutNames) {
 }
 
 TEST(FidelityTest, WarnsOfEveryMissAndOfWhatWasNotUnderstood) {
-  const FidelityReport report = AssessFidelity("A lake in the north and a zorblax.",
-                                               "a herd of quxes", Uniform('G'), Autumn());
+  const FidelityReport report =
+      Assess("A lake in the north and a zorblax.", "a herd of quxes", Uniform('G'), Autumn());
   const std::vector<std::string> warnings = WarningsOf(report, {});
   ASSERT_GE(warnings.size(), 2u);
   EXPECT_EQ(warnings.front().rfind("not satisfied: ", 0), 0u) << warnings.front();
@@ -78,14 +89,14 @@ TEST(FidelityTest, WarnsOfEveryMissAndOfWhatWasNotUnderstood) {
 
 TEST(FidelityTest, WarnsOfNothingTwice) {
   const FidelityReport report =
-      AssessFidelity("A lake in the north and a zorblax.", "", Uniform('G'), Autumn());
+      Assess("A lake in the north and a zorblax.", "", Uniform('G'), Autumn());
   const std::vector<std::string> once = WarningsOf(report, {});
   EXPECT_FALSE(once.empty());
   EXPECT_TRUE(WarningsOf(report, once).empty());
 }
 
 TEST(FidelityTest, SaysNothingOfNoWords) {
-  const FidelityReport report = AssessFidelity("", "", Uniform('G'), Autumn());
+  const FidelityReport report = Assess("", "", Uniform('G'), Autumn());
   EXPECT_TRUE(report.claims.empty());
   EXPECT_TRUE(report.not_understood.empty());
   EXPECT_TRUE(WarningsOf(report, {}).empty());

@@ -135,6 +135,7 @@ LanguageBackend BackendOver(const std::shared_ptr<ChatServer>& server, const std
   options.name = name;
   const bool reads = name == "interpreted";
   return {
+      MakeRuleReader(),
       MakeFallbackLayoutGenerator(reads ? MakeInterpretedLayoutGenerator(server, options)
                                         : MakeRemoteLayoutGenerator(server, options),
                                   MakeGroundedLayoutGenerator()),

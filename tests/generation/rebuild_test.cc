@@ -121,7 +121,8 @@ TEST(LanguageBackendsTest, RemoteIsThereOnlyWhereItIsWanted) {
   RemoteBackendOptions options;
   auto embedded = MakeLanguageBackends(options);
   ASSERT_TRUE(embedded.ok());
-  EXPECT_EQ(embedded->by_name.size(), 1u);
+  EXPECT_EQ(embedded->by_name.size(), 2u);
+  EXPECT_EQ(embedded->by_name.count("controlled"), 1u);
   EXPECT_EQ(embedded->server, nullptr);
   options.server.url = "http://127.0.0.1:9/v1";
   auto both = MakeLanguageBackends(options);

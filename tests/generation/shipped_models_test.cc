@@ -87,7 +87,8 @@ TEST(ShippedModelsTest, TheLayoutModelListens) {
   std::size_t asked = 0, held = 0, held_by_others = 0, others = 0;
   for (std::size_t i = 0; i < Wishes().size(); ++i) {
     const Wish& wish = Wishes()[i];
-    const std::vector<Claim> claims = ReadLayoutInstruction(wish.words, wish.vocabulary).claims;
+    const std::vector<Claim> claims =
+        ReadLayoutInstruction(wish.words, wish.vocabulary).plan.claims;
     ASSERT_FALSE(claims.empty()) << wish.words;
     for (int seed = 0; seed < kSeeds; ++seed) {
       LayoutRequest request;
@@ -104,7 +105,7 @@ TEST(ShippedModelsTest, TheLayoutModelListens) {
       for (std::size_t j = 0; j < Wishes().size(); ++j) {
         const Wish& other = Wishes()[j];
         if (j == i || other.vocabulary != wish.vocabulary) continue;
-        const auto unasked = ReadLayoutInstruction(other.words, other.vocabulary).claims;
+        const auto unasked = ReadLayoutInstruction(other.words, other.vocabulary).plan.claims;
         others += unasked.size();
         held_by_others += Held(unasked, answer->layout);
       }

@@ -75,7 +75,7 @@ class FakeEnvironmentGenerator : public EnvironmentGenerator {
 WorldGenerator MakeFakeGenerator(FakeLog* log) {
   std::map<std::string, LanguageBackend> backends;
   for (const char* name : {"fake", "other"}) {
-    backends[name] = {std::make_unique<FakeLayoutGenerator>(log),
+    backends[name] = {MakeRuleReader(), std::make_unique<FakeLayoutGenerator>(log),
                       std::make_unique<FakeEnvironmentGenerator>(log)};
   }
   return WorldGenerator(std::move(backends), "fake");

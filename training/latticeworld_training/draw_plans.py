@@ -46,7 +46,7 @@ class Land:
     def place(self):
         """A place: a side twice as often as an exact one."""
         words = small_language.words()
-        pick = self.random.choice(words["side"] if self.random.random() < 0.6 else words["place"])
+        pick = self.random.choice(words["side"] if self.random.random() < 0.6 else words["exact"])
         return f"the {pick}"
 
     def known(self):

@@ -1,4 +1,4 @@
-"""The small language of the readers, as the two tables of forms say it (src/latticeworld/language/sentences/data).
+"""The small language of the readers, as its tables say it (src/latticeworld/language/sentences/data).
 
 A sentence is matched against the forms' patterns as regular expressions; what it means is the C++ code's to say.
 """
@@ -8,10 +8,7 @@ import pathlib
 import re
 
 DATA = pathlib.Path(__file__).resolve().parents[2] / "src/latticeworld/language/sentences/data"
-
-NUMBER = r"-?\d+(?:\.\d+)?"
-PERCENT = rf"(?:at least |at most |\d+ to )?\d+ %"
-RANGE = rf"(?:at least |at most )?{NUMBER}(?: to {NUMBER})?"
+BUILT_IN = {"n": r"-?\d+(?:\.\d+)?", "label": "[A-Z]"}
 
 
 def lines_of(name):
@@ -20,15 +17,9 @@ def lines_of(name):
     return [line.split("\t") for line in text.splitlines() if line and not line.startswith("#")]
 
 
-@functools.lru_cache(maxsize=None)
-def words():
-    """List name -> its words."""
-    return {fields[0]: fields[1:] for fields in lines_of("words.txt")}
-
-
 def plural(noun):
     """The regular English plural of a noun's last word."""
-    if noun in ("sheep", "branches"):
+    if noun in ("sheep",):
         return noun
     if re.search(r"(s|sh|ch|x)$", noun):
         return noun + "es"
@@ -37,56 +28,47 @@ def plural(noun):
     return noun + "s"
 
 
-def one_of(names):
-    """A regular expression for any of the words, the longest first."""
-    return "(?:" + "|".join(sorted(map(re.escape, names), key=len, reverse=True)) + ")"
+@functools.lru_cache(maxsize=None)
+def words():
+    """List name -> its words; NAME_s has the plurals of NAME."""
+    lists = {fields[0]: fields[1:] for fields in lines_of("words.txt")}
+    for name in ("countable", "relief", "object", "who", "feature"):
+        lists[f"{name}_s"] = [plural(noun) for noun in lists[name]]
+    return lists
 
 
 @functools.lru_cache(maxsize=None)
-def slots():
-    """Slot name -> regular expression."""
-    w = words()
-    singular = w["thing"] + w["relief"] + w["object"]
-    nouns = one_of(w["mass"] + singular + [plural(noun) for noun in singular])
-    adjectives = f"(?:{one_of(w['size'] + w['shape'])} )*"
-    quantity = r"(?:an? |(?:at least |at most |\d+ to )?\d+ )"
-    thing = rf"(?:(?:the (?:\d+ )?|{quantity})?{adjectives}{nouns}(?: [A-Z])?)"
-    place = rf"(?:the )?{one_of(w['side'] + w['place'])}"
-    zone = rf"{place}(?:, {place})*(?: and {place})?"
-    who = one_of(w["who"] + [plural(noun) for noun in w["who"]])
-
-    def some(name):
-        return rf"{one_of(w[name])}(?: or {one_of(w[name])})*"
-
-    return {
-        "x": thing, "y": thing, "z": thing, "noun": rf"{nouns}(?: [A-Z])?",
-        "nouns": rf"{nouns}(?:, {nouns})+", "zone": zone, "end": rf"(?:{zone}|{thing})",
-        "percent": PERCENT, "heading": one_of(w["heading"]), "n": NUMBER,
-        "shape": one_of(w["shape"]), "rugged": one_of(w["rugged"]), "pattern": one_of(w["pattern"]),
-        "season": some("season"), "weather": some("weather"), "time": some("time"),
-        "style": some("style"), "terrain": some("terrain"),
-        "values": rf"(?:{one_of(w['season'])} )?{some('values')}", "asset": one_of(w["asset"]),
-        "who": rf"{who}(?: or {who})*", "state": some("state"), "near": one_of(w["near"]),
-        "feature": rf"{one_of(w['feature'] + [plural(noun) for noun in w['feature']])}",
-        "part": one_of(w["part"]),
-        "side": one_of(w["side"] + w["place"]), "amount": rf"(?:dense|sparse|none|{PERCENT})", "range": RANGE,
-        "count": r"(?:(?:at least |at most |\d+ to )?\d+|some)",
-    }
+def slot(name):
+    """The regular expression of a slot."""
+    if name in BUILT_IN:
+        return BUILT_IN[name]
+    patterns = dict(lines_of("slots.txt"))
+    if name in patterns:
+        return expression(patterns[name])
+    return "(?:" + "|".join(sorted(map(re.escape, words()[name]), key=len, reverse=True)) + ")"
 
 
 def expression(pattern):
-    """The regular expression of a form's pattern."""
-    # Each optional part takes the blank before it along.
-    pattern = re.sub(r"^\[([^\]]*)\] ", r"(?:\1 )?", pattern)
-    pattern = re.sub(r" \[([^\]]*)\]", r"(?: \1)?", pattern)
-
-    def alternatives(match):
-        return "(?:" + match.group(0) + ")"
-
-    pattern = re.sub(r"(?<![\w{:?])[a-z]+(?:\|[a-z]+)+", alternatives, pattern)
-    pattern = re.sub(r"(?<=\(\?: )[a-z]+(?:\|[a-z]+)+", alternatives, pattern)
-    return re.sub(r"\{(\w+)\}", lambda match: "(?P<%s>%s)" % (match.group(1), slots()[match.group(1)])
-                  if pattern.count(match.group(0)) == 1 else slots()[match.group(1)], pattern)
+    """The regular expression of a pattern; every word and slot takes one blank before it, but for stops' kin."""
+    tokens = re.findall(r"\{\w+\}|[\[\]()*]|[^\s\[\](){}*]+", pattern)
+    out = []
+    for token in tokens:
+        if token in "[(":
+            out.append("(?:")
+        elif token == "]":
+            out.append(")?")
+        elif token in ")*":
+            out.append(token)
+        elif token == "/":
+            out.append("|")
+        elif token.startswith("{"):
+            out.append("(?: " + slot(token[1:-1]) + ")" if token[1:-1] in BUILT_IN or token[1:-1] in words()
+                       else slot(token[1:-1]))
+        else:
+            end = "".join(re.findall(r"[:,]$", token))
+            choices = [re.escape(word) for word in token[: len(token) - len(end)].split("|") if word]
+            out.append(("(?: (?:" + "|".join(choices) + "))" if choices else "") + end)
+    return "(?:" + "".join(out) + ")"
 
 
 @functools.lru_cache(maxsize=None)
@@ -104,8 +86,9 @@ def split(text):
 def form_of(sentence, kind):
     """The name of the first form that a sentence (without its stop) has, or None."""
     sentence = sentence.strip()
-    if sentence:
-        sentence = sentence[0].lower() + sentence[1:]
+    if not sentence:
+        return None
+    sentence = " " + sentence[0].lower() + sentence[1:]
     for name, compiled, _ in forms(kind):
         if compiled.fullmatch(sentence):
             return name

@@ -49,23 +49,23 @@ Status CheckLayoutCaption(std::string_view text, const SymbolicLayout& layout, i
                           claim.words});
   };
   LayoutReading reading = ReadLayoutInstruction(text, layout.vocabulary);
-  for (const Claim& claim : reading.claims) check(claim);
+  for (const Claim& claim : reading.plan.claims) check(claim);
   // Of a text that contradicts itself the reader keeps one side; a "no" has to hold by itself.
   for (const std::string& sentence : Split(std::string(text), '.')) {
     if (sentence.find_first_not_of(" \t\r\n") == std::string::npos) continue;
-    for (const Claim& claim : ReadLayoutInstruction(sentence, layout.vocabulary).claims) {
+    for (const Claim& claim : ReadLayoutInstruction(sentence, layout.vocabulary).plan.claims) {
       if (claim.kind == ClaimKind::kAbsent) check(claim);
     }
   }
-  if (static_cast<int>(reading.claims.size()) < least_claims) {
+  if (static_cast<int>(reading.plan.claims.size()) < least_claims) {
     violations.push_back({"says_too_little", "",
-                          "only " + std::to_string(reading.claims.size()) +
+                          "only " + std::to_string(reading.plan.claims.size()) +
                               " statements about the land were understood; at least " +
                               std::to_string(least_claims) + " are asked, in plain words",
-                          std::to_string(reading.claims.size())});
+                          std::to_string(reading.plan.claims.size())});
   }
   if (!violations.empty()) return Status::FromViolations("caption", std::move(violations));
-  *claims = std::move(reading.claims);
+  *claims = std::move(reading.plan.claims);
   return Status();
 }
 

@@ -71,7 +71,7 @@ class GivenSource final : public InstanceSource {
     LayoutRequest request;
     request.instruction = given.words;
     request.vocabulary = given.vocabulary;
-    const std::vector<Claim> claims = ReadLayoutInstruction(given.words, given.vocabulary).claims;
+    const std::vector<Claim> claims = ReadLayoutInstruction(given.words, given.vocabulary).plan.claims;
     std::vector<Instance> instances;
     for (int i = 0; i < options_.answers; ++i) {
       const std::string id = given.id + "-" + std::to_string(i);
@@ -115,7 +115,7 @@ class GivenAnnotator final : public Annotator {
     if (given == words_.end()) return DataLoss("nobody asked for " + instance.id);
     LayoutCaption caption;
     caption.text = given->second;
-    caption.claims = ReadLayoutInstruction(caption.text, instance.layout.vocabulary).claims;
+    caption.claims = ReadLayoutInstruction(caption.text, instance.layout.vocabulary).plan.claims;
     return caption;
   }
 

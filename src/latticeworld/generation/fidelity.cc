@@ -5,7 +5,7 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/environment/environment_claims.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/grounded/environment/claims_of_heard.h"
 #include "latticeworld/layout/claims.h"
 
 namespace latticeworld {
@@ -28,31 +28,47 @@ int FidelityReport::satisfied() const {
                                         [](const ClaimOutcome& claim) { return claim.satisfied; }));
 }
 
-FidelityReport AssessLayoutFidelity(std::string_view instruction, const SymbolicLayout& layout) {
+FidelityReport AssessLayoutFidelity(const LayoutReading& reading, const SymbolicLayout& layout) {
   FidelityReport report;
-  LayoutReading reading = ReadLayoutInstruction(instruction, layout.vocabulary);
-  for (const Claim& claim : reading.claims) {
+  for (const Claim& claim : reading.plan.claims) {
     report.claims.push_back(OutcomeOf(InstructionPart::kLayout, claim, Measure(claim, layout)));
   }
-  report.not_understood = std::move(reading.not_understood);
+  report.not_understood = reading.plan.not_understood;
   return report;
 }
 
-FidelityReport AssessFidelity(std::string_view layout_instruction,
-                              std::string_view environment_instruction,
-                              const SymbolicLayout& layout, const EnvironmentConfig& environment,
-                              const Catalogue& catalogue) {
-  FidelityReport report = AssessLayoutFidelity(layout_instruction, layout);
-  EnvironmentReading reading =
-      ReadEnvironmentInstruction(environment_instruction, &layout, catalogue);
-  for (const EnvironmentClaim& claim : reading.claims) {
+FidelityReport AssessFidelity(const LayoutReading& layout_reading,
+                              const EnvironmentReading& environment_reading,
+                              const SymbolicLayout& layout, const EnvironmentConfig& environment) {
+  FidelityReport report = AssessLayoutFidelity(layout_reading, layout);
+  for (const EnvironmentClaim& claim : ClaimsOf(environment_reading.heard, &layout)) {
     report.claims.push_back(
         OutcomeOf(InstructionPart::kEnvironment, claim, Measure(claim, environment)));
   }
-  for (std::string& words : reading.not_understood) {
-    report.not_understood.push_back(std::move(words));
+  for (const std::string& words : environment_reading.heard.not_understood) {
+    report.not_understood.push_back(words);
   }
   return report;
+}
+
+Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view layout_instruction,
+                                     std::string_view environment_instruction,
+                                     const SymbolicLayout& layout,
+                                     const EnvironmentConfig& environment,
+                                     std::shared_ptr<const Catalogue> catalogue) {
+  std::vector<ModelReply> replies;
+  LayoutRequest layout_request;
+  layout_request.instruction = layout_instruction;
+  layout_request.vocabulary = layout.vocabulary;
+  LW_ASSIGN_OR_RETURN(const LayoutReading layout_reading,
+                      reader->ReadLayout(layout_request, Progress(), &replies));
+  EnvironmentRequest environment_request;
+  environment_request.instruction = environment_instruction;
+  environment_request.layout = &layout;
+  environment_request.catalogue = std::move(catalogue);
+  LW_ASSIGN_OR_RETURN(const EnvironmentReading environment_reading,
+                      reader->ReadEnvironment(environment_request, Progress(), &replies));
+  return AssessFidelity(layout_reading, environment_reading, layout, environment);
 }
 
 std::vector<std::string> WarningsOf(const FidelityReport& report,

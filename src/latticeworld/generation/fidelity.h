@@ -8,6 +8,7 @@
 
 #include "latticeworld/common/enum_names.h"
 #include "latticeworld/environment/environment_config.h"
+#include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/layout/symbolic_layout.h"
 
 namespace latticeworld {
@@ -36,16 +37,21 @@ struct FidelityReport {
   int satisfied() const;
 };
 
-// Reads both instructions and measures layout and environment by what they say, whichever back end
-// made them; places that features of the land name ("by the lake") are those of this layout.
-// catalogue: what the environment's values are of.
-FidelityReport AssessFidelity(std::string_view layout_instruction,
-                              std::string_view environment_instruction,
-                              const SymbolicLayout& layout, const EnvironmentConfig& environment,
-                              const Catalogue& catalogue = *Catalogue::BuiltIn());
+// Measures layout and environment by what was read, whoever made them; places that features of the
+// land name ("by the lake") are those of this layout.
+FidelityReport AssessFidelity(const LayoutReading& layout_reading,
+                              const EnvironmentReading& environment_reading,
+                              const SymbolicLayout& layout, const EnvironmentConfig& environment);
 
 // The same of a layout alone.
-FidelityReport AssessLayoutFidelity(std::string_view instruction, const SymbolicLayout& layout);
+FidelityReport AssessLayoutFidelity(const LayoutReading& reading, const SymbolicLayout& layout);
+
+// Reads both instructions first. Errors: the reader's.
+Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view layout_instruction,
+                                     std::string_view environment_instruction,
+                                     const SymbolicLayout& layout,
+                                     const EnvironmentConfig& environment,
+                                     std::shared_ptr<const Catalogue> catalogue);
 
 // A line a claim that is not satisfied and one for the words that were not understood, leaving out
 // what one of the warnings so far quotes already.

@@ -7,18 +7,33 @@
 #include "latticeworld/language/grounded/grounded.h"
 #include "latticeworld/language/interpreted/interpreted.h"
 #include "latticeworld/language/local/local.h"
+#include "latticeworld/language/reading/drawn.h"
 
 namespace latticeworld {
 namespace {
 
-LanguageBackend MakeGrounded() {
-  return {MakeGroundedLayoutGenerator(), MakeGroundedEnvironmentGenerator()};
+// The embedded back end behind a reader.
+LanguageBackend MakeDrawn(const std::string& name,
+                          const std::shared_ptr<InstructionReader>& reader) {
+  return {reader, MakeDrawnLayoutGenerator(name, reader),
+          MakeDrawnEnvironmentGenerator(name, reader)};
+}
+
+LanguageBackend MakeGrounded() { return MakeDrawn("grounded", MakeRuleReader()); }
+
+// What needs neither a model nor a server: free text read by rules, and the small language.
+std::map<std::string, LanguageBackend> MakeEmbedded() {
+  std::map<std::string, LanguageBackend> backends;
+  backends["grounded"] = MakeGrounded();
+  backends["controlled"] = MakeDrawn("controlled", MakeControlledReader());
+  return backends;
 }
 
 LanguageBackend WithFallback(LanguageBackend model, bool fallback) {
   if (!fallback) return model;
   LanguageBackend grounded = MakeGrounded();
   return {
+      model.reader,
       MakeFallbackLayoutGenerator(std::move(model.layout), std::move(grounded.layout)),
       MakeFallbackEnvironmentGenerator(std::move(model.environment),
                                        std::move(grounded.environment)),
@@ -27,15 +42,15 @@ LanguageBackend WithFallback(LanguageBackend model, bool fallback) {
 
 LanguageBackend MakeRemote(const std::shared_ptr<ChatServer>& server, const RemoteOptions& options,
                            bool fallback) {
-  return WithFallback(
-      {MakeRemoteLayoutGenerator(server, options), MakeRemoteEnvironmentGenerator(server, options)},
-      fallback);
+  return WithFallback({MakeRuleReader(), MakeRemoteLayoutGenerator(server, options),
+                       MakeRemoteEnvironmentGenerator(server, options)},
+                      fallback);
 }
 
 LanguageBackend MakeInterpreted(const std::shared_ptr<ChatServer>& server, RemoteOptions options,
                                 bool fallback) {
   options.name = "interpreted";
-  return WithFallback({MakeInterpretedLayoutGenerator(server, options),
+  return WithFallback({MakeRuleReader(), MakeInterpretedLayoutGenerator(server, options),
                        MakeInterpretedEnvironmentGenerator(server, options)},
                       fallback);
 }
@@ -57,6 +72,7 @@ Result<LanguageBackend> MakeLocal(const LocalBackendOptions& options) {
   RemoteOptions model = LocalModelOptions();
   model.temperature = options.temperature;
   LanguageBackend backend;
+  backend.reader = MakeRuleReader();
   backend.layout =
       MakeBestOfLayoutGenerator(MakeRemoteLayoutGenerator(layout, model), options.tries);
   if (options.environment_model == "grounded") {
@@ -124,7 +140,7 @@ Result<LanguageBackends> MakeLanguageBackends(const RemoteBackendOptions& remote
   LW_RETURN_IF_ERROR(Status::FromViolations("remote language back end", Validate(remote)));
   LW_RETURN_IF_ERROR(Status::FromViolations("local language back end", Validate(local)));
   LanguageBackends backends;
-  backends.by_name["grounded"] = MakeGrounded();
+  backends.by_name = MakeEmbedded();
   if (local.is_wanted()) {
     LW_ASSIGN_OR_RETURN(backends.by_name["local"], MakeLocal(local));
   }
@@ -150,7 +166,7 @@ LanguageBackends MakeReplayBackends(const std::vector<ModelReply>& replies) {
   local.repair_turns = kMostRepairTurns;
   const auto server = [&replies] { return MakeReplayServer(replies); };
   LanguageBackends backends;
-  backends.by_name["grounded"] = MakeGrounded();
+  backends.by_name = MakeEmbedded();
   backends.by_name["remote"] = AsRecorded(MakeRemote(server(), options, false), replies);
   backends.by_name["interpreted"] = AsRecorded(MakeInterpreted(server(), options, false), replies);
   backends.by_name["local"] = AsRecorded(MakeRemote(server(), local, false), replies);
@@ -158,9 +174,7 @@ LanguageBackends MakeReplayBackends(const std::vector<ModelReply>& replies) {
 }
 
 WorldGenerator MakeDefaultWorldGenerator() {
-  std::map<std::string, LanguageBackend> backends;
-  backends["grounded"] = MakeGrounded();
-  return WorldGenerator(std::move(backends), "grounded");
+  return WorldGenerator(MakeEmbedded(), "grounded");
 }
 
 }  // namespace latticeworld

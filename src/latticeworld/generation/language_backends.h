@@ -40,7 +40,7 @@ struct LocalBackendOptions {
 std::vector<Violation> Validate(const LocalBackendOptions& options);
 
 struct LanguageBackends {
-  // "grounded", and "remote" and "interpreted", and "local" where they are wanted.
+  // "grounded" and "controlled", and "remote" and "interpreted", and "local" where they are wanted.
   std::map<std::string, LanguageBackend> by_name;
   std::shared_ptr<const OpenAiClient> server;  // of both; nullptr: none
 };
@@ -53,7 +53,7 @@ Result<LanguageBackends> MakeLanguageBackends(const RemoteBackendOptions& remote
 std::string DefaultBackend(const LanguageBackends& backends);
 
 // Back ends for making a world of a bundle again, with the same warnings and replies: all but
-// "grounded" read the recorded replies of a layout or an environment. Where a failure is recorded
+// "grounded" and "controlled" read the recorded replies of a layout or an environment. Where a failure is recorded
 // after them, or nothing at all, the grounded back end answers, as it did then.
 LanguageBackends MakeReplayBackends(const std::vector<ModelReply>& replies);
 

@@ -95,31 +95,41 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
     add_warnings(relief->warnings);
   }
 
-  LW_ASSIGN_OR_RETURN(LayoutAnswer layout, stages.Run("layout", [&] {
+  LayoutReading layout_reading;
+  LW_ASSIGN_OR_RETURN(LayoutAnswer layout, stages.Run("layout", [&]() -> Result<LayoutAnswer> {
     LayoutRequest layout_request;
     layout_request.instruction = request.layout_instruction;
     layout_request.vocabulary = *FromName<Vocabulary>(request.vocabulary);
     layout_request.relief = relief_pointer;
     layout_request.seed = StreamSeed(request.seed, "layout");
+    LW_ASSIGN_OR_RETURN(layout_reading,
+                        backend->reader->ReadLayout(layout_request, progress, &world->replies));
+    layout_request.reading = &layout_reading;
     return backend->layout->Generate(layout_request, progress, &world->replies);
   }));
   world->layout = std::move(layout.layout);
   add_warnings(std::move(layout.warnings));
 
-  LW_ASSIGN_OR_RETURN(EnvironmentAnswer environment, stages.Run("environment", [&] {
-    EnvironmentRequest environment_request;
-    environment_request.instruction = request.environment_instruction;
-    environment_request.relief = relief_pointer;
-    environment_request.layout = &world->layout;
-    environment_request.size_m = request.size_m;
-    environment_request.catalogue = catalogue;
-    environment_request.seed = StreamSeed(request.seed, "environment");
-    return backend->environment->Generate(environment_request, progress, &world->replies);
-  }));
+  EnvironmentReading environment_reading;
+  LW_ASSIGN_OR_RETURN(
+      EnvironmentAnswer environment, stages.Run("environment", [&]() -> Result<EnvironmentAnswer> {
+        EnvironmentRequest environment_request;
+        environment_request.instruction = request.environment_instruction;
+        environment_request.relief = relief_pointer;
+        environment_request.layout = &world->layout;
+        environment_request.size_m = request.size_m;
+        environment_request.catalogue = catalogue;
+        environment_request.seed = StreamSeed(request.seed, "environment");
+        LW_ASSIGN_OR_RETURN(
+            environment_reading,
+            backend->reader->ReadEnvironment(environment_request, progress, &world->replies));
+        environment_request.reading = &environment_reading;
+        return backend->environment->Generate(environment_request, progress, &world->replies);
+      }));
   world->environment = std::move(environment.environment);
   add_warnings(std::move(environment.warnings));
-  world->fidelity = AssessFidelity(request.layout_instruction, request.environment_instruction,
-                                   world->layout, world->environment, *catalogue);
+  world->fidelity =
+      AssessFidelity(layout_reading, environment_reading, world->layout, world->environment);
   add_warnings(WarningsOf(world->fidelity, world->warnings));
 
   LW_ASSIGN_OR_RETURN(Terrain terrain, stages.Run("terrain", [&] {

@@ -12,10 +12,14 @@
 #include "latticeworld/generation/sketch_translator.h"
 #include "latticeworld/generation/world.h"
 #include "latticeworld/language/generator.h"
+#include "latticeworld/language/reading/instruction_reader.h"
 
 namespace latticeworld {
 
+// Who reads instructions, and who answers them. What is read goes to who answers, and into the
+// fidelity report.
 struct LanguageBackend {
+  std::shared_ptr<InstructionReader> reader;
   std::unique_ptr<LayoutGenerator> layout;
   std::unique_ptr<EnvironmentGenerator> environment;
 };

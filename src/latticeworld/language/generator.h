@@ -18,11 +18,15 @@ namespace latticeworld {
 
 inline constexpr std::size_t kMaxInstructionBytes = 16384;
 
+struct LayoutReading;       // reading/instruction_reader.h
+struct EnvironmentReading;  //
+
 struct LayoutRequest {
   std::string instruction;  // x_L: UTF-8, at most kMaxInstructionBytes; empty only with a relief
   Vocabulary vocabulary = Vocabulary::kSuburb;
   const Relief* relief = nullptr;  // v_L, or none
   std::uint64_t seed = 0;
+  const LayoutReading* reading = nullptr;  // of the instruction, where it has been read; or none
 };
 
 // One answer of a language model, as it came: enough to read the same layout or environment from it
@@ -72,6 +76,7 @@ struct EnvironmentRequest {
   std::shared_ptr<const Catalogue> catalogue = Catalogue::BuiltIn();  // never null
   double size_m = 512.0;                                              // side of the world
   std::uint64_t seed = 0;
+  const EnvironmentReading* reading = nullptr;  // of the instruction, or none
 };
 
 struct EnvironmentAnswer {

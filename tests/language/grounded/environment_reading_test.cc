@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
         {"holograms and neon", CoarseKey::kArtisticStyle, "cyberpunk"},
     }));
 
-TEST(EnvironmentReadingTest, EveryVariantAndMaterialHasWordsOfItsOwn) {
+TEST(EnvironmentClaimsTest, EveryVariantAndMaterialHasWordsOfItsOwn) {
   const EnvironmentWords& words = GetEnvironmentWords();
   for (const auto& entry : EnumNames(AssetType{})) {
     for (const VariantKey key : {VariantKey::kSeasonVariant, VariantKey::kMaterial}) {
@@ -111,7 +111,7 @@ TEST(EnvironmentReadingTest, EveryVariantAndMaterialHasWordsOfItsOwn) {
   }
 }
 
-TEST(EnvironmentReadingTest, EveryPhraseOfAVariantIsHeardWithItsNoun) {
+TEST(EnvironmentClaimsTest, EveryPhraseOfAVariantIsHeardWithItsNoun) {
   const EnvironmentWords& words = GetEnvironmentWords();
   for (std::size_t row = 0; row < words.variants.rows.size(); ++row) {
     const VariantWord& word = words.variants.rows[row];
@@ -131,7 +131,7 @@ TEST(EnvironmentReadingTest, EveryPhraseOfAVariantIsHeardWithItsNoun) {
   }
 }
 
-TEST(EnvironmentReadingTest, EverySpeciesIsHeard) {
+TEST(EnvironmentClaimsTest, EverySpeciesIsHeard) {
   const EnvironmentWords& words = GetEnvironmentWords();
   for (const std::string_view phrase : words.species.index.Phrases()) {
     const HeardEnvironment heard =
@@ -141,7 +141,7 @@ TEST(EnvironmentReadingTest, EverySpeciesIsHeard) {
   }
 }
 
-TEST(EnvironmentReadingTest, EveryStateIsHeard) {
+TEST(EnvironmentClaimsTest, EveryStateIsHeard) {
   const EnvironmentWords& words = GetEnvironmentWords();
   for (const std::string_view phrase : words.states.index.Phrases()) {
     const HeardEnvironment heard =
@@ -151,7 +151,7 @@ TEST(EnvironmentReadingTest, EveryStateIsHeard) {
   }
 }
 
-TEST(EnvironmentReadingTest, EveryCoarsePhraseIsHeard) {
+TEST(EnvironmentClaimsTest, EveryCoarsePhraseIsHeard) {
   const EnvironmentWords& words = GetEnvironmentWords();
   for (const std::string_view phrase : words.coarse.index.Phrases()) {
     const HeardEnvironment heard = ParseEnvironmentInstruction(phrase);
@@ -168,7 +168,7 @@ std::string_view BadTables(std::string_view file) {
   return "";
 }
 
-TEST(EnvironmentReadingTest, BadLinesAreNamed) {
+TEST(EnvironmentClaimsTest, BadLinesAreNamed) {
   const auto words = ReadEnvironmentWords(&BadTables);
   ASSERT_FALSE(words.ok());
   std::set<std::string> places;
@@ -181,7 +181,7 @@ TEST(EnvironmentReadingTest, BadLinesAreNamed) {
   }
 }
 
-TEST(EnvironmentReadingTest, FineWishesAreHeard) {
+TEST(EnvironmentClaimsTest, FineWishesAreHeard) {
   const EnvironmentAnswer answer = GenerateInCountry(
       "Thatched cottages facing south, twice as large as usual. Cobbled lanes, dense old oaks with "
       "mossy bark, hardly any flowers. Wind of 12 m/s. The lake is murky and 2 m below normal.");
@@ -199,7 +199,7 @@ TEST(EnvironmentReadingTest, FineWishesAreHeard) {
   EXPECT_EQ(environment.fine_of(AssetType::kLake).height_m, -2.0);
 }
 
-TEST(EnvironmentReadingTest, FineWishesAreHeardInOtherWords) {
+TEST(EnvironmentClaimsTest, FineWishesAreHeardInOtherWords) {
   const EnvironmentConfig snowy =
       GenerateInCountry(
           "There is still snow on the road although the sky is clear. Moss grows on the trunks. "
@@ -241,7 +241,7 @@ TEST(EnvironmentReadingTest, FineWishesAreHeardInOtherWords) {
             "blooming");
 }
 
-TEST(EnvironmentReadingTest, WhatIsSaidOfOneThingIsSaidOfNoOther) {
+TEST(EnvironmentClaimsTest, WhatIsSaidOfOneThingIsSaidOfNoOther) {
   const auto bushes = GenerateInCountry("The grass is dense, the bushes sparse.").environment;
   EXPECT_GT(bushes.fine_of(AssetType::kGrass).density, 0.65);
   const auto flowers = GenerateInCountry("The grass is dense, no flowers.").environment;
@@ -254,7 +254,7 @@ TEST(EnvironmentReadingTest, WhatIsSaidOfOneThingIsSaidOfNoOther) {
   EXPECT_EQ(sheep.fine_of(AssetType::kCrops).density, plain.fine_of(AssetType::kCrops).density);
 }
 
-TEST(EnvironmentReadingTest, ASmallWorldHasNoLakeForAWhale) {
+TEST(EnvironmentClaimsTest, ASmallWorldHasNoLakeForAWhale) {
   EXPECT_EQ(GenerateInCountry("a whale swims", 512.0).environment.agents.size(), 1u);
   const EnvironmentAnswer small = GenerateInCountry("a whale swims", 32.0);
   EXPECT_TRUE(small.environment.agents.empty());
@@ -262,27 +262,27 @@ TEST(EnvironmentReadingTest, ASmallWorldHasNoLakeForAWhale) {
   EXPECT_NE(small.warnings.front().find("whale"), std::string::npos);
 }
 
-TEST(EnvironmentReadingTest, SaysWhatItReadAnewAndWhatItDidNot) {
+TEST(EnvironmentClaimsTest, SaysWhatItReadAnewAndWhatItDidNot) {
   const EnvironmentAnswer answer = GenerateInCountry("two gobblins and a zorblax");
   ASSERT_EQ(answer.environment.agents.size(), 1u);
   ASSERT_EQ(answer.warnings.size(), 2u);
   EXPECT_EQ(answer.warnings[0], "read \"gobblins\" as \"goblins\"");
   EXPECT_NE(answer.warnings[1].find("zorblax"), std::string::npos);
-  const EnvironmentReading reading = ReadEnvironmentInstruction("two gobblins and a zorblax");
+  const EnvironmentClaims reading = ReadEnvironmentInstruction("two gobblins and a zorblax");
   EXPECT_EQ(reading.not_understood, std::vector<std::string>{"zorblax"});
 }
 
-TEST(EnvironmentReadingTest, FeaturesAreClaimedWhereTheLandIsKnown) {
+TEST(EnvironmentClaimsTest, FeaturesAreClaimedWhereTheLandIsKnown) {
   const SymbolicLayout layout = Country();
-  const EnvironmentReading blind = ReadEnvironmentInstruction("ten sheep by the village");
+  const EnvironmentClaims blind = ReadEnvironmentInstruction("ten sheep by the village");
   ASSERT_EQ(blind.claims.size(), 2u);
   EXPECT_TRUE(blind.claims.back().positions.empty());
-  const EnvironmentReading seen = ReadEnvironmentInstruction("ten sheep by the village", &layout);
+  const EnvironmentClaims seen = ReadEnvironmentInstruction("ten sheep by the village", &layout);
   EXPECT_EQ(seen.claims.back().positions, std::vector<Region>{Region::kCenter});
 }
 
 // The answer satisfies the claims that were read from the same words, or a warning quotes them.
-TEST(EnvironmentReadingTest, WordSaladGivesValidAnswersThatKeepTheirOwnClaims) {
+TEST(EnvironmentClaimsTest, WordSaladGivesValidAnswersThatKeepTheirOwnClaims) {
   const std::vector<std::string> pieces = {"sheep",
                                            "9999999",
                                            "whales",
@@ -355,7 +355,7 @@ TEST(EnvironmentReadingTest, WordSaladGivesValidAnswersThatKeepTheirOwnClaims) {
   }
 }
 
-TEST(EnvironmentReadingTest, InflectsRegularVerbsAndNouns) {
+TEST(EnvironmentClaimsTest, InflectsRegularVerbsAndNouns) {
   // As people write it, too.
   EXPECT_EQ(FormsOf("swim"),
             (std::vector<std::string>{"swim", "swims", "swimming", "swam", "swiming"}));
@@ -367,7 +367,7 @@ TEST(EnvironmentReadingTest, InflectsRegularVerbsAndNouns) {
   EXPECT_EQ(PluralOf("fox"), "foxes");
 }
 
-TEST(EnvironmentReadingTest, ClocksAreHeardHoweverTheyAreWritten) {
+TEST(EnvironmentClaimsTest, ClocksAreHeardHoweverTheyAreWritten) {
   const auto time_of = [](const std::string& text) {
     return GenerateInCountry(text).environment.coarse.time_of_day;
   };
@@ -380,7 +380,7 @@ TEST(EnvironmentReadingTest, ClocksAreHeardHoweverTheyAreWritten) {
   EXPECT_EQ(time_of("A sunny noon in 1640."), TimeOfDay::kNoon);
 }
 
-TEST(EnvironmentReadingTest, EveryHourHasItsName) {
+TEST(EnvironmentClaimsTest, EveryHourHasItsName) {
   EXPECT_EQ(TimeAt(0.0), TimeOfDay::kNight);
   EXPECT_EQ(TimeAt(5.5), TimeOfDay::kDawn);
   EXPECT_EQ(TimeAt(9.0), TimeOfDay::kMorning);
@@ -390,7 +390,7 @@ TEST(EnvironmentReadingTest, EveryHourHasItsName) {
   EXPECT_EQ(TimeAt(23.9), TimeOfDay::kNight);
 }
 
-TEST(EnvironmentReadingTest, SnowThatLiesDoesNotFall) {
+TEST(EnvironmentClaimsTest, SnowThatLiesDoesNotFall) {
   const auto weather_of = [](const std::string& text) {
     return GenerateInCountry(text).environment.coarse.weather;
   };
@@ -399,7 +399,7 @@ TEST(EnvironmentReadingTest, SnowThatLiesDoesNotFall) {
   EXPECT_EQ(weather_of("Heavy snow is falling."), Weather::kSnow);
 }
 
-TEST(EnvironmentReadingTest, WhatIsSaidOfANounIsSaidOfNoOther) {
+TEST(EnvironmentClaimsTest, WhatIsSaidOfANounIsSaidOfNoOther) {
   const auto variants_of = [](const std::string& text) {
     std::string said;
     for (const EnvironmentClaim& claim : ReadEnvironmentInstruction(text).claims) {

@@ -42,7 +42,7 @@ TEST(MendSpeakersTest, AnApostropheMayBeLeftOut) {
 // What people who do not know the reader have written, in the words that it did not know.
 TEST(MendSpeakersTest, WordsOfOtherPeopleAreRead) {
   const auto says = [](const char* text, const char* value) {
-    const EnvironmentReading reading = ReadEnvironmentInstruction(text);
+    const EnvironmentClaims reading = ReadEnvironmentInstruction(text);
     for (const EnvironmentClaim& claim : reading.claims)
       for (const std::string& legal : claim.values)
         if (claim.kind == EnvironmentClaimKind::kCoarse && legal == value) return true;

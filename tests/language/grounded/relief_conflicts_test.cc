@@ -28,7 +28,7 @@ Relief ReliefOf(const Land& land) {
 
 std::vector<std::string> Conflicts(const std::string& words, const Land& land) {
   const Vocabulary vocabulary = Vocabulary::kWild;
-  return ReliefConflicts(ReadLayoutInstruction(words, vocabulary).claims, vocabulary,
+  return ReliefConflicts(ReadLayoutInstruction(words, vocabulary).plan.claims, vocabulary,
                          ReliefOf(land));
 }
 
@@ -103,7 +103,8 @@ TEST(ReliefConflictsTest, WhereNoBeginningIsNamedEitherWayIsRight) {
 
 TEST(ReliefConflictsTest, RoadsMayRunUphill) {
   const std::vector<Claim> claims =
-      ReadLayoutInstruction("A road runs from the north to the south.", Vocabulary::kSuburb).claims;
+      ReadLayoutInstruction("A road runs from the north to the south.", Vocabulary::kSuburb)
+          .plan.claims;
   ASSERT_FALSE(claims.empty());
   const Relief relief = ReliefOf([](double, double v) { return v; });
   EXPECT_TRUE(ReliefConflicts(claims, Vocabulary::kSuburb, relief).empty());

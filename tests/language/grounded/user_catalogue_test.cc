@@ -68,7 +68,7 @@ TEST(UserCatalogueTest, AddedVariantsObeyTheRuleOfTheirSeasons) {
 }
 
 TEST(UserCatalogueTest, ClaimsSpeakOfAddedValues) {
-  const EnvironmentReading reading =
+  const EnvironmentClaims reading =
       ReadEnvironmentInstruction("golden larch", nullptr, *WithLarch());
   EXPECT_TRUE(reading.not_understood.empty());
   ASSERT_EQ(reading.claims.size(), 1u);
@@ -92,9 +92,9 @@ TEST(UserCatalogueTest, NamesOfOneOrTwoLettersTakeNoTextOver) {
          "lidar_reflectance": 0.36, "radar_sigma0_db": -10}]})"}})
             .value();
     for (const char* text : {"A summer day in a forest.", "Sheep graze in a meadow."}) {
-      const EnvironmentReading built_in =
+      const EnvironmentClaims built_in =
           ReadEnvironmentInstruction(text, nullptr, *Catalogue::BuiltIn());
-      const EnvironmentReading added = ReadEnvironmentInstruction(text, nullptr, *catalogue);
+      const EnvironmentClaims added = ReadEnvironmentInstruction(text, nullptr, *catalogue);
       EXPECT_EQ(added.claims.size(), built_in.claims.size()) << name << ": " << text;
     }
   }

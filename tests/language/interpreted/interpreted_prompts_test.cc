@@ -48,8 +48,9 @@ TEST(InterpretedPromptsTest, EveryExampleOfALayoutIsReadWhole) {
   ASSERT_GT(examples.size(), 40u);
   for (const std::string& example : examples) {
     const LayoutReading reading = ReadLayoutInstruction(example, Vocabulary::kSuburb);
-    EXPECT_FALSE(reading.claims.empty()) << example;
-    EXPECT_TRUE(reading.not_understood.empty()) << example << ": " << reading.not_understood[0];
+    EXPECT_FALSE(reading.plan.claims.empty()) << example;
+    EXPECT_TRUE(reading.plan.not_understood.empty())
+        << example << ": " << reading.plan.not_understood[0];
   }
 }
 
@@ -57,7 +58,7 @@ TEST(InterpretedPromptsTest, EveryExampleOfAnEnvironmentIsReadWhole) {
   const auto examples = Examples(SystemText(EnvironmentWordsMessages({})));
   ASSERT_GT(examples.size(), 15u);
   for (const std::string& example : examples) {
-    const EnvironmentReading reading = ReadEnvironmentInstruction(example);
+    const EnvironmentClaims reading = ReadEnvironmentInstruction(example);
     EXPECT_FALSE(reading.claims.empty()) << example;
     EXPECT_TRUE(reading.not_understood.empty()) << example << ": " << reading.not_understood[0];
   }

@@ -8,6 +8,7 @@
 
 #include "latticeworld/environment/environment_claims.h"
 #include "latticeworld/language/generator.h"
+#include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/layout/claims.h"
 
 namespace latticeworld {
@@ -17,11 +18,7 @@ namespace latticeworld {
 std::unique_ptr<LayoutGenerator> MakeGroundedLayoutGenerator();
 std::unique_ptr<EnvironmentGenerator> MakeGroundedEnvironmentGenerator();
 
-// What a layout instruction says, whoever lays it out: any back end's answer is measured by it.
-struct LayoutReading {
-  std::vector<Claim> claims;
-  std::vector<std::string> not_understood;  // words, as they stand in the instruction
-};
+// What the rules read in a layout instruction.
 LayoutReading ReadLayoutInstruction(std::string_view instruction, Vocabulary vocabulary);
 
 // Lets another generator, one that draws its answers, try `tries` times (1 or more) with seeds of
@@ -31,15 +28,16 @@ LayoutReading ReadLayoutInstruction(std::string_view instruction, Vocabulary voc
 std::unique_ptr<LayoutGenerator> MakeBestOfLayoutGenerator(
     std::unique_ptr<LayoutGenerator> generator, int tries);
 
-// What an environment instruction says. Places that features of the land name ("by the lake") are
-// claimed only where the layout is given. Values that the catalogue adds are known by their names.
-struct EnvironmentReading {
+// What the rules read in an environment instruction, as claims. Places that features of the land
+// name ("by the lake") are claimed only where the layout is given. Values that the catalogue adds
+// are known by their names.
+struct EnvironmentClaims {
   std::vector<EnvironmentClaim> claims;
   std::vector<std::string> not_understood;  // words, as they stand in the instruction
 };
-EnvironmentReading ReadEnvironmentInstruction(std::string_view instruction,
-                                              const SymbolicLayout* layout = nullptr,
-                                              const Catalogue& catalogue = *Catalogue::BuiltIn());
+EnvironmentClaims ReadEnvironmentInstruction(std::string_view instruction,
+                                             const SymbolicLayout* layout = nullptr,
+                                             const Catalogue& catalogue = *Catalogue::BuiltIn());
 
 }  // namespace latticeworld
 

@@ -42,6 +42,7 @@ class InterpretedEnvironmentGenerator final : public EnvironmentGenerator {
     LW_ASSIGN_OR_RETURN(const std::string words,
                         Interpret(server_.get(), interpretation, progress, replies));
     EnvironmentRequest plain = request;
+    plain.reading = nullptr;
     // Where nothing is asked of it, the person's own words are nearest to it.
     if (!words.empty()) plain.instruction = words;
     LW_ASSIGN_OR_RETURN(EnvironmentAnswer answer, embedded_->Generate(plain, progress, replies));

@@ -40,6 +40,7 @@ class InterpretedLayoutGenerator final : public LayoutGenerator {
     LW_ASSIGN_OR_RETURN(const std::string words,
                         Interpret(server_.get(), interpretation, progress, replies));
     LayoutRequest plain = request;
+    plain.reading = nullptr;
     // Where nothing is asked of the map, the person's own words are nearest to it.
     if (!words.empty()) plain.instruction = words;
     LW_ASSIGN_OR_RETURN(LayoutAnswer answer, embedded_->Generate(plain, progress, replies));

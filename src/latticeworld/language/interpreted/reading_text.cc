@@ -22,11 +22,11 @@ std::string WithNotUnderstood(std::string claims, const std::vector<std::string>
 
 std::string TextOf(const LayoutReading& reading) {
   return WithNotUnderstood(
-      reading.claims.empty() ? "" : std::string(Trimmed(EncodeClaims(reading.claims))),
-      reading.not_understood);
+      reading.plan.claims.empty() ? "" : std::string(Trimmed(EncodeClaims(reading.plan.claims))),
+      reading.plan.not_understood);
 }
 
-std::string TextOf(const EnvironmentReading& reading) {
+std::string TextOf(const EnvironmentClaims& reading) {
   std::vector<std::string> lines;
   for (const EnvironmentClaim& claim : reading.claims) lines.push_back(ToJson(claim));
   return WithNotUnderstood(Join(lines, "\n"), reading.not_understood);

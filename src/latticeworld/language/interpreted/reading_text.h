@@ -11,7 +11,7 @@ namespace latticeworld {
 // What was read, for a model to look over: a claim a line as JSON, then the words that said
 // nothing.
 std::string TextOf(const LayoutReading& reading);
-std::string TextOf(const EnvironmentReading& reading);
+std::string TextOf(const EnvironmentClaims& reading);
 
 // The warning that tells a person how an instruction was read: "read as: ...".
 std::string ReadAsWarning(std::string_view words);

@@ -32,6 +32,8 @@ std::size_t RowBytes(GgufType type, std::size_t columns) {
       return columns * 4;
     case GgufType::kFloat16:
       return columns * 2;
+    case GgufType::kQ4_1:
+      return columns % kQ8BlockValues != 0 ? 0 : columns / kQ8BlockValues * kQ4BlockBytes;
     case GgufType::kQ8_0:
       return columns % kQ8BlockValues != 0 ? 0 : columns / kQ8BlockValues * kQ8BlockBytes;
   }
@@ -64,9 +66,9 @@ Entry ReadEntry(GgufReader* reader) {
   entry.offset = reader->Take<std::uint64_t>(kWhat);
   if (sizes[0] < 1 || sizes[1] < 1 || sizes[0] > kMostValues || sizes[1] > kMostValues / sizes[0])
     reader->Fail("tensor '" + entry.name + "' is of a size that cannot be");
-  if (type != 0 && type != 1 && type != 8)
+  if (type != 0 && type != 1 && type != 3 && type != 8)
     reader->Fail("tensor '" + entry.name + "' is of type " + std::to_string(type) +
-                 "; read here are 0 (f32), 1 (f16) and 8 (q8_0)");
+                 "; read here are 0 (f32), 1 (f16), 3 (q4_1) and 8 (q8_0)");
   entry.tensor.type = static_cast<GgufType>(type);
   entry.tensor.columns = sizes[0];
   entry.tensor.rows = sizes[1];
@@ -138,7 +140,8 @@ Status GgufFile::Read() {
     const std::size_t row_bytes = RowBytes(entry.tensor.type, entry.tensor.columns);
     if (row_bytes == 0)
       return DataLoss("tensor '" + entry.name + "' has rows of " +
-                      std::to_string(entry.tensor.columns) + " values; q8_0 needs multiples of 32");
+                      std::to_string(entry.tensor.columns) +
+                      " values; q4_1 and q8_0 need multiples of 32");
     if (data > size_ || entry.offset % alignment != 0 || entry.offset > size_ - data ||
         entry.tensor.rows > (size_ - data - entry.offset) / row_bytes)
       return DataLoss("tensor '" + entry.name + "' (" +

@@ -18,10 +18,12 @@ namespace latticeworld {
 enum class GgufType : std::uint32_t {
   kFloat32 = 0,
   kFloat16 = 1,
+  kQ4_1 = 3,  // blocks of 32: a float16 step, a float16 least value and 32 half bytes
   kQ8_0 = 8,  // blocks of 32: a float16 scale and 32 int8
 };
 inline constexpr std::size_t kQ8BlockValues = 32;
 inline constexpr std::size_t kQ8BlockBytes = 34;
+inline constexpr std::size_t kQ4BlockBytes = 20;
 
 // Row-major: `columns` runs fastest. A vector has one row.
 struct GgufTensor {

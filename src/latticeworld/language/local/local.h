@@ -10,8 +10,8 @@
 namespace latticeworld {
 
 // A language model in this process instead of behind a server: a GGUF file of
-// LLaMA's architecture with weights in f32, f16 or q8_0 and a SentencePiece
-// tokenizer. Answers keep to the form that is asked for (its GBNF grammar, else
+// LLaMA's architecture with weights in f32, f16, q4_1 or q8_0 and a SentencePiece or
+// byte-level tokenizer. Answers keep to the form that is asked for (its GBNF grammar, else
 // its JSON schema) by construction: only tokens that the form allows are ever
 // drawn. The same file, request and seed: the same answer, on every processor.
 // What an earlier request's messages have in common with the next one's is not

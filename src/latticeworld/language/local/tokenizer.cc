@@ -98,9 +98,17 @@ struct Merge {
 
 Result<Tokenizer> Tokenizer::Read(const GgufFile& file) {
   LW_ASSIGN_OR_RETURN(const std::string model, file.Text("tokenizer.ggml.model"));
-  if (model != "llama")
+  if (model != "llama" && model != "gpt2")
     return DataLoss("tokenizer.ggml.model is '" + model +
-                    "'; read here is 'llama' (SentencePiece with scores)");
+                    "'; read here are 'llama' (SentencePiece with scores) and 'gpt2' (pairs of "
+                    "bytes)");
+  Tokenizer tokenizer;
+  LW_RETURN_IF_ERROR(model == "llama" ? tokenizer.ReadPieces(file) : tokenizer.ReadBytePairs(file));
+  LW_RETURN_IF_ERROR(tokenizer.ReadEnds(file));
+  return tokenizer;
+}
+
+Status Tokenizer::ReadPieces(const GgufFile& file) {
   LW_ASSIGN_OR_RETURN(const auto* pieces, List<std::string>(file, "tokenizer.ggml.tokens"));
   LW_ASSIGN_OR_RETURN(const auto* scores, List<double>(file, "tokenizer.ggml.scores"));
   LW_ASSIGN_OR_RETURN(const auto* types, List<double>(file, "tokenizer.ggml.token_type"));
@@ -108,34 +116,59 @@ Result<Tokenizer> Tokenizer::Read(const GgufFile& file) {
     return DataLoss("the lists of tokens, scores and types have " + std::to_string(pieces->size()) +
                     ", " + std::to_string(scores->size()) + " and " +
                     std::to_string(types->size()) + " elements");
-  const std::uint64_t last = pieces->size() - 1;
-  Tokenizer tokenizer;
   for (TokenId token = 0; token < pieces->size(); ++token) {
     const std::string& piece = (*pieces)[token];
     const double type = (*types)[token];
     if (std::isnan((*scores)[token])) return DataLoss("a token's score is no number");
-    tokenizer.scores_.push_back(static_cast<float>((*scores)[token]));
+    scores_.push_back(static_cast<float>((*scores)[token]));
     const int byte = type == kByte ? ByteOf(piece) : -1;
     const bool control = type == kControl || type == kUnknown || type == kUnused;
-    tokenizer.control_.push_back(control);
+    control_.push_back(control);
     if (byte >= 0) {
-      tokenizer.bytes_.push_back(std::string(1, static_cast<char>(byte)));
-      tokenizer.of_byte_[byte] = token;
+      bytes_.push_back(std::string(1, static_cast<char>(byte)));
+      of_byte_[byte] = token;
     } else if (control) {
-      tokenizer.bytes_.emplace_back();
-      tokenizer.controls_.emplace(piece, token);
+      bytes_.emplace_back();
+      controls_.emplace(piece, token);
     } else {
-      tokenizer.bytes_.push_back(WithSpaces(piece));
-      tokenizer.by_text_.emplace(piece, token);
+      bytes_.push_back(WithSpaces(piece));
+      by_text_.emplace(piece, token);
     }
   }
+  return Status();
+}
+
+Status Tokenizer::ReadBytePairs(const GgufFile& file) {
+  const Result<std::string> pre = file.Text("tokenizer.ggml.pre");
+  const std::string words = pre.ok() ? *pre : "gpt-2";
+  if (words != "gpt-2" && words != "smollm")
+    return DataLoss("tokenizer.ggml.pre is '" + words + "'; read here are 'gpt-2' and 'smollm'");
+  LW_ASSIGN_OR_RETURN(const auto* pieces, List<std::string>(file, "tokenizer.ggml.tokens"));
+  LW_ASSIGN_OR_RETURN(const auto* merges, List<std::string>(file, "tokenizer.ggml.merges"));
+  LW_ASSIGN_OR_RETURN(const auto* types, List<double>(file, "tokenizer.ggml.token_type"));
+  if (types->size() != pieces->size())
+    return DataLoss("the lists of tokens and types have " + std::to_string(pieces->size()) +
+                    " and " + std::to_string(types->size()) + " elements");
+  for (TokenId token = 0; token < pieces->size(); ++token) {
+    const bool control = (*types)[token] != kNormal && (*types)[token] != kUserDefined;
+    control_.push_back(control);
+    bytes_.push_back(control ? std::string() : BytesOfPiece((*pieces)[token]));
+    if (control) controls_.emplace((*pieces)[token], token);
+  }
+  LW_ASSIGN_OR_RETURN(pairs_, BytePairs::Make(*pieces, *merges, words == "smollm"));
+  adds_space_ = false;
+  return Status();
+}
+
+Status Tokenizer::ReadEnds(const GgufFile& file) {
+  const std::uint64_t last = bytes_.size() - 1;
   LW_ASSIGN_OR_RETURN(const std::uint64_t end,
                       file.Integer("tokenizer.ggml.eos_token_id", 0, last));
-  tokenizer.end_ = static_cast<TokenId>(end);
+  end_ = static_cast<TokenId>(end);
   if (file.Has("tokenizer.ggml.unknown_token_id")) {
     LW_ASSIGN_OR_RETURN(const std::uint64_t unknown,
                         file.Integer("tokenizer.ggml.unknown_token_id", 0, last));
-    tokenizer.unknown_ = static_cast<TokenId>(unknown);
+    unknown_ = static_cast<TokenId>(unknown);
   }
   const auto flag = [&](const char* key, bool otherwise) {
     const auto found = file.metadata().find(std::string_view(key));
@@ -143,13 +176,14 @@ Result<Tokenizer> Tokenizer::Read(const GgufFile& file) {
         found == file.metadata().end() ? nullptr : std::get_if<bool>(&found->second);
     return value == nullptr ? otherwise : *value;
   };
-  if (flag("tokenizer.ggml.add_bos_token", true) && file.Has("tokenizer.ggml.bos_token_id")) {
+  const bool begins = flag("tokenizer.ggml.add_bos_token", !pairs_.has_value());
+  if (begins && file.Has("tokenizer.ggml.bos_token_id")) {
     LW_ASSIGN_OR_RETURN(const std::uint64_t begin,
                         file.Integer("tokenizer.ggml.bos_token_id", 0, last));
-    tokenizer.begin_ = static_cast<TokenId>(begin);
+    begin_ = static_cast<TokenId>(begin);
   }
-  tokenizer.adds_space_ = flag("tokenizer.ggml.add_space_prefix", true);
-  return tokenizer;
+  adds_space_ = flag("tokenizer.ggml.add_space_prefix", adds_space_);
+  return Status();
 }
 
 std::optional<TokenId> Tokenizer::Control(std::string_view name) const {
@@ -159,6 +193,7 @@ std::optional<TokenId> Tokenizer::Control(std::string_view name) const {
 }
 
 std::vector<TokenId> Tokenizer::Encode(std::string_view text) const {
+  if (pairs_.has_value()) return pairs_->Encode(text);
   std::vector<TokenId> tokens;
   EncodeByMerging(WithMarks(text), &tokens);
   return tokens;

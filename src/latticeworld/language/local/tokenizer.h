@@ -9,19 +9,21 @@
 #include <vector>
 
 #include "latticeworld/common/result.h"
+#include "latticeworld/language/local/byte_pairs.h"
 #include "latticeworld/language/local/llama_decoder.h"
 
 namespace latticeworld {
 
 class GgufFile;
 
-// The tokens of a model file and how text becomes tokens: SentencePiece's
-// byte-pair merges by score with bytes for what has no token (Kudo and
-// Richardson 2018; `tokenizer.ggml.model` "llama").
+// The tokens of a model file and how text becomes tokens: SentencePiece's byte-pair merges by
+// score with bytes for what has no token (Kudo and Richardson 2018; `tokenizer.ggml.model`
+// "llama"), or merges of bytes by rank (byte_pairs.h; "gpt2" with the pre-tokenizers "gpt-2" and
+// "smollm").
 class Tokenizer {
  public:
-  // Errors: DATA_LOSS: another kind of tokenizer, lists of different lengths,
-  // no token for the end.
+  // Errors: DATA_LOSS: another kind of tokenizer or pre-tokenizer, lists of different lengths, no
+  // token for the end; those of BytePairs::Make.
   static Result<Tokenizer> Read(const GgufFile& file);
 
   std::size_t size() const { return bytes_.size(); }
@@ -41,6 +43,9 @@ class Tokenizer {
   std::vector<TokenId> Encode(std::string_view text) const;
 
  private:
+  Status ReadPieces(const GgufFile& file);
+  Status ReadBytePairs(const GgufFile& file);
+  Status ReadEnds(const GgufFile& file);
   void EncodeByMerging(const std::string& text, std::vector<TokenId>* tokens) const;
   void AddBytes(std::string_view text, std::vector<TokenId>* tokens) const;
 
@@ -49,6 +54,7 @@ class Tokenizer {
   std::vector<bool> control_;
   std::unordered_map<std::string, TokenId> by_text_;  // pieces as the file spells them
   std::unordered_map<std::string, TokenId> controls_;
+  std::optional<BytePairs> pairs_;  // none: merges by score
   std::optional<TokenId> of_byte_[256];
   std::optional<TokenId> begin_;
   TokenId end_ = 0;

@@ -1,8 +1,10 @@
 #include "latticeworld/language/local/weight_matrix.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "latticeworld/common/work_crew.h"
 #include "latticeworld/language/local/byte_rows.h"
@@ -51,6 +53,25 @@ float FromHalf(std::uint16_t bits) {
   return value;
 }
 
+namespace {
+
+// The values of a block of q4_1: the lower halves of its bytes, then the upper ones.
+std::array<float, kBlock> HalfByteValues(const std::byte* block) {
+  std::uint16_t step = 0;
+  std::uint16_t least = 0;
+  std::memcpy(&step, block, sizeof(step));
+  std::memcpy(&least, block + sizeof(step), sizeof(least));
+  std::array<float, kBlock> values{};
+  for (std::size_t i = 0; i < kBlock / 2; ++i) {
+    const auto both = static_cast<unsigned>(block[4 + i]);
+    values[i] = FromHalf(step) * static_cast<float>(both & 15u) + FromHalf(least);
+    values[i + kBlock / 2] = FromHalf(step) * static_cast<float>(both >> 4) + FromHalf(least);
+  }
+  return values;
+}
+
+}  // namespace
+
 WeightMatrix::WeightMatrix(const GgufTensor& tensor)
     : rows_(tensor.rows), columns_(tensor.columns) {
   const std::size_t size = rows_ * columns_;
@@ -63,6 +84,30 @@ WeightMatrix::WeightMatrix(const GgufTensor& tensor)
       std::memcpy(&scale, from, sizeof(scale));
       scales_[block] = FromHalf(scale);
       std::memcpy(bytes_.data() + block * kBlock, from + sizeof(scale), kBlock);
+    }
+    return;
+  }
+  if (tensor.type == GgufType::kQ4_1) {
+    bytes_.resize(size);
+    scales_.resize(size / kBlock);
+    for (std::size_t block = 0; block < scales_.size(); ++block) {
+      const std::array<float, kBlock> values = HalfByteValues(tensor.data + block * kQ4BlockBytes);
+      float largest = 0.0f;
+      bool finite = true;
+      for (const float value : values) {
+        finite = finite && std::isfinite(value);
+        largest = std::max(largest, std::abs(value));
+      }
+      if (!finite) {  // a damaged block spoils what it is multiplied with, as it would by itself
+        scales_[block] = std::numeric_limits<float>::quiet_NaN();
+        std::fill_n(bytes_.data() + block * kBlock, kBlock, std::int8_t{1});
+        continue;
+      }
+      scales_[block] = largest / 127.0f;
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        const float scaled = largest > 0.0f ? values[i] / scales_[block] : 0.0f;
+        bytes_[block * kBlock + i] = static_cast<std::int8_t>(std::lround(scaled));
+      }
     }
     return;
   }

@@ -14,7 +14,8 @@ struct ByteRows;
 
 // Weights (rows x columns) that activations are multiplied with: float32, or
 // int8 in blocks of 32 with a scale each. float16 weights are widened when they
-// are read.
+// are read, and blocks of half bytes (q4_1) become blocks of int8, which differ from them by half a
+// 127th of a block's largest value at most.
 class WeightMatrix {
  public:
   WeightMatrix() = default;

@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "latticeworld/common/text.h"
-#include "latticeworld/language/grounded/grounded.h"
-#include "latticeworld/language/grounded/reading/layout_parser.h"
 #include "latticeworld/language/grounded/synthesis/layout_from_relief.h"
 #include "latticeworld/language/grounded/synthesis/layout_synthesis.h"
 #include "latticeworld/language/grounded/synthesis/relief_conflicts.h"
+#include "latticeworld/language/reading/drawn.h"
 
 namespace latticeworld {
 namespace {
@@ -38,16 +37,25 @@ void AppendNotUnderstood(const std::vector<std::string>& words,
   }
 }
 
-class GroundedLayoutGenerator final : public LayoutGenerator {
+class DrawnLayoutGenerator final : public LayoutGenerator {
  public:
-  std::string_view name() const override { return "grounded"; }
+  DrawnLayoutGenerator(std::string name, std::shared_ptr<InstructionReader> reader)
+      : name_(std::move(name)), reader_(std::move(reader)) {}
+
+  std::string_view name() const override { return name_; }
 
   Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress,
-                                std::vector<ModelReply>* /*replies*/) override {
+                                std::vector<ModelReply>* replies) override {
     LW_RETURN_IF_ERROR(Validate(request));
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
     progress.Report("layout", 0.0);
-    LayoutPlan plan = ParseLayoutInstruction(request.instruction, request.vocabulary);
+    LayoutPlan plan;
+    if (request.reading != nullptr) {
+      plan = request.reading->plan;
+    } else {
+      LW_ASSIGN_OR_RETURN(LayoutReading reading, reader_->ReadLayout(request, progress, replies));
+      plan = std::move(reading.plan);
+    }
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
     LayoutAnswer answer;
     answer.warnings = std::move(plan.warnings);
@@ -66,17 +74,17 @@ class GroundedLayoutGenerator final : public LayoutGenerator {
     }
     return answer;
   }
+
+ private:
+  const std::string name_;
+  const std::shared_ptr<InstructionReader> reader_;
 };
 
 }  // namespace
 
-std::unique_ptr<LayoutGenerator> MakeGroundedLayoutGenerator() {
-  return std::make_unique<GroundedLayoutGenerator>();
-}
-
-LayoutReading ReadLayoutInstruction(std::string_view instruction, Vocabulary vocabulary) {
-  LayoutPlan plan = ParseLayoutInstruction(instruction, vocabulary);
-  return {std::move(plan.claims), std::move(plan.not_understood)};
+std::unique_ptr<LayoutGenerator> MakeDrawnLayoutGenerator(
+    std::string name, std::shared_ptr<InstructionReader> reader) {
+  return std::make_unique<DrawnLayoutGenerator>(std::move(name), std::move(reader));
 }
 
 }  // namespace latticeworld

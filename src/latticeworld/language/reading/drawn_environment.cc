@@ -9,8 +9,7 @@
 #include "latticeworld/language/grounded/environment/agent_fitting.h"
 #include "latticeworld/language/grounded/environment/attribute_fitting.h"
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
-#include "latticeworld/language/grounded/environment/environment_parser.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/reading/drawn.h"
 
 namespace latticeworld {
 namespace {
@@ -43,16 +42,26 @@ void WarnOfUnmet(const std::vector<EnvironmentClaim>& claims, const EnvironmentC
   }
 }
 
-class GroundedEnvironmentGenerator final : public EnvironmentGenerator {
+class DrawnEnvironmentGenerator final : public EnvironmentGenerator {
  public:
-  std::string_view name() const override { return "grounded"; }
+  DrawnEnvironmentGenerator(std::string name, std::shared_ptr<InstructionReader> reader)
+      : name_(std::move(name)), reader_(std::move(reader)) {}
+
+  std::string_view name() const override { return name_; }
 
   Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request, const Progress& progress,
-                                     std::vector<ModelReply>* /*replies*/) override {
+                                     std::vector<ModelReply>* replies) override {
     LW_RETURN_IF_ERROR(latticeworld::Validate(request));
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
+    HeardEnvironment heard;
+    if (request.reading != nullptr) {
+      heard = request.reading->heard;
+    } else {
+      LW_ASSIGN_OR_RETURN(EnvironmentReading reading,
+                          reader_->ReadEnvironment(request, progress, replies));
+      heard = std::move(reading.heard);
+    }
     const Catalogue& catalogue = *request.catalogue;
-    HeardEnvironment heard = ParseEnvironmentInstruction(request.instruction, catalogue);
     EnvironmentAnswer answer;
     answer.warnings = heard.warnings;
     EnvironmentConfig& environment = answer.environment;
@@ -62,22 +71,20 @@ class GroundedEnvironmentGenerator final : public EnvironmentGenerator {
     WarnOfUnmet(ClaimsOf(heard, request.layout), environment, &answer.warnings);
     WarnOfUnknown(heard.not_understood, &answer.warnings);
     LW_CHECK(latticeworld::Validate(environment, catalogue).empty(),
-             "the grounded environment must be valid");
+             "the drawn environment must be valid");
     return answer;
   }
+
+ private:
+  const std::string name_;
+  const std::shared_ptr<InstructionReader> reader_;
 };
 
 }  // namespace
 
-std::unique_ptr<EnvironmentGenerator> MakeGroundedEnvironmentGenerator() {
-  return std::make_unique<GroundedEnvironmentGenerator>();
-}
-
-EnvironmentReading ReadEnvironmentInstruction(std::string_view instruction,
-                                              const SymbolicLayout* layout,
-                                              const Catalogue& catalogue) {
-  HeardEnvironment heard = ParseEnvironmentInstruction(instruction, catalogue);
-  return {ClaimsOf(heard, layout), std::move(heard.not_understood)};
+std::unique_ptr<EnvironmentGenerator> MakeDrawnEnvironmentGenerator(
+    std::string name, std::shared_ptr<InstructionReader> reader) {
+  return std::make_unique<DrawnEnvironmentGenerator>(std::move(name), std::move(reader));
 }
 
 }  // namespace latticeworld

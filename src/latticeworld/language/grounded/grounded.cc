@@ -1,0 +1,31 @@
+#include "latticeworld/language/grounded/grounded.h"
+
+#include <utility>
+
+#include "latticeworld/language/grounded/environment/claims_of_heard.h"
+#include "latticeworld/language/grounded/environment/environment_parser.h"
+#include "latticeworld/language/grounded/reading/layout_parser.h"
+#include "latticeworld/language/reading/drawn.h"
+
+namespace latticeworld {
+
+std::unique_ptr<LayoutGenerator> MakeGroundedLayoutGenerator() {
+  return MakeDrawnLayoutGenerator("grounded", MakeRuleReader());
+}
+
+std::unique_ptr<EnvironmentGenerator> MakeGroundedEnvironmentGenerator() {
+  return MakeDrawnEnvironmentGenerator("grounded", MakeRuleReader());
+}
+
+LayoutReading ReadLayoutInstruction(std::string_view instruction, Vocabulary vocabulary) {
+  return {{}, ParseLayoutInstruction(instruction, vocabulary)};
+}
+
+EnvironmentClaims ReadEnvironmentInstruction(std::string_view instruction,
+                                             const SymbolicLayout* layout,
+                                             const Catalogue& catalogue) {
+  HeardEnvironment heard = ParseEnvironmentInstruction(instruction, catalogue);
+  return {ClaimsOf(heard, layout), std::move(heard.not_understood)};
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,41 @@
+#ifndef LATTICEWORLD_LANGUAGE_SENTENCES_SENTENCE_TABLES_H_
+#define LATTICEWORLD_LANGUAGE_SENTENCES_SENTENCE_TABLES_H_
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latticeworld/language/sentences/pattern.h"
+
+namespace latticeworld {
+
+enum class SentenceKind : std::uint8_t { kLayout, kEnvironment };
+
+// A form of sentences.
+struct SentenceForm {
+  std::string name;
+  Pattern pattern;
+  std::string written;  // the pattern as the table has it
+  std::string example;  // a sentence, with its stop
+};
+
+// The forms of a kind, in the order of data/layout_forms.txt or data/environment_forms.txt.
+const std::vector<SentenceForm>& SentenceForms(SentenceKind kind);
+
+// The pattern of a slot of data/slots.txt; nullptr: it is a list of words, or {n} or {label}.
+const Pattern* SlotPattern(std::string_view slot);
+
+// The words of a list of data/words.txt, in its order; NAME_s has the plurals of NAME. Empty for
+// another name.
+const std::vector<std::string>& SentenceWords(std::string_view list);
+
+// The regular English plural of a noun ("beaches", "valleys", "robotic dogs").
+std::string PluralNoun(std::string_view noun);
+// The word of a list whose plural a noun is; the noun itself where it is none.
+std::string SingularNoun(std::string_view list, std::string_view noun);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_SENTENCES_SENTENCE_TABLES_H_

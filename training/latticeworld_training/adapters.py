@@ -1,0 +1,55 @@
+"""Low-rank adapters (Hu et al. 2021): a few weights beside a base model's own, which stay as they are."""
+
+import math
+
+import torch
+from torch import nn
+
+ADAPTED = ("query", "key", "value", "attention_output", "gate", "up", "down")
+
+
+class AdaptedLinear(nn.Module):
+    """y = (W + scale B A) x with W fixed, A (rank, inputs) and B (outputs, rank). B begins at zero."""
+
+    def __init__(self, base, rank, scale):
+        super().__init__()
+        self.weight = base.weight  # (outputs, inputs)
+        self.weight.requires_grad_(False)
+        self.scale = scale
+        self.a = nn.Parameter(torch.empty(rank, base.in_features))
+        self.b = nn.Parameter(torch.zeros(base.out_features, rank))
+        nn.init.kaiming_uniform_(self.a, a=math.sqrt(5))
+
+    def forward(self, x):
+        narrow = nn.functional.linear(x, self.a.to(x.dtype))
+        return nn.functional.linear(x, self.weight) + nn.functional.linear(narrow, (self.b * self.scale).to(x.dtype))
+
+
+def adapt(model, rank, scale=2.0):
+    """Puts adapters on every matrix of a Llama's layers; all that was there before is fixed."""
+    for weights in model.parameters():
+        weights.requires_grad_(False)
+    for layer in model.layers:
+        for name in ADAPTED:
+            setattr(layer, name, AdaptedLinear(getattr(layer, name), rank, scale))
+
+
+def adapter_tensors(model):
+    """Name -> weights of all adapters, as a file holds them: layers.N.PART.a and .b, the scale in b."""
+    tensors = {}
+    for number, layer in enumerate(model.layers):
+        for name in ADAPTED:
+            part = getattr(layer, name)
+            tensors[f"layers.{number}.{name}.a"] = part.a.detach()
+            tensors[f"layers.{number}.{name}.b"] = part.b.detach() * part.scale
+    return tensors
+
+
+def joined(model):
+    """Name -> the matrices of the layers with their adapters added."""
+    return {
+        f"layers.{number}.{name}.weight": (getattr(layer, name).weight + getattr(layer, name).scale * getattr(layer, name).b
+                                           @ getattr(layer, name).a).detach()
+        for number, layer in enumerate(model.layers)
+        for name in ADAPTED
+    }
