@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "latticeworld/generation/fidelity_benchmark.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 
 namespace latticeworld {
 namespace {

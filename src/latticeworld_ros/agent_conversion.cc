@@ -1,6 +1,7 @@
 #include "latticeworld_ros/agent_conversion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -86,6 +87,19 @@ latticeworld_msgs::AgentEvent ToRos(const Event& event, ros::Time stamp,
   return message;
 }
 
+Eigen::Isometry3d LevelFrameAt(const Eigen::Isometry3d& pose) {
+  const Eigen::Vector3d forward = pose.linear().col(0);
+  const Eigen::Vector3d left = pose.linear().col(1);
+  // Where the robot looks straight up or down, what is to its left says the yaw.
+  const bool steep = forward.head<2>().norm() < 1e-3;
+  const double yaw_rad =
+      steep ? std::atan2(-left.x(), left.y()) : std::atan2(forward.y(), forward.x());
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+  frame.translation() = pose.translation();
+  frame.linear() = Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return frame;
+}
+
 nav_msgs::Odometry ToOdometry(const AgentSnapshot& agent, ros::Time stamp, const std::string& frame,
                               const Eigen::Isometry3d& frame_from_map) {
   nav_msgs::Odometry message;
@@ -94,6 +108,12 @@ nav_msgs::Odometry ToOdometry(const AgentSnapshot& agent, ros::Time stamp, const
   message.child_frame_id = BaseFrame(agent.name);
   message.pose.pose = ToRos(frame_from_map * PoseOf(agent));
   message.twist.twist = TwistOf(agent);
+  // True to a millimetre and a milliradian; filters refuse or divide by a variance of 0.
+  constexpr double kExact = 1e-6;
+  for (std::size_t i = 0; i < 36; i += 7) {
+    message.pose.covariance[i] = kExact;
+    message.twist.covariance[i] = kExact;
+  }
   return message;
 }
 

@@ -24,6 +24,10 @@ std::string OdomFrame(const std::string& agent);
 
 // map_from_base of an agent.
 Eigen::Isometry3d PoseOf(const AgentSnapshot& agent);
+// A frame at a pose's place with its yaw, whose z axis points up: where odometry begins. Clients
+// take the z axis of odom for up, and a frame as tilted as the ground was there would lead them
+// astray.
+Eigen::Isometry3d LevelFrameAt(const Eigen::Isometry3d& pose);
 
 geometry_msgs::Twist TwistOf(const AgentSnapshot& agent);
 latticeworld_msgs::AgentState ToRos(const AgentSnapshot& agent);

@@ -60,6 +60,8 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"local_tries", Bind(&options->local.tries)},
       {"local_threads", Bind(&options->local.threads)},
       {"local_fallback", Bind(&options->local.fallback)},
+      {"reader_model", Bind(&options->reader.model)},
+      {"reader_threads", Bind(&options->reader.threads)},
       {"worlds_directory", Bind(&options->worlds_directory)},
       {"visual_directories", Bind(&options->visual_directories)},
       {"catalogue", Bind(&options->catalogue)},

@@ -128,9 +128,9 @@ void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
       transforms.transforms.push_back(ToRos(map_from_base, tick.now, kMapFrame, base));
       continue;
     }
-    // Odometry begins where the robot begins, as if switched on there.
+    // Odometry begins where the robot begins, as if switched on there, with z up.
     const Eigen::Isometry3d& map_from_odom =
-        map_from_odom_.try_emplace(agent.name, map_from_base).first->second;
+        map_from_odom_.try_emplace(agent.name, LevelFrameAt(map_from_base)).first->second;
     const Eigen::Isometry3d odom_from_map = map_from_odom.inverse();
     const std::string odom = OdomFrame(agent.name);
     transforms.transforms.push_back(ToRos(map_from_odom, tick.now, kMapFrame, odom));

@@ -68,17 +68,23 @@ std::vector<Violation> Validate(const WorldServerOptions& options) {
   check_range("robot_mass", options.robot.mass_kg, 0.0, 1e6);
   check_range("robot_grip", options.robot.grip, 0.05, 10.0);
   const bool remote = options.remote.is_wanted(), local = options.local.is_wanted();
+  const bool reader = options.reader.is_wanted();
   const std::string& generator = options.generator;
   const bool asks_server = generator == "remote" || generator == "interpreted";
-  if (generator != "grounded" && !(remote && asks_server) && !(local && generator == "local")) {
+  const bool embedded = generator == "grounded" || generator == "controlled";
+  if (!embedded && !(remote && asks_server) && !(local && generator == "local") &&
+      !(reader && generator == "reader")) {
     refuse("generator", Quote(generator),
-           std::string("grounded, remote and interpreted") +
+           std::string("grounded, controlled, remote and interpreted") +
                (remote ? "" : " (where remote_url is set)") + ", local" +
-               (local ? "" : " (where local_layout_model is set)"));
+               (local ? "" : " (where local_layout_model is set)") + ", reader" +
+               (reader ? "" : " (where reader_model is set)"));
   }
   for (Violation& violation : Named("remote", Validate(options.remote)))
     violations.push_back(std::move(violation));
   for (Violation& violation : Named("local", Validate(options.local)))
+    violations.push_back(std::move(violation));
+  for (Violation& violation : Named("reader", Validate(options.reader)))
     violations.push_back(std::move(violation));
   if (options.worlds_directory.empty()) refuse("worlds_directory", "\"\"", "a directory");
   for (const std::string& directory : options.visual_directories) {

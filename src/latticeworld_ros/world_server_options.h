@@ -43,11 +43,12 @@ struct WorldServerOptions {
   int marker_max_assets = 20000;    // [0, 500000]: assets of world/markers
 
   // Worlds.
-  // "grounded", "remote" and "interpreted" where remote.server.url is set, "local" where
-  // local.layout_model is.
+  // "grounded" and "controlled"; "remote" and "interpreted" where remote.server.url is set, "local"
+  // where local.layout_model is, "reader" where reader.model is.
   std::string generator = "grounded";
   RemoteBackendOptions remote;
   LocalBackendOptions local;
+  ReaderBackendOptions reader;
   std::string worlds_directory = "~/.ros/latticeworld/worlds";
   std::vector<std::string> visual_directories = {"~/.ros/latticeworld/visuals"};
   std::string catalogue;     // "": the built-in one, else a file or directory that adds to it

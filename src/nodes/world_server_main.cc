@@ -36,7 +36,9 @@ int main(int argc, char** argv) {
   latticeworld::LocalBackendOptions local = options->local;
   local.layout_model = latticeworld::ExpandHome(local.layout_model).string();
   local.environment_model = latticeworld::ExpandHome(local.environment_model).string();
-  auto backends = latticeworld::MakeLanguageBackends(options->remote, local);
+  latticeworld::ReaderBackendOptions reader = options->reader;
+  reader.model = latticeworld::ExpandHome(reader.model).string();
+  auto backends = latticeworld::MakeLanguageBackends(options->remote, local, reader);
   if (!backends.ok()) {
     ROS_FATAL_STREAM(backends.status().ToString());
     return EXIT_FAILURE;

@@ -36,7 +36,17 @@ void PrintReport(const FidelityReport& report, std::ostream* out) {
   for (const std::string& words : report.not_understood) {
     *out << "  not understood: " << Quote(words) << "\n";
   }
-  PrintRow("satisfied", report.satisfied(), static_cast<int>(report.claims.size()), out);
+  const int claims = static_cast<int>(report.claims.size());
+  if (report.not_understood.empty()) {
+    PrintRow("satisfied", report.satisfied(), claims, out);
+    return;
+  }
+  // A share of what was read would praise a reading that lost something.
+  char line[128];
+  std::snprintf(line, sizeof(line), "  %-16s %5d of %5d   of what was read; %zu phrase%s not\n",
+                "satisfied", report.satisfied(), claims, report.not_understood.size(),
+                report.not_understood.size() == 1 ? " was" : "s were");
+  *out << line;
 }
 
 void PrintScore(std::string_view title, const FidelityScore& score, std::ostream* out) {

@@ -15,9 +15,12 @@ void AddLanguageOptions(CLI::App* command) {
   AddValueOption(
       command, "--generator", "NAME",
       "Who reads the words: grounded (embedded), controlled (they are sentences of the small "
-      "language), remote (a model behind --remote-url), interpreted (that model says them in plain sentences, grounded does the rest), or local (a model in "
+      "language), remote (a model behind --remote-url), interpreted (that model says them in plain "
+      "sentences, grounded does the rest), or local (a model in "
       "this process, --local-model) [remote where --remote-url is given, else local where "
       "--local-model is, else grounded].");
+  AddValueOption(command, "--reader-model", "FILE",
+                 "GGUF file of a model that was taught to read (generator reader).");
   AddValueOption(command, "--local-model", "FILE",
                  "GGUF file of LLaMA's architecture (f32, f16, q4_1 or q8_0) that draws layouts.");
   AddValueOption(command, "--local-environment-model", "FILE",
@@ -73,6 +76,8 @@ Result<LanguageBackends> MakeLanguageBackends(const CLI::App& command) {
   for (const char* option :
        {"--local-environment-model", "--local-temperature", "--local-threads", "--local-tries"})
     arguments.RequireBeside(option, "--local-model");
+  ReaderBackendOptions reader;
+  reader.model = ValueOf(command, "--reader-model").value_or("");
   LW_RETURN_IF_ERROR(arguments.status());
 
   std::vector<Violation> violations = Validate(remote);
@@ -83,7 +88,7 @@ Result<LanguageBackends> MakeLanguageBackends(const CLI::App& command) {
     violations.push_back(std::move(violation));
   }
   LW_RETURN_IF_ERROR(Status::FromViolations("unusable arguments", std::move(violations)));
-  return latticeworld::MakeLanguageBackends(remote, local);
+  return latticeworld::MakeLanguageBackends(remote, local, reader);
 }
 
 }  // namespace latticeworld::tools

@@ -10,10 +10,12 @@
 
 #include "latticeworld/common/files.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/environment/environment_claims_json.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/fidelity.h"
 #include "latticeworld/generation/fidelity_benchmark.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
+#include "latticeworld/layout/claims_json.h"
 #include "tools/arguments.h"
 #include "tools/fidelity_tables.h"
 #include "tools/interrupt.h"
@@ -24,9 +26,44 @@ namespace latticeworld::tools {
 namespace {
 
 constexpr std::size_t kMaxLayoutBytes = 64u << 10;
+constexpr std::size_t kMaxClaimsBytes = 1u << 20;
 
-Status ScoreBundle(const std::string& directory) {
+// The text of a file that an option names; "" without the option.
+Result<std::string> FileOf(const CLI::App& command, const std::string& option) {
+  const std::optional<std::string> path = ValueOf(command, option);
+  if (!path) return std::string();
+  const auto text = ReadFile(*path, kMaxClaimsBytes);
+  if (!text.ok()) return text.status().WithContext(option);
+  return *text;
+}
+
+// A world against claims that somebody wrote down, whatever its words were read as.
+Status ScoreByClaims(const CLI::App& command, const World& world) {
+  LW_ASSIGN_OR_RETURN(const std::string layout_text, FileOf(command, "--claims"));
+  LW_ASSIGN_OR_RETURN(const std::string environment_text, FileOf(command, "--environment-claims"));
+  LayoutReading layout;
+  if (!layout_text.empty()) {
+    auto claims = DecodeClaims(layout_text, world.layout.vocabulary);
+    if (!claims.ok()) return claims.status().WithContext("--claims");
+    layout.plan.claims = *std::move(claims);
+  }
+  FidelityReport report = AssessLayoutFidelity(layout, world.layout);
+  if (!environment_text.empty()) {
+    const auto claims = ParseEnvironmentClaims(environment_text);
+    if (!claims.ok()) return claims.status().WithContext("--environment-claims");
+    for (const EnvironmentClaim& claim : *claims) {
+      report.claims.push_back(OutcomeOf(claim, world.environment));
+    }
+  }
+  PrintReport(report, &std::cout);
+  return Status();
+}
+
+Status ScoreBundle(const CLI::App& command, const std::string& directory) {
   LW_ASSIGN_OR_RETURN(const auto world, LoadBundle(directory));
+  if (command.count("--claims") + command.count("--environment-claims") > 0) {
+    return ScoreByClaims(command, *world);
+  }
   LW_ASSIGN_OR_RETURN(const FidelityReport report,
                       ReadAndAssess(MakeRuleReader().get(), world->request.layout_instruction,
                                     world->request.environment_instruction, world->layout,
@@ -64,7 +101,8 @@ Status ScoreBenchmark(const CLI::App& command) {
   const auto backend = backends.by_name.find(generator);
   if (backend == backends.by_name.end()) {
     return InvalidArgument(
-        "--generator: must be grounded or controlled, remote or interpreted beside --remote-url, or local "
+        "--generator: must be grounded or controlled, remote or interpreted beside --remote-url, "
+        "or local "
         "beside --local-model, not " +
         Quote(generator));
   }
@@ -100,7 +138,7 @@ Status Score(const CLI::App& command) {
   if (bundle.has_value() + symbols + benchmark != 1) {
     return InvalidArgument("give one of a bundle, --symbols and --benchmark");
   }
-  if (bundle) return ScoreBundle(*bundle);
+  if (bundle) return ScoreBundle(command, *bundle);
   return symbols ? ScoreSymbols(command) : ScoreBenchmark(command);
 }
 
@@ -110,6 +148,11 @@ void AddScoreCommand(CLI::App* app, int* exit_status) {
   CLI::App* command = app->add_subcommand(
       "score", "Says how well a bundle, a layout or a back end matches the words.");
   AddValueOption(command, "DIR", "DIR", "A bundle: measured by its own instructions.");
+  AddValueOption(
+      command, "--claims", "FILE",
+      "Beside DIR: claims on its layout, an array as in benchmarks/fidelity, in the place "
+      "of what is read in its instructions.");
+  AddValueOption(command, "--environment-claims", "FILE", "The same on its environment.");
   AddValueOption(command, "--symbols", "FILE",
                  "A layout, 32 lines of 32 letters: measured by the words of --layout.");
   AddValueOption(command, "--layout", "TEXT", "Those words; @FILE reads them from a file.");

@@ -39,10 +39,19 @@ CORE = {room for floor in FLOORS[:-2] for room in floor}
 APART = [
     {"language/grounded", "language/remote", "language/local"},
     {"language/grounded", "language/chat"},
+    {"language/sentences", "language/grounded"},
+    {"language/sentences", "language/chat"},
+    {"language/reading", "language/remote", "language/local"},
     {"language/grounded/reading", "language/grounded/synthesis", "language/grounded/environment"},
 ]
 # Parts that know nothing of one above them: (part, the part above).
-BELOW = [("language/chat", "language/remote")]
+BELOW = [
+    ("language/chat", "language/remote"),
+    ("language/grounded", "language/reading"),
+    ("language/sentences", "language/reading"),
+    ("language/reading", "language/drawn"),
+    ("language/grounded", "language/drawn"),
+]
 ROS_HEADER = re.compile(
     r"^(ros|tf2|tf2_ros|actionlib|rosbag|rosgraph_msgs|latticeworld_msgs|octomap_msgs|"
     r"grid_map_msgs|[a-z0-9_]+_(msgs|srvs))/")

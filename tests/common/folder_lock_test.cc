@@ -49,6 +49,14 @@ TEST_F(FolderLockTest, AProcessThatDiesLetsItGo) {
   EXPECT_TRUE(FolderLock::Take(folder_ / ".lock").ok());
 }
 
+// Where the file system has no locks, whoever holds the folder is named (the test runs with such a
+// file system, too); elsewhere nothing is left beside the lock.
+TEST_F(FolderLockTest, NothingIsLeftButTheLockFile) {
+  { ASSERT_TRUE(FolderLock::Take(folder_ / ".lock").ok()); }
+  EXPECT_FALSE(fs::exists(folder_ / ".lock.owner"));
+  EXPECT_TRUE(fs::exists(folder_ / ".lock"));
+}
+
 TEST_F(FolderLockTest, WhereNoFileCanBeMadeIsSaid) {
   const Status status = FolderLock::Take(folder_ / "nowhere/.lock").status();
   EXPECT_EQ(status.code(), StatusCode::kPermissionDenied);

@@ -9,7 +9,7 @@
 #include "latticeworld/dataset/environment_sample.h"
 #include "latticeworld/dataset/written_annotator.h"
 #include "latticeworld/environment/environment_claims.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/layout/measures.h"
 #include "made_layouts.h"
 

@@ -13,7 +13,7 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/dataset/generated_source.h"
 #include "latticeworld/dataset/layout_facts.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 #include "made_layouts.h"
 
 namespace latticeworld {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "generation/test_world.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 
 namespace latticeworld {
 namespace {

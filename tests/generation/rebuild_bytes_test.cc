@@ -16,7 +16,7 @@
 #include "latticeworld/generation/bundle_files.h"
 #include "latticeworld/generation/rebuild.h"
 #include "latticeworld/generation/world_generator.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/language/interpreted/interpreted.h"
 #include "latticeworld/language/remote/remote.h"
 

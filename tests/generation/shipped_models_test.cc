@@ -7,7 +7,7 @@
 
 #include "latticeworld/environment/environment_claims.h"
 #include "latticeworld/generation/language_backends.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/layout/claims.h"
 
 namespace latticeworld {

@@ -333,7 +333,8 @@ TEST(WorldGeneratorTest, MakesAStatusOfMissingMemoryAndOfDefects) {
 TEST(WorldGeneratorTest, NamesItsBackEnds) {
   FakeLog log;
   EXPECT_EQ(MakeFakeGenerator(&log).backend_names(), (std::vector<std::string>{"fake", "other"}));
-  EXPECT_EQ(MakeDefaultWorldGenerator().backend_names(), std::vector<std::string>{"grounded"});
+  EXPECT_EQ(MakeDefaultWorldGenerator().backend_names(),
+            (std::vector<std::string>{"controlled", "grounded"}));
 }
 
 TEST(WorldGeneratorTest, MakesTheSameWorldFromTheSameRequest) {

@@ -10,6 +10,7 @@
 #include "generation/test_world.h"
 #include "latticeworld/interchange/sdf_text.h"
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/sensing/geodesy.h"
 
 namespace latticeworld {
 namespace {
@@ -78,6 +79,26 @@ TEST_F(SdfWorldTest, EveryThingIsOneVisualAndSolidOnesCollide) {
   EXPECT_EQ(Count(text, "<collision name=\"asset_"), solid);
   for (const Element& element : scene_.elements)
     EXPECT_EQ(Count(text, "<model name=\"" + element.name + "\">"), 1);
+}
+
+// The middle of a region lies where the ellipsoid has it: a degree of longitude is 76.1 km here and
+// no sphere's, and a ten-millionth of a degree is a centimetre.
+TEST_F(SdfWorldTest, TheMiddleOfARegionLiesWhereItDoesOnTheEarth) {
+  SdfOptions options;
+  const ExportRegion whole = WholeWorld(scene_.terrain->ground.geometry());
+  const double quarter_m = whole.width_m() / 4.0;
+  options.region = ExportRegion{whole.east_m - quarter_m, whole.north_m - quarter_m, whole.east_m,
+                                whole.north_m};
+  const std::string text = Make(options)["world.sdf"];
+  const auto number = [&text](const std::string& name) {
+    const std::size_t at = text.find("<" + name + ">") + name.size() + 2;
+    return text.substr(at, text.find('<', at) - at);
+  };
+  const WorldPoint middle = options.region->center();
+  const GeoPoint wanted = GeoPointAt({47.0, 8.0, 400.0}, {middle.x_m, middle.y_m, 0.0});
+  EXPECT_NEAR(std::stod(number("latitude_deg")), wanted.latitude_deg, 1e-9);
+  EXPECT_NEAR(std::stod(number("longitude_deg")), wanted.longitude_deg, 1e-9);
+  EXPECT_GE(number("longitude_deg").size() - number("longitude_deg").find('.'), 10u);
 }
 
 TEST_F(SdfWorldTest, EveryFileThatItNamesIsThere) {

@@ -71,6 +71,35 @@ TEST(AgentConversionTest, OdometryIsSeenFromItsFrame) {
   EXPECT_DOUBLE_EQ(message.twist.twist.linear.x, 1.0);
 }
 
+// move_base and its kin take the z axis of odom for up: on a slope of 22.6 degrees a tilted frame
+// put goals a metre off or out of reach (navigation, noetic).
+TEST(AgentConversionTest, OdometryBeginsLevel) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = Eigen::Vector3d(3.0, -2.0, 7.0);
+  pose.linear() = (Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()) *
+                   Eigen::AngleAxisd(0.394, Eigen::Vector3d::UnitY()) *
+                   Eigen::AngleAxisd(-0.2, Eigen::Vector3d::UnitX()))
+                      .toRotationMatrix();
+  const Eigen::Isometry3d level = LevelFrameAt(pose);
+  EXPECT_TRUE(level.translation().isApprox(pose.translation()));
+  EXPECT_TRUE(level.linear().col(2).isApprox(Eigen::Vector3d::UnitZ(), 1e-12));
+  EXPECT_NEAR(std::atan2(level.linear()(1, 0), level.linear()(0, 0)), 0.7, 1e-12);
+  // Standing on its tail it still has a yaw.
+  pose.linear() = (Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()) *
+                   Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitY()))
+                      .toRotationMatrix();
+  EXPECT_NEAR(std::atan2(LevelFrameAt(pose).linear()(1, 0), LevelFrameAt(pose).linear()(0, 0)), 0.7,
+              1e-9);
+}
+
+TEST(AgentConversionTest, ExactOdometryHasSmallVariancesThatAreNotZero) {
+  const auto odometry = ToOdometry(Robot(), ros::Time(1, 0), "odom", Eigen::Isometry3d::Identity());
+  for (std::size_t i = 0; i < 36; ++i) {
+    EXPECT_EQ(odometry.pose.covariance[i] > 0.0, i % 7 == 0) << i;
+    EXPECT_LT(odometry.twist.covariance[i], 1e-4);
+  }
+}
+
 TEST(AgentConversionTest, TransformsHaveUnitQuaternionsAndNoLeadingSlash) {
   const auto message = ToRos(PoseOf(Robot()), ros::Time(1, 0), kMapFrame, BaseFrame("scout"));
   EXPECT_EQ(message.header.frame_id, "map");

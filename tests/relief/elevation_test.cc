@@ -471,6 +471,27 @@ TEST(ElevationTest, ReadsSrtmTilesOfBothResolutions) {
   }
 }
 
+// Tiles of 1 arc second beyond 50 degrees: 1801 samples from west to east, 3601 from north to south
+// (as GDAL 3.6.2's driver SRTMHGT knows them).
+TEST(ElevationTest, ReadsSrtmTilesOfHighLatitudes) {
+  std::string bytes;
+  for (int row = 0; row < 3601; ++row) {
+    for (int col = 0; col < 1801; ++col) {
+      const int height = col * 1200 / 1800;
+      bytes += static_cast<char>(height >> 8);
+      bytes += static_cast<char>(height & 0xFF);
+    }
+  }
+  const Relief relief = Read(bytes, Options(2048, 16), "N60E010.hgt");
+  ASSERT_TRUE(relief.geo.has_value());
+  EXPECT_NEAR(relief.geo->latitude_deg, 60.5, 1e-9);
+  EXPECT_NEAR(relief.geo->longitude_deg, 10.5, 1e-9);
+  const double slope = 1200.0 / DegreesAt(60.5).longitude_m;
+  ExpectLand(relief, 2048, 1.5, [&](double east_m, double) { return 600 + slope * east_m; });
+  ExpectRefused(std::string(2u * 7201 * 7201, '\0'), {"7201 x 7201", "GeoTIFF"}, Options(512, 4),
+                "N60E010.hgt");
+}
+
 TEST(ElevationTest, FillsTheVoidsOfSrtm) {
   const std::string bytes = WriteSrtm(1201, [](int row, int col) {
     return std::abs(row - 600) < 5 && std::abs(col - 600) < 9 ? -32768 : 700;

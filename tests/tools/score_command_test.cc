@@ -35,9 +35,29 @@ TEST_F(ScoreCommandTest, MeasuresABundleByItsOwnWords) {
   EXPECT_EQ(run.exit_status, 0) << run.err;
   for (const char* words :
        {"yes  layout present", "A lake in the center", "yes  environment coarse", "not understood",
-        "zorblax", "satisfied", "1.000"}) {
+        "zorblax", "satisfied", "of what was read; 1 phrase was not"}) {
     EXPECT_NE(run.out.find(words), std::string::npos) << words << " | " << run.out;
   }
+  EXPECT_EQ(run.out.find("1.000"), std::string::npos) << "a word was lost: " << run.out;
+}
+
+// Whoever does not trust the reading brings claims of their own.
+TEST_F(ScoreCommandTest, MeasuresABundleByClaimsWrittenByHand) {
+  const std::string bundle = MakeBundle();
+  Write("claims.json", R"([{"kind": "present", "subject": "W", "zone": "center"},
+                           {"kind": "absent", "subject": "W"}])");
+  Write("environment.json", R"([{"kind": "coarse", "attribute": "weather", "values": ["rain"]}])");
+  const ProgramRun run = RunProgram({"score", bundle, "--claims", PathOf("claims.json"),
+                                     "--environment-claims", PathOf("environment.json")});
+  EXPECT_EQ(run.exit_status, 0) << run.err;
+  for (const char* words : {"yes  layout present", "NO   layout absent", "yes  environment coarse",
+                            "2 of     3   0.667"}) {
+    EXPECT_NE(run.out.find(words), std::string::npos) << words << " | " << run.out;
+  }
+  Write("wrong.json", R"([{"kind": "zorblax"}])");
+  const ProgramRun wrong = RunProgram({"score", bundle, "--claims", PathOf("wrong.json")});
+  EXPECT_NE(wrong.exit_status, 0);
+  EXPECT_NE(wrong.err.find("--claims"), std::string::npos) << wrong.err;
 }
 
 TEST_F(ScoreCommandTest, MeasuresALayoutOfAnyOriginByAnyWords) {

@@ -1,4 +1,4 @@
-"""Writes GGUF files, version 3, and reads those that it wrote (https://github.com/ggml-org/ggml/blob/master/docs/gguf.md)."""
+"""Writes GGUF files, version 3, and reads those in f32, f16, q4_1 and q8_0 (https://github.com/ggml-org/ggml/blob/master/docs/gguf.md)."""
 
 import os
 import struct
@@ -8,7 +8,9 @@ import numpy
 ALIGNMENT = 32
 # The format's numbers of the kinds of values and of tensors.
 UINT32, INT32, FLOAT32, BOOL, STRING, ARRAY = 4, 5, 6, 7, 8, 9
-F32, F16, Q8_0 = 0, 1, 8
+# Of each plain kind, how struct reads it.
+FORMS = {0: "B", 1: "b", 2: "H", 3: "h", UINT32: "I", INT32: "i", FLOAT32: "f", BOOL: "?", 10: "Q", 11: "q", 12: "d"}
+F32, F16, Q4_1, Q8_0 = 0, 1, 3, 8
 TENSOR_TYPES = {"f32": F32, "f16": F16, "q8_0": Q8_0}
 Q8_BLOCK = 32
 
@@ -21,7 +23,7 @@ def _string(text):
 def _scalar(kind, value):
     if kind == STRING:
         return _string(value)
-    return struct.pack({UINT32: "<I", INT32: "<i", FLOAT32: "<f", BOOL: "<?"}[kind], value)
+    return struct.pack("<" + FORMS[kind], value)
 
 
 def quantized(values):
@@ -81,6 +83,13 @@ def _values(raw, kind, count):
         return numpy.frombuffer(raw, "<f4", count)
     if kind == F16:
         return numpy.frombuffer(raw, "<f2", count).astype(numpy.float32)
+    if kind == Q4_1:
+        halves = [("step", "<f2"), ("least", "<f2"), ("values", "u1", Q8_BLOCK // 2)]
+        blocks = numpy.frombuffer(raw, dtype=halves, count=count // Q8_BLOCK)
+        both = numpy.concatenate([blocks["values"] & 15, blocks["values"] >> 4], axis=1).astype(numpy.float32)
+        return (blocks["step"].astype(numpy.float32)[:, None] * both + blocks["least"].astype(numpy.float32)[:, None]).reshape(-1)
+    if kind != Q8_0:
+        raise ValueError(f"a tensor of type {kind}; read here are f32, f16, q4_1 and q8_0")
     blocks = numpy.frombuffer(raw, dtype=[("scale", "<f2"), ("values", "i1", Q8_BLOCK)], count=count // Q8_BLOCK)
     return (blocks["scale"].astype(numpy.float32)[:, None] * blocks["values"]).reshape(-1)
 
@@ -107,12 +116,11 @@ class _Head:
         if kind == ARRAY:
             of, count = self.take("IQ")
             return [self.value(of) for _ in range(count)]
-        return self.take({UINT32: "I", INT32: "i", FLOAT32: "f", BOOL: "?"}[kind])
+        return self.take(FORMS[kind])
 
 
 def read_gguf(path):
-    """Metadata (a dict) and tensors (float32 arrays by name) of a file that GgufWriter wrote. Raises ValueError for
-    another one."""
+    """Metadata (a dict) and tensors (float32 arrays by name) of a file. Raises ValueError for one that is not read here."""
     with open(path, "rb") as file:
         head = _Head(file.read())
     try:
@@ -127,7 +135,7 @@ def read_gguf(path):
             infos.append((name, shape[::-1], *head.take("IQ")))
         begin = head.at + -head.at % ALIGNMENT
         return metadata, {
-            name: _values(head.raw[begin + offset :], kind, int(numpy.prod(shape))).reshape(shape)
+            name: _values(memoryview(head.raw)[begin + offset :], kind, int(numpy.prod(shape))).reshape(shape)
             for name, shape, kind, offset in infos
         }
     except (ValueError, KeyError, struct.error) as error:

@@ -93,3 +93,20 @@ def form_of(sentence, kind):
         if compiled.fullmatch(sentence):
             return name
     return None
+
+
+def page():
+    """The tables of docs/small_language.md, in Markdown, as the tables of forms and words say them."""
+    parts = []
+    for kind, title in (("layout", "Land"), ("environment", "What happens on it")):
+        parts += [f"## {title}", "", "| form | an example |", "|---|---|"]
+        for _, pattern, example in lines_of(f"{kind}_forms.txt"):
+            parts.append(f"| `{pattern.replace('|', '&#124;')}` | {example} |")
+        parts.append("")
+    parts += ["## Words", "", "| list | words |", "|---|---|"]
+    parts += [f"| {fields[0]} | {', '.join(fields[1:])} |" for fields in lines_of("words.txt")]
+    return "\n".join(parts) + "\n"
+
+
+if __name__ == "__main__":
+    print(page(), end="")

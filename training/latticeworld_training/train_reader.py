@@ -106,6 +106,30 @@ def loss_of(model, encoded, indices, place_of, answers):
     return functional.cross_entropy(logits.float(), targets[counted]), int(counted.sum())
 
 
+class Lesson:
+    """What is learned: examples in tokens, and the tokens that answers have."""
+
+    def __init__(self, tokenizer, examples, left_out):
+        self.encoded = [encode(tokenizer, example) for example in examples]
+        tokens = sorted({token for ids, asked in self.encoded for token in ids[asked:]})
+        self.place_of = {token: place for place, token in enumerate(tokens)}
+        self.answers = torch.tensor(tokens)
+        checked = [encode(tokenizer, example) for example in left_out]
+        self.checked = [(ids, asked) for ids, asked in checked if all(token in self.place_of for token in ids[asked:])]
+
+    def __str__(self):
+        length = sum(len(ids) for ids, _ in self.encoded) / len(self.encoded)
+        return f"{len(self.encoded)} examples of {length:.0f} tokens, {len(self.answers)} tokens of answers"
+
+
+def read_lesson(tokenizer, given):
+    paths = [path for pattern in given.data for path in sorted(glob.glob(pattern))]
+    examples = read_examples(paths, without=given.leave_out)
+    random.Random(given.seed).shuffle(examples)
+    examples = examples[: max(1, round(given.share * len(examples)))]
+    return Lesson(tokenizer, examples, read_examples(paths, only=given.leave_out)[:200] if given.leave_out else [])
+
+
 def save(path, model, optimizer, **rest):
     state = {"adapters": {n: w for n, w in model.state_dict().items() if n.endswith((".a", ".b"))},
              "optimizer": optimizer.state_dict(), **rest}
@@ -141,20 +165,10 @@ def main(arguments=None):
     trained = [weights for weights in model.parameters() if weights.requires_grad]
     optimizer = torch.optim.AdamW(trained, lr=given.rate, betas=(0.9, 0.99), weight_decay=0.0)
 
-    paths = [path for pattern in given.data for path in sorted(glob.glob(pattern))]
-    examples = read_examples(paths, without=given.leave_out)
-    random.Random(given.seed).shuffle(examples)
-    examples = examples[: max(1, round(given.share * len(examples)))]
-    encoded = [encode(tokenizer, example) for example in examples]
-    answers = sorted({token for ids, asked in encoded for token in ids[asked:]})
-    place_of = {token: place for place, token in enumerate(answers)}
-    answers = torch.tensor(answers)
-    checked = read_examples(paths, only=given.leave_out)[:200]
-    checked = [pair for pair in (encode(tokenizer, e) for e in checked) if all(t in place_of for t in pair[0][pair[1]:])]
-    print(f"{sum(w.numel() for w in trained)} weights, {len(examples)} examples of "
-          f"{sum(len(ids) for ids, _ in encoded) / len(encoded):.0f} tokens, {len(answers)} tokens of answers", flush=True)
+    lesson = read_lesson(tokenizer, given)
+    print(f"{sum(w.numel() for w in trained)} weights, {lesson}", flush=True)
     with open(os.path.join(given.out, "settings.json"), "w", encoding="utf-8") as file:
-        json.dump({**vars(given), "examples": len(examples)}, file, indent=2)
+        json.dump({**vars(given), "examples": len(lesson.encoded)}, file, indent=2)
 
     path = os.path.join(given.out, "adapter.pt")
     step, spent, epoch = 0, 0.0, 0
@@ -171,6 +185,9 @@ def main(arguments=None):
     recent, counted, tokens = 0.0, 0, 0
     told = time.monotonic()
     while time.monotonic() - begin < limit:
+        if epoch > 0:
+            lesson = read_lesson(tokenizer, given)  # files may have grown
+        encoded, place_of, answers = lesson.encoded, lesson.place_of, lesson.answers
         for indices in batches_of(encoded, random.Random(f"{given.seed} {epoch}")):
             done = (time.monotonic() - begin) / limit
             if done >= 1.0:
@@ -191,11 +208,11 @@ def main(arguments=None):
                 recent, counted, tokens, told = 0.0, 0, 0, time.monotonic()
         epoch += 1
         save(path, model, optimizer, step=step, spent=time.monotonic() - begin, epoch=epoch)
-        if checked:
+        if lesson.checked:
             with torch.no_grad():
-                sums = [loss_of(model, checked, [i], place_of, answers) for i in range(0, len(checked), 4)]
+                sums = [loss_of(model, lesson.checked, [i], place_of, answers) for i in range(0, len(lesson.checked), 4)]
             unseen = sum(float(loss) * count for loss, count in sums) / sum(count for _, count in sums)
-            print(f"epoch {epoch} ends: left-out authors {unseen:.4f} nats a token", flush=True)
+            print(f"epoch {epoch} of {lesson} ends: left-out authors {unseen:.4f} nats a token", flush=True)
             with open(os.path.join(given.out, "loss.csv"), "a", encoding="utf-8") as file:
                 file.write(f"{step},{(time.monotonic() - begin) / 60:.2f},{unseen:.4f}\n")
     save(path, model, optimizer, step=step, spent=time.monotonic() - begin, epoch=epoch)

@@ -52,12 +52,28 @@ class FileDescriptor {
   int fd_;
 };
 
+// Whether an error says that the file system has no such call: NFS, 9p, sshfs and ZFS before 2.2
+// know no flags of renameat2, and some of them no fsync of a directory.
+bool IsUnsupported(int error) { return error == EINVAL || error == ENOSYS || error == EOPNOTSUPP; }
+
 Status SyncDirectory(const fs::path& directory) {
   const FileDescriptor fd(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (fd.get() < 0 || ::fsync(fd.get()) != 0) {
-    return ErrnoStatus("cannot sync directory " + directory.string(), errno);
-  }
+  const bool synced = fd.get() >= 0 && (::fsync(fd.get()) == 0 || IsUnsupported(errno));
+  if (!synced) return ErrnoStatus("cannot sync directory " + directory.string(), errno);
   return Status();
+}
+
+// Gives a directory another name, which nothing has yet; what appeared there meanwhile is never
+// replaced, not even an empty directory. 0, or the error number.
+int RenameToNew(const fs::path& from, const fs::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (!IsUnsupported(errno)) return errno;
+  // The name is claimed by an empty directory of our own, which rename then replaces.
+  if (::mkdir(to.c_str(), 0755) != 0) return errno;
+  if (::rename(from.c_str(), to.c_str()) == 0) return 0;
+  const int error = errno;
+  ::rmdir(to.c_str());
+  return error;
 }
 
 bool IsBelow(const fs::path& path, const fs::path& directory) {
@@ -151,9 +167,8 @@ Status DirectoryWriter::Commit() {
     if (entry.is_directory()) LW_RETURN_IF_ERROR(SyncDirectory(entry.path()));
   }
   LW_RETURN_IF_ERROR(SyncDirectory(temporary_));
-  // RENAME_NOREPLACE: a target that appeared meanwhile is never replaced, not even an empty one.
-  if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) != 0) {
-    return ErrnoStatus("cannot rename into " + target_.string(), errno);
+  if (const int failure = RenameToNew(temporary_, target_); failure != 0) {
+    return ErrnoStatus("cannot rename into " + target_.string(), failure);
   }
   temporary_.clear();
   return SyncDirectory(target_.has_parent_path() ? target_.parent_path() : fs::path("."));

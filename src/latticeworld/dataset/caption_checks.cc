@@ -6,7 +6,7 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/environment/environment_claims.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 
 namespace latticeworld {
 namespace {

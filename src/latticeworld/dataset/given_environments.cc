@@ -7,7 +7,7 @@
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/dataset/generated_source.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/language/remote/answer_in_form.h"
 
 namespace latticeworld {

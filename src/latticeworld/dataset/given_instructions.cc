@@ -11,7 +11,7 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/dataset/source_files.h"
 #include "latticeworld/dataset/written_annotator.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 
 namespace latticeworld {
 namespace {
@@ -71,7 +71,8 @@ class GivenSource final : public InstanceSource {
     LayoutRequest request;
     request.instruction = given.words;
     request.vocabulary = given.vocabulary;
-    const std::vector<Claim> claims = ReadLayoutInstruction(given.words, given.vocabulary).plan.claims;
+    const std::vector<Claim> claims =
+        ReadLayoutInstruction(given.words, given.vocabulary).plan.claims;
     std::vector<Instance> instances;
     for (int i = 0; i < options_.answers; ++i) {
       const std::string id = given.id + "-" + std::to_string(i);

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "latticeworld/common/text.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/layout/claims.h"
 
 namespace latticeworld {

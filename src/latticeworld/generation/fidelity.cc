@@ -37,13 +37,16 @@ FidelityReport AssessLayoutFidelity(const LayoutReading& reading, const Symbolic
   return report;
 }
 
+ClaimOutcome OutcomeOf(const EnvironmentClaim& claim, const EnvironmentConfig& environment) {
+  return OutcomeOf(InstructionPart::kEnvironment, claim, Measure(claim, environment));
+}
+
 FidelityReport AssessFidelity(const LayoutReading& layout_reading,
                               const EnvironmentReading& environment_reading,
                               const SymbolicLayout& layout, const EnvironmentConfig& environment) {
   FidelityReport report = AssessLayoutFidelity(layout_reading, layout);
   for (const EnvironmentClaim& claim : ClaimsOf(environment_reading.heard, &layout)) {
-    report.claims.push_back(
-        OutcomeOf(InstructionPart::kEnvironment, claim, Measure(claim, environment)));
+    report.claims.push_back(OutcomeOf(claim, environment));
   }
   for (const std::string& words : environment_reading.heard.not_understood) {
     report.not_understood.push_back(words);

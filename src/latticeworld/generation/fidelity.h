@@ -43,6 +43,9 @@ FidelityReport AssessFidelity(const LayoutReading& layout_reading,
                               const EnvironmentReading& environment_reading,
                               const SymbolicLayout& layout, const EnvironmentConfig& environment);
 
+// One claim on an environment, measured.
+ClaimOutcome OutcomeOf(const EnvironmentClaim& claim, const EnvironmentConfig& environment);
+
 // The same of a layout alone.
 FidelityReport AssessLayoutFidelity(const LayoutReading& reading, const SymbolicLayout& layout);
 

@@ -4,10 +4,11 @@
 #include <utility>
 
 #include "latticeworld/common/range.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/drawn.h"
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/language/interpreted/interpreted.h"
 #include "latticeworld/language/local/local.h"
-#include "latticeworld/language/reading/drawn.h"
+#include "latticeworld/language/reading/model_reader.h"
 
 namespace latticeworld {
 namespace {
@@ -135,14 +136,27 @@ std::vector<Violation> Validate(const LocalBackendOptions& options) {
   return violations;
 }
 
+std::vector<Violation> Validate(const ReaderBackendOptions& options) {
+  std::vector<Violation> violations;
+  if (options.is_wanted()) CheckRange("threads", options.threads, {0.0, 256.0}, "", &violations);
+  return violations;
+}
+
 Result<LanguageBackends> MakeLanguageBackends(const RemoteBackendOptions& remote,
-                                              const LocalBackendOptions& local) {
+                                              const LocalBackendOptions& local,
+                                              const ReaderBackendOptions& reader) {
+  LW_RETURN_IF_ERROR(Status::FromViolations("reader", Validate(reader)));
   LW_RETURN_IF_ERROR(Status::FromViolations("remote language back end", Validate(remote)));
   LW_RETURN_IF_ERROR(Status::FromViolations("local language back end", Validate(local)));
   LanguageBackends backends;
   backends.by_name = MakeEmbedded();
   if (local.is_wanted()) {
     LW_ASSIGN_OR_RETURN(backends.by_name["local"], MakeLocal(local));
+  }
+  if (reader.is_wanted()) {
+    LW_ASSIGN_OR_RETURN(std::shared_ptr<ChatServer> model,
+                        MakeLocalChatServer(reader.model, reader.threads));
+    backends.by_name["reader"] = MakeDrawn("reader", MakeModelReader(std::move(model)));
   }
   if (!remote.is_wanted()) return backends;
   LW_ASSIGN_OR_RETURN(std::shared_ptr<OpenAiClient> server, MakeOpenAiClient(remote.server));
@@ -167,14 +181,13 @@ LanguageBackends MakeReplayBackends(const std::vector<ModelReply>& replies) {
   const auto server = [&replies] { return MakeReplayServer(replies); };
   LanguageBackends backends;
   backends.by_name = MakeEmbedded();
+  backends.by_name["reader"] = AsRecorded(MakeDrawn("reader", MakeModelReader(server())), replies);
   backends.by_name["remote"] = AsRecorded(MakeRemote(server(), options, false), replies);
   backends.by_name["interpreted"] = AsRecorded(MakeInterpreted(server(), options, false), replies);
   backends.by_name["local"] = AsRecorded(MakeRemote(server(), local, false), replies);
   return backends;
 }
 
-WorldGenerator MakeDefaultWorldGenerator() {
-  return WorldGenerator(MakeEmbedded(), "grounded");
-}
+WorldGenerator MakeDefaultWorldGenerator() { return WorldGenerator(MakeEmbedded(), "grounded"); }
 
 }  // namespace latticeworld

@@ -39,22 +39,35 @@ struct LocalBackendOptions {
 // None when the back end is not wanted. Files are not looked at.
 std::vector<Violation> Validate(const LocalBackendOptions& options);
 
+// The back end "reader": a model in this process that says instructions in the small language
+// (language/reading/model_reader.h); what it reads is drawn as "controlled" draws it.
+struct ReaderBackendOptions {
+  std::string model;  // GGUF file; "": there is no such back end
+  int threads = 0;    // 0 .. 256 that compute; 0: as many as the machine has cores
+
+  bool is_wanted() const { return !model.empty(); }
+};
+// None when the back end is not wanted. The file is not looked at.
+std::vector<Violation> Validate(const ReaderBackendOptions& options);
+
 struct LanguageBackends {
-  // "grounded" and "controlled", and "remote" and "interpreted", and "local" where they are wanted.
+  // "grounded" and "controlled", and "remote" and "interpreted", "local" and
+  // "reader" where they are wanted.
   std::map<std::string, LanguageBackend> by_name;
   std::shared_ptr<const OpenAiClient> server;  // of both; nullptr: none
 };
 
 // Errors: INVALID_ARGUMENT with every violation; those of MakeLocalChatServer.
 Result<LanguageBackends> MakeLanguageBackends(const RemoteBackendOptions& remote,
-                                              const LocalBackendOptions& local = {});
+                                              const LocalBackendOptions& local = {},
+                                              const ReaderBackendOptions& reader = {});
 
 // Who answers where nobody says who: a model, where one was named, else the grounded back end.
 std::string DefaultBackend(const LanguageBackends& backends);
 
 // Back ends for making a world of a bundle again, with the same warnings and replies: all but
-// "grounded" and "controlled" read the recorded replies of a layout or an environment. Where a failure is recorded
-// after them, or nothing at all, the grounded back end answers, as it did then.
+// "grounded" and "controlled" read the recorded replies of a layout or an environment. Where a
+// failure is recorded after them, or nothing at all, the grounded back end answers, as it did then.
 LanguageBackends MakeReplayBackends(const std::vector<ModelReply>& replies);
 
 }  // namespace latticeworld

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <set>
@@ -14,6 +15,7 @@
 #include "latticeworld/interchange/sdf_text.h"
 #include "latticeworld/interchange/sdf_things.h"
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/sensing/geodesy.h"
 #include "latticeworld/sensing/ray_scene.h"
 
 namespace latticeworld {
@@ -26,6 +28,13 @@ constexpr int kFewestVertices = 17, kMostVertices = 4097, kUsualMostVertices = 2
 constexpr float kThinnest_m = 1e-3f;
 
 std::string UriOf(const std::string& file) { return std::string("model://") + kMedia + file; }
+
+// Ten decimals of a degree are a hundredth of a millimetre.
+std::string DegreesText(double degrees) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.10f", degrees);
+  return text;
+}
 
 bool IsHeightmapSize(int vertices) {
   const int cells = vertices - 1;
@@ -111,11 +120,10 @@ class SdfBuilder {
       world->Open("spherical_coordinates");
       world->Leaf("surface_model", "EARTH_WGS84");
       world->Leaf("world_frame_orientation", "ENU");
-      const double degree_m = 111319.49;  // of the equator, and of meridians to 0.6 %
-      const double cosine = std::max(0.01, std::cos(origin_->latitude_deg * M_PI / 180.0));
-      world->Leaf("latitude_deg", std::to_string(origin_->latitude_deg + middle_m_.y() / degree_m));
-      world->Leaf("longitude_deg",
-                  std::to_string(origin_->longitude_deg + middle_m_.x() / (degree_m * cosine)));
+      // Where the middle of the region lies, on the ellipsoid.
+      const GeoPoint middle = GeoPointAt(*origin_, {middle_m_.x(), middle_m_.y(), 0.0});
+      world->Leaf("latitude_deg", DegreesText(middle.latitude_deg));
+      world->Leaf("longitude_deg", DegreesText(middle.longitude_deg));
       world->Numbers("elevation", {origin_->altitude_m});
       world->Leaf("heading_deg", "0");
       world->Close("spherical_coordinates");

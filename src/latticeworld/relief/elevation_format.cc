@@ -1,5 +1,6 @@
 #include "latticeworld/relief/elevation_format.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstddef>
@@ -16,9 +17,24 @@ using namespace std::string_view_literals;
 constexpr char kLegal[] =
     "; legal are GeoTIFF, SRTM .hgt and Arc/Info ASCII grid (ncols, nrows, ... then numbers)";
 
-// Two bytes a sample, squares of 1 and of 3 arc seconds with the edges on both sides.
-constexpr std::array<std::size_t, 2> kSrtmSides = {3601, 1201};
-constexpr std::size_t SrtmBytes(std::size_t side) { return 2 * side * side; }
+// Tiles of two bytes a sample, with the edges on both sides. Beyond 50 degrees of latitude those of
+// 1 arc second have samples every 2 arc seconds from west to east.
+struct SrtmTile {
+  std::size_t cols;
+  std::size_t rows;
+  std::string_view spacing;
+  std::size_t bytes() const { return 2 * cols * rows; }
+};
+constexpr SrtmTile kSrtmTiles[] = {
+    {3601, 3601, "1 arc second"},
+    {1201, 1201, "3 arc seconds"},
+    {1801, 3601, "2 x 1 arc seconds, beyond 50 degrees north or south"}};
+constexpr SrtmTile kHalfSecondTile = {7201, 7201, "half an arc second"};
+
+bool IsSrtmSize(std::size_t bytes) {
+  return std::any_of(std::begin(kSrtmTiles), std::end(kSrtmTiles),
+                     [bytes](const SrtmTile& tile) { return tile.bytes() == bytes; });
+}
 
 bool IsTiff(std::string_view bytes) {
   return StartsWith(bytes, "II*\0"sv) || StartsWith(bytes, "MM\0*"sv) ||
@@ -88,17 +104,23 @@ Result<ElevationFile> RecognizeSrtm(std::string_view bytes, std::string_view nam
                            ", which does not say where it lies; legal are names like "
                            "\"N40W106.hgt\", the latitude and longitude of its south-west corner");
   }
-  for (const std::size_t side : kSrtmSides) {
-    if (bytes.size() == SrtmBytes(side)) {
-      return ElevationFile{ElevationFormat::kSrtm, "SRTMHGT", *tile + ".hgt"};
-    }
+  if (IsSrtmSize(bytes.size())) {
+    return ElevationFile{ElevationFormat::kSrtm, "SRTMHGT", *tile + ".hgt"};
+  }
+  if (bytes.size() == kHalfSecondTile.bytes()) {
+    return InvalidArgument(
+        "the SRTM elevation has 7201 x 7201 samples, half an arc second apart, which "
+        "GDAL does not read as .hgt; make a GeoTIFF of it");
+  }
+  std::string legal;
+  for (const SrtmTile& known : kSrtmTiles) {
+    legal += (legal.empty() ? "" : ", ") + std::to_string(known.bytes()) + " (" +
+             std::to_string(known.cols) + " x " + std::to_string(known.rows) + " samples, " +
+             std::string(known.spacing) + ")";
   }
   return InvalidArgument("the SRTM elevation is " + std::to_string(bytes.size()) +
-                         " bytes long; legal are " + std::to_string(SrtmBytes(kSrtmSides[0])) +
-                         " (3601 x 3601 samples, 1 arc second) and " +
-                         std::to_string(SrtmBytes(kSrtmSides[1])) +
-                         " (1201 x 1201 samples, 3 arc seconds): it is cut off or of another "
-                         "format");
+                         " bytes long; legal are " + legal +
+                         ": it is cut off or of another format");
 }
 
 }  // namespace
@@ -107,9 +129,7 @@ Result<ElevationFile> RecognizeElevation(std::string_view bytes, std::string_vie
   if (IsTiff(bytes)) return ElevationFile{ElevationFormat::kGeoTiff, "GTiff", "data.tif"};
   if (IsArcAscii(bytes)) return ElevationFile{ElevationFormat::kArcAscii, "AAIGrid", "data.asc"};
   const bool srtm_name = EndsWith(ToLowerAscii(name), ".hgt");
-  bool srtm_size = false;
-  for (const std::size_t side : kSrtmSides) srtm_size |= bytes.size() == SrtmBytes(side);
-  if (!bytes.empty() && (srtm_name || srtm_size)) return RecognizeSrtm(bytes, name);
+  if (!bytes.empty() && (srtm_name || IsSrtmSize(bytes.size()))) return RecognizeSrtm(bytes, name);
   return InvalidArgument("the elevation " + Describe(bytes) + kLegal);
 }
 

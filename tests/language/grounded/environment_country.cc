@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 
 namespace latticeworld {
 

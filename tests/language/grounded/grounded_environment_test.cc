@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "latticeworld/common/random.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 
 namespace latticeworld {
 namespace {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/language/grounded/environment/mend_exceptions.h"
 #include "latticeworld/language/grounded/environment/mend_lacks.h"
-#include "latticeworld/language/grounded/grounded.h"
 
 namespace latticeworld {
 namespace {

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/language/grounded/environment/mend_multiples.h"
 #include "latticeworld/language/grounded/environment/mend_ranges.h"
 #include "latticeworld/language/grounded/environment/mend_sides.h"
-#include "latticeworld/language/grounded/grounded.h"
 
 namespace latticeworld {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 
 namespace latticeworld {
 namespace {

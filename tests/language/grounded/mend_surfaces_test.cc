@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "environment_country.h"
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/language/grounded/environment/mend_each.h"
-#include "latticeworld/language/grounded/grounded.h"
 
 namespace latticeworld {
 namespace {

@@ -8,8 +8,8 @@
 #include "catalogue/larch.h"
 #include "environment_country.h"
 #include "latticeworld/environment/rules.h"
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/language/grounded/environment/added_values.h"
-#include "latticeworld/language/grounded/grounded.h"
 
 namespace latticeworld {
 namespace {

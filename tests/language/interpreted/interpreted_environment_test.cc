@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "language/remote/fake_chat_server.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/language/interpreted/interpreted.h"
 
 namespace latticeworld {

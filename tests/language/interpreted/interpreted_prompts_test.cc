@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/language/interpreted/prompts.h"
 
 namespace latticeworld {

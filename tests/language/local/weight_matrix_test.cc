@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -73,6 +75,33 @@ TEST(FromHalfTest, ReadsEveryKindOfNumber) {
   EXPECT_EQ(FromHalf(0x83FF), -std::ldexp(1023.0f, -24));
   EXPECT_TRUE(std::isinf(FromHalf(0x7C00)));
   EXPECT_TRUE(std::isnan(FromHalf(0x7E00)));
+}
+
+// A block of q4_1: step 0.5, least value -2; the lower halves of its bytes come first.
+TEST(HalfByteWeightsTest, BecomeBytesOfAScale) {
+  std::vector<std::byte> block(kQ4BlockBytes);
+  const std::uint16_t step = 0x3800, least = 0xC000;  // 0.5 and -2 as float16
+  std::memcpy(block.data(), &step, sizeof(step));
+  std::memcpy(block.data() + 2, &least, sizeof(least));
+  for (std::size_t i = 0; i < 16; ++i) block[4 + i] = static_cast<std::byte>(i | (15 - i) << 4);
+  const WeightMatrix weights({GgufType::kQ4_1, 1, 32, block.data()});
+  std::vector<float> row(32);
+  weights.Row(0, row.data());
+  const double half_a_step = 5.5 / 127.0 / 2.0;
+  for (int i = 0; i < 16; ++i) {
+    EXPECT_NEAR(row[i], 0.5 * i - 2.0, half_a_step);
+    EXPECT_NEAR(row[i + 16], 0.5 * (15 - i) - 2.0, half_a_step);
+  }
+}
+
+TEST(HalfByteWeightsTest, ADamagedBlockIsNoNumber) {
+  std::vector<std::byte> block(kQ4BlockBytes);
+  const std::uint16_t infinite = 0x7C00;
+  std::memcpy(block.data(), &infinite, sizeof(infinite));
+  const WeightMatrix weights({GgufType::kQ4_1, 1, 32, block.data()});
+  std::vector<float> row(32);
+  weights.Row(0, row.data());
+  EXPECT_TRUE(std::isnan(row[3]));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "latticeworld/language/reading/drawn.h"
+#include "latticeworld/language/drawn/drawn.h"
 #include "latticeworld/language/reading/instruction_reader.h"
 
 namespace latticeworld {
@@ -44,8 +44,8 @@ TEST(ControlledReaderTest, EnvironmentsAreDrawn) {
   EnvironmentRequest request;
   request.instruction = "Weather: fog. 7 sheep grazing by the lake.";
   request.layout = &layout;
-  const auto answer =
-      MakeDrawnEnvironmentGenerator("controlled", MakeControlledReader())->Generate(request, Progress());
+  const auto answer = MakeDrawnEnvironmentGenerator("controlled", MakeControlledReader())
+                          ->Generate(request, Progress());
   ASSERT_TRUE(answer.ok());
   EXPECT_EQ(answer->environment.coarse.weather, Weather::kFog);
   ASSERT_FALSE(answer->environment.agents.empty());

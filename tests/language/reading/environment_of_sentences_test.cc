@@ -90,6 +90,14 @@ TEST(EnvironmentOfSentencesTest, Agents) {
   EXPECT_FALSE(heard.agents[4].state.has_value()) << "either will do";
 }
 
+TEST(EnvironmentOfSentencesTest, LandInAPartOfTheMap) {
+  const HeardEnvironment heard = Read("7 robotic dogs idle on the rock in the west.");
+  ASSERT_EQ(heard.agents.size(), 1u);
+  EXPECT_EQ(heard.agents[0].feature->name, "rock");
+  ASSERT_EQ(heard.agents[0].places.size(), 1u);
+  EXPECT_EQ(heard.agents[0].places[0].main, Region::kMiddleLeft);
+}
+
 TEST(EnvironmentOfSentencesTest, NobodyAndTotals) {
   const HeardEnvironment heard = Read("No goblins. No agents. 20 agents in all.");
   ASSERT_EQ(heard.absences.size(), 3u);

@@ -26,7 +26,7 @@ Result<ChatReply> FakeChatServer::Complete(const ChatRequest& request,
   reply.finish_reason = answer.finish_reason;
   for (std::size_t at = 0; at < answer.text.size(); at += answer.piece_bytes) {
     reply.text += answer.text.substr(at, answer.piece_bytes);
-    if (!listener(reply.text)) {
+    if (listener && !listener(reply.text)) {
       reply.finish_reason = "cut";
       break;
     }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "latticeworld/common/check.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/language/interpreted/interpretation.h"
 #include "latticeworld/language/interpreted/interpreted.h"
 #include "latticeworld/language/interpreted/prompts.h"

@@ -182,17 +182,14 @@ Result<BytePairs> BytePairs::Make(const std::vector<std::string>& pieces,
   pairs.single_digits_ = single_digits;
   std::unordered_map<std::string_view, TokenId> token_of;
   for (TokenId token = 0; token < pieces.size(); ++token) token_of.emplace(pieces[token], token);
-  std::array<bool, 256> known{};
   for (const auto& [piece, token] : token_of) {
     const std::string bytes = BytesOfPiece(piece);
-    if (bytes.size() != 1) continue;
-    pairs.of_byte_[static_cast<unsigned char>(bytes[0])] = token;
-    known[static_cast<unsigned char>(bytes[0])] = true;
+    if (bytes.size() == 1) pairs.of_byte_[static_cast<unsigned char>(bytes[0])] = token;
   }
-  const auto missing = std::find(known.begin(), known.end(), false);
-  if (missing != known.end()) {
-    return DataLoss("the vocabulary has no token for the byte " +
-                    std::to_string(missing - known.begin()));
+  for (std::size_t byte = ' '; byte <= '~'; ++byte) {
+    if (!pairs.of_byte_[byte].has_value()) {
+      return DataLoss("the vocabulary has no token for the byte " + std::to_string(byte));
+    }
   }
   for (std::size_t rank = 0; rank < merges.size(); ++rank) {
     const std::string& merge = merges[rank];
@@ -234,7 +231,10 @@ void BytePairs::EncodeWord(std::string_view word, std::vector<TokenId>* tokens) 
     EncodeWord(word.substr(0, kMostBytes), tokens);
   }
   std::vector<TokenId> symbols;
-  for (const char c : word) symbols.push_back(of_byte_[static_cast<unsigned char>(c)]);
+  for (const char c : word) {
+    const std::optional<TokenId>& token = of_byte_[static_cast<unsigned char>(c)];
+    if (token.has_value()) symbols.push_back(*token);
+  }
   while (symbols.size() > 1) {
     const Merge* best = nullptr;
     std::size_t place = 0;

@@ -2,6 +2,7 @@
 #define LATTICEWORLD_LANGUAGE_LOCAL_BYTE_PAIRS_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -27,7 +28,8 @@ std::vector<std::string_view> ByteLevelWords(std::string_view text, bool single_
 class BytePairs {
  public:
   // pieces: of the vocabulary, as the file spells them. merges: "left right", by rank.
-  // Errors: DATA_LOSS: a byte without a token, a merge of what are no tokens.
+  // Bytes that the vocabulary lacks, as those of control characters, are left out of texts.
+  // Errors: DATA_LOSS: a printable byte without a token, a merge of what are no tokens.
   static Result<BytePairs> Make(const std::vector<std::string>& pieces,
                                 const std::vector<std::string>& merges, bool single_digits);
 
@@ -41,7 +43,7 @@ class BytePairs {
   void EncodeWord(std::string_view word, std::vector<TokenId>* tokens) const;
   const Merge* Find(TokenId left, TokenId right) const;
 
-  TokenId of_byte_[256] = {};
+  std::optional<TokenId> of_byte_[256];
   std::unordered_map<std::uint64_t, Merge> merges_;  // by left and right token
   bool single_digits_ = false;
 };

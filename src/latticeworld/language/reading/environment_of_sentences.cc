@@ -361,11 +361,10 @@ class EnvironmentTeller {
   }
 
   void AddPlace(AgentWish* wish) const {
-    if (Is("group_zone")) {
-      for (const Zone& zone : ZonesOf(*Slot("place"))) {
+    if (const Phrase* place = Slot("place"); place != nullptr) {
+      for (const Zone& zone : ZonesOf(*place)) {
         wish->places.push_back(PlaceOfBoxes(zone.name, zone.boxes));
       }
-      return;
     }
     const Phrase* noun = Slot("features") != nullptr ? Slot("features") : Slot("feature");
     if (noun == nullptr) return;

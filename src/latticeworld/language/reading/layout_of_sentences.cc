@@ -104,7 +104,7 @@ void AddShape(std::string_view shape, Qualities* qualities) {
 
 // What a bare noun, one with neither article nor number, may point back to.
 enum class Reference {
-  kNothing,   // "forest in the north": it is said anew
+  kNothing,   // "forest from the northern edge to the lake": it is said anew
   kUnplaced,  // "forest surrounds the lake": what was said to be somewhere else is not meant
   kAny,       // "forest covers 30 % of the map": all that there is
 };
@@ -222,8 +222,7 @@ class SentencePlanner {
   bool SayWhere() {
     if (Is("absent")) return Deny();
     if (Is("there")) {
-      const Reference bare = Slot("zone") == nullptr ? Reference::kUnplaced : Reference::kNothing;
-      for (const int index : Things(*Slot("x"), bare)) d_.AddZones(index, Zones());
+      for (const int index : Things(*Slot("x"))) d_.AddZones(index, Zones());
       return true;
     }
     if (Is("only") || Is("most_in")) {
@@ -450,8 +449,26 @@ class SentencePlanner {
       }
       return true;
     }
+    if (Is("over")) return Bridge();
     if (Is("climb")) return AssertAll(Sense::kNear);
     return false;
+  }
+
+  // A bridge is where a road crosses: the one that was said, or one of its own.
+  bool Bridge() {
+    const std::vector<int> below = Things(*Slot("y"));
+    int road = d_.Latest('R', FeatureForm::kLine);
+    if (road < 0) {
+      const std::vector<Token> tokens = Tokenize("road");
+      NounPhrase phrase;
+      phrase.noun = MatchClassWord(tokens, 0).word;
+      phrase.indefinite = true;
+      road = d_.Create(phrase, begin_, end_);
+    }
+    for (const int index : below) {
+      if (road >= 0) Relate(RelationKind::kCrosses, road, index);
+    }
+    return true;
   }
 
   // What goes from one place to another is a line, or a broad band of what spreads.
@@ -522,7 +539,12 @@ class SentencePlanner {
     } else {
       return false;
     }
-    for (const int index : Things(*Slot("x"), Reference::kAny)) d_.Describe(qualities, index);
+    for (const int index : Things(*Slot("x"), Reference::kAny)) {
+      d_.Describe(qualities, index);
+      // Houses that stand close together are one place.
+      PlannedFeature& feature = d_.feature(index);
+      if (Is("together") && feature.pieces_least == 0) feature.pieces = 1;
+    }
     return true;
   }
 

@@ -1,5 +1,5 @@
-#ifndef LATTICEWORLD_LANGUAGE_READING_DRAWN_H_
-#define LATTICEWORLD_LANGUAGE_READING_DRAWN_H_
+#ifndef LATTICEWORLD_LANGUAGE_DRAWN_DRAWN_H_
+#define LATTICEWORLD_LANGUAGE_DRAWN_DRAWN_H_
 
 #include <memory>
 #include <string>
@@ -19,4 +19,4 @@ std::unique_ptr<EnvironmentGenerator> MakeDrawnEnvironmentGenerator(
 
 }  // namespace latticeworld
 
-#endif  // LATTICEWORLD_LANGUAGE_READING_DRAWN_H_
+#endif  // LATTICEWORLD_LANGUAGE_DRAWN_DRAWN_H_

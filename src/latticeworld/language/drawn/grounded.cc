@@ -1,11 +1,11 @@
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 
 #include <utility>
 
+#include "latticeworld/language/drawn/drawn.h"
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
 #include "latticeworld/language/grounded/environment/environment_parser.h"
 #include "latticeworld/language/grounded/reading/layout_parser.h"
-#include "latticeworld/language/reading/drawn.h"
 
 namespace latticeworld {
 

@@ -1,5 +1,5 @@
-#ifndef LATTICEWORLD_LANGUAGE_GROUNDED_GROUNDED_H_
-#define LATTICEWORLD_LANGUAGE_GROUNDED_GROUNDED_H_
+#ifndef LATTICEWORLD_LANGUAGE_DRAWN_GROUNDED_H_
+#define LATTICEWORLD_LANGUAGE_DRAWN_GROUNDED_H_
 
 #include <memory>
 #include <string>
@@ -41,4 +41,4 @@ EnvironmentClaims ReadEnvironmentInstruction(std::string_view instruction,
 
 }  // namespace latticeworld
 
-#endif  // LATTICEWORLD_LANGUAGE_GROUNDED_GROUNDED_H_
+#endif  // LATTICEWORLD_LANGUAGE_DRAWN_GROUNDED_H_

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 
 namespace latticeworld {
 namespace {

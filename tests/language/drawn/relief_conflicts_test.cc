@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 
 namespace latticeworld {
 namespace {

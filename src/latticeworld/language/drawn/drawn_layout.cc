@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/language/drawn/drawn.h"
 #include "latticeworld/language/grounded/synthesis/layout_from_relief.h"
 #include "latticeworld/language/grounded/synthesis/layout_synthesis.h"
 #include "latticeworld/language/grounded/synthesis/relief_conflicts.h"
-#include "latticeworld/language/reading/drawn.h"
 
 namespace latticeworld {
 namespace {

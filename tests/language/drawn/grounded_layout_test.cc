@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "latticeworld/common/random.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/layout/claims.h"
 #include "latticeworld/layout/measures.h"
 #include "latticeworld/layout/zone.h"

@@ -6,10 +6,10 @@
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/language/drawn/drawn.h"
 #include "latticeworld/language/grounded/environment/agent_fitting.h"
 #include "latticeworld/language/grounded/environment/attribute_fitting.h"
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
-#include "latticeworld/language/reading/drawn.h"
 
 namespace latticeworld {
 namespace {

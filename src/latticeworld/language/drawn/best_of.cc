@@ -6,7 +6,7 @@
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/random.h"
-#include "latticeworld/language/grounded/grounded.h"
+#include "latticeworld/language/drawn/grounded.h"
 
 namespace latticeworld {
 namespace {

@@ -1,0 +1,115 @@
+#include "latticeworld/language/reading/model_reader.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "latticeworld/common/check.h"
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/reading/environment_of_sentences.h"
+#include "latticeworld/language/reading/layout_of_sentences.h"
+#include "latticeworld/language/reading/unread_words.h"
+#include "latticeworld/language/sentences/sentence.h"
+#include "latticeworld/language/sentences/sentence_grammar.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr int kMostTokens = 768;  // of an answer
+
+bool IsBlank(std::string_view text) {
+  return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
+// Whether a text is the small language already.
+bool IsControlled(const std::vector<std::string>& sentences, SentenceKind kind) {
+  return std::all_of(sentences.begin(), sentences.end(), [kind](const std::string& sentence) {
+    return ReadSentence(sentence, kind).has_value();
+  });
+}
+
+class ModelReader final : public InstructionReader {
+ public:
+  explicit ModelReader(std::shared_ptr<ChatServer> server) : server_(std::move(server)) {}
+
+  std::string_view name() const override { return "model"; }
+
+  Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& progress,
+                                   std::vector<ModelReply>* replies) override {
+    LayoutReading reading;
+    LW_ASSIGN_OR_RETURN(reading.sentences, Read(request.instruction, SentenceKind::kLayout,
+                                                request.seed, progress, replies));
+    reading.plan = LayoutOfSentences(reading.sentences, request.vocabulary);
+    for (std::string& words : UnreadLand(request.instruction, reading.plan)) {
+      reading.plan.not_understood.push_back(std::move(words));
+    }
+    return reading;
+  }
+
+  Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& request,
+                                             const Progress& progress,
+                                             std::vector<ModelReply>* replies) override {
+    EnvironmentReading reading;
+    LW_ASSIGN_OR_RETURN(reading.sentences, Read(request.instruction, SentenceKind::kEnvironment,
+                                                request.seed, progress, replies));
+    reading.heard = EnvironmentOfSentences(reading.sentences, *request.catalogue);
+    return reading;
+  }
+
+ private:
+  Result<std::vector<std::string>> Read(const std::string& text, SentenceKind kind,
+                                        std::uint64_t seed, const Progress& progress,
+                                        std::vector<ModelReply>* replies) {
+    if (IsBlank(text)) return std::vector<std::string>();
+    std::vector<std::string> sentences = SplitSentences(text);
+    if (IsControlled(sentences, kind)) return sentences;
+    const bool layout = kind == SentenceKind::kLayout;
+    ChatRequest request;
+    request.messages = {{ChatRole::kSystem, layout ? "layout" : "environment", {}},
+                        {ChatRole::kUser, text, {}}};
+    request.form.name = layout ? "layout_sentences" : "environment_sentences";
+    request.form.gbnf = layout ? layout_grammar_ : environment_grammar_;
+    request.max_tokens = kMostTokens;
+    request.temperature = 0.0;
+    request.seed = seed;
+    LW_ASSIGN_OR_RETURN(const ChatReply reply, server_->Complete(request, {}, progress));
+    ModelReply said;
+    said.purpose = layout ? "layout_words" : "environment_words";
+    said.model = reply.model;
+    said.text = reply.text;
+    said.finish_reason = reply.finish_reason;
+    said.prompt_tokens = reply.prompt_tokens;
+    said.completion_tokens = reply.completion_tokens;
+    said.retries = reply.retries;
+    said.seconds = reply.total_s;
+    replies->push_back(std::move(said));
+    return WithoutRepeats(SplitSentences(reply.text == "-" ? std::string() : reply.text),
+                          reply.finish_reason == "stop");
+  }
+
+  // Small models say a thing again now and then; and an answer that was cut ends in half a
+  // sentence.
+  static std::vector<std::string> WithoutRepeats(std::vector<std::string> sentences, bool whole) {
+    if (!whole && !sentences.empty()) sentences.pop_back();
+    std::vector<std::string> kept;
+    for (std::string& sentence : sentences) {
+      if (std::find(kept.begin(), kept.end(), sentence) == kept.end()) {
+        kept.push_back(std::move(sentence));
+      }
+    }
+    return kept;
+  }
+
+  const std::shared_ptr<ChatServer> server_;
+  const std::string layout_grammar_ = SentenceGrammar(SentenceKind::kLayout);
+  const std::string environment_grammar_ = SentenceGrammar(SentenceKind::kEnvironment);
+};
+
+}  // namespace
+
+std::unique_ptr<InstructionReader> MakeModelReader(std::shared_ptr<ChatServer> server) {
+  LW_CHECK(server != nullptr, "a model that reads needs a server");
+  return std::make_unique<ModelReader>(std::move(server));
+}
+
+}  // namespace latticeworld

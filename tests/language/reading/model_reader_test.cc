@@ -1,0 +1,94 @@
+#include "latticeworld/language/reading/model_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "language/remote/fake_chat_server.h"
+#include "latticeworld/language/sentences/sentence_grammar.h"
+
+namespace latticeworld {
+namespace {
+
+class ModelReaderTest : public testing::Test {
+ protected:
+  Result<LayoutReading> Read(const std::string& text) {
+    LayoutRequest request;
+    request.instruction = text;
+    return MakeModelReader(server_)->ReadLayout(request, Progress(), &replies_);
+  }
+  const std::shared_ptr<FakeChatServer> server_ = std::make_shared<FakeChatServer>();
+  std::vector<ModelReply> replies_;
+};
+
+TEST_F(ModelReaderTest, TheModelSaysTheSentences) {
+  server_->Say("A lake in the north. Forest surrounds the lake.");
+  const auto reading = Read("up north a lake with woods all round it");
+  ASSERT_TRUE(reading.ok()) << reading.status().ToString();
+  EXPECT_EQ(reading->sentences,
+            (std::vector<std::string>{"A lake in the north", "Forest surrounds the lake"}));
+  EXPECT_EQ(reading->plan.features.size(), 2u);
+  ASSERT_EQ(server_->requests().size(), 1u);
+  const ChatRequest& asked = server_->requests().front();
+  EXPECT_EQ(asked.messages.front().text, "layout");
+  EXPECT_EQ(asked.messages.back().text, "up north a lake with woods all round it");
+  EXPECT_EQ(asked.temperature, 0.0);
+  EXPECT_EQ(asked.form.gbnf, SentenceGrammar(SentenceKind::kLayout));
+  ASSERT_EQ(replies_.size(), 1u);
+  EXPECT_EQ(replies_.front().purpose, "layout_words");
+}
+
+TEST_F(ModelReaderTest, TheSmallLanguageIsReadWithoutTheModel) {
+  const auto reading = Read("A lake in the north. Forest surrounds the lake.");
+  ASSERT_TRUE(reading.ok());
+  EXPECT_EQ(reading->sentences.size(), 2u);
+  EXPECT_TRUE(server_->requests().empty());
+  EXPECT_TRUE(Read(" \n ").ok());
+  EXPECT_TRUE(server_->requests().empty());
+}
+
+// A noun of the text that no sentence speaks of is never dropped in silence.
+TEST_F(ModelReaderTest, LandThatNoSentenceCarriesIsNotUnderstood) {
+  server_->Say("A lake in the north.");
+  const auto reading = Read("a lake up north, a dense forest, and no houses by the lake");
+  ASSERT_TRUE(reading.ok());
+  EXPECT_EQ(reading->plan.not_understood, (std::vector<std::string>{"dense forest", "houses"}));
+}
+
+TEST_F(ModelReaderTest, ADashIsNothing) {
+  server_->Say("-");
+  const auto reading = Read("what a lovely day");
+  ASSERT_TRUE(reading.ok());
+  EXPECT_TRUE(reading->sentences.empty());
+  EXPECT_TRUE(reading->plan.claims.empty());
+}
+
+TEST_F(ModelReaderTest, RepeatsAndCutEndsAreLeftOut) {
+  FakeChatServer::Answer cut;
+  cut.text = "A lake. A lake. A pond in the";
+  cut.finish_reason = "length";
+  server_->Say(cut);
+  const auto reading = Read("lakes and lakes and lakes");
+  ASSERT_TRUE(reading.ok());
+  EXPECT_EQ(reading->sentences, std::vector<std::string>{"A lake"});
+}
+
+TEST_F(ModelReaderTest, AFailureOfTheServerIsTheReaders) {
+  server_->Fail(Unavailable("gone"));
+  EXPECT_EQ(Read("woods").status().code(), StatusCode::kUnavailable);
+}
+
+TEST_F(ModelReaderTest, EnvironmentsAreReadToo) {
+  server_->Say("Weather: fog. 2 goblins patrolling in the forest.");
+  EnvironmentRequest request;
+  request.instruction = "misty, and a couple of orcs walk about in the woods";
+  const auto reading = MakeModelReader(server_)->ReadEnvironment(request, Progress(), &replies_);
+  ASSERT_TRUE(reading.ok());
+  EXPECT_EQ(reading->heard.agents.size(), 1u);
+  EXPECT_EQ(server_->requests().front().messages.front().text, "environment");
+}
+
+}  // namespace
+}  // namespace latticeworld
