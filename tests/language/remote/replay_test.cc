@@ -66,6 +66,15 @@ TEST(ReplayTest, SaysWhenTheRecordingIsAtItsEnd) {
   EXPECT_EQ(layout.status().code(), StatusCode::kOutOfRange) << layout.status().ToString();
 }
 
+TEST(ReplayTest, NobodyNeedsToListen) {
+  const auto replay = MakeReplayServer({{"layout_words", "m", "A lake.", "stop"}});
+  ChatRequest request;
+  request.form.name = "layout_words";
+  const auto reply = replay->Complete(request, {}, Progress());
+  ASSERT_TRUE(reply.ok()) << reply.status().ToString();
+  EXPECT_EQ(reply->text, "A lake.");
+}
+
 TEST(ReplayTest, CanBeCancelled) {
   const auto replay = MakeReplayServer({{"layout", "m", LegalMatrix(), "stop"}});
   Progress progress;

@@ -67,14 +67,16 @@ class ModelReader final : public InstructionReader {
     ChatRequest request;
     request.messages = {{ChatRole::kSystem, layout ? "layout" : "environment", {}},
                         {ChatRole::kUser, text, {}}};
-    request.form.name = layout ? "layout_sentences" : "environment_sentences";
+    // A recording finds its reply by the form's name.
+    const std::string purpose = layout ? "layout_words" : "environment_words";
+    request.form.name = purpose;
     request.form.gbnf = layout ? layout_grammar_ : environment_grammar_;
     request.max_tokens = kMostTokens;
     request.temperature = 0.0;
     request.seed = seed;
     LW_ASSIGN_OR_RETURN(const ChatReply reply, server_->Complete(request, {}, progress));
     ModelReply said;
-    said.purpose = layout ? "layout_words" : "environment_words";
+    said.purpose = purpose;
     said.model = reply.model;
     said.text = reply.text;
     said.finish_reason = reply.finish_reason;

@@ -36,7 +36,7 @@ class ReplayServer final : public ChatServer {
     reply.retries = record->retries;
     reply.total_s = record->seconds;
     // For its progress; the reply stays as long as it was recorded, whatever the listener wants.
-    listener(reply.text);
+    if (listener) listener(reply.text);
     return reply;
   }
 
