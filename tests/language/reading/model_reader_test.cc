@@ -57,6 +57,27 @@ TEST_F(ModelReaderTest, LandThatNoSentenceCarriesIsNotUnderstood) {
   EXPECT_EQ(reading->plan.not_understood, (std::vector<std::string>{"dense forest", "houses"}));
 }
 
+TEST_F(ModelReaderTest, AnotherLanguageIsSaid) {
+  for (const std::string text : {"Ein See in der Mitte, ringsum Wald, und eine Stra\xC3\x9F"
+                                 "e.",
+                                 "Un lago en el centro rodeado de bosque y casas al norte"}) {
+    server_->Say("A lake.");
+    const auto reading = Read(text);
+    ASSERT_TRUE(reading.ok());
+    ASSERT_FALSE(reading->plan.warnings.empty()) << text;
+    EXPECT_NE(reading->plan.warnings[0].find("English"), std::string::npos);
+  }
+  for (const std::string text : {"lake NW, village SE, road between", "snow mountain",
+                                 "up north a lake with woods all round it"}) {
+    server_->Say("A lake.");
+    const auto reading = Read(text);
+    ASSERT_TRUE(reading.ok());
+    for (const std::string& warning : reading->plan.warnings) {
+      EXPECT_EQ(warning.find("English"), std::string::npos) << text;
+    }
+  }
+}
+
 TEST_F(ModelReaderTest, ADashIsNothing) {
   server_->Say("-");
   const auto reading = Read("what a lovely day");

@@ -28,6 +28,12 @@ bool IsControlled(const std::vector<std::string>& sentences, SentenceKind kind) 
   });
 }
 
+void WarnOfOtherLanguage(std::string_view text, std::vector<std::string>* warnings) {
+  if (!SeemsForeign(text)) return;
+  warnings->push_back("the text does not seem to be English, which alone is read well: " +
+                      Quote(text));
+}
+
 class ModelReader final : public InstructionReader {
  public:
   explicit ModelReader(std::shared_ptr<ChatServer> server) : server_(std::move(server)) {}
@@ -40,6 +46,7 @@ class ModelReader final : public InstructionReader {
     LW_ASSIGN_OR_RETURN(reading.sentences, Read(request.instruction, SentenceKind::kLayout,
                                                 request.seed, progress, replies));
     reading.plan = LayoutOfSentences(reading.sentences, request.vocabulary);
+    WarnOfOtherLanguage(request.instruction, &reading.plan.warnings);
     for (std::string& words : UnreadLand(request.instruction, reading.plan)) {
       reading.plan.not_understood.push_back(std::move(words));
     }
@@ -53,6 +60,7 @@ class ModelReader final : public InstructionReader {
     LW_ASSIGN_OR_RETURN(reading.sentences, Read(request.instruction, SentenceKind::kEnvironment,
                                                 request.seed, progress, replies));
     reading.heard = EnvironmentOfSentences(reading.sentences, *request.catalogue);
+    WarnOfOtherLanguage(request.instruction, &reading.heard.warnings);
     return reading;
   }
 
