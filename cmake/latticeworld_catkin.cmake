@@ -70,6 +70,7 @@ add_message_files(FILES
   JournalEntry.msg
   Layout.msg
   Observation.msg
+  Reading.msg
   SceneChanges.msg
   StageTime.msg
   StateHash.msg

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Compares the back ends that turn words into layouts and environments, and writes docs/models.md.
+"""Compares who turns words into layouts and environments, and writes docs/models.md.
 
+    scripts/compare_models.py --reader-model build/models/reader.gguf
     scripts/compare_models.py --local-model layout.gguf --local-environment-model grounded
     scripts/compare_models.py --remote-url http://127.0.0.1:8080/v1 --remote-dialect llama.cpp
 
-Every back end answers the instructions of a part of benchmarks/fidelity (`latticeworld score`); options that begin with
+Each reads and answers the instructions of a part of benchmarks/fidelity (`latticeworld score`); options that begin with
 --local- or --remote- are that program's. Time is the median of one answer, memory the most that the process held.
 """
 
@@ -34,9 +35,9 @@ def read_tables(text):
     return tables
 
 
-def score(program, benchmark, part, backend, options):
-    """The tables of one back end; "memory" [MB] beside them. Ends this program where the score cannot be had."""
-    command = [program, "score", "--benchmark", benchmark, "--part", part, "--generator", backend] + options
+def score(program, benchmark, part, options):
+    """The tables of one column; "memory" [MB] beside them. Ends this program where the score cannot be had."""
+    command = [program, "score", "--benchmark", benchmark, "--part", part] + options
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     said, errors = process.stdout.read(), process.stderr.read()
     _, status, used = os.wait4(process.pid, 0)
@@ -53,7 +54,7 @@ def share(count):
 
 
 def table_of(kind, scores):
-    """Markdown: a column a back end."""
+    """Markdown: a column for each who reads or answers."""
     tables = {name: found[kind] for name, found in scores.items()}
     lines = ["| | " + " | ".join(tables) + " |", "|---|" + "---|" * len(tables)]
 
@@ -70,13 +71,13 @@ def table_of(kind, scores):
 
 
 def best_of(scores):
-    """The back end that satisfies most claims of those whose layouts are all valid."""
+    """The column with most claims of those whose layouts are all valid."""
     whole = [name for name, found in scores.items() if len(set(found["layout"]["valid answers"])) == 1]
     sums = {name: sum(scores[name][kind]["all claims"][0] for kind in ("layout", "environment")) for name in whole}
     return max(sums, key=sums.get) if sums else None
 
 
-def page(scores, given, options, version):
+def page(scores, given, more_of, version):
     memory = "\n".join(f"| {name} | {found['memory']:.0f} MB |" for name, found in scores.items())
     best = best_of(scores)
     local = ""
@@ -85,14 +86,14 @@ def page(scores, given, options, version):
         local = f"\n`local`: `{os.path.basename(file)}`, {os.path.getsize(file) / 1e6:.1f} MB"
         if given.local_environment_model:
             local += f"; environments by `{os.path.basename(given.local_environment_model)}`"
-        if options.get("local"):
-            local += f"; `{' '.join(options['local'])}`"
+        if more_of["local"]:
+            local += f"; `{' '.join(more_of['local'])}`"
         local += ". How it came about: [training](training.md).\n"
-    return f"""# Back ends compared
+    return f"""# Readers and generators compared
 
 Written by `scripts/compare_models.py` on {datetime.date.today().isoformat()}, {version}: the {given.part} part of
 `benchmarks/fidelity`. What the kinds of claims mean is in [language](language.md), how time is measured in
-[benchmarks](benchmarks.md).
+[benchmarks](benchmarks.md). `rules`, `model` and `checked` read, and `grounded` answers; `local` and `remote` read and answer themselves.
 {local}
 ## Layouts
 
@@ -108,7 +109,7 @@ Written by `scripts/compare_models.py` on {datetime.date.today().isoformat()}, {
 |---|---|
 {memory}
 
-Of the back ends whose layouts are all valid, **{best}** satisfies the most claims.
+Of the columns whose layouts are all valid, **{best}** has the most claims.
 """
 
 
@@ -121,37 +122,41 @@ def main():
     parser.add_argument("--benchmark", default=os.path.join(ROOT, "benchmarks/fidelity"))
     parser.add_argument("--part", choices=["development", "test"], default="test", help="[test]")
     parser.add_argument("--out", default=os.path.join(ROOT, "docs/models.md"))
+    parser.add_argument("--reader-model", metavar="FILE", help="GGUF file; without it `model` and `checked` are left out")
     parser.add_argument("--local-model", metavar="FILE", help="GGUF file; without it `local` is left out")
     parser.add_argument("--local-environment-model", metavar="FILE", help="the same for environments, or grounded")
     given, more = parser.parse_known_args()
 
-    backends, models = {"grounded": []}, []
-    if given.local_model:
-        backends["local"] = []
-        models = ["--local-model", given.local_model]
-        if given.local_environment_model:
-            models += ["--local-environment-model", given.local_environment_model]
+    more_of = {"local": [], "remote": []}
     name = None
     for word in more:
         if word.startswith("--"):
             name = word[2:].split("-")[0]
-            if name not in ("local", "remote"):
+            if name not in more_of:
                 parser.error(f"{word}: unknown; legal beside those of --help are --local-... and --remote-...")
         if name is None:
             parser.error(f"{word}: unknown")
-        backends.setdefault(name, []).append(word)
-    if "remote" in backends:
-        backends["interpreted"] = backends["remote"]
-    if "local" in backends and not given.local_model:
+        more_of[name].append(word)
+    if more_of["local"] and not given.local_model:
         parser.error("options of a local model without --local-model")
 
-    scores = {
-        name: score(given.program, given.benchmark, given.part, name, (models if name == "local" else []) + some)
-        for name, some in backends.items()
-    }
+    # A column each: who reads, and who answers where it is not grounded.
+    options = {"rules": ["--reader", "rules"]}
+    if given.reader_model:
+        for reader in ("model", "checked"):
+            options[reader] = ["--reader", reader, "--reader-model", given.reader_model]
+    if given.local_model:
+        options["local"] = ["--reader", "rules", "--local-model", given.local_model] + more_of["local"]
+        if given.local_environment_model:
+            options["local"] += ["--local-environment-model", given.local_environment_model]
+    if more_of["remote"]:
+        options["remote"] = ["--generator", "remote"] + more_of["remote"]
+        options["remote reads"] = ["--reader", "remote", "--generator", "grounded"] + more_of["remote"]
+
+    scores = {name: score(given.program, given.benchmark, given.part, some) for name, some in options.items()}
     version = subprocess.run([given.program, "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
     with open(given.out, "w", encoding="utf-8") as file:
-        file.write(page(scores, given, backends, version))
+        file.write(page(scores, given, more_of, version))
     print(given.out)
 
 

@@ -35,6 +35,7 @@ latticeworld_msgs::GenerateWorldTaskResult ToResult(
   result.vocabulary = answer.vocabulary;
   result.environment = answer.environment;
   result.generator = answer.generator;
+  result.reading = answer.reading;
   result.fidelity = answer.fidelity;
   result.not_understood = answer.not_understood;
   result.warnings = answer.warnings;
@@ -180,6 +181,7 @@ Status GenerationService::GenerateInto(GenerateWorldFields fields, const Progres
   answer->vocabulary = std::string(NameOf(world->layout.vocabulary));
   answer->environment = ToJson(world->environment);
   answer->generator = world->request.generator;
+  answer->reading = ToReading(*world);
   answer->fidelity = ToRos(world->fidelity.claims);
   answer->not_understood = world->fidelity.not_understood;
   answer->warnings = world->warnings;

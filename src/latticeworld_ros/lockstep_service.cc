@@ -77,6 +77,7 @@ void OnLockstep(SimulationLoop* loop, const StatePublisher* states, SensorThread
   SimulationLoop::StepCall call;
   call.steps = request.steps == 0 ? 1 : request.steps;
   call.hash = request.hash;
+  call.episode = request.episode;
   call.begin = [&](Simulator* simulator) -> Status {
     if (request.scan) LW_RETURN_IF_ERROR(sensors->CheckScanner());
     LW_RETURN_IF_ERROR(ApplyCommands(commands, simulator));

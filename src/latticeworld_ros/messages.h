@@ -32,6 +32,7 @@
 #include <latticeworld/LoadWorld.h>
 #include <latticeworld/OpenGate.h>
 #include <latticeworld/QueryTerrain.h>
+#include <latticeworld/Reading.h>
 #include <latticeworld/RemoveAgent.h>
 #include <latticeworld/RemoveElement.h>
 #include <latticeworld/ResetWorld.h>

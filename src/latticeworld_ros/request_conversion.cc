@@ -26,7 +26,9 @@ GenerateWorldFields CopyFields(const Message& message) {
   fields.latitude = message.latitude;
   fields.longitude = message.longitude;
   fields.keep_altitude = message.keep_altitude;
+  fields.elevation_unit = message.elevation_unit;
   fields.vocabulary = message.vocabulary;
+  fields.reader = message.reader;
   fields.generator = message.generator;
   fields.seed = message.seed;
   fields.size = message.size;
@@ -77,6 +79,12 @@ void CheckVisual(const GenerateWorldFields& fields, std::vector<Violation>* viol
          given});
     return;
   }
+  if (!FromName<ElevationUnit>(fields.elevation_unit)) {
+    violations->push_back({"unknown_value", "elevation_unit",
+                           "is " + Quote(fields.elevation_unit) +
+                               "; legal are degrees, metres, or none to let the numbers decide",
+                           fields.elevation_unit});
+  }
   const bool has_visual = !fields.visual.data.empty(), has_path = !fields.visual_path.empty();
   if (kind == VisualKind::kNone && (has_visual || has_path)) {
     violations->push_back({"conflict", has_visual ? "visual" : "visual_path",
@@ -112,6 +120,7 @@ Status TakeVisual(const GenerateWorldFields& fields, const RequestDefaults& defa
   request->elevation.latitude_deg = fields.latitude;
   request->elevation.longitude_deg = fields.longitude;
   request->elevation.keep_altitude = fields.keep_altitude;
+  request->elevation.unit = *FromName<ElevationUnit>(fields.elevation_unit);
   return Status();
 }
 
@@ -135,6 +144,7 @@ Result<GenerationRequest> FromRos(GenerateWorldFields fields, const RequestDefau
   request.layout_instruction = std::move(fields.layout_instruction);
   request.environment_instruction = std::move(fields.environment_instruction);
   request.vocabulary = std::move(fields.vocabulary);
+  request.reader = fields.reader.empty() ? defaults.reader : std::move(fields.reader);
   request.generator = fields.generator.empty() ? defaults.generator : std::move(fields.generator);
   request.seed = fields.seed != 0 ? fields.seed : drawn_seed;
   if (fields.size != 0.0) request.size_m = fields.size;

@@ -29,7 +29,9 @@ struct GenerateWorldFields {
   double latitude = 0.0;
   double longitude = 0.0;
   bool keep_altitude = false;
+  std::string elevation_unit;
   std::string vocabulary;
+  std::string reader;
   std::string generator;
   std::uint64_t seed = 0;
   double size = 0.0;
@@ -39,6 +41,7 @@ GenerateWorldFields FieldsOf(const latticeworld_msgs::GenerateWorld::Request& re
 GenerateWorldFields FieldsOf(const latticeworld_msgs::GenerateWorldTaskGoal& goal);
 
 struct RequestDefaults {
+  std::string reader;
   std::string generator;
   std::vector<std::filesystem::path> visual_directories;
 };

@@ -127,6 +127,12 @@ Result<SimulationLoop::Moment> SimulationLoop::Step(const StepCall& call) {
       promise->set_value(status);
     } else if (!paused_) {
       promise->set_value(FailedPrecondition("the simulation is running; call pause first"));
+    } else if (call.episode != 0 && call.episode != run_.episode()) {
+      promise->set_value(FailedPrecondition(
+          "episode " + std::to_string(call.episode) + " is over and episode " +
+          std::to_string(run_.episode()) +
+          " runs: another client has reset the world, restored a snapshot or started another "
+          "world; each learning environment needs a server of its own"));
     } else if (job_) {
       promise->set_value(ResourceExhausted("another step call is not done yet"));
     } else {

@@ -80,7 +80,7 @@ class SimulationLoop {
   Result<Moment> Inspect(bool hash);
   // seed 0: the one that it runs with.
   Result<Moment> Reset(std::uint64_t seed);
-  // steps: 1 .. kMaxStepsPerCall. Errors: FAILED_PRECONDITION (running), OUT_OF_RANGE,
+  // steps: 1 .. kMaxStepsPerCall. Errors: FAILED_PRECONDITION (running, episode), OUT_OF_RANGE,
   // RESOURCE_EXHAUSTED (another Step is not done), ABORTED (Swap, Reset, RestoreSnapshot or
   // SetPaused came between), INTERNAL (the simulator has failed meanwhile).
   Result<Moment> Step(std::uint32_t steps, bool hash);
@@ -88,6 +88,7 @@ class SimulationLoop {
   struct StepCall {
     std::uint32_t steps = 1;
     bool hash = false;
+    std::uint64_t episode = 0;  // that runs, else the call is refused; 0: any
     // Before the first step. An error refuses the call; an exception fails the simulator.
     std::function<Status(Simulator*)> begin;
     // Once the listener has heard of the last step; of calls that succeed alone.

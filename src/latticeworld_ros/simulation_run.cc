@@ -21,6 +21,7 @@ void SimulationRun::Swap(RunningWorld* world) {
   std::swap(running_, *world);
   snapshots_.clear();
   failure_.clear();
+  ++episode_;
 }
 
 Status SimulationRun::Step() {
@@ -62,6 +63,7 @@ Status SimulationRun::Reset(std::uint64_t seed) {
     return Status();
   }));
   failure_.clear();
+  ++episode_;
   return Status();
 }
 
@@ -95,6 +97,7 @@ Status SimulationRun::Restore(const std::string& name) {
     return running_.simulator->Restore(*snapshot->second);
   }));
   failure_.clear();
+  ++episode_;
   return Status();
 }
 
@@ -104,6 +107,7 @@ SimulationMoment SimulationRun::Look(bool hash) const {
   SimulationMoment moment;
   moment.world = running_.world;
   moment.seed = simulator.seed();
+  moment.episode = episode_;
   moment.step = state->step;
   moment.episode_step = state->episode_step;
   moment.state = state;

@@ -32,7 +32,8 @@ struct StampedEvent {
 struct SimulationMoment {
   std::shared_ptr<const World> world;
   ros::Time now;
-  std::uint64_t seed = 0;  // of the simulation
+  std::uint64_t seed = 0;     // of the simulation
+  std::uint64_t episode = 0;  // another one after every reset, restored snapshot and new world
   std::uint64_t step = 0;
   std::uint64_t episode_step = 0;
   std::shared_ptr<const WorldState> state;
@@ -58,6 +59,8 @@ class SimulationRun {
   Simulator* simulator() const { return failure_.empty() ? running_.simulator.get() : nullptr; }
   // Why the simulator cannot go on; empty: it can.
   const std::string& failure() const { return failure_; }
+  // Of what runs, as a moment has it.
+  std::uint64_t episode() const { return episode_; }
   // FAILED_PRECONDITION: there is no world, or its simulator has failed.
   Status Check() const;
 
@@ -90,6 +93,7 @@ class SimulationRun {
 
   RunningWorld running_;
   std::string failure_;
+  std::uint64_t episode_ = 0;
   std::map<std::string, std::shared_ptr<const SimulatorSnapshot>> snapshots_;  // of running_
 };
 

@@ -41,6 +41,7 @@ void OnReset(SimulationLoop* loop, RobotTopics* robots,
   robots->WaitUntilReady();
   response->world_id = moment->world->id;
   response->seed = moment->seed;
+  response->episode = moment->episode;
   response->state_hash = moment->state_hash;
 }
 

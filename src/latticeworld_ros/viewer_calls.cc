@@ -181,6 +181,7 @@ ViewerReply ViewerCalls::Generate(const ViewerRequest& request) {
   goal.layout_instruction = request.layout;
   goal.environment_instruction = request.environment;
   goal.vocabulary = request.vocabulary;
+  goal.reader = request.reader;
   goal.generator = request.generator;
   goal.seed = request.seed;
   goal.size = request.size_m;

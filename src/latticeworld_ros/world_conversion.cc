@@ -63,6 +63,17 @@ std::vector<latticeworld_msgs::ClaimOutcome> ToRos(const std::vector<ClaimOutcom
   return messages;
 }
 
+latticeworld_msgs::Reading ToReading(const World& world) {
+  latticeworld_msgs::Reading message;
+  message.reader = world.request.reader;
+  message.layout = world.fidelity.layout_sentences;
+  message.environment = world.fidelity.environment_sentences;
+  message.words = static_cast<std::uint32_t>(world.fidelity.words);
+  message.words_read = static_cast<std::uint32_t>(world.fidelity.words_read);
+  message.second = ToRos(world.fidelity.second);
+  return message;
+}
+
 std::vector<latticeworld_msgs::StageTime> ToRos(const std::vector<StageTime>& stages) {
   std::vector<latticeworld_msgs::StageTime> messages(stages.size());
   for (std::size_t i = 0; i < stages.size(); ++i) {

@@ -15,6 +15,7 @@ namespace latticeworld {
 latticeworld_msgs::WorldInfo ToInfo(const World& world);
 latticeworld_msgs::Layout ToLayout(const World& world);
 latticeworld_msgs::Environment ToEnvironment(const World& world);
+latticeworld_msgs::Reading ToReading(const World& world);
 std::vector<latticeworld_msgs::StageTime> ToRos(const std::vector<StageTime>& stages);
 std::vector<latticeworld_msgs::ClaimOutcome> ToRos(const std::vector<ClaimOutcome>& claims);
 

@@ -42,6 +42,7 @@ std::filesystem::path WorldsDirectory(const WorldServerOptions& options) {
 
 GenerationService::Options GenerationOptions(const WorldServerOptions& options) {
   GenerationService::Options generation;
+  generation.defaults.reader = options.reader;
   generation.defaults.generator = options.generator;
   for (const std::string& directory : options.visual_directories) {
     generation.defaults.visual_directories.push_back(ExpandHome(directory));
@@ -67,7 +68,7 @@ const SensorSuite& SuiteOf(const WorldServerOptions& options) {
 }  // namespace
 
 WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options,
-                         LanguageBackends backends, SketchTranslator sketches,
+                         LoadedLanguage language, SketchTranslator sketches,
                          std::shared_ptr<const Catalogue> catalogue)
     : maps_(node, &current_),
       follower_(options, &current_, &maps_),
@@ -84,13 +85,13 @@ WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options
                },
                [this](const std::string& agent) { loop_.Strike(agent); }},
               [this](const std::vector<RobotWish>& robots) { sensor_topics_.Apply(robots); }),
-      states_(node, options, &robots_, &follower_, &sensors_, backends.server),
+      states_(node, options, &robots_, &follower_, &sensors_, language.server),
       loop_(LoopOptions(options), &states_),
       launcher_(options, &loop_, &robots_, &maps_),
-      generation_(node, GenerationOptions(options),
-                  WorldGenerator(std::move(backends.by_name), options.generator,
-                                 std::move(sketches), std::move(catalogue)),
-                  &launcher_),
+      generation_(
+          node, GenerationOptions(options),
+          WorldGenerator(std::move(language.stack), std::move(sketches), std::move(catalogue)),
+          &launcher_),
       services_(node),
       bundles_(&loop_, &services_) {
   AdvertiseWorldServices(WorldsDirectory(options), &loop_, &current_, &services_);

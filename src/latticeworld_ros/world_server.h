@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "latticeworld/catalogue/catalogue.h"
-#include "latticeworld/generation/language_backends.h"
+#include "latticeworld/generation/language_stacks.h"
 #include "latticeworld/generation/sketch_translator.h"
 #include "latticeworld_ros/bundle_service.h"
 #include "latticeworld_ros/current_world.h"
@@ -38,7 +38,7 @@ class WorldServer {
  public:
   // options: valid. sketches: what options.sketch_model names. catalogue: what options.catalogue
   // adds to; not null.
-  WorldServer(ros::NodeHandle node, const WorldServerOptions& options, LanguageBackends backends,
+  WorldServer(ros::NodeHandle node, const WorldServerOptions& options, LoadedLanguage language,
               SketchTranslator sketches, std::shared_ptr<const Catalogue> catalogue);
   ~WorldServer();
 

@@ -67,24 +67,29 @@ std::vector<Violation> Validate(const WorldServerOptions& options) {
   check_range("robot_clearance", options.robot.clearance_m, 0.0, 100.0);
   check_range("robot_mass", options.robot.mass_kg, 0.0, 1e6);
   check_range("robot_grip", options.robot.grip, 0.05, 10.0);
-  const bool remote = options.remote.is_wanted(), local = options.local.is_wanted();
-  const bool reader = options.reader.is_wanted();
+  const bool remote = options.remote.is_wanted();
+  const bool local = options.local.is_wanted();
+  const bool model = options.reader_model.is_wanted();
+  const std::string& reader = options.reader;
+  if (!(reader.empty() || reader == "rules" || reader == "controlled" ||
+        (model && (reader == "model" || reader == "checked")) || (remote && reader == "remote"))) {
+    refuse("reader", Quote(reader),
+           std::string("rules, controlled, model, checked") +
+               (model ? "" : " (where reader_model is set)") + ", remote" +
+               (remote ? "" : " (where remote_url is set)"));
+  }
   const std::string& generator = options.generator;
-  const bool asks_server = generator == "remote" || generator == "interpreted";
-  const bool embedded = generator == "grounded" || generator == "controlled";
-  if (!embedded && !(remote && asks_server) && !(local && generator == "local") &&
-      !(reader && generator == "reader")) {
+  if (!(generator.empty() || generator == "grounded" || (remote && generator == "remote") ||
+        (local && generator == "local"))) {
     refuse("generator", Quote(generator),
-           std::string("grounded, controlled, remote and interpreted") +
-               (remote ? "" : " (where remote_url is set)") + ", local" +
-               (local ? "" : " (where local_layout_model is set)") + ", reader" +
-               (reader ? "" : " (where reader_model is set)"));
+           std::string("grounded, remote") + (remote ? "" : " (where remote_url is set)") +
+               ", local" + (local ? "" : " (where local_layout_model is set)"));
   }
   for (Violation& violation : Named("remote", Validate(options.remote)))
     violations.push_back(std::move(violation));
   for (Violation& violation : Named("local", Validate(options.local)))
     violations.push_back(std::move(violation));
-  for (Violation& violation : Named("reader", Validate(options.reader)))
+  for (Violation& violation : Named("reader", Validate(options.reader_model)))
     violations.push_back(std::move(violation));
   if (options.worlds_directory.empty()) refuse("worlds_directory", "\"\"", "a directory");
   for (const std::string& directory : options.visual_directories) {

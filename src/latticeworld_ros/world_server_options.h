@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "latticeworld/common/status.h"
-#include "latticeworld/generation/language_backends.h"
+#include "latticeworld/generation/language_stacks.h"
 #include "latticeworld/mapping/traversability.h"
 #include "latticeworld/sensing/sensor_suite.h"
 #include "latticeworld/simulation/simulator.h"
@@ -43,12 +43,13 @@ struct WorldServerOptions {
   int marker_max_assets = 20000;    // [0, 500000]: assets of world/markers
 
   // Worlds.
-  // "grounded" and "controlled"; "remote" and "interpreted" where remote.server.url is set, "local"
-  // where local.layout_model is, "reader" where reader.model is.
-  std::string generator = "grounded";
-  RemoteBackendOptions remote;
-  LocalBackendOptions local;
-  ReaderBackendOptions reader;
+  // Who reads and who answers where a request does not say: names of a LanguageStack, or "" for its
+  // default.
+  std::string reader;
+  std::string generator;
+  RemoteModelOptions remote;
+  LocalModelOptions local;
+  ReaderModelOptions reader_model;
   std::string worlds_directory = "~/.ros/latticeworld/worlds";
   std::vector<std::string> visual_directories = {"~/.ros/latticeworld/visuals"};
   std::string catalogue;     // "": the built-in one, else a file or directory that adds to it

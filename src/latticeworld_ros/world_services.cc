@@ -50,6 +50,7 @@ void OnGet(SimulationLoop* loop, const CurrentWorld& current,
   response->environment_schema = EnvironmentSchema(*world.scene->catalogue);
   response->species = SpeciesNames(*moment->species);
   response->policies = PolicyNames();
+  response->reading = ToReading(world);
   response->fidelity = ToRos(world.fidelity.claims);
   response->not_understood = world.fidelity.not_understood;
   response->warnings = world.warnings;

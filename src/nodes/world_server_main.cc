@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "latticeworld/catalogue/catalogue.h"
-#include "latticeworld/generation/language_backends.h"
+#include "latticeworld/generation/language_stacks.h"
 #include "latticeworld/generation/sketch_translator.h"
 #include "latticeworld_ros/parameters.h"
 #include "latticeworld_ros/shutdown_guard.h"
@@ -33,14 +33,14 @@ int main(int argc, char** argv) {
     ROS_FATAL_STREAM(options.status().ToString());
     return EXIT_FAILURE;
   }
-  latticeworld::LocalBackendOptions local = options->local;
+  latticeworld::LocalModelOptions local = options->local;
   local.layout_model = latticeworld::ExpandHome(local.layout_model).string();
   local.environment_model = latticeworld::ExpandHome(local.environment_model).string();
-  latticeworld::ReaderBackendOptions reader = options->reader;
+  latticeworld::ReaderModelOptions reader = options->reader_model;
   reader.model = latticeworld::ExpandHome(reader.model).string();
-  auto backends = latticeworld::MakeLanguageBackends(options->remote, local, reader);
-  if (!backends.ok()) {
-    ROS_FATAL_STREAM(backends.status().ToString());
+  auto language = latticeworld::LoadLanguage(options->remote, local, reader);
+  if (!language.ok()) {
+    ROS_FATAL_STREAM(language.status().ToString());
     return EXIT_FAILURE;
   }
   auto sketches = latticeworld::SketchTranslator::Load(
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
   }
   try {
     ros::NodeHandle node;
-    auto server = std::make_unique<latticeworld::WorldServer>(node, *options, *std::move(backends),
+    auto server = std::make_unique<latticeworld::WorldServer>(node, *options, *std::move(language),
                                                               *std::move(sketches), catalogue);
     ROS_INFO("ready: call generate_world or load_world");
     // From the first word of it on: taking leave of a master that hangs has no end either.

@@ -25,6 +25,11 @@ void PrintRow(const std::string& name, int satisfied, int total, std::ostream* o
   *out << line;
 }
 
+void PrintSentences(const char* part, const std::vector<std::string>& sentences,
+                    std::ostream* out) {
+  if (!sentences.empty()) *out << "  " << part << " read as: " << Join(sentences, ". ") << ".\n";
+}
+
 }  // namespace
 
 void PrintReport(const FidelityReport& report, std::ostream* out) {
@@ -36,6 +41,14 @@ void PrintReport(const FidelityReport& report, std::ostream* out) {
   for (const std::string& words : report.not_understood) {
     *out << "  not understood: " << Quote(words) << "\n";
   }
+  PrintSentences("layout", report.layout_sentences, out);
+  PrintSentences("environment", report.environment_sentences, out);
+  for (const ClaimOutcome& claim : report.second) {
+    if (claim.satisfied) continue;
+    *out << "  a second reading asks for " << Quote(claim.words) << ": " << claim.explanation
+         << "\n";
+  }
+  if (report.words > 0) PrintRow("words read", report.words_read, report.words, out);
   const int claims = static_cast<int>(report.claims.size());
   if (report.not_understood.empty()) {
     PrintRow("satisfied", report.satisfied(), claims, out);

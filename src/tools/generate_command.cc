@@ -56,7 +56,7 @@ Result<GenerationRequest> ReadRequest(const CLI::App& command) {
     arguments.RequireBesideOneOf(option, {"--height-map", "--sketch"});
   }
   arguments.RequireBeside("--sketch-model", "--sketch");
-  for (const char* option : {"--at", "--keep-altitude"}) {
+  for (const char* option : {"--at", "--keep-altitude", "--elevation-unit"}) {
     arguments.RequireBeside(option, "--elevation");
   }
   request.height_map.height_scale_m =
@@ -72,10 +72,13 @@ Result<GenerationRequest> ReadRequest(const CLI::App& command) {
     request.elevation.longitude_deg = place->second;
   }
   request.elevation.keep_altitude = !command.get_option("--keep-altitude")->empty();
+  request.elevation.unit =
+      *FromName<ElevationUnit>(arguments.Choice("--elevation-unit", {"degrees", "metres"}, ""));
   LW_RETURN_IF_ERROR(arguments.status());
 
   if (request.seed == 0) request.seed = DrawSeed();
   request.vocabulary = ValueOf(command, "--vocabulary").value_or("");
+  request.reader = ValueOf(command, "--reader").value_or("");
   request.generator = ValueOf(command, "--generator").value_or("");
   LW_ASSIGN_OR_RETURN(request.layout_instruction, TextOf(command, "--layout"));
   LW_ASSIGN_OR_RETURN(request.environment_instruction, TextOf(command, "--environment"));
@@ -87,13 +90,10 @@ Result<GenerationRequest> ReadRequest(const CLI::App& command) {
 Status ByOptions(const Status& status) {
   if (status.ok() || status.violations().empty()) return status;
   static constexpr std::pair<std::string_view, std::string_view> kOptions[] = {
-      {"layout_instruction", "--layout"},
-      {"environment_instruction", "--environment"},
-      {"vocabulary", "--vocabulary"},
-      {"generator", "--generator"},
-      {"size", "--size"},
-      {"resolution", "--resolution"},
-      {"size / resolution", "--size / --resolution"}};
+      {"layout_instruction", "--layout"}, {"environment_instruction", "--environment"},
+      {"vocabulary", "--vocabulary"},     {"reader", "--reader"},
+      {"generator", "--generator"},       {"size", "--size"},
+      {"resolution", "--resolution"},     {"size / resolution", "--size / --resolution"}};
   std::vector<Violation> violations = status.violations();
   for (Violation& violation : violations)
     for (const auto& [member, option] : kOptions)
@@ -120,13 +120,11 @@ Status Generate(const CLI::App& command) {
   std::filesystem::path target = *ValueOf(command, "--out");
   if (target.empty()) return InvalidArgument("--out: is empty; give the directory to be made");
   if (!target.has_filename()) target = target.parent_path();  // a trailing slash
-  LW_ASSIGN_OR_RETURN(LanguageBackends backends, MakeLanguageBackends(command));
-  const std::string default_backend = DefaultBackend(backends);
+  LW_ASSIGN_OR_RETURN(LanguageStack language, LoadLanguage(command));
   auto sketches = SketchTranslator::Load(ValueOf(command, "--sketch-model").value_or(""));
   if (!sketches.ok()) return sketches.status().WithContext("--sketch-model");
   LW_ASSIGN_OR_RETURN(auto catalogue, CatalogueOf(command));
-  WorldGenerator generator(std::move(backends.by_name), default_backend, *std::move(sketches),
-                           std::move(catalogue));
+  WorldGenerator generator(std::move(language), *std::move(sketches), std::move(catalogue));
   LW_RETURN_IF_ERROR(ByOptions(generator.Validate(request)));
   LW_RETURN_IF_ERROR(CheckTarget(target));
 
@@ -175,6 +173,9 @@ void AddGenerateCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--at", "LAT,LON",
                  "Place in the elevation that becomes the world's centre, degrees (WGS 84) [the "
                  "middle of the data].");
+  AddValueOption(command, "--elevation-unit", "NAME",
+                 "degrees or metres: of an ASCII grid without a coordinate system [judged by its "
+                 "numbers].");
   command->add_flag("--keep-altitude",
                     "Heights as in the elevation; without it the lowest point becomes 0.");
   AddValueOption(command, "--height-scale", "METRES",

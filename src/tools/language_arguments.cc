@@ -13,14 +13,20 @@
 namespace latticeworld::tools {
 void AddLanguageOptions(CLI::App* command) {
   AddValueOption(
+      command, "--reader", "NAME",
+      "Who reads the words: rules, controlled (they are sentences of the small language, "
+      "docs/small_language.md), model (--reader-model says them in it), checked (model, with the "
+      "rules beside it) or remote (the model behind --remote-url says them in plain sentences, "
+      "which the rules read) [checked where --reader-model is given, else rules].");
+  AddValueOption(
       command, "--generator", "NAME",
-      "Who reads the words: grounded (embedded), controlled (they are sentences of the small "
-      "language), remote (a model behind --remote-url), interpreted (that model says them in plain "
-      "sentences, grounded does the rest), or local (a model in "
-      "this process, --local-model) [remote where --remote-url is given, else local where "
-      "--local-model is, else grounded].");
+      "Who answers them: grounded (draws what was read), remote (the model behind --remote-url) or "
+      "local (a model in this process, --local-model) [remote where --remote-url is given, else "
+      "local where --local-model is, else grounded].");
   AddValueOption(command, "--reader-model", "FILE",
-                 "GGUF file of a model that was taught to read (generator reader).");
+                 "GGUF file of a model that was taught to read (scripts/fetch_reader.sh).");
+  AddValueOption(command, "--reader-threads", "N",
+                 "That read, which does not depend on them, 0 to 256 [0: as many as cores].");
   AddValueOption(command, "--local-model", "FILE",
                  "GGUF file of LLaMA's architecture (f32, f16, q4_1 or q8_0) that draws layouts.");
   AddValueOption(command, "--local-environment-model", "FILE",
@@ -49,9 +55,9 @@ void AddLanguageOptions(CLI::App* command) {
                     "Where the server cannot be had, grounded answers, with a warning.");
 }
 
-Result<LanguageBackends> MakeLanguageBackends(const CLI::App& command) {
+Result<LanguageStack> LoadLanguage(const CLI::App& command) {
   ArgumentReader arguments(&command);
-  RemoteBackendOptions remote;
+  RemoteModelOptions remote;
   remote.server = ReadServerOptions(command, &arguments);
   remote.server.sees = command.count("--remote-sees") > 0;
   remote.fallback = command.count("--remote-fallback") > 0;
@@ -66,7 +72,7 @@ Result<LanguageBackends> MakeLanguageBackends(const CLI::App& command) {
                              "--remote-layout-max-tokens", "--remote-environment-max-tokens"}) {
     arguments.RequireBeside(option, "--remote-url");
   }
-  LocalBackendOptions local;
+  LocalModelOptions local;
   local.layout_model = ValueOf(command, "--local-model").value_or("");
   local.environment_model = ValueOf(command, "--local-environment-model").value_or("");
   local.fallback = command.count("--local-fallback") > 0;
@@ -76,8 +82,10 @@ Result<LanguageBackends> MakeLanguageBackends(const CLI::App& command) {
   for (const char* option :
        {"--local-environment-model", "--local-temperature", "--local-threads", "--local-tries"})
     arguments.RequireBeside(option, "--local-model");
-  ReaderBackendOptions reader;
+  ReaderModelOptions reader;
   reader.model = ValueOf(command, "--reader-model").value_or("");
+  reader.threads = static_cast<int>(arguments.Integer("--reader-threads", 0, 256, reader.threads));
+  arguments.RequireBeside("--reader-threads", "--reader-model");
   LW_RETURN_IF_ERROR(arguments.status());
 
   std::vector<Violation> violations = Validate(remote);
@@ -88,7 +96,8 @@ Result<LanguageBackends> MakeLanguageBackends(const CLI::App& command) {
     violations.push_back(std::move(violation));
   }
   LW_RETURN_IF_ERROR(Status::FromViolations("unusable arguments", std::move(violations)));
-  return latticeworld::MakeLanguageBackends(remote, local, reader);
+  LW_ASSIGN_OR_RETURN(LoadedLanguage loaded, latticeworld::LoadLanguage(remote, local, reader));
+  return std::move(loaded.stack);
 }
 
 }  // namespace latticeworld::tools

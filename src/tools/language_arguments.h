@@ -2,7 +2,7 @@
 #define LATTICEWORLD_TOOLS_LANGUAGE_ARGUMENTS_H_
 
 #include "latticeworld/common/result.h"
-#include "latticeworld/generation/language_backends.h"
+#include "latticeworld/generation/language_stacks.h"
 
 namespace CLI {
 class App;
@@ -10,12 +10,12 @@ class App;
 
 namespace latticeworld::tools {
 
-// The options by which a command is told who reads the words: --generator, --remote-... and
-// --local-...
+// The options by which a command is told who reads the words and who answers them: --reader,
+// --generator, --reader-..., --remote-... and --local-...
 void AddLanguageOptions(CLI::App* command);
 
 // Errors: INVALID_ARGUMENT naming every unusable option.
-Result<LanguageBackends> MakeLanguageBackends(const CLI::App& command);
+Result<LanguageStack> LoadLanguage(const CLI::App& command);
 
 }  // namespace latticeworld::tools
 

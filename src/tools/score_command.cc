@@ -4,6 +4,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <iostream>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/fidelity.h"
 #include "latticeworld/generation/fidelity_benchmark.h"
+#include "latticeworld/generation/language_stacks.h"
 #include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/layout/claims_json.h"
 #include "tools/arguments.h"
@@ -64,10 +66,13 @@ Status ScoreBundle(const CLI::App& command, const std::string& directory) {
   if (command.count("--claims") + command.count("--environment-claims") > 0) {
     return ScoreByClaims(command, *world);
   }
-  LW_ASSIGN_OR_RETURN(const FidelityReport report,
-                      ReadAndAssess(MakeRuleReader().get(), world->request.layout_instruction,
-                                    world->request.environment_instruction, world->layout,
-                                    world->environment, world->scene->catalogue));
+  // By the reader that read it then, as it read it.
+  const LanguageStack language = MakeReplayStack(world->replies);
+  LW_ASSIGN_OR_RETURN(
+      const FidelityReport report,
+      ReadAndAssess(language.readers.at(world->request.reader).get(),
+                    world->request.layout_instruction, world->request.environment_instruction,
+                    world->layout, world->environment, world->scene->catalogue));
   PrintReport(report, &std::cout);
   return Status();
 }
@@ -91,24 +96,38 @@ Status ScoreSymbols(const CLI::App& command) {
   return Status();
 }
 
+// The one of a stack's readers or generators that an option names.
+template <typename Value>
+Result<typename std::map<std::string, Value>::iterator> Named(
+    const char* option, const CLI::App& command, const std::string& otherwise,
+    std::map<std::string, Value>* by_name) {
+  const std::string name = ValueOf(command, option).value_or(otherwise);
+  const auto found = by_name->find(name);
+  if (found != by_name->end()) return found;
+  std::vector<std::string> names;
+  for (const auto& [legal, value] : *by_name) names.push_back(legal);
+  return InvalidArgument(std::string(option) + ": is " + Quote(name) + "; legal are " +
+                         Join(names, ", ") +
+                         "; others need --reader-model, --local-model or --remote-url");
+}
+
 Status ScoreBenchmark(const CLI::App& command) {
   ArgumentReader arguments(&command);
   const std::string part_name = arguments.Choice("--part", {"development", "test"}, "development");
   const std::uint64_t seed = arguments.Unsigned("--seed", 1);
+  const std::uint64_t most = arguments.Unsigned("--most", 1000000);
   LW_RETURN_IF_ERROR(arguments.status());
-  LW_ASSIGN_OR_RETURN(LanguageBackends backends, MakeLanguageBackends(command));
-  const std::string generator = ValueOf(command, "--generator").value_or(DefaultBackend(backends));
-  const auto backend = backends.by_name.find(generator);
-  if (backend == backends.by_name.end()) {
-    return InvalidArgument(
-        "--generator: must be grounded or controlled, remote or interpreted beside --remote-url, "
-        "or local "
-        "beside --local-model, not " +
-        Quote(generator));
-  }
-  const BenchmarkPart part = *FromName<BenchmarkPart>(part_name);
+  LW_ASSIGN_OR_RETURN(LanguageStack language, LoadLanguage(command));
+  LW_ASSIGN_OR_RETURN(const auto reader,
+                      Named("--reader", command, language.default_reader, &language.readers));
+  LW_ASSIGN_OR_RETURN(
+      const auto generator,
+      Named("--generator", command, language.default_generator, &language.generators));
+  const std::optional<std::string> examples = ValueOf(command, "--examples");
   LW_ASSIGN_OR_RETURN(const FidelityBenchmark benchmark,
-                      ReadFidelityBenchmark(*ValueOf(command, "--benchmark"), part));
+                      examples ? ReadReaderExamples(*examples, most)
+                               : ReadFidelityBenchmark(*ValueOf(command, "--benchmark"),
+                                                       *FromName<BenchmarkPart>(part_name)));
 
   ProgressDisplay display;
   // What the generators say of a single answer is not shown.
@@ -116,13 +135,17 @@ Status ScoreBenchmark(const CLI::App& command) {
     if (stage == "layouts" || stage == "environments") display.Show(stage, fraction);
   });
   const CancelOnInterrupt cancel_on_interrupt(&progress);
-  auto layouts = ScoreLayouts(benchmark.layouts, seed, backend->second.layout.get(), progress);
-  auto environments = layouts.ok() ? ScoreEnvironments(benchmark.environments, seed,
-                                                       backend->second.environment.get(), progress)
-                                   : layouts.status();
+  auto layouts = ScoreLayouts(benchmark.layouts, seed, reader->second.get(),
+                              generator->second.layout.get(), progress);
+  auto environments = layouts.ok()
+                          ? ScoreEnvironments(benchmark.environments, seed, reader->second.get(),
+                                              generator->second.environment.get(), progress)
+                          : layouts.status();
   display.Clear();
   if (!environments.ok()) return environments.status();
-  const std::string ending = ", " + part_name + " part, by " + generator;
+  const std::string what = examples ? *examples : part_name + " part";
+  const std::string ending =
+      ", " + what + ", read by " + reader->first + ", answered by " + generator->first;
   const bool misses = command.count("--misses") > 0;
   PrintScore("layout instructions" + ending, *layouts, &std::cout);
   if (misses) PrintMisses(*layouts, &std::cout);
@@ -135,8 +158,9 @@ Status Score(const CLI::App& command) {
   const auto bundle = ValueOf(command, "DIR");
   const bool symbols = ValueOf(command, "--symbols").has_value();
   const bool benchmark = ValueOf(command, "--benchmark").has_value();
-  if (bundle.has_value() + symbols + benchmark != 1) {
-    return InvalidArgument("give one of a bundle, --symbols and --benchmark");
+  const bool examples = ValueOf(command, "--examples").has_value();
+  if (bundle.has_value() + symbols + benchmark + examples != 1) {
+    return InvalidArgument("give one of a bundle, --symbols, --benchmark and --examples");
   }
   if (bundle) return ScoreBundle(command, *bundle);
   return symbols ? ScoreSymbols(command) : ScoreBenchmark(command);
@@ -160,6 +184,11 @@ void AddScoreCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--benchmark", "DIR",
                  "A benchmark, such as benchmarks/fidelity: a back end answers its instructions, "
                  "and the claims written down for them are measured.");
+  AddValueOption(
+      command, "--examples", "FILE",
+      "Examples for readers, JSON Lines as in training/examples: the same, by the claims "
+      "of their sentences.");
+  AddValueOption(command, "--most", "N", "Beside --examples: the first N of them [all].");
   AddValueOption(command, "--part", "NAME", "development or test [development].");
   AddValueOption(command, "--seed", "N", "What the answers are drawn from [1].");
   command->add_flag("--misses", "Also lists every claim that is not satisfied.");

@@ -67,6 +67,7 @@ void PrintRequest(const GenerationRequest& request, std::ostream* out) {
   }
   PrintLine("seed", std::to_string(request.seed), out);
   PrintLine("vocabulary", request.vocabulary, out);
+  PrintLine("reader", request.reader, out);
   PrintLine("generator", request.generator, out);
 }
 

@@ -87,8 +87,9 @@ class WinterGenerator : public EnvironmentGenerator {
 TEST_F(FidelityBenchmarkTest, CountsPerKindWhatTheItemsClaim) {
   const auto benchmark = ReadFidelityBenchmark(directory_.path(), BenchmarkPart::kTest);
   ASSERT_TRUE(benchmark.ok()) << benchmark.status().ToString();
+  const auto rules = MakeRuleReader();
   ForestGenerator forest;
-  const auto score = ScoreLayouts(benchmark->layouts, 1, &forest, Progress());
+  const auto score = ScoreLayouts(benchmark->layouts, 1, rules.get(), &forest, Progress());
   ASSERT_TRUE(score.ok());
   EXPECT_EQ(score->items, 2);
   EXPECT_EQ(score->answered, 1);
@@ -102,7 +103,8 @@ TEST_F(FidelityBenchmarkTest, CountsPerKindWhatTheItemsClaim) {
   EXPECT_NE(score->misses[1].explanation.find("nobody there"), std::string::npos);
 
   WinterGenerator winter;
-  const auto environments = ScoreEnvironments(benchmark->environments, 1, &winter, Progress());
+  const auto environments =
+      ScoreEnvironments(benchmark->environments, 1, rules.get(), &winter, Progress());
   ASSERT_TRUE(environments.ok());
   EXPECT_EQ(environments->by_kind.at("coarse").satisfied, 1);
   EXPECT_EQ(environments->by_kind.at("agents").satisfied, 0);
@@ -110,10 +112,11 @@ TEST_F(FidelityBenchmarkTest, CountsPerKindWhatTheItemsClaim) {
 
 TEST_F(FidelityBenchmarkTest, EndsWhenItIsCancelled) {
   const auto benchmark = ReadFidelityBenchmark(directory_.path(), BenchmarkPart::kTest);
+  const auto rules = MakeRuleReader();
   ForestGenerator forest;
   Progress progress;
   progress.Cancel();
-  const auto score = ScoreLayouts(benchmark->layouts, 1, &forest, progress);
+  const auto score = ScoreLayouts(benchmark->layouts, 1, rules.get(), &forest, progress);
   EXPECT_EQ(score.status().code(), StatusCode::kCancelled);
 }
 
@@ -207,11 +210,12 @@ TEST(ShippedFidelityBenchmarkTest, EveryEmbeddedAnswerIsLegalAndNineClaimsInTenH
   for (const auto& entry : EnumNames(BenchmarkPart{})) {
     const auto part = ReadFidelityBenchmark(LATTICEWORLD_FIDELITY_BENCHMARK, entry.value);
     ASSERT_TRUE(part.ok()) << part.status().ToString();
+    const auto rules = MakeRuleReader();
     CheckedLayouts layouts;
     CheckedEnvironments environments;
-    const auto layout_score = ScoreLayouts(part->layouts, 1, &layouts, Progress());
+    const auto layout_score = ScoreLayouts(part->layouts, 1, rules.get(), &layouts, Progress());
     const auto environment_score =
-        ScoreEnvironments(part->environments, 1, &environments, Progress());
+        ScoreEnvironments(part->environments, 1, rules.get(), &environments, Progress());
     ASSERT_TRUE(layout_score.ok() && environment_score.ok());
     EXPECT_EQ(layout_score->answered, layout_score->items);
     EXPECT_EQ(environment_score->answered, environment_score->items);

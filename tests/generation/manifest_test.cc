@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "latticeworld/common/digest.h"
 
 namespace latticeworld {
@@ -99,13 +101,41 @@ TEST(ManifestTest, IsRefusedWhereverItIsCut) {
 }
 
 TEST(ManifestTest, NamesBothVersionsOfAnotherFormat) {
-  for (const std::string& content : {Forged("\"format_version\": 5", "\"format_version\": 9"),
+  for (const std::string& content : {Forged("\"format_version\": 6", "\"format_version\": 9"),
                                      std::string("{\"format_version\": 9, \"what\": \"ever\"}")}) {
     const auto decoded = DecodeManifest(content);
     ASSERT_FALSE(decoded.ok());
     EXPECT_EQ(decoded.status().code(), StatusCode::kFailedPrecondition);
     EXPECT_NE(decoded.status().message().find("version 9"), std::string::npos);
-    EXPECT_NE(decoded.status().message().find("version 5"), std::string::npos);
+    EXPECT_NE(decoded.status().message().find("versions 5 to 6"), std::string::npos);
+  }
+}
+
+// Format 5 has one name for who read and who answered, and no unit of elevation.
+TEST(ManifestTest, ReadsTheFormatBefore) {
+  const std::pair<std::string, std::pair<std::string, std::string>> names[] = {
+      {"grounded", {"rules", "grounded"}},
+      {"interpreted", {"remote", "grounded"}},
+      {"controlled", {"controlled", "grounded"}},
+      {"reader", {"model", "grounded"}},
+      {"local", {"rules", "local"}}};
+  for (const auto& [name, wanted] : names) {
+    Manifest manifest = MakeManifest();
+    manifest.request.generator = name;
+    std::string content = EncodeManifest(manifest);
+    content =
+        std::regex_replace(content, std::regex("\"format_version\": 6"), "\"format_version\": 5");
+    content = std::regex_replace(content, std::regex("\\s*\"(reader|unit)\": \"\",?"), "");
+    content = std::regex_replace(content, std::regex(",(\\s*\\})"), "$1");
+    const std::string key = "\"manifest_sha256\": \"";
+    const std::size_t digits = content.rfind(key) + key.size();
+    content.replace(digits, 64, std::string(64, '0'));
+    content.replace(digits, 64, Sha256Hex(content));
+    const auto decoded = DecodeManifest(content);
+    ASSERT_TRUE(decoded.ok()) << name << ": " << decoded.status().ToString();
+    EXPECT_EQ(decoded->request.reader, wanted.first);
+    EXPECT_EQ(decoded->request.generator, wanted.second);
+    EXPECT_EQ(decoded->request.elevation.unit, ElevationUnit::kJudged);
   }
 }
 

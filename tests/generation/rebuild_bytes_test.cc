@@ -17,7 +17,7 @@
 #include "latticeworld/generation/rebuild.h"
 #include "latticeworld/generation/world_generator.h"
 #include "latticeworld/language/drawn/grounded.h"
-#include "latticeworld/language/interpreted/interpreted.h"
+#include "latticeworld/language/interpreted/interpreting_reader.h"
 #include "latticeworld/language/remote/remote.h"
 
 namespace latticeworld {
@@ -33,6 +33,7 @@ constexpr char kZero[] = R"({"sentences": ["A lake\u0000."]})";
 // What a server says to those that ask for a world, and what comes of it.
 struct Talk {
   std::string name;
+  std::string reader;
   std::string generator;
   std::function<void(FakeChatServer* server)> script;
   // Purposes of the replies in order, "!" before one: the record of a failure.
@@ -50,11 +51,13 @@ std::vector<Talk> Talks() {
                                                      "remote back end failed (UNAVAILABLE"};
   return {
       {"RemoteAtOnce",
+       "rules",
        "remote",
        [](Server* server) { server->Say(LegalMatrix()).Say(LegalEnvironment()); },
        {"layout", "environment"},
        {}},
       {"RemoteAfterARepairTurn",
+       "rules",
        "remote",
        [](Server* server) {
          server->Say("I cannot draw.").Say(LegalMatrix()).Say("{}").Say(LegalEnvironment());
@@ -62,6 +65,7 @@ std::vector<Talk> Talks() {
        {"layout", "layout", "environment", "environment"},
        {}},
       {"RemoteRefused",
+       "rules",
        "remote",
        [](Server* server) {
          server->Say("no").Say("never").Say("not \"at\" all\n").Say("{}").Say("{}").Say("1");
@@ -70,27 +74,32 @@ std::vector<Talk> Talks() {
         "!environment"},
        {"remote back end failed (DATA_LOSS", "remote back end failed (DATA_LOSS"}},
       {"RemoteRefusedForTheLayoutOnly",
+       "rules",
        "remote",
        [](Server* server) { server->Say("no").Say("no").Say("no").Say(LegalEnvironment()); },
        {"layout", "layout", "layout", "!layout", "environment"},
        {"remote back end failed (DATA_LOSS"}},
       {"RemoteGoneAfterTheLayout",
+       "rules",
        "remote",
        [gone](Server* server) { server->Say(LegalMatrix()).Say("{}").Fail(gone); },
        {"layout", "environment", "!environment"},
        {"remote back end failed (UNAVAILABLE: repair turn 1: "}},
       {"RemoteGone",
+       "rules",
        "remote",
        [gone](Server* server) { server->Fail(gone).Fail(gone); },
        {"!layout", "!environment"},
        both_unavailable},
       {"InterpretedAtOnce",
-       "interpreted",
+       "remote",
+       "grounded",
        [](Server* server) { server->Say(kMap).Say(kMap).Say(kScene).Say(kScene); },
        {"layout_words", "layout_words", "environment_words", "environment_words"},
        {}},
       {"InterpretedAfterARepairTurn",
-       "interpreted",
+       "remote",
+       "grounded",
        [](Server* server) {
          server->Say("A lake?").Say(kMap).Say(kMap).Say("?").Say(kScene).Say(kScene);
        },
@@ -98,7 +107,8 @@ std::vector<Talk> Talks() {
         "environment_words"},
        {}},
       {"InterpretedToTheLastTurn",
-       "interpreted",
+       "remote",
+       "grounded",
        [](Server* server) {
          server->Say(kScene).Say("?").Say(kMap).Say(kMap).Say(kScene).Say("?");
        },
@@ -106,42 +116,49 @@ std::vector<Talk> Talks() {
         "environment_words"},
        {}},
       {"InterpretedGoneOnceItHadSaidSomething",
-       "interpreted",
+       "remote",
+       "grounded",
        [gone](Server* server) { server->Say(kMap).Fail(gone).Say(kScene).Fail(gone); },
        {"layout_words", "environment_words"},
        {}},
       {"InterpretedRefused",
-       "interpreted",
+       "remote",
+       "grounded",
        [](Server* server) { server->Say("1").Say("2").Say("3").Say("4").Say("5").Say("6"); },
-       {"layout_words", "layout_words", "layout_words", "!layout", "environment_words",
-        "environment_words", "environment_words", "!environment"},
-       {"interpreted back end failed (DATA_LOSS", "interpreted back end failed (DATA_LOSS"}},
+       {"layout_words", "layout_words", "layout_words", "!layout_words", "environment_words",
+        "environment_words", "environment_words", "!environment_words"},
+       {"reader remote failed (DATA_LOSS", "reader remote failed (DATA_LOSS"}},
       {"InterpretedInWordsThatTheEmbeddedRefuses",
-       "interpreted",
+       "remote",
+       "grounded",
        [](Server* server) { server->Say(kZero).Say(kZero).Say(kScene).Say(kScene); },
-       {"layout_words", "layout_words", "!layout", "environment_words", "environment_words"},
-       {"interpreted back end failed (INVALID_ARGUMENT"}},
+       {"layout_words", "layout_words", "!layout_words", "environment_words", "environment_words"},
+       {"reader remote failed (INVALID_ARGUMENT"}},
       {"InterpretedGone",
-       "interpreted",
+       "remote",
+       "grounded",
        [gone](Server* server) { server->Fail(gone).Fail(gone); },
-       {"!layout", "!environment"},
-       {"interpreted back end failed (UNAVAILABLE", "interpreted back end failed (UNAVAILABLE"}},
+       {"!layout_words", "!environment_words"},
+       {"reader remote failed (UNAVAILABLE", "reader remote failed (UNAVAILABLE"}},
   };
 }
 
-// The back end over a server, with the grounded one to fall back on.
-LanguageBackend BackendOver(const std::shared_ptr<ChatServer>& server, const std::string& name) {
-  RemoteOptions options;
-  options.name = name;
-  const bool reads = name == "interpreted";
-  return {
-      MakeRuleReader(),
-      MakeFallbackLayoutGenerator(reads ? MakeInterpretedLayoutGenerator(server, options)
-                                        : MakeRemoteLayoutGenerator(server, options),
+// Who reads and who answers over a server, with the embedded ones to fall back on.
+LanguageStack StackOver(const std::shared_ptr<ChatServer>& server, const Talk& talk) {
+  LanguageStack stack;
+  stack.default_reader = talk.reader;
+  stack.default_generator = talk.generator;
+  stack.readers["rules"] = MakeRuleReader();
+  stack.readers["remote"] =
+      MakeFallbackReader(MakeInterpretingReader(server, {}), MakeRuleReader());
+  stack.generators["grounded"] = {MakeGroundedLayoutGenerator(),
+                                  MakeGroundedEnvironmentGenerator()};
+  stack.generators["remote"] = {
+      MakeFallbackLayoutGenerator(MakeRemoteLayoutGenerator(server, {}),
                                   MakeGroundedLayoutGenerator()),
-      MakeFallbackEnvironmentGenerator(reads ? MakeInterpretedEnvironmentGenerator(server, options)
-                                             : MakeRemoteEnvironmentGenerator(server, options),
+      MakeFallbackEnvironmentGenerator(MakeRemoteEnvironmentGenerator(server, {}),
                                        MakeGroundedEnvironmentGenerator())};
+  return stack;
 }
 
 std::shared_ptr<const World> Generate(const Talk& talk) {
@@ -154,9 +171,7 @@ std::shared_ptr<const World> Generate(const Talk& talk) {
   request.seed = 7;
   request.size_m = 64.0;
   request.resolution_m = 1.0;
-  std::map<std::string, LanguageBackend> backends;
-  backends[talk.generator] = BackendOver(server, talk.generator);
-  auto world = WorldGenerator(std::move(backends), talk.generator).Generate(request, Progress());
+  auto world = WorldGenerator(StackOver(server, talk)).Generate(request, Progress());
   EXPECT_TRUE(world.ok()) << world.status().ToString();
   return world.ok() ? *world : nullptr;
 }
@@ -191,7 +206,7 @@ TEST_P(RebuildBytesTest, EveryFileIsTheSameWithoutTheServer) {
   EXPECT_EQ(recorded, GetParam().recorded);
   std::vector<std::string> told;
   for (const std::string& warning : world->warnings)
-    if (warning.find(" back end failed ") != std::string::npos) told.push_back(warning);
+    if (warning.find(" failed (") != std::string::npos) told.push_back(warning);
   ASSERT_EQ(told.size(), GetParam().fallbacks.size());
   for (std::size_t i = 0; i < told.size(); ++i)
     EXPECT_NE(told[i].find(GetParam().fallbacks[i]), std::string::npos) << told[i];

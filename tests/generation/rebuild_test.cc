@@ -5,17 +5,18 @@
 #include "generation/test_world.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/bundle_files.h"
-#include "latticeworld/generation/language_backends.h"
+#include "latticeworld/generation/language_stacks.h"
 #include "latticeworld/generation/world_generator.h"
 
 namespace latticeworld {
 namespace {
 
-GenerationRequest Request(const std::string& generator) {
+GenerationRequest Request(const std::string& generator, const std::string& reader = "") {
   GenerationRequest request;
   request.layout_instruction = "A lake in the north.";
   request.environment_instruction = "Two sheep graze.";
   request.vocabulary = "suburb";
+  request.reader = reader;
   request.generator = generator;
   request.seed = 7;
   request.size_m = 64.0;
@@ -38,10 +39,10 @@ std::vector<ModelReply> Replies() {
           {"environment", "m", ToJson(environment), "stop", 0, 0, 0, 0.1}};
 }
 
-std::shared_ptr<const World> Generate(std::vector<ModelReply> replies, const std::string& by) {
-  LanguageBackends backends = MakeReplayBackends(std::move(replies));
-  WorldGenerator generator(std::move(backends.by_name), "grounded");
-  auto world = generator.Generate(Request(by), Progress());
+std::shared_ptr<const World> Generate(const std::vector<ModelReply>& replies, const std::string& by,
+                                      const std::string& reader = "") {
+  WorldGenerator generator(MakeReplayStack(replies));
+  auto world = generator.Generate(Request(by, reader), Progress());
   EXPECT_TRUE(world.ok()) << world.status().ToString();
   return *world;
 }
@@ -66,7 +67,7 @@ TEST(RebuildTest, AWorldThatAModelReadIsMadeAgainWithoutTheModel) {
   const auto world = Generate({{"layout_words", "m", map, "stop"},
                                {"layout_words", "m", map, "stop"},
                                {"environment_words", "m", scene, "stop"}},
-                              "interpreted");
+                              "grounded", "remote");
   ASSERT_EQ(world->replies.size(), 3u);
   EXPECT_EQ(world->environment.coarse.time_of_day, TimeOfDay::kNight);
   const auto rebuilt = RebuildWorld(*world, Progress());
@@ -117,44 +118,46 @@ TEST(RebuildTest, NamesTheFilesInWhichBundlesDiffer) {
   EXPECT_EQ(DifferingFiles(less, recorded), missing);
 }
 
-TEST(LanguageBackendsTest, RemoteIsThereOnlyWhereItIsWanted) {
-  RemoteBackendOptions options;
-  auto embedded = MakeLanguageBackends(options);
+TEST(LoadLanguageTest, RemoteIsThereOnlyWhereItIsWanted) {
+  RemoteModelOptions options;
+  auto embedded = LoadLanguage(options);
   ASSERT_TRUE(embedded.ok());
-  EXPECT_EQ(embedded->by_name.size(), 2u);
-  EXPECT_EQ(embedded->by_name.count("controlled"), 1u);
+  EXPECT_EQ(embedded->stack.readers.size(), 2u);
+  EXPECT_EQ(embedded->stack.readers.count("controlled"), 1u);
+  EXPECT_EQ(embedded->stack.generators.size(), 1u);
   EXPECT_EQ(embedded->server, nullptr);
   options.server.url = "http://127.0.0.1:9/v1";
-  auto both = MakeLanguageBackends(options);
+  auto both = LoadLanguage(options);
   ASSERT_TRUE(both.ok()) << both.status().ToString();
-  EXPECT_EQ(both->by_name.count("remote"), 1u);
-  EXPECT_EQ(both->by_name.count("interpreted"), 1u);
-  EXPECT_EQ(DefaultBackend(*both), "remote");
+  EXPECT_EQ(both->stack.readers.count("remote"), 1u);
+  EXPECT_EQ(both->stack.default_reader, "rules");
+  EXPECT_EQ(both->stack.generators.count("remote"), 1u);
+  EXPECT_EQ(both->stack.default_generator, "remote");
   ASSERT_NE(both->server, nullptr);
   EXPECT_EQ(both->server->statistics().requests, 0u);
 }
 
-TEST(LanguageBackendsTest, EveryIllegalOptionIsNamedAtOnce) {
-  RemoteBackendOptions options;
+TEST(LoadLanguageTest, EveryIllegalOptionIsNamedAtOnce) {
+  RemoteModelOptions options;
   options.server.url = "ftp://example.org";
   options.server.total_timeout_s = -1.0;
   options.model.repair_turns = 99;
-  const auto backends = MakeLanguageBackends(options);
-  ASSERT_FALSE(backends.ok());
-  EXPECT_EQ(backends.status().code(), StatusCode::kInvalidArgument);
-  EXPECT_EQ(backends.status().violations().size(), 3u) << backends.status().ToString();
+  const auto language = LoadLanguage(options);
+  ASSERT_FALSE(language.ok());
+  EXPECT_EQ(language.status().code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(language.status().violations().size(), 3u) << language.status().ToString();
 }
 
 // Nobody listens on the discard port: what a setting makes of a server that cannot be had.
-TEST(LanguageBackendsTest, AServerThatCannotBeHadIsAnErrorOrTheGroundedBackEnd) {
-  RemoteBackendOptions options;
+TEST(LoadLanguageTest, AServerThatCannotBeHadIsAnErrorOrTheGroundedBackEnd) {
+  RemoteModelOptions options;
   options.server.url = "http://127.0.0.1:9/v1";
   options.server.model = "m";
   options.server.max_retries = 0;
   for (const bool fallback : {false, true}) {
     options.fallback = fallback;
-    LanguageBackends backends = *MakeLanguageBackends(options);
-    WorldGenerator generator(std::move(backends.by_name), "remote");
+    LoadedLanguage language = *LoadLanguage(options);
+    WorldGenerator generator(std::move(language.stack));
     const auto world = generator.Generate(Request(""), Progress());
     if (!fallback) {
       ASSERT_FALSE(world.ok());

@@ -6,20 +6,20 @@
 #include <vector>
 
 #include "latticeworld/environment/environment_claims.h"
-#include "latticeworld/generation/language_backends.h"
+#include "latticeworld/generation/language_stacks.h"
 #include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/layout/claims.h"
 
 namespace latticeworld {
 namespace {
 
-LanguageBackends Shipped() {
-  LocalBackendOptions options;
+LanguageStack Shipped() {
+  LocalModelOptions options;
   options.layout_model = LATTICEWORLD_MODELS "/layouts.gguf";
   options.environment_model = LATTICEWORLD_MODELS "/environments.gguf";
-  auto backends = MakeLanguageBackends({}, options);
-  EXPECT_TRUE(backends.ok()) << backends.status().ToString();
-  return *std::move(backends);
+  auto language = LoadLanguage({}, options);
+  EXPECT_TRUE(language.ok()) << language.status().ToString();
+  return std::move(language->stack);
 }
 
 struct Wish {
@@ -81,8 +81,8 @@ std::size_t Held(const std::vector<Claim>& claims, const SymbolicLayout& layout)
 
 // Draws are the same on every processor, so that what is counted here is the file's.
 TEST(ShippedModelsTest, TheLayoutModelListens) {
-  const LanguageBackends backends = Shipped();
-  LayoutGenerator& shipped = *backends.by_name.at("local").layout;
+  const LanguageStack stack = Shipped();
+  LayoutGenerator& shipped = *stack.generators.at("local").layout;
   constexpr int kSeeds = 4;
   std::size_t asked = 0, held = 0, held_by_others = 0, others = 0;
   for (std::size_t i = 0; i < Wishes().size(); ++i) {
@@ -118,8 +118,8 @@ TEST(ShippedModelsTest, TheLayoutModelListens) {
 }
 
 TEST(ShippedModelsTest, TheEnvironmentModelListens) {
-  const LanguageBackends backends = Shipped();
-  EnvironmentGenerator& shipped = *backends.by_name.at("local").environment;
+  const LanguageStack stack = Shipped();
+  EnvironmentGenerator& shipped = *stack.generators.at("local").environment;
   const SymbolicLayout land = Land();
   constexpr int kSeeds = 3;
   std::size_t asked = 0, held = 0, held_by_others = 0, others = 0;

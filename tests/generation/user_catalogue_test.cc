@@ -10,7 +10,7 @@
 #include "latticeworld/common/files.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/catalogue_json.h"
-#include "latticeworld/generation/language_backends.h"
+#include "latticeworld/generation/language_stacks.h"
 #include "latticeworld/generation/rebuild.h"
 #include "latticeworld/generation/world_generator.h"
 
@@ -22,8 +22,8 @@ std::shared_ptr<const Catalogue> WithLarches() {
 }
 
 std::shared_ptr<const World> LarchWood(std::shared_ptr<const Catalogue> catalogue) {
-  WorldGenerator generator(std::move(MakeLanguageBackends({}).value().by_name), "grounded",
-                           SketchTranslator(), std::move(catalogue));
+  WorldGenerator generator(std::move(LoadLanguage({}).value().stack), SketchTranslator(),
+                           std::move(catalogue));
   GenerationRequest request;
   request.layout_instruction = "Dense forest everywhere.";
   request.environment_instruction = "An autumn day, golden larch forest.";

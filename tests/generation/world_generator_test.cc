@@ -73,12 +73,15 @@ class FakeEnvironmentGenerator : public EnvironmentGenerator {
 };
 
 WorldGenerator MakeFakeGenerator(FakeLog* log) {
-  std::map<std::string, LanguageBackend> backends;
+  LanguageStack stack;
+  stack.readers["rules"] = MakeRuleReader();
+  stack.default_reader = "rules";
   for (const char* name : {"fake", "other"}) {
-    backends[name] = {MakeRuleReader(), std::make_unique<FakeLayoutGenerator>(log),
-                      std::make_unique<FakeEnvironmentGenerator>(log)};
+    stack.generators[name] = {std::make_unique<FakeLayoutGenerator>(log),
+                              std::make_unique<FakeEnvironmentGenerator>(log)};
   }
-  return WorldGenerator(std::move(backends), "fake");
+  stack.default_generator = "fake";
+  return WorldGenerator(std::move(stack));
 }
 
 GenerationRequest SmallRequest() {
@@ -330,11 +333,36 @@ TEST(WorldGeneratorTest, MakesAStatusOfMissingMemoryAndOfDefects) {
   EXPECT_TRUE(generator.Generate(SmallRequest(), Progress()).ok());
 }
 
-TEST(WorldGeneratorTest, NamesItsBackEnds) {
+TEST(WorldGeneratorTest, NamesItsReadersAndGenerators) {
   FakeLog log;
-  EXPECT_EQ(MakeFakeGenerator(&log).backend_names(), (std::vector<std::string>{"fake", "other"}));
-  EXPECT_EQ(MakeDefaultWorldGenerator().backend_names(),
-            (std::vector<std::string>{"controlled", "grounded"}));
+  EXPECT_EQ(MakeFakeGenerator(&log).generator_names(), (std::vector<std::string>{"fake", "other"}));
+  EXPECT_EQ(MakeDefaultWorldGenerator().reader_names(),
+            (std::vector<std::string>{"controlled", "rules"}));
+  EXPECT_EQ(MakeDefaultWorldGenerator().generator_names(), std::vector<std::string>{"grounded"});
+}
+
+// Who reads and who answers are two choices, each of which can be wrong.
+TEST(WorldGeneratorTest, RefusesUnknownReadersAndGenerators) {
+  GenerationRequest request = SmallRequest();
+  request.reader = "crystal ball";
+  request.generator = "oracle";
+  const Status status = MakeDefaultWorldGenerator().Validate(request);
+  EXPECT_EQ(status.violations().size(), 2u) << status.ToString();
+  for (const char* said : {"controlled, rules", "crystal ball", "grounded", "oracle"}) {
+    EXPECT_NE(status.ToString().find(said), std::string::npos) << status.ToString();
+  }
+}
+
+TEST(WorldGeneratorTest, TheReaderThatIsNamedReads) {
+  GenerationRequest request = SmallRequest();
+  request.reader = "controlled";
+  const auto world = MakeDefaultWorldGenerator().Generate(request, Progress());
+  ASSERT_TRUE(world.ok()) << world.status().ToString();
+  EXPECT_EQ((*world)->request.reader, "controlled");
+  EXPECT_EQ((*world)->request.generator, "grounded");
+  EXPECT_EQ((*world)->fidelity.not_understood,
+            (std::vector<std::string>{"A forest with a lake in the lower right",
+                                      "Two sheep graze in autumn"}));
 }
 
 TEST(WorldGeneratorTest, MakesTheSameWorldFromTheSameRequest) {

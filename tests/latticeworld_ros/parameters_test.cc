@@ -133,7 +133,7 @@ TEST(ParametersTest, AServerMakesRemoteALegalGenerator) {
   EXPECT_EQ(options->remote.server.total_timeout_s, 30.0);
   EXPECT_EQ(options->remote.server.max_answer_bytes, 4096u);
   EXPECT_TRUE(options->remote.fallback);
-  parameters["generator"] = std::string("interpreted");
+  parameters["reader"] = std::string("remote");
   EXPECT_TRUE(OptionsFromParameters(parameters).ok());
 
   XmlRpc::XmlRpcValue alone;
@@ -141,6 +141,21 @@ TEST(ParametersTest, AServerMakesRemoteALegalGenerator) {
   const auto refused = OptionsFromParameters(alone);
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.status().message().find("remote_url"), std::string::npos);
+}
+
+TEST(ParametersTest, AModelThatReadsMakesItsReadersLegal) {
+  XmlRpc::XmlRpcValue parameters;
+  for (const char* reader : {"model", "checked"}) {
+    parameters["reader"] = std::string(reader);
+    const auto refused = OptionsFromParameters(parameters);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(refused.status().message().find("reader_model"), std::string::npos);
+  }
+  parameters["reader_model"] = std::string("reader.gguf");
+  EXPECT_TRUE(OptionsFromParameters(parameters).ok());
+  parameters["reader"] = std::string("oracle");
+  EXPECT_NE(OptionsFromParameters(parameters).status().message().find("rules, controlled"),
+            std::string::npos);
 }
 
 TEST(ParametersTest, ServerParametersOutOfRangeAreNamedAsTheyAreWritten) {

@@ -21,7 +21,7 @@ class RequestConversionTest : public testing::Test {
     std::string pattern = (fs::temp_directory_path() / "latticeworld_ros_test_XXXXXX").string();
     EXPECT_NE(mkdtemp(pattern.data()), nullptr);
     directory_ = pattern;
-    defaults_ = {"grounded", {directory_}};
+    defaults_ = {"", "grounded", {directory_}};
     fields_.layout_instruction = "a lake in the center";
   }
   ~RequestConversionTest() override { fs::remove_all(directory_); }
@@ -43,6 +43,7 @@ class RequestConversionTest : public testing::Test {
 TEST_F(RequestConversionTest, EmptyFieldsHaveTheirMeaning) {
   const auto request = Convert();
   ASSERT_TRUE(request.ok()) << request.status().ToString();
+  EXPECT_EQ(request->reader, "");  // the generator's own default
   EXPECT_EQ(request->generator, "grounded");
   EXPECT_EQ(request->seed, 99u);
   EXPECT_EQ(request->size_m, 512.0);
@@ -79,6 +80,22 @@ TEST_F(RequestConversionTest, ASketchTakesTheHeightsOfTheRequest) {
   request = FromRos(fields_, defaults_, generator_, 5);
   ASSERT_FALSE(request.ok());
   EXPECT_EQ(request.status().violations()[0].pointer, "height_scale");
+}
+
+TEST_F(RequestConversionTest, AReaderIsTheRequestsOwn) {
+  fields_.reader = "controlled";
+  EXPECT_EQ(Convert()->reader, "controlled");
+}
+
+TEST_F(RequestConversionTest, AnElevationsUnitIsDegreesOrMetres) {
+  fields_.visual_kind = 3;
+  fields_.visual.data = {1, 2, 3};
+  fields_.elevation_unit = "metres";
+  EXPECT_EQ(Convert()->elevation.unit, ElevationUnit::kMetres);
+  fields_.elevation_unit = "feet";
+  const auto refused = Convert();
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().violations()[0].pointer, "elevation_unit");
 }
 
 TEST_F(RequestConversionTest, ElevationIsTheMiddleOfTheDataUnlessAPlaceIsGiven) {

@@ -83,7 +83,7 @@ class LanguageTest(unittest.TestCase):
         self.addCleanup(self.model.close)
 
     def server(self, **parameters):
-        return Server(**{"remote_url": self.model.url, "remote_model": "parrot",
+        return Server(**{"remote_url": self.model.url, "remote_model": "parrot", "generator": "grounded",
                          "remote_api_key_variable": KEY_VARIABLE, "remote_max_retries": 0,
                          **parameters})
 
@@ -175,7 +175,7 @@ class LanguageTest(unittest.TestCase):
                             answer.warnings)
             self.assertEqual(before.world_id, answer.world_id)
 
-    def test_a_model_reads_for_the_embedded_back_end(self):
+    def test_a_model_reads_for_the_grounded_generator(self):
         def words(*sentences):
             return [json.dumps({"sentences": sentences})]
 
@@ -185,15 +185,17 @@ class LanguageTest(unittest.TestCase):
             # The first is said again when it was read; the second's server fails when it is asked again.
             self.model.answers = [lake, lake, night]
             answer = world.generate(seed=4, layout="somewhere to swim where the sun stands at noon",
-                                    environment="moonlight and a brawl", generator="interpreted")
-            self.assertEqual("interpreted", answer.generator)
+                                    environment="moonlight and a brawl", reader="remote")
+            self.assertEqual(("remote", "grounded"), (answer.reading.reader, answer.generator))
+            self.assertEqual(["A lake covers the south", "No buildings"], answer.reading.layout)
             south = "".join(answer.layout.split()[-10:])
             self.assertGreater(south.count("W"), len(south) // 2, answer.layout)
             self.assertNotIn("B", answer.layout)
             self.assertEqual("night", json.loads(answer.environment)["coarse"]["time_of_day"])
-            # What the person said is measured, and not what was made of it.
-            said = {claim.words: claim.satisfied for claim in answer.fidelity if claim.part == "environment"}
+            # What the person said is measured beside what was made of it.
+            said = {claim.words: claim.satisfied for claim in answer.reading.second if claim.part == "environment"}
             self.assertTrue(said.get("moonlight"), said)
+            self.assertGreater(answer.reading.words, answer.reading.words_read)
             read = [warning for warning in answer.warnings if warning.startswith("read as:")]
             self.assertEqual(['read as: "A lake covers the south. No buildings."',
                               'read as: "Night. Two goblins attack."'], read)

@@ -24,7 +24,7 @@ class ReaderTest(unittest.TestCase):
 
     def generate(self, name, layout, environment=""):
         out = pathlib.Path(self.folder.name) / name
-        subprocess.run([PROGRAM, "generate", "--generator", "reader", "--reader-model", MODEL, "--layout", layout,
+        subprocess.run([PROGRAM, "generate", "--reader-model", MODEL, "--layout", layout,
                         "--environment", environment, "--seed", "3", "--size", "64", "--resolution", "1", "--out", out],
                        check=True, stdout=subprocess.DEVNULL)
         return out

@@ -77,11 +77,13 @@ TEST_F(ScoreCommandTest, MeasuresALayoutOfAnyOriginByAnyWords) {
 }
 
 TEST_F(ScoreCommandTest, RefusesWhatItCannotScore) {
-  ExpectUsageError({"score"}, "one of a bundle, --symbols and --benchmark");
+  ExpectUsageError({"score"}, "one of a bundle, --symbols, --benchmark and --examples");
   ExpectUsageError({"score", PathOf("x"), "--benchmark", PathOf("y")}, "one of a bundle");
   ExpectUsageError({"score", "--symbols", PathOf("x")}, "--layout");
   ExpectUsageError({"score", "--benchmark", PathOf("x"), "--part", "all"}, "development, test");
   ExpectUsageError({"score", "--benchmark", PathOf("x"), "--generator", "oracle"}, "oracle");
+  ExpectUsageError({"score", "--benchmark", PathOf("x"), "--reader", "crystal ball"},
+                   "controlled, rules");
   ExpectUsageError({"score", "--benchmark", PathOf("x"), "--remote-dialect", "latin"},
                    "llama.cpp, vllm, ollama, openai, none");
   Write("short.txt", "FFF\n");
@@ -126,9 +128,10 @@ TEST_F(ScoreCommandTest, MeasuresWhatAModelBehindAServerAnswers) {
                   "--remote-url", server.url(), "--remote-repair-turns", "0", "--misses"});
   EXPECT_EQ(run.exit_status, 0) << run.err;
   for (const char* words :
-       {"layout instructions, development part, by remote\n  present              1 of     2",
+       {"layout instructions, development part, read by rules, answered by remote\n  present       "
+        "       1 of     2",
         "  a present: \"a town in the south\"",
-        "environment instructions, development part, by remote\n"
+        "environment instructions, development part, read by rules, answered by remote\n"
         "  coarse               1 of     2",
         "  b coarse: \"at noon\"", "  valid answers        1 of     1"}) {
     EXPECT_NE(run.out.find(words), std::string::npos) << words << " | " << run.out;
@@ -193,6 +196,24 @@ TEST_F(ScoreCommandTest, AServerThatIsNotThereIsAFailureOrTheFallback) {
   const ProgramRun again = RunProgram({"rebuild", PathOf("w")});
   EXPECT_EQ(again.exit_status, 0) << again.err;
   EXPECT_NE(again.out.find("the same, from 0 recorded replies"), std::string::npos) << again.out;
+}
+
+TEST_F(ScoreCommandTest, ExamplesForReadersAreABenchmark) {
+  Write(
+      "examples.jsonl",
+      R"({"kind": "layout", "author": "a", "voice": "v", "vocabulary": "suburb", "text": "A lake in the north.", "sentences": ["A lake in the north"]})"
+      "\n"
+      R"({"kind": "environment", "author": "a", "voice": "v", "text": "It rains, and nobody is there.", "sentences": ["Weather: rain", "No agents"]})"
+      "\n");
+  const ProgramRun run = RunProgram({"score", "--examples", PathOf("examples.jsonl")});
+  EXPECT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_NE(run.out.find("read by rules, answered by grounded"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("no_agents            1 of     1"), std::string::npos) << run.out;
+  Write("wrong.jsonl", R"({"kind": "song"})"
+                       "\n");
+  const ProgramRun wrong = RunProgram({"score", "--examples", PathOf("wrong.jsonl")});
+  EXPECT_EQ(wrong.exit_status, 2);
+  EXPECT_NE(wrong.err.find("wrong 1: kind"), std::string::npos) << wrong.err;
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ class CompareModelsTest(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(self.path("models.md"), encoding="utf-8") as file:
             page = file.read()
-        self.assertIn("| | grounded | local |", page)
+        self.assertIn("| | rules | local |", page)
         # A model that knows nothing draws legal layouts all the same.
         self.assertEqual(page.count("| valid answers | 1 of 1 (1.000) | 1 of 1 (1.000) |"), 2)
         self.assertRegex(page, r"\| present \| 1 of 1 \(1\.000\) \| \d of 1 ")

@@ -57,17 +57,24 @@ class Server:
                                   f"{', '.join(SERVICES)} are needed): is world_server running? "
                                   + HOW_TO_START) from error
             self._calls[name] = rospy.ServiceProxy(name, kind, persistent=name == "lockstep")
-        world = self._call("get_world")
-        self.world_id = world.info.world_id
-        self.size_m = world.info.size
+        self._episode = 0  # of the last reset; 0: any
+        self._closed = False
+        world = self._look_at_world()
         self._was_paused = world.paused
         if not world.paused:
             self._call("pause")
-        self._closed = False
 
     def reset(self, seed):
-        """Back to the start state; seed: of behaviour and noise, 1 .. 2^64 - 1, 0: as it is."""
-        return self._call("reset_world", seed=seed)
+        """Back to the start state; seed: of behaviour and noise, 1 .. 2^64 - 1, 0: as it is.
+
+        From now on lockstep() is held to the episode that begins: where somebody else resets the
+        world in between, it raises ServerError. Another world than before is looked at anew.
+        """
+        answer = self._call("reset_world", seed=seed)
+        self._episode = answer.episode
+        if answer.world_id != self.world_id:
+            self._look_at_world()
+        return answer
 
     def lockstep(self, velocities, steps, scan=False, observe=(), strikes=(), state_hash=False):
         """velocities: {agent: (forward [m/s], yaw rate [rad/s])}. The Lockstep response."""
@@ -75,7 +82,8 @@ class Server:
                                                              angular=Vector3(z=float(yaw_rate))))
                     for agent, (forward, yaw_rate) in velocities.items()]
         return self._call("lockstep", commands=commands, steps=steps, scan=scan,
-                          observe=list(observe), strikes=list(strikes), hash=state_hash)
+                          observe=list(observe), strikes=list(strikes), hash=state_hash,
+                          episode=self._episode)
 
     def spawn(self, name, **fields):
         """A controllable agent; fields: of latticeworld/SpawnAgent."""
@@ -90,12 +98,22 @@ class Server:
         """Lets time run again if it ran before. Can be called again."""
         if self._closed:
             return
-        self._closed = True
-        self._calls["lockstep"].close()
-        if not self._was_paused:
-            self._call("unpause")
+        try:
+            if not self._was_paused:
+                self._call("unpause")
+        finally:
+            self._closed = True
+            self._calls["lockstep"].close()
+
+    def _look_at_world(self):
+        world = self._call("get_world")
+        self.world_id = world.info.world_id
+        self.size_m = world.info.size
+        return world
 
     def _call(self, name, /, **fields):
+        if self._closed:
+            raise ServerError(f"{name}: the environment is closed; make another one")
         try:
             answer = self._calls[name](**fields)
         except (rospy.ServiceException, rospy.ROSException) as error:

@@ -52,6 +52,7 @@ class GoalTask(Task):
         self.goal = goal
         self._is_fixed = goal is not None
         self._space = None
+        self._world_id = None  # that the space is of
 
     def spaces(self, server):
         reach_m = np.float32(2.0 * server.size_m)
@@ -60,8 +61,9 @@ class GoalTask(Task):
     def begin(self, view, rng, server):
         if self._is_fixed:
             return
-        if self._space is None:
+        if self._world_id != server.world_id:
             self._space = FreeSpace(server.occupancy(), self.clearance_m)
+            self._world_id = server.world_id
         self.goal = self._space.draw(view.x_m, view.y_m, *self.distance_m, rng)
 
     def observe(self, view):

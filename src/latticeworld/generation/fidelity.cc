@@ -34,6 +34,12 @@ FidelityReport AssessLayoutFidelity(const LayoutReading& reading, const Symbolic
     report.claims.push_back(OutcomeOf(InstructionPart::kLayout, claim, Measure(claim, layout)));
   }
   report.not_understood = reading.plan.not_understood;
+  report.layout_sentences = reading.sentences;
+  report.words = reading.coverage.words;
+  report.words_read = reading.coverage.carried;
+  for (const Claim& claim : reading.second) {
+    report.second.push_back(OutcomeOf(InstructionPart::kLayout, claim, Measure(claim, layout)));
+  }
   return report;
 }
 
@@ -50,6 +56,14 @@ FidelityReport AssessFidelity(const LayoutReading& layout_reading,
   }
   for (const std::string& words : environment_reading.heard.not_understood) {
     report.not_understood.push_back(words);
+  }
+  report.environment_sentences = environment_reading.sentences;
+  report.words += environment_reading.coverage.words;
+  report.words_read += environment_reading.coverage.carried;
+  if (environment_reading.second) {
+    for (const EnvironmentClaim& claim : ClaimsOf(*environment_reading.second, &layout)) {
+      report.second.push_back(OutcomeOf(claim, environment));
+    }
   }
   return report;
 }
@@ -92,6 +106,15 @@ std::vector<std::string> WarningsOf(const FidelityReport& report,
     if (!is_quoted(Quote(words))) quotes.push_back(Quote(words));
   }
   if (!quotes.empty()) warnings.push_back("not understood: " + Join(quotes, ", "));
+  std::vector<std::string> differing;
+  for (const ClaimOutcome& claim : report.second) {
+    if (!claim.satisfied && !is_quoted(Quote(claim.words))) {
+      differing.push_back(Quote(claim.words) + " (" + claim.explanation + ")");
+    }
+  }
+  if (!differing.empty()) {
+    warnings.push_back("a second reading differs: " + Join(differing, "; "));
+  }
   return warnings;
 }
 

@@ -33,6 +33,13 @@ struct ClaimOutcome {
 struct FidelityReport {
   std::vector<ClaimOutcome> claims;         // in the order of the words, layout first
   std::vector<std::string> not_understood;  // words, as they stand in the instructions
+  // What the instructions were read as, sentences of the small language; empty where rules read.
+  std::vector<std::string> layout_sentences;
+  std::vector<std::string> environment_sentences;
+  int words = 0;       // of both instructions, that say something
+  int words_read = 0;  // of them
+  std::vector<ClaimOutcome>
+      second;  // claims of a second reading of the same words, if there is one
 
   int satisfied() const;
 };
@@ -56,8 +63,8 @@ Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view
                                      const EnvironmentConfig& environment,
                                      std::shared_ptr<const Catalogue> catalogue);
 
-// A line a claim that is not satisfied and one for the words that were not understood, leaving out
-// what one of the warnings so far quotes already.
+// A line a claim that is not satisfied, one for the words that were not understood and one for what
+// a second reading asks for in vain, leaving out what one of the warnings so far quotes already.
 std::vector<std::string> WarningsOf(const FidelityReport& report,
                                     const std::vector<std::string>& so_far);
 

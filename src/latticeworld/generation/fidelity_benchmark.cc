@@ -64,29 +64,38 @@ FidelityScore::Count FidelityScore::all() const {
 }
 
 Result<FidelityScore> ScoreLayouts(const std::vector<LayoutItem>& items, std::uint64_t seed,
-                                   LayoutGenerator* generator, const Progress& progress) {
+                                   InstructionReader* reader, LayoutGenerator* generator,
+                                   const Progress& progress) {
   return Score(
       items, "layouts", progress,
-      [&](const LayoutItem& item) {
+      [&](const LayoutItem& item) -> Result<LayoutAnswer> {
         LayoutRequest request;
         request.instruction = item.instruction;
         request.vocabulary = item.vocabulary;
         request.seed = StreamSeed(seed, item.id);
+        std::vector<ModelReply> replies;
+        LW_ASSIGN_OR_RETURN(const LayoutReading reading,
+                            reader->ReadLayout(request, progress, &replies));
+        request.reading = &reading;
         return generator->Generate(request, progress);
       },
       [](const Claim& claim, const LayoutAnswer& answer) { return Measure(claim, answer.layout); });
 }
 
 Result<FidelityScore> ScoreEnvironments(const std::vector<EnvironmentItem>& items,
-                                        std::uint64_t seed, EnvironmentGenerator* generator,
-                                        const Progress& progress) {
+                                        std::uint64_t seed, InstructionReader* reader,
+                                        EnvironmentGenerator* generator, const Progress& progress) {
   return Score(
       items, "environments", progress,
-      [&](const EnvironmentItem& item) {
+      [&](const EnvironmentItem& item) -> Result<EnvironmentAnswer> {
         EnvironmentRequest request;
         request.instruction = item.instruction;
         request.layout = &item.layout;
         request.seed = StreamSeed(seed, item.id);
+        std::vector<ModelReply> replies;
+        LW_ASSIGN_OR_RETURN(const EnvironmentReading reading,
+                            reader->ReadEnvironment(request, progress, &replies));
+        request.reading = &reading;
         return generator->Generate(request, progress);
       },
       [](const EnvironmentClaim& claim, const EnvironmentAnswer& answer) {

@@ -51,6 +51,11 @@ struct FidelityBenchmark {
 Result<FidelityBenchmark> ReadFidelityBenchmark(const std::filesystem::path& directory,
                                                 BenchmarkPart part);
 
+// Reads examples for readers as a benchmark (training/examples, JSON Lines): the claims of a text
+// are those of its sentences. most: only so many of them, from the first; agents live on land that
+// is the same for all. Errors: NOT_FOUND, PERMISSION_DENIED; INVALID_ARGUMENT naming the line.
+Result<FidelityBenchmark> ReadReaderExamples(const std::filesystem::path& file, std::size_t most);
+
 struct FidelityScore {
   struct Count {
     int satisfied = 0;
@@ -71,13 +76,14 @@ struct FidelityScore {
   Count all() const;
 };
 
-// Lets a back end answer every item and measures the answers by the items' own claims. What has no
-// answer satisfies nothing. seed: each item draws its own from it. Errors: CANCELLED.
+// Lets every item be read and answered and measures the answers by the items' own claims. What has
+// no answer satisfies nothing. seed: each item draws its own from it. Errors: CANCELLED.
 Result<FidelityScore> ScoreLayouts(const std::vector<LayoutItem>& items, std::uint64_t seed,
-                                   LayoutGenerator* generator, const Progress& progress);
+                                   InstructionReader* reader, LayoutGenerator* generator,
+                                   const Progress& progress);
 Result<FidelityScore> ScoreEnvironments(const std::vector<EnvironmentItem>& items,
-                                        std::uint64_t seed, EnvironmentGenerator* generator,
-                                        const Progress& progress);
+                                        std::uint64_t seed, InstructionReader* reader,
+                                        EnvironmentGenerator* generator, const Progress& progress);
 
 }  // namespace latticeworld
 

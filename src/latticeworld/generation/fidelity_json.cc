@@ -11,6 +11,8 @@ namespace {
 namespace jf = json_fields;
 using jf::Json;
 
+constexpr std::int64_t kMostWords = 1 << 16;
+
 ClaimOutcome DecodeClaim(const Json& json) {
   jf::ExpectKeys(json, {"part", "kind", "words", "satisfied", "distance", "explanation"});
   ClaimOutcome claim;
@@ -23,15 +25,50 @@ ClaimOutcome DecodeClaim(const Json& json) {
   return claim;
 }
 
+std::vector<std::string> DecodeTexts(const Json& json, const char* key) {
+  std::vector<std::string> texts;
+  for (const Json& text : jf::Array(json, key)) {
+    if (!text.is_string()) jf::Fail(key, text, "a list of texts");
+    texts.push_back(text.get<std::string>());
+  }
+  return texts;
+}
+
+Json Encode(const std::vector<ClaimOutcome>& claims) {
+  Json json = Json::array();
+  for (const ClaimOutcome& claim : claims) {
+    json.push_back({{"part", std::string(NameOf(claim.part))},
+                    {"kind", claim.kind},
+                    {"words", claim.words},
+                    {"satisfied", claim.satisfied},
+                    {"distance", claim.distance},
+                    {"explanation", claim.explanation}});
+  }
+  return json;
+}
+
+// Bundles of format 5 have claims and what was not understood alone.
+void AddWhatFormat5Lacks(Json* json) {
+  if (!json->is_object() || json->contains("words")) return;
+  for (const char* key : {"layout_sentences", "environment_sentences", "second"}) {
+    (*json)[key] = Json::array();
+  }
+  for (const char* key : {"words", "words_read"}) (*json)[key] = 0;
+}
+
 FidelityReport Decode(std::string_view content) {
-  const Json json = jf::Parse(content);
-  jf::ExpectKeys(json, {"satisfied", "claims", "not_understood"});
+  Json json = jf::Parse(content);
+  AddWhatFormat5Lacks(&json);
+  jf::ExpectKeys(json, {"satisfied", "claims", "not_understood", "layout_sentences",
+                        "environment_sentences", "words", "words_read", "second"});
   FidelityReport report;
   for (const Json& claim : jf::Array(json, "claims")) report.claims.push_back(DecodeClaim(claim));
-  for (const Json& words : jf::Array(json, "not_understood")) {
-    if (!words.is_string()) jf::Fail("not_understood", words, "a list of texts");
-    report.not_understood.push_back(words.get<std::string>());
-  }
+  for (const Json& claim : jf::Array(json, "second")) report.second.push_back(DecodeClaim(claim));
+  report.not_understood = DecodeTexts(json, "not_understood");
+  report.layout_sentences = DecodeTexts(json, "layout_sentences");
+  report.environment_sentences = DecodeTexts(json, "environment_sentences");
+  report.words = static_cast<int>(jf::Integer(json, "words", 0, kMostWords));
+  report.words_read = static_cast<int>(jf::Integer(json, "words_read", 0, report.words));
   if (jf::Integer(json, "satisfied", 0, static_cast<std::int64_t>(report.claims.size())) !=
       report.satisfied()) {
     jf::Fail("satisfied", json.at("satisfied"), "the number of claims that are satisfied");
@@ -42,17 +79,14 @@ FidelityReport Decode(std::string_view content) {
 }  // namespace
 
 std::string EncodeFidelity(const FidelityReport& report) {
-  Json json = {{"satisfied", report.satisfied()},
-               {"claims", Json::array()},
-               {"not_understood", report.not_understood}};
-  for (const ClaimOutcome& claim : report.claims) {
-    json["claims"].push_back({{"part", std::string(NameOf(claim.part))},
-                              {"kind", claim.kind},
-                              {"words", claim.words},
-                              {"satisfied", claim.satisfied},
-                              {"distance", claim.distance},
-                              {"explanation", claim.explanation}});
-  }
+  const Json json = {{"satisfied", report.satisfied()},
+                     {"claims", Encode(report.claims)},
+                     {"not_understood", report.not_understood},
+                     {"layout_sentences", report.layout_sentences},
+                     {"environment_sentences", report.environment_sentences},
+                     {"words", report.words},
+                     {"words_read", report.words_read},
+                     {"second", Encode(report.second)}};
   return jf::Dump(json);
 }
 

@@ -19,16 +19,18 @@ Json Encode(const ElevationOptions& elevation) {
   return {{"centered", elevation.centered},
           {"latitude_deg", elevation.latitude_deg},
           {"longitude_deg", elevation.longitude_deg},
-          {"keep_altitude", elevation.keep_altitude}};
+          {"keep_altitude", elevation.keep_altitude},
+          {"unit", NameOf(elevation.unit)}};
 }
 
 ElevationOptions DecodeElevation(const Json& json) {
-  jf::ExpectKeys(json, {"centered", "latitude_deg", "longitude_deg", "keep_altitude"});
+  jf::ExpectKeys(json, {"centered", "latitude_deg", "longitude_deg", "keep_altitude", "unit"});
   ElevationOptions elevation;
   elevation.centered = jf::Boolean(json, "centered");
   elevation.latitude_deg = jf::Number(json, "latitude_deg", -90.0, 90.0);
   elevation.longitude_deg = jf::Number(json, "longitude_deg", -180.0, 180.0);
   elevation.keep_altitude = jf::Boolean(json, "keep_altitude");
+  elevation.unit = jf::Named<ElevationUnit>(json, "unit");
   return elevation;
 }
 
@@ -58,17 +60,33 @@ Json Encode(const GenerationRequest& request) {
           {"height_map_offset_m", request.height_map.height_offset_m},
           {"elevation", Encode(request.elevation)},
           {"vocabulary", request.vocabulary},
+          {"reader", request.reader},
           {"generator", request.generator},
           {"seed", request.seed},
           {"size_m", request.size_m},
           {"resolution_m", request.resolution_m}};
 }
 
-GenerationRequest DecodeRequest(const Json& json) {
+// In format 5 one name says who read and who answered.
+void AddWhatFormat5Lacks(Json* request) {
+  if (!request->is_object() || request->contains("reader")) return;
+  const std::string generator = jf::Text(*request, "generator");
+  (*request)["reader"] = generator == "interpreted"  ? "remote"
+                         : generator == "controlled" ? "controlled"
+                         : generator == "reader"     ? "model"
+                                                     : "rules";
+  if ((*request)["reader"] != "rules") (*request)["generator"] = "grounded";
+  if (request->contains("elevation") && (*request)["elevation"].is_object()) {
+    (*request)["elevation"]["unit"] = NameOf(ElevationUnit::kJudged);
+  }
+}
+
+GenerationRequest DecodeRequest(Json json) {
+  AddWhatFormat5Lacks(&json);
   jf::ExpectKeys(json,
                  {"layout_instruction", "environment_instruction", "visual_kind", "visual_name",
                   "sketch_translator", "height_map_scale_m", "height_map_offset_m", "elevation",
-                  "vocabulary", "generator", "seed", "size_m", "resolution_m"});
+                  "vocabulary", "reader", "generator", "seed", "size_m", "resolution_m"});
   GenerationRequest request;
   request.layout_instruction = jf::Text(json, "layout_instruction");
   request.environment_instruction = jf::Text(json, "environment_instruction");
@@ -80,6 +98,7 @@ GenerationRequest DecodeRequest(const Json& json) {
   request.elevation = DecodeElevation(json["elevation"]);
   jf::Named<Vocabulary>(json, "vocabulary");  // resolved when it was saved: never empty
   request.vocabulary = jf::Text(json, "vocabulary");
+  request.reader = jf::Text(json, "reader");
   request.generator = jf::Text(json, "generator");
   request.seed = jf::Unsigned(json, "seed");
   request.size_m = jf::Number(json, "size_m");
@@ -215,10 +234,11 @@ Result<Manifest> Decode(std::string_view content) {
     return DataLoss("its SHA-256 is not the one that it carries");
   }
   const Json version = json.value("format_version", Json());
-  if (version.is_number_integer() && version != kBundleFormatVersion) {
-    return FailedPrecondition("has format version " + jf::Shown(version) +
-                              "; this program reads version " +
-                              std::to_string(kBundleFormatVersion));
+  if (version.is_number_integer() &&
+      (version < kOldestBundleFormatVersion || version > kBundleFormatVersion)) {
+    return FailedPrecondition(
+        "has format version " + jf::Shown(version) + "; this program reads versions " +
+        std::to_string(kOldestBundleFormatVersion) + " to " + std::to_string(kBundleFormatVersion));
   }
   return DecodeFields(json);
 }

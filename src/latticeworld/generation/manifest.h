@@ -13,7 +13,8 @@
 
 namespace latticeworld {
 
-inline constexpr int kBundleFormatVersion = 5;
+inline constexpr int kBundleFormatVersion = 6;
+inline constexpr int kOldestBundleFormatVersion = 5;  // that is read
 
 // One file of a bundle besides the manifest itself.
 struct BundleFile {

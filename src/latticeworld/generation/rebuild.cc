@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "latticeworld/generation/bundle_files.h"
-#include "latticeworld/generation/language_backends.h"
+#include "latticeworld/generation/language_stacks.h"
 #include "latticeworld/generation/world_generator.h"
 
 namespace latticeworld {
@@ -16,8 +16,7 @@ Result<std::shared_ptr<const World>> RebuildWorld(const World& world, const Prog
     return FailedPrecondition("the world's sketch became land by " + made_by + ", not by " +
                               sketches.name() + "; give the model that it was made with");
   }
-  LanguageBackends backends = MakeReplayBackends(world.replies);
-  WorldGenerator generator(std::move(backends.by_name), "grounded", std::move(sketches),
+  WorldGenerator generator(MakeReplayStack(world.replies), std::move(sketches),
                            world.scene->catalogue);
   return generator.Generate(world.request, progress);
 }

@@ -44,7 +44,8 @@ struct GenerationRequest {
   HeightMapOptions height_map;    // of a height map, and of a sketch; else not looked at
   ElevationOptions elevation;  // of elevation, but for size_m and resolution_m; else not looked at
   std::string vocabulary;  // "": chosen from the text, "wild" for a picture alone; "suburb", "wild"
-  std::string generator;   // language back end; "": the default one
+  std::string reader;      // who reads the instructions; "": the default one
+  std::string generator;   // who answers them; "": the default one
   std::uint64_t seed = 0;  // never 0 here: callers draw one for a user who gave none
   double size_m = 512.0;
   double resolution_m = 0.5;
@@ -58,7 +59,7 @@ struct StageTime {
 // A generated world. Immutable and shared.
 struct World {
   std::string id;  // "world-<first 12 digits of the content's SHA-256>": same content, same id
-  GenerationRequest request;  // as resolved: vocabulary, generator and translator filled in
+  GenerationRequest request;  // as resolved: vocabulary, reader, generator and translator filled in
   SymbolicLayout layout;
   EnvironmentConfig environment;
   std::shared_ptr<const Scene> scene;

@@ -1,7 +1,9 @@
 #include "latticeworld/generation/world_generator.h"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
+#include <map>
 #include <new>
 #include <optional>
 #include <string_view>
@@ -41,6 +43,23 @@ void CheckTexts(const GenerationRequest& request, std::vector<Violation>* violat
   Append(Validate(environment_request), "environment_instruction", violations);
 }
 
+template <typename Value>
+std::vector<std::string> NamesOf(const std::map<std::string, Value>& by_name) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : by_name) names.push_back(name);
+  return names;
+}
+
+// A violation where a name is given that is not among the legal ones.
+void CheckName(const char* member, const std::string& name, const std::vector<std::string>& legal,
+               const std::string& otherwise, std::vector<Violation>* violations) {
+  if (name.empty() || std::find(legal.begin(), legal.end(), name) != legal.end()) return;
+  violations->push_back(
+      {"unknown_value", member,
+       "is " + Quote(name) + "; legal are " + Join(legal, ", ") + ", or none for " + otherwise,
+       name});
+}
+
 Vocabulary ResolveVocabulary(const GenerationRequest& request) {
   if (!request.vocabulary.empty()) return *FromName<Vocabulary>(request.vocabulary);
   // The method's suburban scenes have no relief, so a relief without words is a wild one.
@@ -74,7 +93,8 @@ class StageRunner {
   std::vector<StageTime> stages_;
 };
 
-Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, LanguageBackend* backend,
+Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, InstructionReader* reader,
+                                               LanguageGenerator* generator,
                                                const SketchTranslator& sketches,
                                                const std::shared_ptr<const Catalogue>& catalogue,
                                                const Progress& progress) {
@@ -103,9 +123,9 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
     layout_request.relief = relief_pointer;
     layout_request.seed = StreamSeed(request.seed, "layout");
     LW_ASSIGN_OR_RETURN(layout_reading,
-                        backend->reader->ReadLayout(layout_request, progress, &world->replies));
+                        reader->ReadLayout(layout_request, progress, &world->replies));
     layout_request.reading = &layout_reading;
-    return backend->layout->Generate(layout_request, progress, &world->replies);
+    return generator->layout->Generate(layout_request, progress, &world->replies);
   }));
   world->layout = std::move(layout.layout);
   add_warnings(std::move(layout.warnings));
@@ -122,9 +142,9 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
         environment_request.seed = StreamSeed(request.seed, "environment");
         LW_ASSIGN_OR_RETURN(
             environment_reading,
-            backend->reader->ReadEnvironment(environment_request, progress, &world->replies));
+            reader->ReadEnvironment(environment_request, progress, &world->replies));
         environment_request.reading = &environment_reading;
-        return backend->environment->Generate(environment_request, progress, &world->replies);
+        return generator->environment->Generate(environment_request, progress, &world->replies);
       }));
   world->environment = std::move(environment.environment);
   add_warnings(std::move(environment.warnings));
@@ -162,25 +182,29 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Langua
 
 }  // namespace
 
-WorldGenerator::WorldGenerator(std::map<std::string, LanguageBackend> backends,
-                               std::string default_backend, SketchTranslator sketches,
+WorldGenerator::WorldGenerator(LanguageStack language, SketchTranslator sketches,
                                std::shared_ptr<const Catalogue> catalogue)
-    : backends_(std::move(backends)),
-      default_backend_(std::move(default_backend)),
+    : language_(std::move(language)),
       sketches_(std::move(sketches)),
       catalogue_(std::move(catalogue)) {
   LW_CHECK(catalogue_ != nullptr, "worlds are furnished from a catalogue");
-  LW_CHECK(backends_.count(default_backend_) == 1, "the default back end is among the back ends");
-  for (const auto& [name, backend] : backends_) {
-    LW_CHECK(backend.layout != nullptr && backend.environment != nullptr,
-             "a back end answers for layout and environment");
+  LW_CHECK(language_.readers.count(language_.default_reader) == 1,
+           "the default reader is among the readers");
+  LW_CHECK(language_.generators.count(language_.default_generator) == 1,
+           "the default generator is among the generators");
+  for (const auto& [name, reader] : language_.readers) {
+    LW_CHECK(reader != nullptr, "a reader is there");
+  }
+  for (const auto& [name, generator] : language_.generators) {
+    LW_CHECK(generator.layout != nullptr && generator.environment != nullptr,
+             "a generator answers for layout and environment");
   }
 }
 
-std::vector<std::string> WorldGenerator::backend_names() const {
-  std::vector<std::string> names;
-  for (const auto& [name, backend] : backends_) names.push_back(name);
-  return names;
+std::vector<std::string> WorldGenerator::reader_names() const { return NamesOf(language_.readers); }
+
+std::vector<std::string> WorldGenerator::generator_names() const {
+  return NamesOf(language_.generators);
 }
 
 Status WorldGenerator::Validate(const GenerationRequest& request) const {
@@ -194,12 +218,9 @@ Status WorldGenerator::Validate(const GenerationRequest& request) const {
                               LegalNames<Vocabulary>() + ", or none to let the text decide",
                           request.vocabulary});
   }
-  if (!request.generator.empty() && backends_.count(request.generator) == 0) {
-    violations.push_back({"unknown_value", "generator",
-                          "is " + Quote(request.generator) + "; legal are " +
-                              Join(backend_names(), ", ") + ", or none for " + default_backend_,
-                          request.generator});
-  }
+  CheckName("reader", request.reader, reader_names(), language_.default_reader, &violations);
+  CheckName("generator", request.generator, generator_names(), language_.default_generator,
+            &violations);
   if (request.seed == 0) {
     violations.push_back({"out_of_range", "seed", "is 0; draw one from 1 to 2^64 - 1", "0"});
   }
@@ -216,10 +237,12 @@ Result<std::shared_ptr<const World>> WorldGenerator::Generate(const GenerationRe
     LW_RETURN_IF_ERROR(Validate(request));
     GenerationRequest resolved = request;
     resolved.vocabulary = std::string(NameOf(ResolveVocabulary(request)));
-    if (resolved.generator.empty()) resolved.generator = default_backend_;
+    if (resolved.reader.empty()) resolved.reader = language_.default_reader;
+    if (resolved.generator.empty()) resolved.generator = language_.default_generator;
     ResolveVisual(sketches_, &resolved);
-    LanguageBackend* backend = &backends_.at(resolved.generator);
-    return RunStages(std::move(resolved), backend, sketches_, catalogue_, progress);
+    InstructionReader* reader = language_.readers.at(resolved.reader).get();
+    LanguageGenerator* generator = &language_.generators.at(resolved.generator);
+    return RunStages(std::move(resolved), reader, generator, sketches_, catalogue_, progress);
   } catch (const std::bad_alloc&) {
     return ResourceExhausted("not enough memory for a world of " + FormatDouble(request.size_m) +
                              " m at " + FormatDouble(request.resolution_m) +

@@ -193,7 +193,8 @@ Result<Relief> ReadElevation(std::string_view bytes, std::string_view name,
     return InvalidArgument("the elevation takes " + std::to_string(bytes.size()) +
                            " bytes; legal are at most " + std::to_string(kMaxBytes));
   }
-  LW_ASSIGN_OR_RETURN(const ElevationRaster raster, ElevationRaster::Open(bytes, name));
+  LW_ASSIGN_OR_RETURN(const ElevationRaster raster,
+                      ElevationRaster::Open(bytes, name, options.unit));
   LW_ASSIGN_OR_RETURN(const ElevationFrame frame, ElevationFrame::Create(raster, options));
   LW_ASSIGN_OR_RETURN(const PlaceLattice lattice, frame.Lattice(options.size_m));
   const int samples = SamplesFor(options, frame);

@@ -1,14 +1,26 @@
 #ifndef LATTICEWORLD_RELIEF_ELEVATION_H_
 #define LATTICEWORLD_RELIEF_ELEVATION_H_
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "latticeworld/common/enum_names.h"
 #include "latticeworld/common/result.h"
 #include "latticeworld/relief/relief.h"
 
 namespace latticeworld {
+
+// What the coordinates of data without a coordinate system are.
+enum class ElevationUnit : std::uint8_t { kJudged, kDegrees, kMetres };
+
+constexpr std::array<EnumName<ElevationUnit>, 3> EnumNames(ElevationUnit) {
+  return {{{ElevationUnit::kJudged, ""},
+           {ElevationUnit::kDegrees, "degrees"},
+           {ElevationUnit::kMetres, "metres"}}};
+}
 
 // Which piece of real land, and how high it stands in the world.
 struct ElevationOptions {
@@ -19,6 +31,7 @@ struct ElevationOptions {
   double latitude_deg = 0.0;   // WGS 84, [-90, 90]
   double longitude_deg = 0.0;  // [-180, 180]
   bool keep_altitude = false;  // true: heights as in the file; false: the lowest becomes 0
+  ElevationUnit unit = ElevationUnit::kJudged;  // of an ASCII grid, by its numbers unless said
 };
 std::vector<Violation> Validate(const ElevationOptions& options);
 

@@ -87,11 +87,19 @@ std::string WellKnownText(OGRSpatialReferenceH crs) {
   return result;
 }
 
+bool LiesOnTheEarth(const std::array<double, 6>& t, int cols, int rows) {
+  return t[0] >= -180.5 && t[0] + t[1] * cols <= 360.5 && t[3] <= 90.5 &&
+         t[3] + t[5] * rows >= -90.5;
+}
+
 // Degrees, by the look of them: what SRTM tiles become when they are written as text without a CRS.
+// A survey in local metres begins at (0, 0), where as degrees there is the Gulf of Guinea.
 bool LooksLikeDegrees(const std::array<double, 6>& t, int cols, int rows) {
   constexpr double kLargestCell = 0.1;
-  return std::abs(t[1]) < kLargestCell && std::abs(t[5]) < kLargestCell && t[0] >= -180.5 &&
-         t[0] + t[1] * cols <= 360.5 && t[3] <= 90.5 && t[3] + t[5] * rows >= -90.5;
+  const double west = t[0], south = t[3] + t[5] * rows;
+  const bool local = std::abs(west) < 1e-9 && std::abs(south) < 1e-9;
+  return !local && std::abs(t[1]) < kLargestCell && std::abs(t[5]) < kLargestCell &&
+         LiesOnTheEarth(t, cols, rows);
 }
 
 }  // namespace
@@ -106,6 +114,7 @@ struct ElevationRaster::File {
   GDALRasterBandH band = nullptr;
   double scale_m = 1.0;  // height [m] = offset_m + scale_m * sample
   double offset_m = 0.0;
+  ElevationUnit coordinates = ElevationUnit::kJudged;
   GeoReference reference;
   std::vector<std::string> warnings;
 
@@ -246,19 +255,32 @@ Status ElevationRaster::File::ReadReference() {
         "legal is one with a coordinate system (gdal_translate -a_srs EPSG:...)");
   }
   // An ASCII grid has its coordinate system in a file of its own, if anywhere.
-  if (!LooksLikeDegrees(t, GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset))) {
-    warnings.push_back(
-        "the elevation has no coordinate system: it is taken for metres, and the world lies "
-        "nowhere "
-        "on the earth");
+  const bool judged = coordinates == ElevationUnit::kJudged;
+  const bool degrees =
+      judged ? LooksLikeDegrees(t, GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset))
+             : coordinates == ElevationUnit::kDegrees;
+  if (!degrees) {
+    if (judged) {
+      warnings.push_back(
+          "the elevation has no coordinate system: by its numbers it is taken for metres, and the "
+          "world lies nowhere on the earth (elevation unit: degrees, if it is not)");
+    }
     return Status();
+  }
+  if (!LiesOnTheEarth(t, GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset))) {
+    return InvalidArgument(
+        "the elevation is said to be in degrees, but reaches beyond -180 to 360 degrees of "
+        "longitude or -90 to 90 of latitude");
   }
   OGRSpatialReferenceH wgs84 = OSRNewSpatialReference(nullptr);
   if (OSRSetWellKnownGeogCS(wgs84, "WGS84") == OGRERR_NONE) reference.crs = WellKnownText(wgs84);
   OSRDestroySpatialReference(wgs84);
   if (reference.crs.empty()) return Internal("PROJ does not know WGS 84" + errors.Last(name));
-  warnings.push_back(
-      "the elevation has no coordinate system: by its numbers it is taken for degrees (WGS 84)");
+  if (judged) {
+    warnings.push_back(
+        "the elevation has no coordinate system: by its numbers it is taken for degrees (WGS 84; "
+        "elevation unit: metres, if it is not)");
+  }
   return Status();
 }
 
@@ -266,11 +288,13 @@ ElevationRaster::ElevationRaster(std::unique_ptr<File> file) : file_(std::move(f
 ElevationRaster::ElevationRaster(ElevationRaster&&) noexcept = default;
 ElevationRaster::~ElevationRaster() = default;
 
-Result<ElevationRaster> ElevationRaster::Open(std::string_view bytes, std::string_view name) {
+Result<ElevationRaster> ElevationRaster::Open(std::string_view bytes, std::string_view name,
+                                              ElevationUnit unit) {
   PrepareGdal();
   LW_ASSIGN_OR_RETURN(const ElevationFile recognized, RecognizeElevation(bytes, name));
   if (recognized.format == ElevationFormat::kArcAscii) LW_RETURN_IF_ERROR(CheckArcAscii(bytes));
   auto file = std::make_unique<File>();
+  file->coordinates = unit;
   LW_RETURN_IF_ERROR(file->Open(bytes, recognized));
   return ElevationRaster(std::move(file));
 }

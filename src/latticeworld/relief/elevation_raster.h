@@ -9,6 +9,7 @@
 
 #include "latticeworld/common/result.h"
 #include "latticeworld/geometry/grid.h"
+#include "latticeworld/relief/elevation.h"
 
 namespace latticeworld::internal {
 
@@ -32,8 +33,10 @@ struct DataWindow {
 // Samples of elevation in a file that GDAL reads.
 class ElevationRaster {
  public:
-  // bytes: outlive the raster. Errors: INVALID_ARGUMENT saying what was given and what is legal.
-  static Result<ElevationRaster> Open(std::string_view bytes, std::string_view name);
+  // bytes: outlive the raster. unit: of data without a coordinate system. Errors: INVALID_ARGUMENT
+  // saying what was given and what is legal.
+  static Result<ElevationRaster> Open(std::string_view bytes, std::string_view name,
+                                      ElevationUnit unit = ElevationUnit::kJudged);
   ElevationRaster(ElevationRaster&&) noexcept;
   ElevationRaster& operator=(ElevationRaster&&) = delete;
   ~ElevationRaster();

@@ -145,6 +145,7 @@ void ReadGenerate(RequestReader* reader, ViewerRequest* request) {
   request->layout = reader->Text("layout", kMaxRequestBytes);
   request->environment = reader->Text("environment", kMaxRequestBytes);
   request->vocabulary = reader->Text("vocabulary", kMaxNameBytes);
+  request->reader = reader->Text("reader", kMaxNameBytes);
   request->generator = reader->Text("generator", kMaxNameBytes);
   request->seed = reader->Seed("seed");
   request->size_m = reader->Number("size_m", 0.0, kMostSize_m, 0.0);

@@ -66,7 +66,7 @@ struct ViewerRequest {
   double factor = 1.0;                                 // speed: 0, or [0.01, 1000]
   std::uint64_t seed = 0;                              // reset, generate; 0: not given
   std::string layout, environment;                     // generate
-  std::string vocabulary, generator;                   // generate; empty: not given
+  std::string vocabulary, reader, generator;           // generate; empty: not given
   double size_m = 0.0, resolution_m = 0.0;             // generate; 0: not given
   std::string name;                                    // load_world, save_world
   std::string weather;                                 // set_weather; empty: not given

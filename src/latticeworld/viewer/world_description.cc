@@ -34,6 +34,7 @@ Json RequestJson(const GenerationRequest& request) {
   json["layout"] = request.layout_instruction;
   json["environment"] = request.environment_instruction;
   json["seed"] = std::to_string(request.seed);
+  json["reader"] = request.reader;
   json["generator"] = request.generator;
   json["vocabulary"] = request.vocabulary;
   return json;

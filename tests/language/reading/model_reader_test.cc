@@ -49,7 +49,7 @@ TEST_F(ModelReaderTest, TheSmallLanguageIsReadWithoutTheModel) {
   EXPECT_TRUE(server_->requests().empty());
 }
 
-// A noun of the text that no sentence speaks of is never dropped in silence.
+// What is known and no sentence speaks of is never dropped in silence.
 TEST_F(ModelReaderTest, LandThatNoSentenceCarriesIsNotUnderstood) {
   server_->Say("A lake in the north.");
   const auto reading = Read("a lake up north, a dense forest, and no houses by the lake");
@@ -103,12 +103,32 @@ TEST_F(ModelReaderTest, AFailureOfTheServerIsTheReaders) {
 
 TEST_F(ModelReaderTest, EnvironmentsAreReadToo) {
   server_->Say("Weather: fog. 2 goblins patrolling in the forest.");
+  const SymbolicLayout layout{Vocabulary::kSuburb, Grid<char>(kLayoutSize, kLayoutSize, 'G')};
   EnvironmentRequest request;
+  request.layout = &layout;
   request.instruction = "misty, and a couple of orcs walk about in the woods";
   const auto reading = MakeModelReader(server_)->ReadEnvironment(request, Progress(), &replies_);
   ASSERT_TRUE(reading.ok());
   EXPECT_EQ(reading->heard.agents.size(), 1u);
   EXPECT_EQ(server_->requests().front().messages.front().text, "environment");
+  EXPECT_TRUE(reading->heard.not_understood.empty());
+  EXPECT_EQ(reading->heard.agents[0].words, "a couple of orcs walk about in the woods");
+}
+
+TEST_F(ModelReaderTest, NumbersAndPlacesThatNoSentenceCarriesAreNotUnderstood) {
+  server_->Say("Ponds. Forest.");
+  const auto reading = Read("five ponds in the south-east, woods at the top");
+  ASSERT_TRUE(reading.ok());
+  EXPECT_EQ(reading->plan.not_understood, (std::vector<std::string>{"five", "south-east", "top"}));
+}
+
+TEST_F(ModelReaderTest, ClaimsQuoteTheWordsThatTheyComeFrom) {
+  server_->Say("2 small ponds in the west. Forest surrounds the ponds.");
+  const auto reading = Read("Left of it all, two little tarns; trees stand all around them");
+  ASSERT_TRUE(reading.ok());
+  ASSERT_FALSE(reading->plan.claims.empty());
+  EXPECT_EQ(reading->plan.claims.front().words, "two little tarns");
+  EXPECT_EQ(reading->plan.claims.back().words, "trees stand");
 }
 
 }  // namespace

@@ -28,7 +28,9 @@ class BestOfLayoutGenerator final : public LayoutGenerator {
                                 std::vector<ModelReply>* replies) override {
     LW_RETURN_IF_ERROR(Validate(request));
     const std::vector<Claim> claims =
-        ReadLayoutInstruction(request.instruction, request.vocabulary).plan.claims;
+        request.reading != nullptr
+            ? request.reading->plan.claims
+            : ReadLayoutInstruction(request.instruction, request.vocabulary).plan.claims;
     const auto all = static_cast<std::ptrdiff_t>(claims.size());
     std::optional<LayoutAnswer> best;
     std::vector<ModelReply> kept;  // of the best try, or of the last one where none has a layout

@@ -18,7 +18,9 @@ std::unique_ptr<EnvironmentGenerator> MakeGroundedEnvironmentGenerator() {
 }
 
 LayoutReading ReadLayoutInstruction(std::string_view instruction, Vocabulary vocabulary) {
-  return {{}, ParseLayoutInstruction(instruction, vocabulary)};
+  LayoutReading reading;
+  reading.plan = ParseLayoutInstruction(instruction, vocabulary);
+  return reading;
 }
 
 EnvironmentClaims ReadEnvironmentInstruction(std::string_view instruction,

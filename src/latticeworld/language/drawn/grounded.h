@@ -22,7 +22,7 @@ std::unique_ptr<EnvironmentGenerator> MakeGroundedEnvironmentGenerator();
 LayoutReading ReadLayoutInstruction(std::string_view instruction, Vocabulary vocabulary);
 
 // Lets another generator, one that draws its answers, try `tries` times (1 or more) with seeds of
-// their own, the first with the request's. The layout with most of the claims that are read in the
+// their own, the first with the request's. The layout with most of the claims that were read in the
 // instruction is the answer; one that has them all ends it. A try that fails is passed over.
 // Errors: the last try's where all failed; CANCELLED.
 std::unique_ptr<LayoutGenerator> MakeBestOfLayoutGenerator(

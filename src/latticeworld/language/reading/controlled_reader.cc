@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "latticeworld/language/reading/environment_of_sentences.h"
 #include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/language/reading/layout_of_sentences.h"
@@ -5,6 +7,14 @@
 
 namespace latticeworld {
 namespace {
+
+std::vector<std::string> Readable(std::vector<std::string> sentences, SentenceKind kind) {
+  const auto unreadable = [kind](const std::string& sentence) {
+    return !ReadSentence(sentence, kind).has_value();
+  };
+  sentences.erase(std::remove_if(sentences.begin(), sentences.end(), unreadable), sentences.end());
+  return sentences;
+}
 
 class ControlledReader final : public InstructionReader {
  public:
@@ -15,6 +25,9 @@ class ControlledReader final : public InstructionReader {
     LayoutReading reading;
     reading.sentences = SplitSentences(request.instruction);
     reading.plan = LayoutOfSentences(reading.sentences, request.vocabulary);
+    reading.coverage =
+        CoverageOf(request.instruction, Readable(reading.sentences, SentenceKind::kLayout),
+                   SentenceKind::kLayout, request.vocabulary);
     return reading;
   }
 
@@ -24,6 +37,9 @@ class ControlledReader final : public InstructionReader {
     EnvironmentReading reading;
     reading.sentences = SplitSentences(request.instruction);
     reading.heard = EnvironmentOfSentences(reading.sentences, *request.catalogue);
+    reading.coverage =
+        CoverageOf(request.instruction, Readable(reading.sentences, SentenceKind::kEnvironment),
+                   SentenceKind::kEnvironment, request.layout->vocabulary);
     return reading;
   }
 };

@@ -2,6 +2,7 @@
 #define LATTICEWORLD_LANGUAGE_READING_INSTRUCTION_READER_H_
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "latticeworld/language/generator.h"
 #include "latticeworld/language/grounded/environment/heard_environment.h"
 #include "latticeworld/language/grounded/layout_plan.h"
+#include "latticeworld/language/reading/coverage.h"
 
 namespace latticeworld {
 
@@ -19,6 +21,8 @@ namespace latticeworld {
 struct LayoutReading {
   std::vector<std::string> sentences;  // of the small language; empty where rules read the text
   LayoutPlan plan;                     // with its claims, its warnings and what was not understood
+  TextCoverage coverage;
+  std::vector<Claim> second;  // claims of a second reading of the same text; empty: there is none
 };
 
 // What was read in an environment instruction. Claims of it depend on the layout that it speaks of:
@@ -26,7 +30,13 @@ struct LayoutReading {
 struct EnvironmentReading {
   std::vector<std::string> sentences;
   HeardEnvironment heard;
+  TextCoverage coverage;
+  std::optional<HeardEnvironment> second;
 };
+
+// The purposes of the replies of a model that reads (ModelReply).
+inline constexpr std::string_view kLayoutWords = "layout_words";
+inline constexpr std::string_view kEnvironmentWords = "environment_words";
 
 // Reads instructions: text to plan.
 class InstructionReader {
@@ -48,6 +58,17 @@ std::unique_ptr<InstructionReader> MakeControlledReader();
 
 // The rules of grounded/reading and grounded/environment over free text.
 std::unique_ptr<InstructionReader> MakeRuleReader();
+
+// Lets the first read; whatever it fails of, but CANCELLED, the second reads, with a first warning
+// that says why, and the failure is recorded after the first one's replies. name(): the first's.
+std::shared_ptr<InstructionReader> MakeFallbackReader(std::shared_ptr<InstructionReader> first,
+                                                      std::shared_ptr<InstructionReader> second);
+
+// A reader that fails as another one did: its replies, of which the last is the record of the
+// failure, are those of layouts and of environments. Where there are none `reader` reads.
+std::shared_ptr<InstructionReader> MakeFailedReader(std::shared_ptr<InstructionReader> reader,
+                                                    std::vector<ModelReply> layout,
+                                                    std::vector<ModelReply> environment);
 
 }  // namespace latticeworld
 

@@ -1,14 +1,15 @@
 #include "latticeworld/language/reading/model_reader.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/reading/environment_of_sentences.h"
+#include "latticeworld/language/reading/foreign_text.h"
 #include "latticeworld/language/reading/layout_of_sentences.h"
-#include "latticeworld/language/reading/unread_words.h"
 #include "latticeworld/language/sentences/sentence.h"
 #include "latticeworld/language/sentences/sentence_grammar.h"
 
@@ -34,6 +35,28 @@ void WarnOfOtherLanguage(std::string_view text, std::vector<std::string>* warnin
                       Quote(text));
 }
 
+void Append(const std::vector<std::string>& words, std::vector<std::string>* list) {
+  list->insert(list->end(), words.begin(), words.end());
+}
+
+// The words of a text that sentences come from, in the place of the sentences.
+class Quotes {
+ public:
+  Quotes(std::string_view text, const std::vector<std::string>& sentences, SentenceKind kind,
+         Vocabulary vocabulary) {
+    for (const std::string& sentence : sentences) {
+      quote_of_[sentence] = QuoteOf(text, sentence, kind, vocabulary);
+    }
+  }
+
+  void Quote(std::string* words) const {
+    if (const auto quote = quote_of_.find(*words); quote != quote_of_.end()) *words = quote->second;
+  }
+
+ private:
+  std::map<std::string, std::string> quote_of_;
+};
+
 class ModelReader final : public InstructionReader {
  public:
   explicit ModelReader(std::shared_ptr<ChatServer> server) : server_(std::move(server)) {}
@@ -47,9 +70,12 @@ class ModelReader final : public InstructionReader {
                                                 request.seed, progress, replies));
     reading.plan = LayoutOfSentences(reading.sentences, request.vocabulary);
     WarnOfOtherLanguage(request.instruction, &reading.plan.warnings);
-    for (std::string& words : UnreadLand(request.instruction, reading.plan)) {
-      reading.plan.not_understood.push_back(std::move(words));
-    }
+    reading.coverage = CoverageOf(request.instruction, reading.sentences, SentenceKind::kLayout,
+                                  request.vocabulary);
+    Append(reading.coverage.lost, &reading.plan.not_understood);
+    const Quotes quotes(request.instruction, reading.sentences, SentenceKind::kLayout,
+                        request.vocabulary);
+    for (Claim& claim : reading.plan.claims) quotes.Quote(&claim.words);
     return reading;
   }
 
@@ -61,6 +87,16 @@ class ModelReader final : public InstructionReader {
                                                 request.seed, progress, replies));
     reading.heard = EnvironmentOfSentences(reading.sentences, *request.catalogue);
     WarnOfOtherLanguage(request.instruction, &reading.heard.warnings);
+    const Vocabulary vocabulary = request.layout->vocabulary;
+    reading.coverage =
+        CoverageOf(request.instruction, reading.sentences, SentenceKind::kEnvironment, vocabulary);
+    Append(reading.coverage.lost, &reading.heard.not_understood);
+    const Quotes quotes(request.instruction, reading.sentences, SentenceKind::kEnvironment,
+                        vocabulary);
+    for (HeardCoarse& coarse : reading.heard.coarse) quotes.Quote(&coarse.words);
+    for (FineWish& wish : reading.heard.fine) quotes.Quote(&wish.claim.words);
+    for (AgentWish& wish : reading.heard.agents) quotes.Quote(&wish.words);
+    for (EnvironmentClaim& claim : reading.heard.absences) quotes.Quote(&claim.words);
     return reading;
   }
 
@@ -76,7 +112,7 @@ class ModelReader final : public InstructionReader {
     request.messages = {{ChatRole::kSystem, layout ? "layout" : "environment", {}},
                         {ChatRole::kUser, text, {}}};
     // A recording finds its reply by the form's name.
-    const std::string purpose = layout ? "layout_words" : "environment_words";
+    const std::string purpose(layout ? kLayoutWords : kEnvironmentWords);
     request.form.name = purpose;
     request.form.gbnf = layout ? layout_grammar_ : environment_grammar_;
     request.max_tokens = kMostTokens;

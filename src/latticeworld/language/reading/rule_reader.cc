@@ -1,3 +1,4 @@
+#include "latticeworld/language/grounded/environment/claims_of_heard.h"
 #include "latticeworld/language/grounded/environment/environment_parser.h"
 #include "latticeworld/language/grounded/reading/layout_parser.h"
 #include "latticeworld/language/reading/instruction_reader.h"
@@ -11,14 +12,27 @@ class RuleReader final : public InstructionReader {
 
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& /*progress*/,
                                    std::vector<ModelReply>* /*replies*/) override {
-    return LayoutReading{{}, ParseLayoutInstruction(request.instruction, request.vocabulary)};
+    LayoutReading reading;
+    reading.plan = ParseLayoutInstruction(request.instruction, request.vocabulary);
+    std::vector<std::string> quotes;
+    for (const Claim& claim : reading.plan.claims) quotes.push_back(claim.words);
+    reading.coverage =
+        CoverageByQuotes(request.instruction, quotes, SentenceKind::kLayout, request.vocabulary);
+    return reading;
   }
 
   Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& request,
                                              const Progress& /*progress*/,
                                              std::vector<ModelReply>* /*replies*/) override {
-    return EnvironmentReading{{},
-                              ParseEnvironmentInstruction(request.instruction, *request.catalogue)};
+    EnvironmentReading reading;
+    reading.heard = ParseEnvironmentInstruction(request.instruction, *request.catalogue);
+    std::vector<std::string> quotes;
+    for (const EnvironmentClaim& claim : ClaimsOf(reading.heard, request.layout)) {
+      quotes.push_back(claim.words);
+    }
+    reading.coverage = CoverageByQuotes(request.instruction, quotes, SentenceKind::kEnvironment,
+                                        request.layout->vocabulary);
+    return reading;
   }
 };
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "language/local/tiny_model.h"
-#include "latticeworld/generation/language_backends.h"
+#include "latticeworld/generation/language_stacks.h"
 #include "latticeworld/generation/rebuild.h"
 #include "latticeworld/generation/world_generator.h"
 
@@ -34,14 +34,14 @@ GenerationRequest Request() {
   return request;
 }
 
-Result<std::shared_ptr<const World>> Generate(const LocalBackendOptions& options) {
-  LW_ASSIGN_OR_RETURN(LanguageBackends backends, MakeLanguageBackends({}, options));
-  EXPECT_EQ(DefaultBackend(backends), "local");
-  return WorldGenerator(std::move(backends.by_name), "grounded").Generate(Request(), Progress());
+Result<std::shared_ptr<const World>> Generate(const LocalModelOptions& options) {
+  LW_ASSIGN_OR_RETURN(LoadedLanguage language, LoadLanguage({}, options));
+  EXPECT_EQ(language.stack.default_generator, "local");
+  return WorldGenerator(std::move(language.stack)).Generate(Request(), Progress());
 }
 
-TEST(LocalBackendTest, AWorldOfAModelInThisProcessIsMadeAgainWithoutIt) {
-  LocalBackendOptions options;
+TEST(LocalModelTest, AWorldOfAModelInThisProcessIsMadeAgainWithoutIt) {
+  LocalModelOptions options;
   options.fallback = true;
   std::string id;
   {
@@ -66,9 +66,9 @@ TEST(LocalBackendTest, AWorldOfAModelInThisProcessIsMadeAgainWithoutIt) {
   EXPECT_NE((*world)->id, id);
 }
 
-TEST(LocalBackendTest, WhatTheModelCannotWriteIsAnErrorOrTheGroundedBackEnds) {
+TEST(LocalModelTest, WhatTheModelCannotWriteIsAnErrorOrTheGroundedBackEnds) {
   const ModelFile file(TinyGguf(Noise(1)));
-  LocalBackendOptions options;
+  LocalModelOptions options;
   options.layout_model = file.path();
   const auto refused = Generate(options);
   ASSERT_FALSE(refused.ok());
@@ -82,11 +82,11 @@ TEST(LocalBackendTest, WhatTheModelCannotWriteIsAnErrorOrTheGroundedBackEnds) {
   EXPECT_NE((*world)->warnings[0].find("grounded back end answered"), std::string::npos);
 }
 
-TEST(LocalBackendTest, AnEnvironmentOfNoiseKeepsToTheRulesAndIsMadeAgain) {
+TEST(LocalModelTest, AnEnvironmentOfNoiseKeepsToTheRulesAndIsMadeAgain) {
   TinyModel noise = Noise(3);
   noise.context = 30000;  // an environment too
   const ModelFile file(TinyGguf(noise));
-  LocalBackendOptions options;
+  LocalModelOptions options;
   options.layout_model = file.path();
   const auto world = Generate(options);
   ASSERT_TRUE(world.ok()) << world.status().ToString();
@@ -103,9 +103,9 @@ TEST(LocalBackendTest, AnEnvironmentOfNoiseKeepsToTheRulesAndIsMadeAgain) {
   EXPECT_EQ((*rebuilt)->warnings, (*world)->warnings);
 }
 
-TEST(LocalBackendTest, AModelOfLayoutsGoesWithTheGroundedBackEndsEnvironments) {
+TEST(LocalModelTest, AModelOfLayoutsGoesWithTheGroundedBackEndsEnvironments) {
   const ModelFile file(TinyGguf(Noise(1)));
-  LocalBackendOptions options;
+  LocalModelOptions options;
   options.layout_model = file.path();
   options.environment_model = "grounded";
   const auto world = Generate(options);
@@ -119,17 +119,17 @@ TEST(LocalBackendTest, AModelOfLayoutsGoesWithTheGroundedBackEndsEnvironments) {
   EXPECT_EQ((*rebuilt)->warnings, (*world)->warnings);
 }
 
-TEST(LocalBackendTest, SaysWhatIsWrongWithItsOptionsAndFiles) {
-  LocalBackendOptions options;
+TEST(LocalModelTest, SaysWhatIsWrongWithItsOptionsAndFiles) {
+  LocalModelOptions options;
   options.layout_model = "/nowhere/layout.gguf";
-  EXPECT_EQ(MakeLanguageBackends({}, options).status().code(), StatusCode::kNotFound);
+  EXPECT_EQ(LoadLanguage({}, options).status().code(), StatusCode::kNotFound);
   options.temperature = 3.0;
-  EXPECT_EQ(MakeLanguageBackends({}, options).status().code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(LoadLanguage({}, options).status().code(), StatusCode::kInvalidArgument);
   const ModelFile file(TinyGguf(Noise(1)));
   options.temperature = 0.5;
   options.layout_model = file.path();
   options.environment_model = "/tmp";
-  EXPECT_EQ(MakeLanguageBackends({}, options).status().code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(LoadLanguage({}, options).status().code(), StatusCode::kInvalidArgument);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "language/remote/fake_chat_server.h"
 #include "latticeworld/language/drawn/grounded.h"
-#include "latticeworld/language/interpreted/interpreted.h"
+#include "latticeworld/language/interpreted/interpreting_reader.h"
 
 namespace latticeworld {
 namespace {
@@ -14,13 +14,22 @@ namespace {
 constexpr char kLake[] = R"({"sentences": ["A lake in the south."]})";
 constexpr char kRound[] = R"({"sentences": ["A lake in the south.", "The lake is round."]})";
 
-class InterpretedLayoutTest : public testing::Test {
+class ReadingLayoutsTest : public testing::Test {
  protected:
   Result<LayoutAnswer> Generate(RemoteOptions options = {}) {
-    options.name = "interpreted";
     replies_.clear();
-    return MakeInterpretedLayoutGenerator(server_, options)
-        ->Generate(request_, progress_, &replies_);
+    return Drawn(server_, options, progress_, &replies_);
+  }
+  // The layout of what a reader over the server reads.
+  Result<LayoutAnswer> Drawn(const std::shared_ptr<ChatServer>& server,
+                             const RemoteOptions& options, const Progress& progress,
+                             std::vector<ModelReply>* replies) const {
+    LW_ASSIGN_OR_RETURN(
+        const LayoutReading reading,
+        MakeInterpretingReader(server, options)->ReadLayout(request_, progress, replies));
+    LayoutRequest read = request_;
+    read.reading = &reading;
+    return MakeGroundedLayoutGenerator()->Generate(read, progress, replies);
   }
   // What the embedded back end makes of these words.
   std::string Embedded(const std::string& words) const {
@@ -36,7 +45,7 @@ class InterpretedLayoutTest : public testing::Test {
   std::vector<ModelReply> replies_;  // of the last call
 };
 
-TEST_F(InterpretedLayoutTest, WhatTheModelSaysTwiceIsLaidOut) {
+TEST_F(ReadingLayoutsTest, WhatTheModelSaysTwiceIsLaidOut) {
   server_->Say(kLake).Say(kLake);
   const auto answer = Generate();
   ASSERT_TRUE(answer.ok()) << answer.status().ToString();
@@ -48,7 +57,7 @@ TEST_F(InterpretedLayoutTest, WhatTheModelSaysTwiceIsLaidOut) {
   EXPECT_EQ(replies_[1].text, kLake);
 }
 
-TEST_F(InterpretedLayoutTest, TheModelSeesWhatIsReadInItsSentences) {
+TEST_F(ReadingLayoutsTest, TheModelSeesWhatIsReadInItsSentences) {
   server_->Say(R"({"sentences": ["A lake in the south.", "Frobs."]})").Say(kRound).Say(kRound);
   const auto answer = Generate();
   ASSERT_TRUE(answer.ok()) << answer.status().ToString();
@@ -62,7 +71,7 @@ TEST_F(InterpretedLayoutTest, TheModelSeesWhatIsReadInItsSentences) {
   EXPECT_EQ(server_->requests()[1].form.name, "layout_words");
 }
 
-TEST_F(InterpretedLayoutTest, TheLastSentencesCountWhenTheTurnsAreUsedUp) {
+TEST_F(ReadingLayoutsTest, TheLastSentencesCountWhenTheTurnsAreUsedUp) {
   RemoteOptions options;
   options.repair_turns = 1;
   server_->Say(kLake).Say(kRound);
@@ -76,7 +85,7 @@ TEST_F(InterpretedLayoutTest, TheLastSentencesCountWhenTheTurnsAreUsedUp) {
   EXPECT_EQ(replies_.size(), 1u);
 }
 
-TEST_F(InterpretedLayoutTest, AnAnswerWithoutSentencesGoesBackWithWhatIsWrongWithIt) {
+TEST_F(ReadingLayoutsTest, AnAnswerWithoutSentencesGoesBackWithWhatIsWrongWithIt) {
   server_->Say("A lake, I think.").Say(kLake).Say(kLake);
   const auto answer = Generate();
   ASSERT_TRUE(answer.ok()) << answer.status().ToString();
@@ -85,7 +94,7 @@ TEST_F(InterpretedLayoutTest, AnAnswerWithoutSentencesGoesBackWithWhatIsWrongWit
   EXPECT_EQ(Generate().status().code(), StatusCode::kDataLoss);
 }
 
-TEST_F(InterpretedLayoutTest, AServerThatFailsAfterwardsTakesNothingAway) {
+TEST_F(ReadingLayoutsTest, AServerThatFailsAfterwardsTakesNothingAway) {
   server_->Say(kLake).Fail(Status(StatusCode::kUnavailable, "gone"));
   const auto answer = Generate();
   ASSERT_TRUE(answer.ok()) << answer.status().ToString();
@@ -94,12 +103,12 @@ TEST_F(InterpretedLayoutTest, AServerThatFailsAfterwardsTakesNothingAway) {
   EXPECT_EQ(Generate().status().code(), StatusCode::kUnavailable);
 }
 
-TEST_F(InterpretedLayoutTest, CancellingEndsItWhateverWasSaid) {
+TEST_F(ReadingLayoutsTest, CancellingEndsItWhateverWasSaid) {
   server_->Say({Status(), kLake, "stop", 7, [this] { progress_.Cancel(); }}).Say(kLake);
   EXPECT_EQ(Generate().status().code(), StatusCode::kCancelled);
 }
 
-TEST_F(InterpretedLayoutTest, WhereNothingIsAskedTheOwnWordsAreRead) {
+TEST_F(ReadingLayoutsTest, WhereNothingIsAskedTheOwnWordsAreRead) {
   request_.instruction = "A forest.";
   server_->Say(R"({"sentences": []})").Say(R"({"sentences": []})");
   const auto answer = Generate();
@@ -107,19 +116,19 @@ TEST_F(InterpretedLayoutTest, WhereNothingIsAskedTheOwnWordsAreRead) {
   EXPECT_EQ(ToText(answer->layout), Embedded("A forest."));
 }
 
-TEST_F(InterpretedLayoutTest, ARecordingGivesTheSameLayout) {
+TEST_F(ReadingLayoutsTest, ARecordingGivesTheSameLayout) {
   server_->Say("?").Say(kRound).Say(kLake);
   const auto answer = Generate();
   ASSERT_TRUE(answer.ok()) << answer.status().ToString();
   RemoteOptions options;
   options.repair_turns = 3;  // as many as there are replies
-  const auto again = MakeInterpretedLayoutGenerator(MakeReplayServer(replies_), options)
-                         ->Generate(request_, Progress());
+  std::vector<ModelReply> given;
+  const auto again = Drawn(MakeReplayServer(replies_), options, Progress(), &given);
   ASSERT_TRUE(again.ok()) << again.status().ToString();
   EXPECT_EQ(ToText(again->layout), ToText(answer->layout));
 }
 
-TEST_F(InterpretedLayoutTest, AnIllegalRequestIsRefusedBeforeAnybodyIsAsked) {
+TEST_F(ReadingLayoutsTest, AnIllegalRequestIsRefusedBeforeAnybodyIsAsked) {
   request_.instruction = "\xFF";
   EXPECT_EQ(Generate().status().code(), StatusCode::kInvalidArgument);
   EXPECT_TRUE(server_->requests().empty());

@@ -6,16 +6,16 @@
 
 #include "language/remote/fake_chat_server.h"
 #include "latticeworld/language/drawn/grounded.h"
-#include "latticeworld/language/interpreted/interpreted.h"
+#include "latticeworld/language/interpreted/interpreting_reader.h"
 
 namespace latticeworld {
 namespace {
 
 constexpr char kNight[] = R"({"sentences": ["Night.", "Three sheep graze in the upper left."]})";
 
-class InterpretedEnvironmentTest : public testing::Test {
+class ReadingEnvironmentsTest : public testing::Test {
  protected:
-  InterpretedEnvironmentTest() {
+  ReadingEnvironmentsTest() {
     layout_ = MakeGroundedLayoutGenerator()
                   ->Generate({"A lake in the north.", Vocabulary::kSuburb, nullptr, 1}, Progress())
                   ->layout;
@@ -24,8 +24,12 @@ class InterpretedEnvironmentTest : public testing::Test {
     request_.seed = 5;
   }
   Result<EnvironmentAnswer> Generate() {
-    return MakeInterpretedEnvironmentGenerator(server_, {})
-        ->Generate(request_, Progress(), &replies_);
+    LW_ASSIGN_OR_RETURN(
+        const EnvironmentReading reading,
+        MakeInterpretingReader(server_, {})->ReadEnvironment(request_, Progress(), &replies_));
+    EnvironmentRequest read = request_;
+    read.reading = &reading;
+    return MakeGroundedEnvironmentGenerator()->Generate(read, Progress(), &replies_);
   }
 
   SymbolicLayout layout_;
@@ -34,7 +38,7 @@ class InterpretedEnvironmentTest : public testing::Test {
   std::shared_ptr<FakeChatServer> server_ = std::make_shared<FakeChatServer>();
 };
 
-TEST_F(InterpretedEnvironmentTest, WhatTheModelSaysTwiceIsSet) {
+TEST_F(ReadingEnvironmentsTest, WhatTheModelSaysTwiceIsSet) {
   server_->Say(kNight).Say(kNight);
   const auto answer = Generate();
   ASSERT_TRUE(answer.ok()) << answer.status().ToString();
@@ -49,7 +53,7 @@ TEST_F(InterpretedEnvironmentTest, WhatTheModelSaysTwiceIsSet) {
   EXPECT_NE(shown.find("\"sheep\""), std::string::npos) << shown;
 }
 
-TEST_F(InterpretedEnvironmentTest, NobodyIsAskedWhereNothingWasSaid) {
+TEST_F(ReadingEnvironmentsTest, NobodyIsAskedWhereNothingWasSaid) {
   request_.instruction = "";
   const auto answer = Generate();
   ASSERT_TRUE(answer.ok()) << answer.status().ToString();
@@ -57,7 +61,7 @@ TEST_F(InterpretedEnvironmentTest, NobodyIsAskedWhereNothingWasSaid) {
   EXPECT_TRUE(replies_.empty());
 }
 
-TEST_F(InterpretedEnvironmentTest, TheServersErrorsAreItsOwn) {
+TEST_F(ReadingEnvironmentsTest, TheServersErrorsAreItsOwn) {
   server_->Fail(Status(StatusCode::kUnauthenticated, "no key"));
   EXPECT_EQ(Generate().status().code(), StatusCode::kUnauthenticated);
 }

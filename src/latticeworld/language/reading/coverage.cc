@@ -1,0 +1,97 @@
+#include "latticeworld/language/reading/coverage.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <utility>
+
+#include "latticeworld/language/tokens.h"
+
+namespace latticeworld {
+namespace {
+
+// Where the stops of a text are, and its end [bytes].
+std::vector<std::size_t> StopsOf(std::string_view text) {
+  std::vector<std::size_t> stops;
+  for (const Token& token : Tokenize(text)) {
+    if (token.kind == TokenKind::kStop || token.kind == TokenKind::kComma) {
+      stops.push_back(token.begin);
+    }
+  }
+  stops.push_back(text.size());
+  return stops;
+}
+
+}  // namespace
+
+TextCoverage CoverageOf(std::string_view text, const std::vector<std::string>& sentences,
+                        SentenceKind kind, Vocabulary vocabulary) {
+  const std::set<std::string> keys = KeysOf(sentences, kind, vocabulary);
+  TextCoverage coverage;
+  for (const TextUnit& unit : UnitsOf(text, kind, vocabulary)) {
+    ++coverage.words;
+    if (IsCarried(unit, keys)) {
+      ++coverage.carried;
+      continue;
+    }
+    std::string words(text.substr(unit.begin, unit.end - unit.begin));
+    const bool told =
+        std::find(coverage.lost.begin(), coverage.lost.end(), words) != coverage.lost.end();
+    if (unit.known && !told) coverage.lost.push_back(std::move(words));
+  }
+  return coverage;
+}
+
+TextCoverage CoverageByQuotes(std::string_view text, const std::vector<std::string>& quotes,
+                              SentenceKind kind, Vocabulary vocabulary) {
+  std::vector<bool> quoted(text.size(), false);
+  for (const std::string& quote : quotes) {
+    const std::size_t begin = quote.empty() ? std::string_view::npos : text.find(quote);
+    if (begin == std::string_view::npos) continue;
+    std::fill_n(quoted.begin() + static_cast<std::ptrdiff_t>(begin), quote.size(), true);
+  }
+  TextCoverage coverage;
+  for (const TextUnit& unit : UnitsOf(text, kind, vocabulary)) {
+    ++coverage.words;
+    if (quoted[unit.begin]) ++coverage.carried;
+  }
+  return coverage;
+}
+
+std::string QuoteOf(std::string_view text, const std::string& sentence, SentenceKind kind,
+                    Vocabulary vocabulary) {
+  const std::set<std::string> wanted = KeysOf({sentence}, kind, vocabulary);
+  const std::vector<TextUnit> of_sentence = UnitsOf(sentence, kind, vocabulary);
+  // What a sentence begins with is what it is about.
+  const auto is_about = [&of_sentence](const std::string& key) {
+    if (of_sentence.empty()) return false;
+    const std::vector<std::string>& keys = of_sentence.front().keys;
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
+  const std::vector<TextUnit> units = UnitsOf(text, kind, vocabulary);
+  const std::vector<std::size_t> stops = StopsOf(text);
+  std::size_t most = 0;
+  std::string quote = sentence;
+  for (std::size_t at = 0, stop = 0; at < units.size();) {
+    while (stops[stop] <= units[at].begin) ++stop;
+    std::set<std::string> said;
+    std::size_t first = text.size();
+    std::size_t last = 0;
+    for (; at < units.size() && units[at].begin < stops[stop]; ++at) {
+      if (!IsCarried(units[at], wanted)) continue;
+      for (const std::string& key : units[at].keys) {
+        if (wanted.count(key) > 0) said.insert(key);
+      }
+      first = std::min(first, units[at].begin);
+      last = units[at].end;
+    }
+    const bool about = std::any_of(said.begin(), said.end(), is_about);
+    if (const std::size_t score = 2 * said.size() + (about ? 1 : 0); score > most) {
+      most = score;
+      quote = text.substr(first, last - first);
+    }
+  }
+  return quote;
+}
+
+}  // namespace latticeworld

@@ -1,0 +1,34 @@
+#ifndef LATTICEWORLD_LANGUAGE_READING_COVERAGE_H_
+#define LATTICEWORLD_LANGUAGE_READING_COVERAGE_H_
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latticeworld/language/reading/text_units.h"
+
+namespace latticeworld {
+
+// How much of a text was read.
+struct TextCoverage {
+  int words = 0;    // units of the text (text_units.h)
+  int carried = 0;  // of them, those that a sentence carries
+  // The known ones that none carries, as they stand in the text, each once.
+  std::vector<std::string> lost;
+};
+TextCoverage CoverageOf(std::string_view text, const std::vector<std::string>& sentences,
+                        SentenceKind kind, Vocabulary vocabulary);
+
+// The same where rules read the text: what they quote is carried, and what they did not understand
+// is theirs to say.
+TextCoverage CoverageByQuotes(std::string_view text, const std::vector<std::string>& quotes,
+                              SentenceKind kind, Vocabulary vocabulary);
+
+// The piece of a text, between two pauses, that says most of a sentence; the sentence itself where
+// none says anything of it.
+std::string QuoteOf(std::string_view text, const std::string& sentence, SentenceKind kind,
+                    Vocabulary vocabulary);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_READING_COVERAGE_H_

@@ -1,0 +1,73 @@
+#include "latticeworld/language/reading/checked_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "language/remote/fake_chat_server.h"
+#include "latticeworld/language/reading/model_reader.h"
+
+namespace latticeworld {
+namespace {
+
+class CheckedReaderTest : public testing::Test {
+ protected:
+  LayoutReading ReadLayout(const std::string& text) {
+    LayoutRequest request;
+    request.instruction = text;
+    return reader_->ReadLayout(request, Progress(), &replies_).value();
+  }
+  EnvironmentReading ReadEnvironment(const std::string& text) {
+    EnvironmentRequest request;
+    request.instruction = text;
+    request.layout = &layout_;
+    return reader_->ReadEnvironment(request, Progress(), &replies_).value();
+  }
+
+  const SymbolicLayout layout_{Vocabulary::kSuburb, Grid<char>(kLayoutSize, kLayoutSize, 'G')};
+  const std::shared_ptr<FakeChatServer> server_ = std::make_shared<FakeChatServer>();
+  const std::shared_ptr<InstructionReader> reader_ =
+      MakeCheckedReader(MakeModelReader(server_), MakeRuleReader());
+  std::vector<ModelReply> replies_;
+};
+
+TEST_F(CheckedReaderTest, TheModelsReadingCountsAndTheRulesStandsBesideIt) {
+  server_->Say("A pond in the north.");
+  const LayoutReading reading = ReadLayout("There is a lake in the north.");
+  EXPECT_EQ(reading.sentences, std::vector<std::string>{"A pond in the north"});
+  EXPECT_FALSE(reading.second.empty());
+}
+
+TEST_F(CheckedReaderTest, WhereTheModelLosesSomethingThatTheRulesReadTheirsCounts) {
+  server_->Say("A lake in the north.");
+  const LayoutReading reading =
+      ReadLayout("There is a lake in the north. A forest is south of it.");
+  EXPECT_TRUE(reading.sentences.empty());
+  EXPECT_EQ(reading.plan.features.size(), 2u);
+}
+
+TEST_F(CheckedReaderTest, AnEnvironmentIsCompleted) {
+  server_->Say("2 goblins.");
+  const EnvironmentReading reading = ReadEnvironment("On a rainy night two goblins stand about.");
+  EXPECT_EQ(reading.heard.agents.size(), 1u);
+  EXPECT_EQ(reading.heard.coarse_of(CoarseKey::kWeather).value, "rain");
+  EXPECT_EQ(reading.heard.coarse_of(CoarseKey::kTimeOfDay).value, "night");
+  EXPECT_TRUE(reading.second.has_value());
+}
+
+TEST_F(CheckedReaderTest, AgentsThatTheModelPassedOverAreTheRules) {
+  server_->Say("2 goblins.");
+  const EnvironmentReading reading = ReadEnvironment("Two goblins and five sheep.");
+  EXPECT_EQ(reading.heard.agents.size(), 2u);
+}
+
+TEST_F(CheckedReaderTest, TheSmallLanguageNeedsNoSecondReader) {
+  const LayoutReading reading = ReadLayout("A lake in the north. Forest surrounds the lake.");
+  EXPECT_TRUE(server_->requests().empty());
+  EXPECT_TRUE(reading.second.empty());
+}
+
+}  // namespace
+}  // namespace latticeworld

@@ -1,0 +1,75 @@
+#include "latticeworld/language/reading/coverage.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace latticeworld {
+namespace {
+
+using Strings = std::vector<std::string>;
+
+TextCoverage Layout(const std::string& text, const Strings& sentences) {
+  return CoverageOf(text, sentences, SentenceKind::kLayout, Vocabulary::kSuburb);
+}
+
+TextCoverage Environment(const std::string& text, const Strings& sentences) {
+  return CoverageOf(text, sentences, SentenceKind::kEnvironment, Vocabulary::kSuburb);
+}
+
+TEST(CoverageTest, OtherWordsForTheSameThingAreCarried) {
+  const TextCoverage coverage =
+      Layout("two little tarns on the left", {"2 small ponds in the west"});
+  EXPECT_EQ(coverage.words, 3);  // two, little tarns, left
+  EXPECT_EQ(coverage.carried, 3);
+  EXPECT_TRUE(coverage.lost.empty());
+  const TextCoverage orcs = Environment("On a misty morning three orcs rove about",
+                                        {"Weather: fog", "Time: morning", "3 goblins patrolling"});
+  EXPECT_EQ(orcs.carried, orcs.words);
+}
+
+// Each of the things that a text can ask for counts by itself.
+TEST(CoverageTest, KnownNounsNumbersAndPlacesAreLost) {
+  const std::string text = "three ponds in the north and a village";
+  EXPECT_TRUE(Layout(text, {"3 ponds in the north", "A village"}).lost.empty());
+  EXPECT_EQ(Layout(text, {"3 ponds in the north"}).lost, Strings{"village"});
+  EXPECT_EQ(Layout(text, {"Ponds in the north", "A village"}).lost, Strings{"three"});
+  EXPECT_EQ(Layout(text, {"3 ponds", "A village"}).lost, Strings{"north"});
+  EXPECT_EQ(Environment("five sheep and a goblin", {"5 sheep"}).lost, Strings{"goblin"});
+}
+
+TEST(CoverageTest, WordsThatNobodyKnowsCountButAreNotTold) {
+  const TextCoverage coverage = Layout("a lake with a melancholy zorblax", {"A lake"});
+  EXPECT_EQ(coverage.words, 3);
+  EXPECT_EQ(coverage.carried, 1);
+  EXPECT_TRUE(coverage.lost.empty());
+}
+
+TEST(CoverageTest, NothingOfNothing) {
+  EXPECT_EQ(Layout("", {}).words, 0);
+  EXPECT_EQ(Layout("what the of and", {}).words, 0);
+}
+
+TEST(CoverageTest, WhatRulesQuoteIsRead) {
+  const TextCoverage coverage =
+      CoverageByQuotes("a lake in the north, and a zorblax", {"lake in the north"},
+                       SentenceKind::kLayout, Vocabulary::kSuburb);
+  EXPECT_EQ(coverage.words, 3);
+  EXPECT_EQ(coverage.carried, 2);
+}
+
+TEST(QuoteOfTest, IsThePieceThatSaysMostOfTheSentence) {
+  const std::string text =
+      "Forest fills the left, they say; but on the right, where four huts stand by the lake, "
+      "there is none.";
+  const auto quote = [&text](const std::string& sentence) {
+    return QuoteOf(text, sentence, SentenceKind::kLayout, Vocabulary::kSuburb);
+  };
+  EXPECT_EQ(quote("Forest fills the western half"), "Forest fills the left");
+  EXPECT_EQ(quote("4 huts are near the lake"), "four huts stand by the lake");
+  EXPECT_EQ(quote("A railway"), "A railway") << "nothing of the text says it";
+}
+
+}  // namespace
+}  // namespace latticeworld
