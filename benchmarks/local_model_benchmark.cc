@@ -2,7 +2,7 @@
 // and beside what no decoder can pass that needs every weight for every token: adding up as many
 // bytes. Weights are random, for speed does not depend on what they say, but for those of the
 // models that are shipped. Usage: local_model_benchmark [DIRECTORY of llama.cpp as the tests
-// install it]
+// install it [FILE.gguf ...]]: of files that are named those alone
 
 #include <unistd.h>
 
@@ -119,13 +119,14 @@ double LayoutSeconds(const std::string& file) {
   return SecondsSince(begin);
 }
 
-void Measure(const char* name, const std::string& file, const std::string& llama) {
+void Measure(const char* name, const std::string& file, const std::string& llama,
+             bool draws = true) {
   const Speeds ours = Ours(file, 1), all = Ours(file, 0);
   std::printf(
       "%-12s reads %7.0f, writes %6.0f tokens/s (%.2f of the bare readings); all cores "
-      "%7.0f, %6.0f; a layout in %5.2f s on one",
-      name, ours.read, ours.written, ours.written / BareReadings(file), all.read, all.written,
-      LayoutSeconds(file));
+      "%7.0f, %6.0f",
+      name, ours.read, ours.written, ours.written / BareReadings(file), all.read, all.written);
+  if (draws) std::printf("; a layout in %5.2f s on one", LayoutSeconds(file));
   if (!llama.empty()) {
     const Speeds theirs = Theirs(file, llama);
     std::printf("; llama.cpp %7.0f, %6.0f: ratio %.2f, %.2f", theirs.read, theirs.written,
@@ -151,6 +152,8 @@ void MeasureRandom(const char* name, std::uint32_t type, std::size_t layers, std
 
 int main(int argc, char** argv) {
   const std::string llama = argc > 1 ? argv[1] : "";
+  for (int i = 2; i < argc; ++i) latticeworld::Measure(argv[i], argv[i], llama, /*draws=*/false);
+  if (argc > 2) return EXIT_SUCCESS;
   using latticeworld::MeasureRandom;
   latticeworld::Measure("shipped", SHIPPED_MODELS "/layouts.gguf", llama);
   MeasureRandom("1 M f32", 0, 2, 192, 512, llama);

@@ -7,6 +7,7 @@
 #include "latticeworld/generation/manifest.h"
 #include "latticeworld/simulation/journaled_simulator.h"
 #include "latticeworld_ros/journal_conversion.h"
+#include "latticeworld_ros/message_size.h"
 #include "latticeworld_ros/status_conversion.h"
 
 namespace latticeworld {
@@ -72,6 +73,15 @@ void Fill(const Look& look, const SimulationLoop::Moment& moment,
   }
 }
 
+Status CheckSize(const std::vector<WorldFile>& files) {
+  std::uint64_t bytes = 0;
+  for (const WorldFile& file : files) bytes += file.data.size();
+  if (bytes < kMostMessageBytes) return Status();
+  return ResourceExhausted("the files of the world have " + std::to_string(bytes) +
+                           " bytes; no more than " + std::to_string(kMostMessageBytes) +
+                           " can be received: save_world writes them to a directory");
+}
+
 }  // namespace
 
 BundleService::BundleService(SimulationLoop* loop, ServiceQueue* queue) : loop_(loop) {
@@ -95,6 +105,7 @@ Status BundleService::Answer(const GetWorldBundle::Request& request,
     Fill(look, moment, response);
     if (!request.files) return Status();
     LW_ASSIGN_OR_RETURN(const auto files, FilesOf(moment.world));
+    LW_RETURN_IF_ERROR(CheckSize(*files));
     response->world = ToRos(*files);
     return Status();
   }

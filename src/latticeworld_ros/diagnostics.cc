@@ -1,7 +1,9 @@
 #include "latticeworld_ros/diagnostics.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "latticeworld/common/text.h"
 
@@ -9,6 +11,8 @@ namespace latticeworld {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
+
+constexpr std::size_t kMostNamed = 20;  // topics that are not delivered
 
 DiagnosticStatus Named(const char* name) {
   DiagnosticStatus status;
@@ -84,16 +88,59 @@ DiagnosticStatus OfLanguage(const OpenAiClient* server) {
   return status;
 }
 
+DiagnosticStatus OfConnections(const MasterReport& master) {
+  DiagnosticStatus status = Named("world_server: connections");
+  const DescriptorUse& descriptors = master.descriptors;
+  const std::string limit = std::to_string(descriptors.limit);
+  status.level = DiagnosticStatus::OK;
+  status.message = "file descriptors are enough";
+  if (descriptors.is_short()) {
+    status.level = DiagnosticStatus::WARN;
+    status.message = std::to_string(descriptors.open) + " of " + limit +
+                     " file descriptors are in use: topics are not delivered";
+  } else if (descriptors.limit != 0 && master.topics > descriptors.limit) {
+    status.level = DiagnosticStatus::WARN;
+    status.message = limit + " file descriptors are fewer than the " +
+                     std::to_string(master.topics) + " topics: not all can be delivered at once";
+  }
+  Add("file descriptors", std::to_string(descriptors.open), &status);
+  Add("file descriptors at most", limit, &status);
+  Add("topics", std::to_string(master.topics), &status);
+  Add("topics not delivered", std::to_string(master.not_delivered.size()), &status);
+  const std::size_t named = std::min(master.not_delivered.size(), kMostNamed);
+  for (std::size_t i = 0; i < named; ++i) {
+    Add("not delivered", master.not_delivered[i], &status);
+  }
+  return status;
+}
+
+DiagnosticStatus OfServices(const MasterReport& master) {
+  DiagnosticStatus status = Named("world_server: services");
+  status.level = DiagnosticStatus::OK;
+  status.message = "called here";
+  std::vector<std::string> taken;
+  for (const ServiceStanding::Taken& one : master.services) {
+    taken.push_back(one.node + " has taken " + one.service);
+  }
+  if (taken.empty()) return status;
+  status.level = DiagnosticStatus::WARN;
+  status.message = Join(taken, ", ") + ": calls go there";
+  return status;
+}
+
 }  // namespace
 
 diagnostic_msgs::DiagnosticArray ToDiagnostics(const LoopStatistics& statistics,
                                                const SensorStatistics& sensors,
-                                               const OpenAiClient* server) {
+                                               const OpenAiClient* server,
+                                               const MasterReport& master) {
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp = statistics.now;
   array.status.push_back(OfSimulation(statistics));
   array.status.push_back(OfSensors(sensors));
   array.status.push_back(OfLanguage(server));
+  array.status.push_back(OfConnections(master));
+  array.status.push_back(OfServices(master));
   return array;
 }
 

@@ -4,18 +4,23 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 
 #include "latticeworld/language/chat/openai_client.h"
+#include "latticeworld_ros/master_watch.h"
 #include "latticeworld_ros/sensor_thread.h"
 #include "latticeworld_ros/simulation_listener.h"
 
 namespace latticeworld {
 
-// Three entries. "world_server: simulation" warns while no world runs and is an error while its
+// Five entries. "world_server: simulation" warns while no world runs and is an error while its
 // simulator has failed; "world_server: sensors" counts what robots' sensors did; "world_server:
 // language" tells what went to the language server and came back, and warns while its last request
-// failed. server: nullptr where there is none.
+// failed; "world_server: connections" warns while file descriptors are short or fewer than this
+// node's topics, and names topics that are not delivered; "world_server: services" warns while
+// another node has one of its services. server: nullptr where there is none. master: as looked at
+// last.
 diagnostic_msgs::DiagnosticArray ToDiagnostics(const LoopStatistics& statistics,
                                                const SensorStatistics& sensors,
-                                               const OpenAiClient* server);
+                                               const OpenAiClient* server,
+                                               const MasterReport& master = {});
 
 }  // namespace latticeworld
 

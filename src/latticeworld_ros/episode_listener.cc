@@ -86,13 +86,17 @@ void EpisodeListener::Discover() {
   }
 }
 
-bool EpisodeListener::IsConnected() const {
+std::optional<std::vector<std::string>> EpisodeListener::Unconnected() const {
   ros::master::V_TopicInfo topics;
-  if (!ros::master::getTopics(topics)) return false;
-  return std::all_of(topics.begin(), topics.end(), [this](const ros::master::TopicInfo& topic) {
+  if (!ros::master::getTopics(topics)) return std::nullopt;
+  std::vector<std::string> unconnected;
+  for (const ros::master::TopicInfo& topic : topics) {
     const auto subscriber = subscribers_.find(topic.name);
-    return subscriber == subscribers_.end() || subscriber->second.getNumPublishers() > 0;
-  });
+    if (subscriber != subscribers_.end() && subscriber->second.getNumPublishers() == 0) {
+      unconnected.push_back(topic.name);
+    }
+  }
+  return unconnected;
 }
 
 void EpisodeListener::Subscribe(const std::string& topic) {

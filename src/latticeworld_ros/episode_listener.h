@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <regex>
 #include <string>
 #include <vector>
@@ -43,8 +44,8 @@ class EpisodeListener {
 
   // Asks the master what there is, and hears what is new. Call from one thread at a time.
   void Discover();
-  // Whether every topic that somebody publishes is connected.
-  bool IsConnected() const;
+  // Topics that somebody publishes and that are not connected. nullopt: the master does not say.
+  std::optional<std::vector<std::string>> Unconnected() const;
 
  private:
   void Subscribe(const std::string& topic);

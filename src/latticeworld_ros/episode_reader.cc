@@ -11,6 +11,7 @@
 #include "latticeworld_ros/episode_record_builder.h"
 #include "latticeworld_ros/episode_recording.h"
 #include "latticeworld_ros/journal_conversion.h"
+#include "latticeworld_ros/lz4_frame.h"
 
 namespace latticeworld {
 namespace {
@@ -47,16 +48,24 @@ Status ForEach(const rosbag::Bag& bag, const Use& use) {
   return Status();
 }
 
+// Why a bag cannot be read. what: as rosbag or the reading of a message says it.
+Status Unreadable(const std::string& bag, const char* what) {
+  if (!HasForeignLz4Frame(bag)) return DataLoss(bag + " is damaged: " + what);
+  return FailedPrecondition(
+      bag +
+      " is compressed in LZ4 frames that rosbag cannot read, as the PyPI package rosbags "
+      "writes them; rosbags-convert --src " +
+      bag + " --dst OTHER.bag writes it without compression");
+}
+
 // What rosbag and the reading of messages throw becomes a status.
 template <typename Function>
 Status Guarded(const rosbag::Bag& bag, const Function& function) {
   const std::string& name = bag.getFileName();
   try {
     return function().WithContext(name);
-  } catch (const rosbag::BagException& error) {
-    return DataLoss(name + " is damaged: " + error.what());
-  } catch (const std::exception& error) {  // of a message that is cut short
-    return DataLoss(name + " is damaged: " + error.what());
+  } catch (const std::exception& error) {  // rosbag's, or of a message that is cut short
+    return Unreadable(name, error.what());
   }
 }
 

@@ -18,7 +18,8 @@
 namespace latticeworld {
 
 // A recorded episode, read from its bags alone. Errors of all: DATA_LOSS (the bag is damaged, was
-// not closed, or lacks something, which is named), FAILED_PRECONDITION (of another version).
+// not closed, or lacks something, which is named), FAILED_PRECONDITION (of another version, or
+// compressed as rosbag cannot read it).
 class EpisodeReader {
  public:
   // paths: of one episode's parts, in order; at least one. Also: NOT_FOUND, INVALID_ARGUMENT (parts

@@ -5,14 +5,17 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 #include "latticeworld/common/text.h"
 #include "latticeworld_ros/bundle_name.h"
+#include "latticeworld_ros/descriptors.h"
 #include "latticeworld_ros/episode_files.h"
 #include "latticeworld_ros/parameters.h"
 #include "latticeworld_ros/parameters_json.h"
+#include "latticeworld_ros/service_address.h"
 #include "latticeworld_ros/status_conversion.h"
 
 namespace latticeworld {
@@ -27,7 +30,9 @@ using latticeworld_msgs::StartEpisode;
 using latticeworld_msgs::StopEpisode;
 using latticeworld_msgs::WorldFiles;
 
+constexpr char kBundleService[] = "get_world_bundle";
 constexpr std::size_t kMaxName = 64;
+constexpr std::size_t kMostNamed = 5;  // topics, in a warning
 constexpr std::chrono::milliseconds kSupervisePeriod(250);
 constexpr std::chrono::milliseconds kPollPeriod(10);
 // For connections that stand in a few milliseconds, and a server that starts.
@@ -52,15 +57,39 @@ bool WaitFor(const Condition& condition) {
   return true;
 }
 
+Status WaitForService(const std::string& name) {
+  if (WaitFor([&name] { return ros::service::exists(name, /*print_failure_reason=*/false); })) {
+    return Status();
+  }
+  return Unavailable("there is no service " + ros::names::resolve(name) +
+                     ": world_server does not run");
+}
+
 template <typename Service>
 Status Call(const std::string& name, Service* service) {
-  if (!WaitFor([&name] { return ros::service::exists(name, /*print_failure_reason=*/false); })) {
-    return Unavailable("there is no service " + ros::names::resolve(name) +
-                       ": world_server does not run");
-  }
+  LW_RETURN_IF_ERROR(WaitForService(name));
   if (!ros::service::call(name, *service)) return Unavailable(name + " gave no answer");
   const latticeworld_msgs::Status& status = service->response.status;
   return Status(static_cast<StatusCode>(status.code), status.message).WithContext(name);
+}
+
+// Says which topics an episode begins without.
+void WaitForConnections(const EpisodeListener& listener) {
+  std::optional<std::vector<std::string>> missing;
+  if (WaitFor([&] {
+        missing = listener.Unconnected();
+        return missing.has_value() && missing->empty();
+      }) ||
+      !missing.has_value()) {
+    return;
+  }
+  const std::size_t count = missing->size();
+  if (count > kMostNamed) missing->resize(kMostNamed);
+  const DescriptorUse use = CountDescriptors();
+  ROS_WARN_STREAM("the episode begins without "
+                  << count << " topics that are not connected, " << Join(*missing, ", ")
+                  << (count > kMostNamed ? " and others" : "") << "; " << use.open << " of "
+                  << use.limit << " file descriptors are in use");
 }
 
 EpisodeTopics TopicsHere() {
@@ -97,6 +126,15 @@ EpisodeStart StartOf(const GetWorldBundle::Response& world, const std::string& n
 }
 
 }  // namespace
+
+EpisodeRecorder::Running::Running(const EpisodeRecordingOptions& options,
+                                  const ros::NodeHandle& node, const TopicFilter& filter,
+                                  const std::vector<std::string>& always)
+    : recording(options),
+      server([] { return ServiceAddress(kBundleService); }),
+      listener(node, filter, always, [this](BagMessage message) {
+        if (server.Accepts(message)) recording.Add(std::move(message));
+      }) {}
 
 EpisodeRecorder::EpisodeRecorder(ros::NodeHandle node, const EpisodeRecorderOptions& options)
     : node_(node),
@@ -169,7 +207,7 @@ Result<EpisodeRecordingOptions> EpisodeRecorder::OptionsOf(
 Result<GetWorldBundle::Response> EpisodeRecorder::AskForWorld(bool files) const {
   latticeworld_msgs::GetWorldBundle service;
   service.request.files = files;
-  LW_RETURN_IF_ERROR(Call("get_world_bundle", &service));
+  LW_RETURN_IF_ERROR(Call(kBundleService, &service));
   return std::move(service.response);
 }
 
@@ -198,16 +236,18 @@ Status EpisodeRecorder::Start(const StartEpisode::Request& request,
   if (error) {
     return PermissionDenied("cannot make " + directory_.string() + ": " + error.message());
   }
+  LW_RETURN_IF_ERROR(WaitForService(kBundleService));
   // Heard first, asked for then: what happens between the two is known twice, not lost.
   auto running = std::make_unique<Running>(
       options, node_, filter,
       std::vector<std::string>{"/clock", options.topics.journal, options.topics.state_hash});
   running->listener.Discover();
-  if (!WaitFor([&running] { return running->listener.IsConnected(); })) {
-    ROS_WARN("episodes begin although not every topic is connected");
-  }
+  WaitForConnections(running->listener);
   if (!request.keep_state) LW_RETURN_IF_ERROR(ResetWorld(request.seed));
   LW_ASSIGN_OR_RETURN(GetWorldBundle::Response world, AskForWorld(/*files=*/true));
+  if (!running->server.Close()) {
+    return Unavailable("another world_server started meanwhile; call start_episode again");
+  }
   WorldFiles files;
   files.world_id = world.world_id;
   files.files.swap(world.world);
@@ -222,13 +262,21 @@ Status EpisodeRecorder::Start(const StartEpisode::Request& request,
   return Status();
 }
 
+Result<GetWorldBundle::Response> EpisodeRecorder::AskForLastCalls() const {
+  if (!running_->server.IsSame()) return Unavailable(kAnotherServer);
+  LW_ASSIGN_OR_RETURN(GetWorldBundle::Response last, AskForWorld(/*files=*/false));
+  if (!running_->server.IsSame()) return Unavailable(kAnotherServer);
+  return last;
+}
+
 Status EpisodeRecorder::Finish(const std::string& reason, bool ask) {
-  Result<GetWorldBundle::Response> last =
-      ask ? AskForWorld(/*files=*/false) : Unavailable("not asked");
+  const Result<GetWorldBundle::Response> last = ask ? AskForLastCalls() : Unavailable("not asked");
   if (ask && !last.ok()) {
     ROS_WARN_STREAM("the episode ends without the last calls: " << last.status().ToString());
   }
-  const Status ended = running_->recording.End(reason, last.ok() ? &*last : nullptr);
+  const Status ended =
+      running_->recording.End(running_->server.IsSame() ? reason : std::string(kAnotherServer),
+                              last.ok() ? &*last : nullptr);
   TellStatus();
   running_.reset();
   return ended;
@@ -268,7 +316,9 @@ void EpisodeRecorder::Supervise() {
         running_->listener.Discover();
         TellStatus();
         const EpisodeProgress progress = running_->recording.progress();
-        if (!progress.reason.empty()) (void)Finish(progress.reason, /*ask=*/!progress.failed);
+        if (!progress.reason.empty() || !running_->server.IsSame()) {
+          (void)Finish(progress.reason, /*ask=*/!progress.failed);
+        }
       }
     }
     lock.lock();

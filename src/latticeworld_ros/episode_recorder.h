@@ -16,6 +16,7 @@
 #include "latticeworld_ros/episode_recorder_options.h"
 #include "latticeworld_ros/episode_recording.h"
 #include "latticeworld_ros/messages.h"
+#include "latticeworld_ros/server_watch.h"
 #include "latticeworld_ros/service_queue.h"
 
 namespace latticeworld {
@@ -32,11 +33,9 @@ class EpisodeRecorder {
  private:
   struct Running {
     Running(const EpisodeRecordingOptions& options, const ros::NodeHandle& node,
-            const TopicFilter& filter, const std::vector<std::string>& always)
-        : recording(options), listener(node, filter, always, [this](BagMessage message) {
-            recording.Add(std::move(message));
-          }) {}
+            const TopicFilter& filter, const std::vector<std::string>& always);
     EpisodeRecording recording;
+    ServerWatch server;
     EpisodeListener listener;
   };
 
@@ -51,7 +50,10 @@ class EpisodeRecorder {
   // The state from which the episode goes on. Errors: UNAVAILABLE, those of world_server.
   Result<latticeworld_msgs::GetWorldBundle::Response> AskForWorld(bool files) const;
   Status ResetWorld(std::uint64_t seed) const;
+  // reason: of an end that has none of its own. ask: world_server for what was not heard.
   Status Finish(const std::string& reason, bool ask);
+  // The last calls, if the server is still the first one when it has answered.
+  Result<latticeworld_msgs::GetWorldBundle::Response> AskForLastCalls() const;
 
   // Looks for topics, tells the status, and ends an episode that has come to its end.
   void Supervise();

@@ -1,12 +1,14 @@
 #include "latticeworld_ros/episode_recording.h"
 
 #include <ros/console.h>
+#include <rosgraph_msgs/Clock.h>
 
 #include <algorithm>
 #include <chrono>
 
 #include "latticeworld/simulation/journaled_simulator.h"
 #include "latticeworld_ros/bag_message.h"
+#include "latticeworld_ros/server_watch.h"
 
 namespace latticeworld {
 namespace {
@@ -16,6 +18,7 @@ using latticeworld_msgs::GetWorldBundle;
 using latticeworld_msgs::StateHash;
 using JournalMessage = latticeworld_msgs::JournalEntry;
 
+constexpr char kClockTopic[] = "/clock";
 // What a killed recorder loses, of wall time.
 constexpr std::chrono::seconds kFlushPeriod(1);
 // Messages of before the start are left out, but for latched ones; stamps of the clock lag a
@@ -138,6 +141,7 @@ void EpisodeRecording::Run() {
 }
 
 void EpisodeRecording::WriteOne(const BagMessage& message) {
+  if (message.topic == kClockTopic && !KeepClock(message)) return;
   if (!message.latched() && message.time + kLag < start_.header.stamp) return;
   if (!Keep(message)) return;
   last_time_ = std::max(last_time_, message.time);
@@ -164,20 +168,42 @@ void EpisodeRecording::WriteOne(const BagMessage& message) {
   }
 }
 
-bool EpisodeRecording::Keep(const BagMessage& message) {
-  const auto is_ours = [this](std::uint64_t run) {
-    if (run > start_.run) {
-      WantEnd("another world has taken the place of this one", /*failed=*/false);
-    }
-    return run == start_.run;
-  };
-  if (message.topic == options_.topics.state_hash) {
-    const auto hash = FromBag<StateHash>(message);
-    return hash != nullptr && is_ours(hash->run) && hash->step >= start_.step;
+bool EpisodeRecording::KeepClock(const BagMessage& message) {
+  const auto clock = FromBag<rosgraph_msgs::Clock>(message);
+  if (clock == nullptr) return true;
+  if (clock->clock < last_clock_) {
+    WantEnd(std::string("time runs backward: ") + kAnotherServer, /*failed=*/false);
+    return false;
   }
+  last_clock_ = clock->clock;
+  return true;
+}
+
+bool EpisodeRecording::IsOurs(std::uint64_t run) {
+  if (run > start_.run) {
+    WantEnd("another world has taken the place of this one", /*failed=*/false);
+  }
+  return run == start_.run;
+}
+
+bool EpisodeRecording::KeepHash(const BagMessage& message) {
+  const auto hash = FromBag<StateHash>(message);
+  if (hash == nullptr) return false;
+  // Runs and steps of one server never fall.
+  if (last_hash_step_ > 0 && (hash->run < start_.run || hash->step < last_hash_step_)) {
+    WantEnd(kAnotherServer, /*failed=*/false);
+    return false;
+  }
+  if (!IsOurs(hash->run) || hash->step < start_.step) return false;
+  last_hash_step_ = hash->step;
+  return true;
+}
+
+bool EpisodeRecording::Keep(const BagMessage& message) {
+  if (message.topic == options_.topics.state_hash) return KeepHash(message);
   if (message.topic != options_.topics.journal) return true;
   const auto entry = FromBag<JournalMessage>(message);
-  if (entry == nullptr || !is_ours(entry->run) || entry->number <= last_call_) return false;
+  if (entry == nullptr || !IsOurs(entry->run) || entry->number <= last_call_) return false;
   KeepCall(*entry);
   return true;
 }
@@ -199,7 +225,7 @@ void EpisodeRecording::KeepCall(const JournalMessage& entry) {
 }
 
 void EpisodeRecording::AddMissingCalls(const GetWorldBundle::Response& last) {
-  if (last.run != start_.run) return;
+  if (last.run != start_.run || last.world_id != start_.world_id) return;
   if (last.calls > last_call_) missing_.emplace_back(last_call_ + 1, last.calls);
   last_time_ = std::max(last_time_, last.stamp);
   std::vector<std::pair<std::uint64_t, std::uint64_t>> still_missing;

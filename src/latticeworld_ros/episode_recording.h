@@ -79,6 +79,11 @@ class EpisodeRecording {
   void WriteOne(const BagMessage& message);
   // False: the message is of another simulation, or is known already.
   bool Keep(const BagMessage& message);
+  // False: time has run backward, which that of one server never does.
+  bool KeepClock(const BagMessage& message);
+  bool KeepHash(const BagMessage& message);
+  // Of a simulation that comes after the recorded one: the episode is over.
+  bool IsOurs(std::uint64_t run);
   void KeepCall(const latticeworld_msgs::JournalEntry& entry);
   void AddMissingCalls(const latticeworld_msgs::GetWorldBundle::Response& last);
   void WriteEnd();
@@ -106,6 +111,8 @@ class EpisodeRecording {
   std::uint64_t journal_bytes_ = 0;
   std::uint64_t last_call_ = 0;
   ros::Time last_time_;
+  ros::Time last_clock_;
+  std::uint64_t last_hash_step_ = 0;
   std::vector<std::pair<std::uint64_t, std::uint64_t>> missing_;  // first and last call of each gap
   std::map<std::string, BagMessage> latched_;                     // by topic and publisher
   std::thread thread_;

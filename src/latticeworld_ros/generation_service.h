@@ -11,6 +11,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "latticeworld/generation/world_generator.h"
 #include "latticeworld_ros/generation_slot.h"
@@ -36,6 +37,8 @@ class GenerationService {
   ~GenerationService();
 
   void Start();
+  // The whole names of the services.
+  std::vector<std::string> services() const { return {generate_.getService(), load_.getService()}; }
   // Cancels what is being made; every later request is refused.
   void Stop();
 

@@ -1,8 +1,11 @@
 #include "latticeworld_ros/grid_conversion.h"
 
+#include <algorithm>
 #include <boost/endian/conversion.hpp>
+#include <cmath>
 #include <cstring>
 #include <iterator>
+#include <limits>
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/parallel.h"
@@ -38,15 +41,64 @@ std_msgs::Float32MultiArray ToMultiArray(const Grid<float>& values) {
   return array;
 }
 
+// Of a layer beside its cells: its name and layout, generously.
+constexpr std::uint64_t kLayerBytes = 1024;
+
+int CoarseCells(int cells, int coarsening) { return (cells + coarsening - 1) / coarsening; }
+
+float Merged(const Grid<float>& values, CellMerge merge, int coarsening, CellIndex coarse) {
+  const int end_row = std::min(values.rows(), (coarse.row + 1) * coarsening);
+  const int end_col = std::min(values.cols(), (coarse.col + 1) * coarsening);
+  float least = std::numeric_limits<float>::infinity(), most = -least;
+  double sum = 0.0;
+  int count = 0;
+  for (int row = coarse.row * coarsening; row < end_row; ++row) {
+    for (int col = coarse.col * coarsening; col < end_col; ++col) {
+      const float value = values(row, col);
+      if (std::isnan(value)) continue;
+      least = std::min(least, value);
+      most = std::max(most, value);
+      sum += value;
+      ++count;
+    }
+  }
+  if (count == 0) return std::numeric_limits<float>::quiet_NaN();
+  if (merge == CellMerge::kLeast) return least;
+  return merge == CellMerge::kMost ? most : static_cast<float>(sum / count);
+}
+
+Grid<float> Coarsened(const Grid<float>& values, CellMerge merge, int coarsening) {
+  Grid<float> coarse(CoarseCells(values.rows(), coarsening),
+                     CoarseCells(values.cols(), coarsening));
+  for (int row = 0; row < coarse.rows(); ++row) {
+    for (int col = 0; col < coarse.cols(); ++col) {
+      coarse(row, col) = Merged(values, merge, coarsening, {row, col});
+    }
+  }
+  return coarse;
+}
+
 }  // namespace
 
-grid_map_msgs::GridMap ToGridMap(const GridGeometry& geometry,
-                                 const std::vector<GridLayer>& layers) {
+int CoarseningFor(int cells, std::size_t layers, std::uint64_t most_bytes) {
+  const auto bytes = [&](int coarsening) {
+    const auto side = static_cast<std::uint64_t>(CoarseCells(cells, coarsening));
+    return layers * (side * side * sizeof(float) + kLayerBytes) + kLayerBytes;
+  };
+  int coarsening = 1;
+  while (bytes(coarsening) >= most_bytes && coarsening < cells) coarsening *= 2;
+  return coarsening;
+}
+
+grid_map_msgs::GridMap ToGridMap(const GridGeometry& geometry, const std::vector<GridLayer>& layers,
+                                 int coarsening) {
   grid_map_msgs::GridMap message;
   message.info.header.frame_id = kMapFrame;
-  message.info.resolution = geometry.resolution_m();
-  message.info.length_x = geometry.size_m();
-  message.info.length_y = geometry.size_m();
+  message.info.resolution = geometry.resolution_m() * coarsening;
+  message.info.length_x = CoarseCells(geometry.cols(), coarsening) * message.info.resolution;
+  message.info.length_y = CoarseCells(geometry.rows(), coarsening) * message.info.resolution;
+  message.info.pose.position.x = 0.5 * (message.info.length_x - geometry.size_m());
+  message.info.pose.position.y = 0.5 * (geometry.size_m() - message.info.length_y);
   message.info.pose.orientation.w = 1.0;
   message.layers.reserve(layers.size());
   for (const GridLayer& layer : layers) {
@@ -56,7 +108,12 @@ grid_map_msgs::GridMap ToGridMap(const GridGeometry& geometry,
   }
   message.data.resize(layers.size());
   ParallelFor(static_cast<int>(layers.size()), 0, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) message.data[i] = ToMultiArray(*layers[i].values);
+    for (int i = begin; i < end; ++i) {
+      const GridLayer& layer = layers[i];
+      message.data[i] = coarsening == 1
+                            ? ToMultiArray(*layer.values)
+                            : ToMultiArray(Coarsened(*layer.values, layer.merge, coarsening));
+    }
   });
   if (!layers.empty()) message.basic_layers.push_back(layers.front().name);
   return message;

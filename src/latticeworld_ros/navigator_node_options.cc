@@ -2,12 +2,14 @@
 
 #include <ros/names.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "latticeworld/common/range.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/species/species_catalogue.h"
 #include "latticeworld_ros/parameter_binding.h"
 
 namespace latticeworld {
@@ -17,6 +19,7 @@ constexpr Range kSensorRanges_m = {1.0, 200.0};
 constexpr Range kControlRates_hz = {1.0, 100.0};
 constexpr Range kOdomTimeouts_s = {0.1, 60.0};
 constexpr Range kTimeLimits_s = {0.0, 1e6};
+constexpr Range kRadii_m = {0.05, 5.0};  // and 0, that of the species
 constexpr Range kHeadings_rad = {0.0, 3.1416, /*low_open=*/true};
 
 // A parameter of the navigator, and the field that Validate(NavigatorOptions) names.
@@ -44,7 +47,6 @@ std::vector<NavigatorParameter> ParametersOf(NavigatorOptions* options) {
       {"horizon", "horizon_s", Bind(&options->horizon_s)},
       {"patience", "patience_s", Bind(&options->patience_s)},
       {"recoveries", "recoveries", Bind(&options->recoveries)},
-      {"robot_radius", "robot.radius_m", Bind(&robot.radius_m)},
       {"robot_height", "robot.height_m", Bind(&robot.height_m)},
       {"max_speed", "robot.max_speed_mps", Bind(&robot.max_speed_mps)},
       {"max_reverse_speed", "robot.max_reverse_mps", Bind(&robot.max_reverse_mps)},
@@ -68,6 +70,26 @@ void CheckName(const char* parameter, const std::string& given, bool may_be_empt
                          Quote(given)});
 }
 
+// The radius that is said, or that of the species.
+void TakeRadius(NavigatorNodeOptions* options, std::vector<Violation>* violations) {
+  double* const radius_m = &options->navigator.robot.radius_m;
+  if (options->robot_radius_m != 0.0) {
+    CheckRange("robot_radius", options->robot_radius_m, kRadii_m, " m", violations);
+    if (kRadii_m.Contains(options->robot_radius_m)) *radius_m = options->robot_radius_m;
+    return;
+  }
+  const std::string& name = options->robot_species;
+  if (const Species* species = SpeciesCatalogue::BuiltIn()->Find(name)) {
+    *radius_m = std::clamp(species->radius_m, kRadii_m.low, kRadii_m.high);
+    return;
+  }
+  violations->push_back({"unknown_species", "robot_species",
+                         Quote(name) +
+                             " is no built-in species (`latticeworld species` lists them); of "
+                             "another one robot_radius has to be said",
+                         Quote(name)});
+}
+
 }  // namespace
 
 Result<NavigatorNodeOptions> NavigatorOptionsFromParameters(const XmlRpc::XmlRpcValue& parameters) {
@@ -77,6 +99,8 @@ Result<NavigatorNodeOptions> NavigatorOptionsFromParameters(const XmlRpc::XmlRpc
       {"global_frame", Bind(&options.global_frame)},
       {"base_frame", Bind(&options.base_frame)},
       {"sensor", Bind(&options.sensor)},
+      {"robot_species", Bind(&options.robot_species)},
+      {"robot_radius", Bind(&options.robot_radius_m)},
       {"sensor_range", Bind(&options.sensor_range_m)},
       {"control_rate", Bind(&options.control_rate_hz)},
       {"odom_timeout", Bind(&options.odom_timeout_s)},
@@ -91,6 +115,7 @@ Result<NavigatorNodeOptions> NavigatorOptionsFromParameters(const XmlRpc::XmlRpc
   CheckName("robot", options.robot, /*may_be_empty=*/false, &violations);
   CheckName("global_frame", options.global_frame, /*may_be_empty=*/false, &violations);
   CheckName("base_frame", options.base_frame, /*may_be_empty=*/true, &violations);
+  TakeRadius(&options, &violations);
   CheckRange("sensor_range", options.sensor_range_m, kSensorRanges_m, " m", &violations);
   CheckRange("control_rate", options.control_rate_hz, kControlRates_hz, " Hz", &violations);
   CheckRange("odom_timeout", options.odom_timeout_s, kOdomTimeouts_s, " s", &violations);

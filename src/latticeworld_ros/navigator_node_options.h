@@ -28,12 +28,14 @@ struct NavigatorNodeOptions {
   std::string global_frame = "map";
   std::string base_frame;  // empty: what the odometry says
   NavigatorSensor sensor = NavigatorSensor::kScan;
-  double sensor_range_m = 20.0;                // [1, 200] beyond it nothing is seen
-  double control_rate_hz = 10.0;               // [1, 100] in simulated time
-  double odom_timeout_s = 2.0;                 // [0.1, 60] without odometry or tf, a goal ends
-  double goal_heading_tolerance_rad = 3.1416;  // (0, 3.1416]; from 3.14 on any heading will do
-  double time_limit_s = 0.0;                   // [0, 1e6] of one goal; 0: none
-  // Its heading tolerance and time limit are those above.
+  std::string robot_species = "wheeled robot";  // a built-in one, whose radius the robot has
+  double robot_radius_m = 0.0;                  // 0: that of robot_species, else [0.05, 5]
+  double sensor_range_m = 20.0;                 // [1, 200] beyond it nothing is seen
+  double control_rate_hz = 10.0;                // [1, 100] in simulated time
+  double odom_timeout_s = 2.0;                  // [0.1, 60] without odometry or tf, a goal ends
+  double goal_heading_tolerance_rad = 3.1416;   // (0, 3.1416]; from 3.14 on any heading will do
+  double time_limit_s = 0.0;                    // [0, 1e6] of one goal; 0: none
+  // Its robot's radius, heading tolerance and time limit are those above.
   NavigatorOptions navigator;
 };
 

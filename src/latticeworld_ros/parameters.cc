@@ -30,6 +30,12 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"sensor_seed", Bind(&options->sensor_seed)},
       {"longitude", Bind(&options->longitude_deg)},
       {"altitude", Bind(&options->altitude_m)},
+      {"geoid_undulation", Bind(&options->geoid_undulation_m)},
+      {"point_times", Bind(&options->point_times)},
+      {"publish_map_to_odom", Bind(&options->frames.map_to_odom)},
+      {"publish_odom_to_base", Bind(&options->frames.odom_to_base)},
+      {"localised_elsewhere", Bind(&options->frames.localised_elsewhere)},
+      {"odometry_elsewhere", Bind(&options->frames.odometry_elsewhere)},
       {"clock_rate", Bind(&options->clock_rate_hz)},
       {"state_rate", Bind(&options->state_rate_hz)},
       {"marker_rate", Bind(&options->marker_rate_hz)},
@@ -69,7 +75,8 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"sketch_model", Bind(&options->sketch_model)},
       {"octomap_resolution", Bind(&options->octomap_resolution_m)},
       {"octomap_thickness", Bind(&options->octomap_thickness_m)},
-      {"robot_radius", Bind(&options->robot.radius_m)},
+      {"map_values", Bind(&options->map_values)},
+      {"robot_radius", Bind(&options->robot_radius_m)},
       {"robot_max_slope", Bind(&options->robot.max_slope_rad)},
       {"robot_max_step", Bind(&options->robot.max_step_m)},
       {"robot_max_fording_depth", Bind(&options->robot.max_fording_depth_m)},
@@ -78,6 +85,12 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"robot_grip", Bind(&options->robot.grip)},
       {"robot_on_wheels", Bind(&options->robot.on_wheels)},
   };
+}
+
+// The radius that maps are made for: the one that is said, or that of the world's robots.
+double RadiusOf(const WorldServerOptions& options) {
+  if (options.robot_radius_m != WorldServerOptions::kRadiusOfSpecies) return options.robot_radius_m;
+  return options.simulator.species->Find(options.simulator.robot_species)->radius_m;
 }
 
 }  // namespace
@@ -113,6 +126,7 @@ Result<WorldServerOptions> OptionsFromParameters(const XmlRpcValue& parameters) 
   if (!violations.empty()) {
     return Status::FromViolations("parameters of world_server", std::move(violations));
   }
+  options.robot.radius_m = RadiusOf(options);
   return options;
 }
 

@@ -13,6 +13,8 @@ namespace {
 
 // Of what comes exact from the simulation, in covariances whose zeros would mean "unknown".
 constexpr double kExact = 1e-9;
+// Of a pose before anything has made it uncertain: that of exact odometry.
+constexpr double kExactPose = 1e-6;
 // Of what wheels know nothing of: rising, rolling, pitching.
 constexpr double kUnmeasured = 1e6;
 
@@ -82,10 +84,13 @@ sensor_msgs::LaserScan ToLaserScan(const LidarSweep& sweep, const LidarModel& mo
 }
 
 sensor_msgs::PointCloud2 ToPointCloud(const LidarSweep& sweep, const std::string& frame_id,
-                                      ros::Time end) {
+                                      ros::Time end, PointTimes times) {
   using sensor_msgs::PointField;
+  const double revolution_s = sweep.end_s - sweep.begin_s;
+  const bool from_begin = times == PointTimes::kBegin;
+  const double stamp_s = from_begin ? 0.0 : revolution_s;  // after the revolution's begin
   sensor_msgs::PointCloud2 cloud;
-  cloud.header = HeaderOf(frame_id, end);
+  cloud.header = HeaderOf(frame_id, from_begin ? end - DurationOf(revolution_s) : end);
   cloud.height = 1;
   cloud.width = static_cast<std::uint32_t>(sweep.points.size());
   cloud.fields = {
@@ -97,7 +102,6 @@ sensor_msgs::PointCloud2 ToPointCloud(const LidarSweep& sweep, const std::string
   cloud.row_step = kPointBytes * cloud.width;
   cloud.is_dense = true;
   cloud.data.resize(cloud.row_step);
-  const double revolution_s = sweep.end_s - sweep.begin_s;
   std::uint8_t* at = cloud.data.data();
   for (const LidarPoint& point : sweep.points) {
     Put(point.x_m, at);
@@ -105,7 +109,7 @@ sensor_msgs::PointCloud2 ToPointCloud(const LidarSweep& sweep, const std::string
     Put(point.z_m, at + 8);
     Put(point.intensity, at + 12);
     Put(point.ring, at + 16);
-    Put(static_cast<float>(point.time_ns * 1e-9 - revolution_s), at + 18);
+    Put(static_cast<float>(point.time_ns * 1e-9 - stamp_s), at + 18);
     at += kPointBytes;
   }
   return cloud;
@@ -156,9 +160,8 @@ sensor_msgs::MagneticField ToMagneticField(const MagnetometerReading& reading,
   return field;
 }
 
-nav_msgs::Odometry ToOdometry(const WheelOdometryReading& reading, const WheelOdometryModel& model,
-                              const std::string& frame_id, const std::string& child_frame_id,
-                              ros::Time stamp) {
+nav_msgs::Odometry ToOdometry(const WheelOdometryReading& reading, const std::string& frame_id,
+                              const std::string& child_frame_id, ros::Time stamp) {
   nav_msgs::Odometry odometry;
   odometry.header = HeaderOf(frame_id, stamp);
   odometry.child_frame_id = child_frame_id;
@@ -167,14 +170,20 @@ nav_msgs::Odometry ToOdometry(const WheelOdometryReading& reading, const WheelOd
   odometry.pose.pose.orientation.z = std::sin(0.5 * reading.heading_rad);
   odometry.pose.pose.orientation.w = std::cos(0.5 * reading.heading_rad);
   odometry.twist.twist.linear.x = reading.forward_mps;
+  odometry.twist.twist.linear.y = reading.sideways_mps;
   odometry.twist.twist.angular.z = reading.yaw_rate_radps;
-  const double way2 = reading.forward_mps * reading.forward_mps;
-  const double turn2 = reading.yaw_rate_radps * reading.yaw_rate_radps;
-  const std::array<double, 6> variances = {
-      kExact + model.a3 * way2 + model.a4 * turn2, kExact, kUnmeasured, kUnmeasured, kUnmeasured,
-      kExact + model.a1 * turn2 + model.a2 * way2};
-  for (std::size_t i = 0; i < variances.size(); ++i) {
-    odometry.twist.covariance[7 * i] = variances[i];
+  constexpr std::array<std::size_t, 3> kPlanar = {0, 1, 5};  // x, y, yaw of six
+  constexpr std::array<std::size_t, 3> kOutOfPlane = {2, 3, 4};
+  for (const std::size_t i : kOutOfPlane) {
+    odometry.pose.covariance[7 * i] = odometry.twist.covariance[7 * i] = kUnmeasured;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    for (std::size_t j = 0; j < 3; ++j) {
+      odometry.pose.covariance[6 * kPlanar[i] + kPlanar[j]] =
+          reading.pose_covariance(row, static_cast<Eigen::Index>(j)) + (i == j ? kExactPose : 0.0);
+    }
+    odometry.twist.covariance[7 * kPlanar[i]] = reading.twist_variances[row] + kExact;
   }
   return odometry;
 }

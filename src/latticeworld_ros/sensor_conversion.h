@@ -13,6 +13,7 @@
 
 #include "latticeworld/sensing/sensor_suite.h"
 #include "latticeworld_ros/messages.h"
+#include "latticeworld_ros/point_times.h"
 
 namespace latticeworld {
 
@@ -28,9 +29,10 @@ std::string OpticalFrameId(const std::string& robot, const SensorSpec& sensor);
 sensor_msgs::LaserScan ToLaserScan(const LidarSweep& sweep, const LidarModel& model, double rate_hz,
                                    const std::string& frame_id, ros::Time end);
 // The layout of Velodyne's and other drivers: x, y, z, intensity (float32), ring (uint16), time
-// (float32): seconds from the stamp to the point's firing, so never above 0. Unordered, dense.
+// (float32): seconds from the stamp to the point's firing. Unordered, dense. end: of the sweep;
+// that or its begin is the stamp, as `times` says.
 sensor_msgs::PointCloud2 ToPointCloud(const LidarSweep& sweep, const std::string& frame_id,
-                                      ros::Time end);
+                                      ros::Time end, PointTimes times = PointTimes::kEnd);
 
 // Covariances are those of the model's white noise at that rate.
 sensor_msgs::Imu ToImu(const ImuReading& reading, const ImuModel& model, double rate_hz,
@@ -40,11 +42,10 @@ sensor_msgs::NavSatFix ToFix(const GnssReading& reading, const std::string& fram
 sensor_msgs::MagneticField ToMagneticField(const MagnetometerReading& reading,
                                            const MagnetometerModel& model,
                                            const std::string& frame_id, ros::Time stamp);
-// frame_id: where the robot began; child_frame_id: its base_link. The twist has the covariance of
-// the model's motion noise; that of the pose, which grows without end, is left unknown (0).
-nav_msgs::Odometry ToOdometry(const WheelOdometryReading& reading, const WheelOdometryModel& model,
-                              const std::string& frame_id, const std::string& child_frame_id,
-                              ros::Time stamp);
+// frame_id: where the robot began; child_frame_id: its base_link. Covariances are the reading's;
+// of what wheels know nothing of (z, roll, pitch) the variance is 1e6, and none is 0.
+nav_msgs::Odometry ToOdometry(const WheelOdometryReading& reading, const std::string& frame_id,
+                              const std::string& child_frame_id, ros::Time stamp);
 latticeworld_msgs::Bumper ToBumper(const BumperReading& reading, const std::string& frame_id,
                                    ros::Time stamp);
 

@@ -14,6 +14,7 @@ struct Publisher {
   const SensorFrame& frame;
   const SensorPublishers& topics;
   ros::Time stamp;
+  PointTimes point_times;
 
   const SensorSpec& spec() const { return *frame.sensor; }
   std::string frame_id() const { return SensorFrameId(frame.robot, spec()); }
@@ -28,7 +29,7 @@ struct Publisher {
         return ToLaserScan(sweep, model<LidarModel>(), spec().rate_hz, frame_id(), stamp);
       });
     } else {
-      topics.data.Publish([&] { return ToPointCloud(sweep, frame_id(), stamp); });
+      topics.data.Publish([&] { return ToPointCloud(sweep, frame_id(), stamp, point_times); });
     }
   }
   void operator()(const CameraFrame& pictures) const {
@@ -49,10 +50,8 @@ struct Publisher {
         [&] { return ToMagneticField(reading, model<MagnetometerModel>(), frame_id(), stamp); });
   }
   void operator()(const WheelOdometryReading& reading) const {
-    topics.data.Publish([&] {
-      return ToOdometry(reading, model<WheelOdometryModel>(), OdomFrame(frame.robot),
-                        BaseFrame(frame.robot), stamp);
-    });
+    topics.data.Publish(
+        [&] { return ToOdometry(reading, OdomFrame(frame.robot), BaseFrame(frame.robot), stamp); });
   }
   void operator()(const BumperReading& reading) const {
     topics.data.Publish([&] { return ToBumper(reading, frame_id(), stamp); });
@@ -80,8 +79,9 @@ const SensorPublishers* FindPublishers(const SensorPublisherMap& publishers,
   return found == suite->second->end() ? nullptr : &found->second;
 }
 
-void Publish(const SensorFrame& frame, ros::Time stamp, const SensorPublishers& topics) {
-  std::visit(Publisher{frame, topics, stamp}, frame.reading);
+void Publish(const SensorFrame& frame, ros::Time stamp, const SensorPublishers& topics,
+             PointTimes point_times) {
+  std::visit(Publisher{frame, topics, stamp, point_times}, frame.reading);
 }
 
 }  // namespace latticeworld

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "latticeworld/sensing/sensor_rig.h"
+#include "latticeworld_ros/point_times.h"
 #include "latticeworld_ros/sensor_topics.h"
 
 namespace latticeworld {
@@ -14,8 +15,10 @@ namespace latticeworld {
 const SensorPublishers* FindPublishers(const SensorPublisherMap& publishers,
                                        const std::string& robot, const SensorSpec& sensor);
 
-// Publishes what a sensor gave on those of its topics that anybody listens to.
-void Publish(const SensorFrame& frame, ros::Time stamp, const SensorPublishers& topics);
+// Publishes what a sensor gave on those of its topics that anybody listens to. stamp: of when it
+// was complete; point_times: of clouds.
+void Publish(const SensorFrame& frame, ros::Time stamp, const SensorPublishers& topics,
+             PointTimes point_times);
 
 }  // namespace latticeworld
 

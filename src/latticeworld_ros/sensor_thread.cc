@@ -31,13 +31,16 @@ const SensorSpec* FindScanner(const SensorSuite& suite) {
   return nullptr;
 }
 
-// Of worlds that lie nowhere on the earth the weather knows the latitude.
-GeoOrigin OriginOf(const World& world, const SensorThreadOptions& options) {
-  if (world.geo) return *world.geo;
-  return {world.scene->atmosphere.latitude_deg, options.longitude_deg, options.altitude_m};
-}
-
 }  // namespace
+
+GeoOrigin OriginForSensors(const World& world, const SensorThreadOptions& options) {
+  // Of worlds that lie nowhere on the earth the weather knows the latitude.
+  GeoOrigin origin = world.geo ? *world.geo
+                               : GeoOrigin{world.scene->atmosphere.latitude_deg,
+                                           options.longitude_deg, options.altitude_m};
+  origin.altitude_m += options.geoid_undulation_m;
+  return origin;
+}
 
 SensorThread::SensorThread(const SensorThreadOptions& options, SensorTopics* topics)
     : options_(options),
@@ -166,7 +169,7 @@ bool SensorThread::HasRig(const Moment& moment) {
   if (moment.world == nullptr) return false;
   SensorRigOptions options;
   options.seed = moment.seed;
-  options.origin = OriginOf(*moment.world, options_);
+  options.origin = OriginForSensors(*moment.world, options_);
   options.threads = options_.threads;
   options.colours = std::make_shared<SceneColours>(moment.world->scene, options_.threads);
   Result<std::unique_ptr<SensorRig>> rig =
@@ -223,7 +226,7 @@ void SensorThread::Sense(const Moment& moment) {
     const ros::Time stamp = moment.now - DurationOf(world.time_s - frame.time_s);
     if (is_kept(frame.robot, *frame.sensor)) Keep(frame, stamp);
     const SensorPublishers* topics = FindPublishers(*publishers, frame.robot, *frame.sensor);
-    if (topics != nullptr) Publish(frame, stamp, *topics);
+    if (topics != nullptr) Publish(frame, stamp, *topics, options_.point_times);
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   ++statistics_.steps;

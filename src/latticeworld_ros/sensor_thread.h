@@ -17,6 +17,7 @@
 #include "latticeworld/generation/world.h"
 #include "latticeworld/sensing/sensor_rig.h"
 #include "latticeworld/simulation/simulator.h"
+#include "latticeworld_ros/point_times.h"
 #include "latticeworld_ros/sensor_topics.h"
 #include "latticeworld_ros/simulation_listener.h"
 
@@ -25,8 +26,14 @@ namespace latticeworld {
 struct SensorThreadOptions {
   int threads = 1;                               // that trace rays
   std::uint64_t seed = 0;                        // of all noise; 0: of the simulation's
-  double longitude_deg = 0.0, altitude_m = 0.0;  // of worlds that lie nowhere on the earth
+  double longitude_deg = 9.0, altitude_m = 0.0;  // of worlds that lie nowhere on the earth
+  double geoid_undulation_m = 0.0;               // of the data's datum above the ellipsoid, there
+  PointTimes point_times = PointTimes::kEnd;     // of clouds
 };
+
+// Where the origin of a world's map lies for its sensors, as WGS 84 has it: the altitude of z = 0
+// is above the ellipsoid, as NavSatFix means it.
+GeoOrigin OriginForSensors(const World& world, const SensorThreadOptions& options);
 
 // What the sensors did since the node began.
 struct SensorStatistics {

@@ -37,6 +37,13 @@ class ServiceQueue {
     servers_.push_back(node_.advertiseService(name, callback));
   }
 
+  // Of all services, whole.
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const ros::ServiceServer& server : servers_) names.push_back(server.getService());
+    return names;
+  }
+
   void Start() { spinner_.start(); }
   void Stop() {
     for (ros::ServiceServer& server : servers_) server.shutdown();

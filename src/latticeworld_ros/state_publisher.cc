@@ -30,10 +30,13 @@ std::uint64_t TicksPer(double rate_hz, double step_s) {
 
 StatePublisher::StatePublisher(ros::NodeHandle node, const WorldServerOptions& options,
                                RobotTopics* robots, MapFollower* maps, SensorThread* sensors,
-                               std::shared_ptr<const OpenAiClient> language_server)
+                               std::shared_ptr<const OpenAiClient> language_server,
+                               const MasterWatch* master)
     : robots_(robots),
       sensors_(sensors),
       language_server_(std::move(language_server)),
+      master_(master),
+      frames_(options.frames),
       ticks_per_clock_(TicksPer(options.clock_rate_hz, options.simulator.step_s)),
       ticks_per_state_(TicksPer(options.state_rate_hz, options.simulator.step_s)),
       ticks_per_markers_(TicksPer(options.marker_rate_hz, options.simulator.step_s)),
@@ -97,7 +100,8 @@ void StatePublisher::OnRestore() {
 void StatePublisher::OnStatistics(const LoopStatistics& statistics) {
   // The clock first: what is published below carries this stamp.
   PublishClock(statistics.now);
-  diagnostics_.publish(ToDiagnostics(statistics, sensors_->statistics(), language_server_.get()));
+  diagnostics_.publish(
+      ToDiagnostics(statistics, sensors_->statistics(), language_server_.get(), master_->report()));
 }
 
 void StatePublisher::PublishClock(ros::Time now) {
@@ -133,8 +137,8 @@ void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
         map_from_odom_.try_emplace(agent.name, LevelFrameAt(map_from_base)).first->second;
     const Eigen::Isometry3d odom_from_map = map_from_odom.inverse();
     const std::string odom = OdomFrame(agent.name);
-    transforms.transforms.push_back(ToRos(map_from_odom, tick.now, kMapFrame, odom));
-    transforms.transforms.push_back(ToRos(odom_from_map * map_from_base, tick.now, odom, base));
+    AppendRobotFrames(frames_, agent.name, tick.now, map_from_odom, odom_from_map * map_from_base,
+                      &transforms.transforms);
     if (robot != robots->end()) {
       robot->second.odom.Publish([&] { return ToOdometry(agent, tick.now, odom, odom_from_map); });
     }

@@ -13,6 +13,8 @@
 #include "latticeworld/language/chat/openai_client.h"
 #include "latticeworld_ros/heard_publisher.h"
 #include "latticeworld_ros/journal_publisher.h"
+#include "latticeworld_ros/master_watch.h"
+#include "latticeworld_ros/robot_frames.h"
 #include "latticeworld_ros/robot_topics.h"
 #include "latticeworld_ros/scene_publisher.h"
 #include "latticeworld_ros/sensor_thread.h"
@@ -28,10 +30,10 @@ namespace latticeworld {
 // the simulation loop's thread.
 class StatePublisher : public SimulationListener {
  public:
-  // language_server: for diagnostics; nullptr: there is none.
+  // language_server: for diagnostics; nullptr: there is none. master: outlives the publisher.
   StatePublisher(ros::NodeHandle node, const WorldServerOptions& options, RobotTopics* robots,
                  MapFollower* maps, SensorThread* sensors,
-                 std::shared_ptr<const OpenAiClient> language_server);
+                 std::shared_ptr<const OpenAiClient> language_server, const MasterWatch* master);
 
   void OnTick(const Tick& tick) override;
   void OnStandstill(ros::Time now) override;
@@ -56,6 +58,8 @@ class StatePublisher : public SimulationListener {
   RobotTopics* const robots_;
   SensorThread* const sensors_;
   const std::shared_ptr<const OpenAiClient> language_server_;
+  const MasterWatch* const master_;
+  const RobotFrameOptions frames_;
   const std::uint64_t ticks_per_clock_;
   const std::uint64_t ticks_per_state_;
   const std::uint64_t ticks_per_markers_;

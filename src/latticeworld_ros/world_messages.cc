@@ -1,5 +1,7 @@
 #include "latticeworld_ros/world_messages.h"
 
+#include <ros/console.h>
+
 #include <boost/make_shared.hpp>
 #include <deque>
 #include <exception>
@@ -20,6 +22,10 @@ namespace latticeworld {
 namespace {
 
 constexpr char kStage[] = "maps";
+constexpr char kTooLarge[] =
+    " bytes, which no subscriber receives; cells of twice the size, or 4, 8 ... times, are "
+    "published";
+constexpr std::uint64_t kHeaderBytes = 1024;  // of a message beside its data, and more
 constexpr int kEveryCore = 0, kOneThread = 1;
 
 Status BuildOctomaps(const Scene& scene, const WorldServerOptions& options,
@@ -31,9 +37,19 @@ Status BuildOctomaps(const Scene& scene, const WorldServerOptions& options,
                                     ? options.octomap_resolution_m
                                     : scene.geometry().resolution_m();
   octree_options.thickness_m = options.octomap_thickness_m;
-  const double resolution_m = octree_options.resolution_m;
   LW_ASSIGN_OR_RETURN(OctreeData binary, BuildBinaryData(scene, octree_options, progress, changes));
   LW_ASSIGN_OR_RETURN(OctreeData full, BuildFullData(scene, octree_options, progress, changes));
+  // Both have voxels of one size.
+  while (full.bytes.size() + kHeaderBytes >= options.most_message_bytes) {
+    if (messages->octomap_full == nullptr) {
+      ROS_WARN_STREAM("octomap_full of " << octree_options.resolution_m << " m has "
+                                         << full.bytes.size() << kTooLarge);
+    }
+    octree_options.resolution_m *= 2.0;
+    LW_ASSIGN_OR_RETURN(binary, BuildBinaryData(scene, octree_options, progress, changes));
+    LW_ASSIGN_OR_RETURN(full, BuildFullData(scene, octree_options, progress, changes));
+  }
+  const double resolution_m = octree_options.resolution_m;
   messages->octomap_binary =
       boost::make_shared<octomap_msgs::Octomap>(ToRos(std::move(binary), resolution_m, true));
   messages->octomap_full =
@@ -56,7 +72,8 @@ Status BuildGridMaps(const Scene& scene, const WorldServerOptions& options,
   const Terrain& terrain = *scene.terrain;
   const GridGeometry& geometry = scene.geometry();
   const Grid<std::int8_t> occupancy = BuildOccupancy(scene, options.robot, changes, threads);
-  messages->map = boost::make_shared<nav_msgs::OccupancyGrid>(ToOccupancyGrid(geometry, occupancy));
+  messages->map = boost::make_shared<nav_msgs::OccupancyGrid>(
+      ToOccupancyGrid(geometry, WithValues(occupancy, options.map_values)));
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   const Grid<float> distance_m = BuildDistanceField(occupancy, geometry.resolution_m());
   const Grid<float> traversability = BuildTraversability(scene, options.robot, changes, threads);
@@ -64,16 +81,24 @@ Status BuildGridMaps(const Scene& scene, const WorldServerOptions& options,
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   std::vector<GridLayer> layers = {{"elevation", &terrain.ground.height_m()},
                                    {"water", &terrain.water_level_m},
-                                   {"slope", &slope_rad},
-                                   {"distance", &distance_m}};
+                                   {"slope", &slope_rad, CellMerge::kMost},
+                                   {"distance", &distance_m, CellMerge::kLeast}};
   std::deque<Grid<float>> weights;  // keeps its elements in their place
   for (const ClassWeight& entry : terrain.weights.classes) {
     const LayoutClass* layout_class = FindClass(terrain.weights.vocabulary, entry.letter);
     layers.push_back({"class_" + std::string(layout_class->name),
                       &weights.emplace_back(entry.weight.ToFloat())});
   }
-  layers.push_back({"traversability", &traversability});
-  messages->height_map = boost::make_shared<grid_map_msgs::GridMap>(ToGridMap(geometry, layers));
+  layers.push_back({"traversability", &traversability, CellMerge::kLeast});
+  const int coarsening = CoarseningFor(geometry.cols(), layers.size(), options.most_message_bytes);
+  if (coarsening > 1 && messages->height_map == nullptr) {
+    ROS_WARN_STREAM("world/height_map of "
+                    << geometry.cols() << " cells a side and " << layers.size() << " layers has "
+                    << layers.size() * terrain.ground.height_m().size() * sizeof(float)
+                    << kTooLarge);
+  }
+  messages->height_map =
+      boost::make_shared<grid_map_msgs::GridMap>(ToGridMap(geometry, layers, coarsening));
   return progress.CheckCancelled();
 }
 

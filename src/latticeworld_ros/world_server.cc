@@ -57,6 +57,8 @@ SensorThreadOptions SensorOptions(const WorldServerOptions& options) {
   sensors.seed = static_cast<std::uint64_t>(options.sensor_seed);
   sensors.longitude_deg = options.longitude_deg;
   sensors.altitude_m = options.altitude_m;
+  sensors.point_times = options.point_times;
+  sensors.geoid_undulation_m = options.geoid_undulation_m;
   return sensors;
 }
 
@@ -85,7 +87,7 @@ WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options
                },
                [this](const std::string& agent) { loop_.Strike(agent); }},
               [this](const std::vector<RobotWish>& robots) { sensor_topics_.Apply(robots); }),
-      states_(node, options, &robots_, &follower_, &sensors_, language.server),
+      states_(node, options, &robots_, &follower_, &sensors_, language.server, &master_),
       loop_(LoopOptions(options), &states_),
       launcher_(options, &loop_, &robots_, &maps_),
       generation_(
@@ -94,7 +96,8 @@ WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options
           &launcher_),
       services_(node),
       bundles_(&loop_, &services_) {
-  AdvertiseWorldServices(WorldsDirectory(options), &loop_, &current_, &services_);
+  AdvertiseWorldServices(WorldsDirectory(options), options.map_values, &loop_, &current_,
+                         &services_);
   AdvertiseAgentServices(options.simulator, &loop_, &robots_, &services_);
   AdvertiseTimeServices(&loop_, &robots_, &services_);
   AdvertiseLockstep(&loop_, &states_, &sensors_, &services_);
@@ -102,11 +105,15 @@ WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options
   command_spinner_.start();
   services_.Start();
   generation_.Start();
+  std::vector<std::string> offered = services_.names();
+  for (std::string& name : generation_.services()) offered.push_back(std::move(name));
+  master_.Start(std::move(offered));
 }
 
 WorldServer::~WorldServer() {
   // From outside in: nothing is asked any more, then nothing runs any more. The sensors first, for
   // whom the loop may wait, then the loop, for whoever waits for it is let go.
+  master_.Stop();
   command_spinner_.stop();
   sensors_.Stop();
   loop_.Stop();

@@ -14,6 +14,7 @@
 #include "latticeworld_ros/generation_service.h"
 #include "latticeworld_ros/map_follower.h"
 #include "latticeworld_ros/map_publisher.h"
+#include "latticeworld_ros/master_watch.h"
 #include "latticeworld_ros/robot_topics.h"
 #include "latticeworld_ros/sensor_thread.h"
 #include "latticeworld_ros/sensor_topics.h"
@@ -34,6 +35,7 @@ namespace latticeworld {
 //   robot topics (1)             makes and ends the topics of robots
 //   sensors (1)                  makes and publishes what robots sense
 //   map follower (1)             makes maps anew when trees have fallen
+//   master watch (1)             looks after services and topics at the master
 class WorldServer {
  public:
   // options: valid. sketches: what options.sketch_model names. catalogue: what options.catalogue
@@ -50,6 +52,7 @@ class WorldServer {
   SensorTopics sensor_topics_;
   SensorThread sensors_;
   RobotTopics robots_;
+  MasterWatch master_;
   StatePublisher states_;
   SimulationLoop loop_;
   WorldLauncher launcher_;

@@ -52,6 +52,7 @@ std::vector<Violation> Validate(const WorldServerOptions& options) {
   check_range("sensor_seed", options.sensor_seed, 0, std::numeric_limits<int>::max());
   check_range("longitude", options.longitude_deg, -180.0, 180.0);
   check_range("altitude", options.altitude_m, -1000.0, 9000.0);
+  check_range("geoid_undulation", options.geoid_undulation_m, -120.0, 100.0);
   check_range("clock_rate", options.clock_rate_hz, 1.0, 1000.0);
   check_range("state_rate", options.state_rate_hz, 1.0, 1000.0);
   check_range("marker_rate", options.marker_rate_hz, 0.1, 1000.0);
@@ -60,7 +61,9 @@ std::vector<Violation> Validate(const WorldServerOptions& options) {
   check_range("marker_max_assets", options.marker_max_assets, 0, 500000);
   check_zero_or_range("octomap_resolution", options.octomap_resolution_m, 0.05, 16.0);
   check_range("octomap_thickness", options.octomap_thickness_m, 0.0, 100.0);
-  check_range("robot_radius", options.robot.radius_m, 0.0, 10.0);
+  const double radius_m = options.robot_radius_m;
+  if (radius_m != WorldServerOptions::kRadiusOfSpecies && !(radius_m >= 0.0 && radius_m <= 10.0))
+    refuse("robot_radius", FormatDouble(radius_m), "-1 (that of robot_species) or 0 .. 10");
   check_range("robot_max_slope", options.robot.max_slope_rad, 0.01, 1.5);
   check_range("robot_max_step", options.robot.max_step_m, 0.0, 10.0);
   check_range("robot_max_fording_depth", options.robot.max_fording_depth_m, 0.0, 10.0);
@@ -91,6 +94,12 @@ std::vector<Violation> Validate(const WorldServerOptions& options) {
     violations.push_back(std::move(violation));
   for (Violation& violation : Named("reader", Validate(options.reader_model)))
     violations.push_back(std::move(violation));
+  for (const auto& [name, robots] :
+       {std::pair("localised_elsewhere", &options.frames.localised_elsewhere),
+        std::pair("odometry_elsewhere", &options.frames.odometry_elsewhere)}) {
+    const bool nameless = std::find(robots->begin(), robots->end(), "") != robots->end();
+    if (nameless) refuse(name, "\"\"", "names of robots");
+  }
   if (options.worlds_directory.empty()) refuse("worlds_directory", "\"\"", "a directory");
   for (const std::string& directory : options.visual_directories) {
     if (directory.empty()) refuse("visual_directories", "\"\"", "directories");

@@ -1,6 +1,7 @@
 #ifndef LATTICEWORLD_ROS_WORLD_SERVER_OPTIONS_H_
 #define LATTICEWORLD_ROS_WORLD_SERVER_OPTIONS_H_
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +11,9 @@
 #include "latticeworld/mapping/traversability.h"
 #include "latticeworld/sensing/sensor_suite.h"
 #include "latticeworld/simulation/simulator.h"
+#include "latticeworld_ros/message_size.h"
+#include "latticeworld_ros/point_times.h"
+#include "latticeworld_ros/robot_frames.h"
 
 namespace latticeworld {
 
@@ -30,8 +34,11 @@ struct WorldServerOptions {
   std::string sensor_suite = "standard";  // of sensor_catalogue: what every robot carries
   int sensor_threads = 1;                 // [1, 64] that trace rays
   int sensor_seed = 0;                    // of their noise; 0: the simulation's, else above
-  double longitude_deg = 0.0;             // [-180, 180] of worlds that lie nowhere on the earth
+  double longitude_deg = 9.0;             // [-180, 180] of worlds that lie nowhere on the earth;
+                                          // zone 32 of UTM has its middle there
   double altitude_m = 0.0;                // [-1000, 9000] of them
+  PointTimes point_times = PointTimes::kEnd;  // of `points`
+  double geoid_undulation_m = 0.0;  // [-120, 100]: added to the altitude of every NavSatFix
   std::shared_ptr<const SensorCatalogue> sensor_catalogue = SensorCatalogue::BuiltIn();
 
   // Publishing, in Hz of simulated time.
@@ -41,6 +48,7 @@ struct WorldServerOptions {
   double state_hash_rate_hz = 1.0;  // 0, or [0.001, 1000]: world/state_hash
   int marker_terrain_cells = 128;   // [16, 512] a side: ground of world/markers
   int marker_max_assets = 20000;    // [0, 500000]: assets of world/markers
+  RobotFrameOptions frames;         // of /tf; names are never empty
 
   // Worlds.
   // Who reads and who answers where a request does not say: names of a LanguageStack, or "" for its
@@ -58,7 +66,13 @@ struct WorldServerOptions {
   // Maps.
   double octomap_resolution_m = 0.0;  // 0: that of the world; else [0.05, 16]
   double octomap_thickness_m = 1.0;   // [0, 100]
-  RobotLimits robot;                  // for map and the traversability layer
+  // [0, 10] of the robot below, or kRadiusOfSpecies.
+  static constexpr double kRadiusOfSpecies = -1.0;
+  double robot_radius_m = kRadiusOfSpecies;
+  RobotLimits robot;  // for map and the traversability layer; its radius is that, as a length
+  MapValues map_values = MapValues::kGraded;  // of map, static_map and bundles' map.pgm
+  // Of a message, so that it can be received. No parameter.
+  std::uint64_t most_message_bytes = kMostMessageBytes;
 };
 
 // Every violation, each with its parameter's name.

@@ -61,8 +61,8 @@ void OnGet(SimulationLoop* loop, const CurrentWorld& current,
   response->state_hash = moment->state_hash;
 }
 
-Status Save(const std::filesystem::path& worlds_directory, const CurrentWorld& current,
-            const latticeworld_msgs::SaveWorld::Request& request,
+Status Save(const std::filesystem::path& worlds_directory, MapValues map_values,
+            const CurrentWorld& current, const latticeworld_msgs::SaveWorld::Request& request,
             latticeworld_msgs::SaveWorld::Response* response) {
   const std::shared_ptr<const PublishedWorld> published = current.Get();
   if (published == nullptr) return NoWorld();
@@ -73,7 +73,7 @@ Status Save(const std::filesystem::path& worlds_directory, const CurrentWorld& c
   std::error_code ignored;
   std::filesystem::create_directories(worlds_directory, ignored);
   const std::filesystem::path path = worlds_directory / name;
-  const Status saved = SaveBundle(*published->world, path);
+  const Status saved = SaveBundle(*published->world, path, map_values);
   if (saved.ok() || saved.code() == StatusCode::kAlreadyExists) response->path = path.string();
   return saved;
 }
@@ -116,8 +116,9 @@ Status SetWeather(SimulationLoop* loop, const latticeworld_msgs::SetWeather::Req
 
 }  // namespace
 
-void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, SimulationLoop* loop,
-                            const CurrentWorld* current, ServiceQueue* queue) {
+void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, MapValues map_values,
+                            SimulationLoop* loop, const CurrentWorld* current,
+                            ServiceQueue* queue) {
   using latticeworld_msgs::GetWorld;
   using latticeworld_msgs::ListWorlds;
   using latticeworld_msgs::QueryTerrain;
@@ -132,7 +133,7 @@ void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, Simul
                              });
   queue->Advertise<SaveWorld>(
       "save_world", [=](const SaveWorld::Request& request, SaveWorld::Response* response) {
-        response->status = ToRos(Save(worlds_directory, *current, request, response));
+        response->status = ToRos(Save(worlds_directory, map_values, *current, request, response));
       });
   queue->Advertise<ListWorlds>("list_worlds",
                                [=](const ListWorlds::Request&, ListWorlds::Response* response) {

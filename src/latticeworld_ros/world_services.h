@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "latticeworld/mapping/traversability.h"
 #include "latticeworld_ros/current_world.h"
 #include "latticeworld_ros/service_queue.h"
 #include "latticeworld_ros/simulation_loop.h"
@@ -10,10 +11,10 @@
 namespace latticeworld {
 
 // The world that runs and those on disk, all but making one: get_world, save_world, list_worlds,
-// query_terrain, set_weather, octomap_full, octomap_binary, static_map. loop and current outlive
-// the queue's services.
-void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, SimulationLoop* loop,
-                            const CurrentWorld* current, ServiceQueue* queue);
+// query_terrain, set_weather, octomap_full, octomap_binary, static_map. map_values: of bundles
+// that are saved. loop and current outlive the queue's services.
+void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, MapValues map_values,
+                            SimulationLoop* loop, const CurrentWorld* current, ServiceQueue* queue);
 
 }  // namespace latticeworld
 

@@ -12,6 +12,7 @@
 
 #include "latticeworld_ros/episode_recorder.h"
 #include "latticeworld_ros/episode_recorder_options.h"
+#include "latticeworld_ros/node_start.h"
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow fails to be written, no more
@@ -21,6 +22,7 @@ int main(int argc, char** argv) {
   for (const int signal : {SIGINT, SIGTERM}) {
     std::signal(signal, [](int) { asked_to_end = 1; });
   }
+  latticeworld::PrepareNode();
   XmlRpc::XmlRpcValue parameters;
   (void)ros::param::get(ros::this_node::getName(), parameters);  // none at all is legal
   const auto options = latticeworld::RecorderOptionsFromParameters(parameters);

@@ -12,6 +12,7 @@
 
 #include "latticeworld_ros/navigator_node.h"
 #include "latticeworld_ros/navigator_node_options.h"
+#include "latticeworld_ros/node_start.h"
 
 int main(int argc, char** argv) {
   // The robot is told to stand before ROS ends: what this handler asks for is done by main.
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
   for (const int signal : {SIGINT, SIGTERM}) {
     std::signal(signal, [](int) { asked_to_end = 1; });
   }
+  latticeworld::PrepareNode();
   XmlRpc::XmlRpcValue parameters;
   (void)ros::param::get(ros::this_node::getName(), parameters);  // none at all is legal
   const auto options = latticeworld::NavigatorOptionsFromParameters(parameters);

@@ -19,6 +19,7 @@
 #include "latticeworld/episode/replay.h"
 #include "latticeworld_ros/episode_player.h"
 #include "latticeworld_ros/episode_reader.h"
+#include "latticeworld_ros/node_start.h"
 
 namespace {
 
@@ -99,6 +100,7 @@ int Play(const EpisodeReader& reader, double rate, int argc, char** argv) {
   }
   // Nobody waits for a clock that this program tells.
   ros::param::set("/use_sim_time", true);
+  latticeworld::PrepareNode();
   ros::Time::init();
   ros::NodeHandle node;
   const Status played = PlayEpisode(node, reader, rate);

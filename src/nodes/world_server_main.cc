@@ -14,6 +14,7 @@
 #include "latticeworld/catalogue/catalogue.h"
 #include "latticeworld/generation/language_stacks.h"
 #include "latticeworld/generation/sketch_translator.h"
+#include "latticeworld_ros/node_start.h"
 #include "latticeworld_ros/parameters.h"
 #include "latticeworld_ros/shutdown_guard.h"
 #include "latticeworld_ros/world_server.h"
@@ -23,8 +24,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "world_server");
   // roscpp hears SIGINT only; without taking leave the master would keep this node's topics.
   std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
-  // This node owns the clock. Said before the first NodeHandle, so that this node keeps it too.
-  if (!ros::param::has("/use_sim_time")) ros::param::set("/use_sim_time", true);
+  latticeworld::PrepareNode();
 
   XmlRpc::XmlRpcValue parameters;
   (void)ros::param::get(ros::this_node::getName(), parameters);  // none at all is legal

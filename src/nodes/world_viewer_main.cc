@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "latticeworld_ros/node_start.h"
 #include "latticeworld_ros/shutdown_guard.h"
 #include "latticeworld_ros/viewer_node.h"
 #include "latticeworld_ros/viewer_options.h"
@@ -18,6 +19,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "world_viewer");
   // roscpp hears SIGINT only; without taking leave the master would keep this node's topics.
   std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
+  latticeworld::PrepareNode();
   XmlRpc::XmlRpcValue parameters;
   (void)ros::param::get(ros::this_node::getName(), parameters);  // none at all is legal
   const auto options = latticeworld::ViewerOptionsFromParameters(parameters);

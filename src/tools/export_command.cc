@@ -20,7 +20,11 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/exporting/map_server.h"
 #include "latticeworld/generation/bundle.h"
+#include "latticeworld/generation/bundle_files.h"
+#include "latticeworld/interchange/chosen_assets.h"
 #include "latticeworld/interchange/geotiff.h"
+#include "latticeworld/interchange/height_arrays.h"
+#include "latticeworld/interchange/mjcf_world.h"
 #include "latticeworld/interchange/point_cloud.h"
 #include "latticeworld/interchange/sdf_world.h"
 #include "latticeworld/interchange/world_glb.h"
@@ -45,6 +49,7 @@ struct Request {
   std::optional<double> ground_step_m, spacing_m, resolution_m;
   std::optional<int> texture_px, detail, heightmap_size, heightmap_bits;
   std::optional<bool> small_plants;
+  std::optional<MapValues> map_values;
   bool expand = false, agents = true;
   std::uint64_t seed = 0;
 };
@@ -55,18 +60,20 @@ struct OptionUse {
   std::vector<std::string> formats;
 };
 const std::vector<OptionUse>& OptionUses() {
-  static const std::vector<OptionUse> uses = {{"--region", {"glb", "sdf", "geotiff", "ply", "las"}},
-                                              {"--expand", {"glb"}},
-                                              {"--no-agents", {"glb"}},
-                                              {"--ground-step", {"glb"}},
-                                              {"--texture", {"glb", "sdf"}},
-                                              {"--detail", {"glb", "sdf"}},
-                                              {"--plants", {"glb", "sdf", "ply", "las"}},
-                                              {"--heightmap-size", {"sdf"}},
-                                              {"--heightmap-bits", {"sdf"}},
-                                              {"--spacing", {"ply", "las"}},
-                                              {"--seed", {"ply", "las"}},
-                                              {"--resolution", {"octomap"}}};
+  static const std::vector<OptionUse> uses = {
+      {"--region", {"glb", "sdf", "mjcf", "geotiff", "heights", "ply", "las"}},
+      {"--expand", {"glb"}},
+      {"--no-agents", {"glb"}},
+      {"--ground-step", {"glb"}},
+      {"--texture", {"glb", "sdf", "mjcf"}},
+      {"--detail", {"glb", "sdf", "mjcf"}},
+      {"--plants", {"glb", "sdf", "mjcf", "ply", "las"}},
+      {"--heightmap-size", {"sdf"}},
+      {"--heightmap-bits", {"sdf"}},
+      {"--spacing", {"ply", "las"}},
+      {"--seed", {"ply", "las"}},
+      {"--map-values", {"map"}},
+      {"--resolution", {"octomap"}}};
   return uses;
 }
 
@@ -99,8 +106,8 @@ std::optional<ExportRegion> ParseRegion(const std::string& text) {
 Result<Request> ReadRequest(const CLI::App& command) {
   ArgumentReader arguments(&command);
   Request request;
-  request.format =
-      arguments.Choice("--to", {"glb", "sdf", "geotiff", "map", "octomap", "ply", "las"}, "glb");
+  request.format = arguments.Choice(
+      "--to", {"glb", "sdf", "mjcf", "geotiff", "heights", "map", "octomap", "ply", "las"}, "glb");
   request.out = *ValueOf(command, "--out");
   const auto number = [&](const char* option, std::optional<double>* value) {
     if (command.count(option) > 0) *value = arguments.Number(option, 0.0);
@@ -118,6 +125,8 @@ Result<Request> ReadRequest(const CLI::App& command) {
   integer("--heightmap-bits", 8, 16, &request.heightmap_bits);
   if (command.count("--plants") > 0)
     request.small_plants = arguments.Choice("--plants", {"all", "large"}, "all") == "all";
+  request.map_values =
+      FromName<MapValues>(arguments.Choice("--map-values", {"graded", "trinary"}, ""));
   request.expand = command.count("--expand") > 0;
   request.agents = command.count("--no-agents") == 0;
   request.seed = arguments.Unsigned("--seed", 0);
@@ -177,10 +186,27 @@ Result<std::vector<ExportFile>> Sdf(const World& world, const Request& request,
   return SdfFiles(*world.scene, world.id, world.geo, options, progress);
 }
 
-Result<std::vector<ExportFile>> Map(const World& world) {
+Result<std::vector<ExportFile>> Mjcf(const World& world, const Request& request,
+                                     const Progress& progress) {
+  MjcfOptions options;
+  options.region = request.region;
+  options.texture_px = request.texture_px.value_or(options.texture_px);
+  options.detail = request.detail.value_or(options.detail);
+  options.small_plants = request.small_plants.value_or(options.small_plants);
+  return MjcfFiles(*world.scene, world.id, world.geo, options, progress);
+}
+
+Result<std::vector<ExportFile>> Heights(const World& world, const Request& request,
+                                        const Progress& progress) {
+  HeightArraysOptions options;
+  options.region = request.region;
+  return HeightFiles(*world.scene, world.id, world.geo, options, progress);
+}
+
+Result<std::vector<ExportFile>> Map(const World& world, MapValues values) {
   const Scene& scene = *world.scene;
   LW_ASSIGN_OR_RETURN(MapServerFiles map,
-                      ToMapServer(BuildOccupancy(scene, RobotLimits()), scene.geometry()));
+                      ToMapServer(BuildOccupancy(scene, RobotLimits()), scene.geometry(), values));
   return std::vector<ExportFile>{{"map.pgm", std::move(map.pgm)},
                                  {"map.yaml", std::move(map.yaml)}};
 }
@@ -194,14 +220,17 @@ Result<std::string> File(const World& world, const Request& request, const Progr
 Result<std::vector<ExportFile>> Folder(const World& world, const Request& request,
                                        const Progress& progress) {
   if (request.format == "sdf") return Sdf(world, request, progress);
-  if (request.format == "map") return Map(world);
+  if (request.format == "mjcf") return Mjcf(world, request, progress);
+  if (request.format == "heights") return Heights(world, request, progress);
+  if (request.format == "map") return Map(world, request.map_values.value_or(MapValues::kGraded));
   GeoTiffOptions options;
   options.region = request.region;
   return GeoTiffFiles(*world.scene, world.geo, options, progress);
 }
 
 bool IsFolder(const std::string& format) {
-  return format == "sdf" || format == "map" || format == "geotiff";
+  return format == "sdf" || format == "mjcf" || format == "heights" || format == "map" ||
+         format == "geotiff";
 }
 
 Status WriteFolder(const World& world, const Request& request, const Progress& progress,
@@ -225,9 +254,23 @@ Status WriteSingle(const World& world, const Request& request, const Progress& p
   return ReplaceFile(request.out, content).WithContext("--out");
 }
 
+// Whether a file has things that readers without EXT_mesh_gpu_instancing do not see.
+bool HasInstances(const World& world, const Request& request) {
+  if (request.format != "glb" || request.expand) return false;
+  const Scene& scene = *world.scene;
+  return !ChooseAssets(scene, request.region.value_or(WholeWorld(scene.geometry())),
+                       request.small_plants.value_or(WorldGlbOptions().small_plants))
+              .empty();
+}
+
 Status Export(const CLI::App& command) {
-  LW_ASSIGN_OR_RETURN(const Request request, ReadRequest(command));
-  LW_ASSIGN_OR_RETURN(const auto world, LoadBundle(*ValueOf(command, "DIR")));
+  LW_ASSIGN_OR_RETURN(Request request, ReadRequest(command));
+  const std::string directory = *ValueOf(command, "DIR");
+  LW_ASSIGN_OR_RETURN(const auto world, LoadBundle(directory));
+  if (request.format == "map" && !request.map_values) {
+    LW_ASSIGN_OR_RETURN(const Manifest manifest, ReadManifest(directory));
+    request.map_values = manifest.map_values;
+  }
   ProgressDisplay display;
   Progress progress(
       [&display](std::string_view stage, double fraction) { display.Show(stage, fraction); });
@@ -244,6 +287,11 @@ Status Export(const CLI::App& command) {
   LW_RETURN_IF_ERROR(status);
   std::cout << request.out.string() << ": " << world->id << " as " << request.format << ", "
             << bytes << " bytes\n";
+  if (HasInstances(*world, request)) {
+    std::cerr << "warning: " << request.out.string()
+              << ": plants, stones and buildings are instances (EXT_mesh_gpu_instancing), which "
+                 "Blender, trimesh, Open3D and newton do not read: --expand for them\n";
+  }
   return Status();
 }
 
@@ -254,10 +302,12 @@ void AddExportCommand(CLI::App* app, int* exit_status) {
       "export", "Writes a bundle's world, as it begins, in the formats of other programs.");
   AddValueOption(command, "DIR", "DIR", "The bundle.");
   command->get_option("DIR")->required();
-  AddValueOption(command, "--to", "FORMAT",
-                 "glb (glTF 2.0, one file), sdf (Gazebo, a folder), geotiff (elevation, water, "
-                 "classes, traversability: a folder), map (map_server, a folder), octomap (a .bt), "
-                 "ply, las (points, one file).");
+  AddValueOption(
+      command, "--to", "FORMAT",
+      "glb (glTF 2.0, one file), sdf (Gazebo, a folder), mjcf (MuJoCo, a folder), geotiff "
+      "(elevation, water, classes, traversability: a folder), heights (arrays of NumPy, "
+      "a folder), map (map_server, a folder), octomap (a .bt), ply, las (points, one "
+      "file).");
   command->get_option("--to")->required();
   AddValueOption(command, "--out", "PATH",
                  "A file, which is replaced, or a folder, which must not be there yet.");
@@ -269,17 +319,20 @@ void AddExportCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--ground-step", "M",
                  "glb: between vertices of the ground, 0.05 to 100 [the world's resolution].");
   AddValueOption(command, "--texture", "PX",
-                 "glb, sdf: the ground's colours, 16 to 8192 a side at most [2048].");
+                 "glb, sdf, mjcf: the ground's colours, 16 to 8192 a side at most [2048].");
   AddValueOption(command, "--detail", "N",
-                 "glb, sdf: of the meshes, 0 (finest) to 2 [glb: 1, sdf: 2].");
+                 "glb, sdf, mjcf: of the meshes, 0 (finest) to 2 [glb: 1, others: 2].");
   AddValueOption(command, "--plants", "WHICH",
-                 "all, or large: no grass, flowers and crops [sdf: large, others: all].");
+                 "all, or large: no grass, flowers and crops [sdf, mjcf: large, others: all].");
   AddValueOption(command, "--heightmap-size", "N",
                  "sdf: vertices a side, 2^n + 1 [as fine as the world, at most 2049].");
   AddValueOption(command, "--heightmap-bits", "N", "sdf: 16, or 8 for Gazebo classic [16].");
   AddValueOption(command, "--spacing", "M",
                  "ply, las: a point to so much squared of all surfaces, 0.02 to 100 [0.5].");
   AddValueOption(command, "--seed", "N", "ply, las: of the points' places on things [0].");
+  AddValueOption(
+      command, "--map-values", "WHICH",
+      "map: graded, or trinary, 0, 100 and -1 alone, as map_saver writes [the bundle's].");
   AddValueOption(command, "--resolution", "M", "octomap: edge of a voxel [the world's].");
   command->callback([command, exit_status] {
     const Status status = Export(*command);

@@ -161,11 +161,15 @@ void AddGenerateCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--environment", "TEXT",
                  "Season, weather, time of day and what lives there; @FILE reads a file. Without "
                  "it the environment follows from the layout.");
-  AddValueOption(command, "--height-map", "FILE",
-                 "Relief: an 8- or 16-bit greyscale PNG, PGM or TIFF, 33 to 8193 pixels a side.");
-  AddValueOption(command, "--sketch", "FILE",
-                 "Relief: strokes on white, blue along valley floors, black along ridges; PNG, "
-                 "JPEG or TIFF, drawn, scanned or photographed.");
+  AddValueOption(
+      command, "--height-map", "FILE",
+      "Relief: an 8- or 16-bit greyscale PNG, PGM or TIFF, 33 to 8193 pixels a side; of one "
+      "that is not square the middle square.");
+  AddValueOption(
+      command, "--sketch", "FILE",
+      "Relief: strokes on white, blue along valley floors, black along ridges; PNG, "
+      "JPEG or TIFF, drawn, scanned or photographed; of one that is not square the middle "
+      "square.");
   AddValueOption(command, "--sketch-model", "FILE",
                  "ONNX model that turns the sketch into land [the embedded method].");
   AddValueOption(command, "--elevation", "FILE",
@@ -174,8 +178,8 @@ void AddGenerateCommand(CLI::App* app, int* exit_status) {
                  "Place in the elevation that becomes the world's centre, degrees (WGS 84) [the "
                  "middle of the data].");
   AddValueOption(command, "--elevation-unit", "NAME",
-                 "degrees or metres: of an ASCII grid without a coordinate system [judged by its "
-                 "numbers].");
+                 "degrees or metres: of an ASCII grid, which names no coordinate system [judged by "
+                 "its numbers].");
   command->add_flag("--keep-altitude",
                     "Heights as in the elevation; without it the lowest point becomes 0.");
   AddValueOption(command, "--height-scale", "METRES",

@@ -39,7 +39,7 @@ Result<Land> ReadPicture(const std::string& bytes, const LandOptions& options) {
   }
   HeightMapOptions height_map;
   height_map.height_scale_m = options.height_scale_m;
-  LW_ASSIGN_OR_RETURN(Relief relief, ReadHeightMap(bytes, height_map));
+  LW_ASSIGN_OR_RETURN(Relief relief, ReadWholeHeightMap(bytes, height_map));
   Land land;
   land.resolution_m = options.size_m / relief.height_m.cols();
   land.height_m = std::move(relief.height_m);
@@ -52,9 +52,10 @@ Result<Land> ReadPicture(const std::string& bytes, const LandOptions& options) {
   return land;
 }
 
-Result<Land> ReadSurvey(const std::string& path, const std::string& bytes) {
-  LW_ASSIGN_OR_RETURN(ElevationSurvey survey,
-                      SurveyElevation(bytes, std::filesystem::path(path).filename().string()));
+Result<Land> ReadSurvey(const std::string& path, const std::string& bytes, ElevationUnit unit) {
+  LW_ASSIGN_OR_RETURN(
+      ElevationSurvey survey,
+      SurveyElevation(bytes, std::filesystem::path(path).filename().string(), unit));
   Land land;
   land.height_m = std::move(survey.height_m);
   land.water = std::move(survey.missing);
@@ -72,7 +73,7 @@ Result<Land> ReadAny(const std::string& path, const LandOptions& options) {
   if (extension == ".png" || extension == ".pgm" || (tiff && options.size_m != 0.0)) {
     return ReadPicture(bytes, options);
   }
-  return ReadSurvey(path, bytes);
+  return ReadSurvey(path, bytes, options.elevation_unit);
 }
 
 }  // namespace

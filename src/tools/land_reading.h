@@ -6,6 +6,7 @@
 
 #include "latticeworld/common/result.h"
 #include "latticeworld/geometry/grid.h"
+#include "latticeworld/relief/elevation.h"
 
 namespace latticeworld::tools {
 
@@ -19,8 +20,9 @@ struct Land {
 };
 
 struct LandOptions {
-  double size_m = 0.0;            // width of a height map; 0: not given
-  double height_scale_m = 100.0;  // of a height map, from black to white
+  double size_m = 0.0;                                    // width of a height map; 0: not given
+  double height_scale_m = 100.0;                          // of a height map, from black to white
+  ElevationUnit elevation_unit = ElevationUnit::kJudged;  // of an ASCII grid
 };
 
 // Reads a bundle (a directory), a height map (PNG, PGM; TIFF when a size is given) or elevation

@@ -31,6 +31,8 @@ Result<LandOptions> ReadOptions(const CLI::App& command) {
   arguments.RequireBeside("--height-scale", "--size");
   options.height_scale_m = height_map.height_scale_m =
       arguments.Number("--height-scale", height_map.height_scale_m);
+  options.elevation_unit =
+      *FromName<ElevationUnit>(arguments.Choice("--elevation-unit", {"degrees", "metres"}, ""));
   LW_RETURN_IF_ERROR(arguments.status());
   std::vector<Violation> violations = Validate(height_map);
   CheckRange("--size", options.size_m, {kMinLandSize_m, kMaxLandSize_m}, " m", &violations);
@@ -83,6 +85,9 @@ void AddMeasureCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--size", "METRES", "Width of the height maps, west to east.");
   AddValueOption(command, "--height-scale", "METRES",
                  "Height from a black to a white pixel of the height maps, 0 to 9000 [100].");
+  AddValueOption(command, "--elevation-unit", "NAME",
+                 "degrees or metres: of ASCII grids, which name no coordinate system [judged by "
+                 "their numbers].");
   command->add_flag("--json", "Answers as JSON, for programs.");
   command->callback([command, exit_status] {
     const Status status = Measure(*command);

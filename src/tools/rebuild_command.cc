@@ -33,9 +33,11 @@ Status Rebuild(const CLI::App& command) {
   const auto rebuilt = RebuildWorld(*recorded, progress, *std::move(sketches));
   display.Clear();
   if (!rebuilt.ok()) return rebuilt.status();
-  if (const auto out = ValueOf(command, "--out")) LW_RETURN_IF_ERROR(SaveBundle(**rebuilt, *out));
   LW_ASSIGN_OR_RETURN(const Manifest before, ReadManifest(directory));
-  LW_ASSIGN_OR_RETURN(const Manifest after, MakeManifest(**rebuilt));
+  if (const auto out = ValueOf(command, "--out")) {
+    LW_RETURN_IF_ERROR(SaveBundle(**rebuilt, *out, before.map_values));
+  }
+  LW_ASSIGN_OR_RETURN(const Manifest after, MakeManifest(**rebuilt, before.map_values));
   const std::vector<std::string> differing = DifferingFiles(before, after);
   if (!differing.empty()) {
     return FailedPrecondition("the bundle holds " + recorded->id + ", but this program makes " +

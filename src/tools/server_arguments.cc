@@ -16,7 +16,7 @@ namespace latticeworld::tools {
 void AddServerOptions(CLI::App* command) {
   AddValueOption(command, "--remote-url", "URL",
                  "OpenAI-compatible server, such as http://127.0.0.1:8080/v1.");
-  AddValueOption(command, "--remote-model", "NAME", "Its model [the first that it lists].");
+  AddValueOption(command, "--remote-model", "NAME", "Its model [the first listed that answers].");
   AddValueOption(command, "--remote-dialect", "NAME",
                  "How it is told the form of an answer: llama.cpp, vllm, ollama, openai or none "
                  "[openai].");

@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "latticeworld/common/range.h"
+#include "latticeworld/common/text.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/navigation/task_picture.h"
 #include "latticeworld/navigation/tasks.h"
 #include "latticeworld/navigation/tasks_json.h"
+#include "latticeworld/species/species_catalogue.h"
 #include "tools/arguments.h"
 #include "tools/interrupt.h"
 #include "tools/output_file.h"
@@ -44,7 +46,10 @@ struct RobotOption {
   const char* meaning;
 };
 constexpr RobotOption kRobot[] = {
-    {"--robot-radius", &RobotLimits::radius_m, {0.0, 10.0}, "Of the robot [m], 0 to 10 [0.3]."},
+    {"--robot-radius",
+     &RobotLimits::radius_m,
+     {0.0, 10.0},
+     "Of the robot [m], 0 to 10 [that of --robot-species]."},
     {"--robot-max-slope",
      &RobotLimits::max_slope_rad,
      {0.01, 1.5},
@@ -82,6 +87,15 @@ Result<TaskWishes> ReadWishes(const CLI::App& command) {
       wishes.*option.range = {pair->first, pair->second};
   }
   std::vector<Violation> violations;
+  const std::string name = ValueOf(command, "--robot-species").value_or("wheeled robot");
+  if (const Species* species = SpeciesCatalogue::BuiltIn()->Find(name)) {
+    wishes.robot.radius_m = species->radius_m;
+  } else {
+    violations.push_back(
+        {"unknown_value", "--robot-species",
+         "is " + Quote(name) + ", no built-in species; `latticeworld species` lists them",
+         Quote(name)});
+  }
   for (const RobotOption& option : kRobot) {
     double& limit = wishes.robot.*option.limit;
     limit = arguments.Number(option.name, limit);
@@ -143,6 +157,8 @@ void AddTasksCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--goal-radius", "M", "Of the goals, above 0 and at most 100 [0.5].");
   for (const RangeOption& option : kRanges)
     AddValueOption(command, option.name, "LOW,HIGH", option.meaning);
+  AddValueOption(command, "--robot-species", "NAME",
+                 "The built-in species whose radius it has [wheeled robot].");
   for (const RobotOption& option : kRobot)
     AddValueOption(command, option.name, "X", option.meaning);
   command->add_flag("--robot-walks",

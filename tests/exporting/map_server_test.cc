@@ -40,6 +40,8 @@ ReadMap ReadAsMapServer(const MapServerFiles& files) {
       map.occupancy.push_back(100);
     else if (p < free)
       map.occupancy.push_back(0);
+    else if (mode == "trinary")
+      map.occupancy.push_back(-1);
     else
       map.occupancy.push_back(static_cast<int>(1 + 98 * (p - free) / (occupied - free)));
   }
@@ -77,6 +79,20 @@ TEST(MapServerTest, UnknownCellsSurvive) {
   const ReadMap map = ReadAsMapServer(*files);
   for (std::size_t i = 0; i < occupancy.size(); ++i)
     EXPECT_EQ(map.occupancy[i], occupancy.data()[i]);
+}
+
+TEST(MapServerTest, TrinaryMapsReadBackAsFreeOccupiedAndUnknown) {
+  const auto graded = Ramp(-1);
+  const auto trinary = WithValues(graded, MapValues::kTrinary);
+  const auto files = ToMapServer(trinary, GridGeometry::FromCells(11, 5.5), MapValues::kTrinary);
+  ASSERT_TRUE(files.ok());
+  EXPECT_NE(files->yaml.find("mode: trinary\n"), std::string::npos);
+  const ReadMap map = ReadAsMapServer(*files);
+  for (std::size_t i = 0; i < graded.size(); ++i) {
+    const int value = graded.data()[i];
+    EXPECT_EQ(trinary.data()[i], value == 100 || value == -1 ? value : 0);
+    EXPECT_EQ(map.occupancy[i], trinary.data()[i]);
+  }
 }
 
 TEST(MapServerTest, YamlPlacesTheLowerLeftCorner) {

@@ -145,6 +145,15 @@ TEST(RepliesJsonTest, AreReadBackAsWritten) {
   EXPECT_TRUE(DecodeReplies("[]")->empty());
 }
 
+TEST(RepliesJsonTest, WarningsOfTheServerAreReadBackAndNotWrittenWhereThereAreNone) {
+  std::vector<ModelReply> replies = {{"layout", "m", "FFF", "stop"}};
+  EXPECT_EQ(EncodeReplies(replies).find("warnings"), std::string::npos);
+  replies[0].warnings = {"the chat server has cut the prompt: 7", "another"};
+  const auto decoded = DecodeReplies(EncodeReplies(replies));
+  ASSERT_TRUE(decoded.ok()) << decoded.status().ToString();
+  EXPECT_EQ((*decoded)[0].warnings, replies[0].warnings);
+}
+
 // As bundles had them before failures were recorded.
 TEST(RepliesJsonTest, ARecordingWithoutFailuresIsRead) {
   const auto decoded = DecodeReplies(

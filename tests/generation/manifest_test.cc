@@ -76,6 +76,16 @@ TEST(ManifestTest, GivesBackEveryField) {
   EXPECT_EQ(EncodeManifest(*decoded), EncodeManifest(manifest));
 }
 
+TEST(ManifestTest, OnlyMapsOfOtherValuesSaySo) {
+  Manifest manifest = MakeManifest();
+  EXPECT_EQ(EncodeManifest(manifest).find("map_values"), std::string::npos);
+  EXPECT_EQ(DecodeManifest(EncodeManifest(manifest))->map_values, MapValues::kGraded);
+  manifest.map_values = MapValues::kTrinary;
+  const auto decoded = DecodeManifest(EncodeManifest(manifest));
+  ASSERT_TRUE(decoded.ok()) << decoded.status().ToString();
+  EXPECT_EQ(decoded->map_values, MapValues::kTrinary);
+}
+
 TEST(ManifestTest, AWorldMayLieNowhereOnTheEarth) {
   Manifest manifest = MakeManifest();
   manifest.geo.reset();

@@ -288,7 +288,7 @@ std::shared_ptr<World> MakeTestWorld() {
   world->replies = {
       {"layout", "a model", "FFF\nGGG <think>\xF0\x9F\x8C\xB2", "length", 700, 2048, 1, 0.1},
       {"environment", "a model", "{}", "stop", 0, 0, 0, 1.0 / 7.0},
-      {"environment", "", "", "", 0, 0, 0, 0.0, Unavailable("\"Königssee\" is\nfar")}};
+      {"environment", "", "", "", 0, 0, 0, 0.0, 0.0, {}, Unavailable("\"Königssee\" is\nfar")}};
   world->warnings = {"not understood: \"Königssee\"", "a second one"};
   world->stages = {{"relief", 0.001}, {"layout", 1.0 / 3.0}};
   world->geo = GeoOrigin{40.0 / 3.0, -105.1, 1999.9};

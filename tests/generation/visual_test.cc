@@ -150,6 +150,38 @@ TEST(VisualTest, ElevationGivesTheGroundItsSlopeAndTheWorldItsPlace) {
   EXPECT_NEAR(MeanHeight(*world, 0.0), 1559.5, 1.0);
 }
 
+// 36 m of ground in cells of 9 cm, which rises by 4 m; by its numbers in metres.
+std::string Survey() {
+  std::string text = "ncols 400\nnrows 400\nxllcorner 3\nyllcorner 4\ncellsize 0.09\n";
+  for (int i = 0; i < 400 * 400; ++i) text += std::to_string(100.0 + 0.01 * (i % 400)) + " ";
+  return text;
+}
+
+TEST(VisualTest, TheUnitOfElevationReachesItsReaderAndIsRecorded) {
+  GenerationRequest request = Request(VisualKind::kElevation, Survey());
+  request.size_m = 32.0;
+  request.resolution_m = 1.0;
+  const auto judged = Generate(request);
+  ASSERT_NE(judged, nullptr);
+  EXPECT_FALSE(judged->geo.has_value());
+  EXPECT_NE(judged->warnings[0].find("taken for metres"), std::string::npos);
+  request.elevation.unit = ElevationUnit::kDegrees;
+  const auto degrees = Generate(request);
+  ASSERT_NE(degrees, nullptr);
+  ASSERT_TRUE(degrees->geo.has_value());
+  EXPECT_NEAR(degrees->geo->latitude_deg, 22.0, 1e-6);
+  EXPECT_EQ(degrees->request.elevation.unit, ElevationUnit::kDegrees);
+  const auto rebuilt = RebuildWorld(*degrees, Progress());
+  ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
+  ExpectSameWorld(*degrees, **rebuilt);
+  // Of other kinds it is not looked at.
+  request.visual_kind = VisualKind::kHeightMap;
+  request.visual = MakePgm(40, 40);
+  const auto other = Generate(request);
+  ASSERT_NE(other, nullptr);
+  EXPECT_EQ(other->request.elevation.unit, ElevationUnit::kJudged);
+}
+
 TEST(VisualTest, SrtmIsFoundByItsNameWhereverTheFileLies) {
   GenerationRequest request = Request(VisualKind::kElevation, SrtmTile());
   request.visual_name = "some/where/S13E130.hgt";

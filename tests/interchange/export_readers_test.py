@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Exports a world and has programs of others read it: gltf-validator, Blender, libsdformat, GDAL,
-laspy and plyfile. scripts/install_dependencies.sh and the build install them; laspy and
+NumPy, laspy and plyfile. scripts/install_dependencies.sh and the build install them; laspy and
 plyfile come with LATTICEWORLD_TEST_PYPI."""
 
 import importlib.util
@@ -91,6 +91,21 @@ class ExportReadersTest(unittest.TestCase):
                       for file in (folder / "elevation.tif", self.path / "world" / "height.png")]
             self.assertAlmostEqual(values[0], offset + values[1] * scale / 65535,
                                    delta=scale / 65535)
+
+    @unittest.skipUnless(PYPI, "no numpy")
+    def test_numpy_loads_the_heights_that_gdal_reads(self):
+        import numpy
+        folder = self.export("heights", "heights")
+        tif = self.export("geotiff", "tif_of_heights")
+        about = json.loads((folder / "heights.json").read_text())
+        layers = {name: numpy.load(folder / file) for name, file in about["layers"].items()}
+        self.assertEqual({name: layer.shape for name, layer in layers.items()},
+                         dict.fromkeys(layers, (about["rows"], about["cols"])))
+        for col, row in ((0, 0), (17, 100), (64, 64), (127, 3)):
+            read = run("gdallocationinfo", "-valonly", tif / "elevation.tif", col, row).stdout
+            self.assertAlmostEqual(layers["heights"][row, col], float(read.split()[-1]), delta=1e-4)
+        self.assertEqual(about["lowest"], layers["heights"].min())
+        self.assertTrue((layers["water"][~numpy.isnan(layers["water"])] > about["lowest"]).all())
 
     @unittest.skipUnless(PYPI, "no laspy and plyfile")
     def test_laspy_and_plyfile_read_the_same_points(self):

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "generation/test_world.h"
 #include "glb_reader.h"
@@ -60,6 +61,63 @@ TEST_F(WorldGlbTest, EveryAssetIsOneInstanceWhereItStands) {
   EXPECT_EQ(found, wanted);
 }
 
+TEST_F(WorldGlbTest, EveryInstanceSaysWhichAssetItIs) {
+  const GlbReader glb(*Make({}));
+  std::set<std::size_t> numbers;
+  for (const nlohmann::json* node : glb.Children("assets")) {
+    const auto& attributes = (*node)["extensions"][kInstancing]["attributes"];
+    const auto places = glb.ReadVectors(attributes["TRANSLATION"]);
+    ASSERT_TRUE(attributes.contains("_ASSET"));
+    const auto assets = glb.Read(attributes["_ASSET"]);
+    ASSERT_EQ(assets.size(), places.size());
+    for (std::size_t i = 0; i < assets.size(); ++i) {
+      const Asset& asset = scene_.assets.at(static_cast<std::size_t>(assets[i]));
+      EXPECT_NEAR(places[i].x(), asset.x_m, 1e-5);
+      EXPECT_NEAR(places[i].z(), -asset.y_m, 1e-5);
+      numbers.insert(static_cast<std::size_t>(assets[i]));
+    }
+  }
+  EXPECT_EQ(numbers.size(), scene_.assets.size());
+}
+
+TEST_F(WorldGlbTest, NodesSayWhatTheyAreOf) {
+  WorldGlbOptions expanded;
+  expanded.expand = true;
+  for (const WorldGlbOptions& options : {WorldGlbOptions(), expanded}) {
+    const GlbReader glb(*Make(options));
+    for (const char* name : {"ground", "water", "sun"})
+      EXPECT_EQ((*glb.Node(name))["extras"]["kind"], name);
+    for (const nlohmann::json* node : glb.Children("assets")) {
+      const nlohmann::json& extras = (*node)["extras"];
+      EXPECT_TRUE(FromName<AssetKind>(extras["kind"].get<std::string>())) << extras;
+      EXPECT_EQ(extras.contains("asset"), options.expand);
+    }
+    for (const auto& [parent, kind] :
+         {std::pair<const char*, const char*>{"elements", "element"}, {"agents", "agent"}}) {
+      ASSERT_FALSE(glb.Children(parent).empty());
+      for (const nlohmann::json* node : glb.Children(parent)) {
+        EXPECT_EQ((*node)["extras"]["kind"], kind);
+        EXPECT_FALSE((*node)["extras"]["model"].get<std::string>().empty());
+      }
+    }
+  }
+}
+
+// three.js takes these characters out of names, so that others could not be found by theirs.
+TEST_F(WorldGlbTest, NoNameHoldsWhatReadersTakeOut) {
+  WorldGlbOptions expanded;
+  expanded.expand = true;
+  for (const WorldGlbOptions& options : {WorldGlbOptions(), expanded}) {
+    const GlbReader glb(*Make(options));
+    for (const char* list : {"nodes", "meshes", "materials", "images"}) {
+      for (const auto& entry : glb.json()[list]) {
+        const std::string name = entry["name"];
+        EXPECT_EQ(name.find_first_of("[].:/ "), std::string::npos) << list << ": " << name;
+      }
+    }
+  }
+}
+
 TEST_F(WorldGlbTest, ExpandedItIsOneNodeAThingAndNeedsNoExtension) {
   WorldGlbOptions options;
   options.expand = true;
@@ -70,7 +128,9 @@ TEST_F(WorldGlbTest, ExpandedItIsOneNodeAThingAndNeedsNoExtension) {
   for (const nlohmann::json* node : glb.Children("assets")) {
     const std::string name = (*node)["name"];
     names.insert(name);
-    const Asset& asset = scene_.assets.at(std::stoul(name.substr(name.rfind('/') + 1)));
+    const auto number = (*node)["extras"]["asset"].get<std::size_t>();
+    const Asset& asset = scene_.assets.at(number);
+    EXPECT_EQ(name.substr(name.rfind('_') + 1), std::to_string(number));
     EXPECT_NEAR((*node)["translation"][0].get<double>(), asset.x_m, 1e-5);
     EXPECT_NEAR((*node)["scale"][1].get<double>(), asset.height_m, 1e-5);
     // Turned about the vertical by its yaw.

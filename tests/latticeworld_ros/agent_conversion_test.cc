@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "latticeworld_ros/robot_frames.h"
+
 namespace latticeworld {
 namespace {
 
@@ -106,6 +108,35 @@ TEST(AgentConversionTest, TransformsHaveUnitQuaternionsAndNoLeadingSlash) {
   EXPECT_EQ(message.child_frame_id, "scout/base_link");
   const auto& q = message.transform.rotation;
   EXPECT_NEAR(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, 1.0, 1e-12);
+}
+
+// "map -> scout/odom" and the like, as they are published.
+std::vector<std::string> FramesOf(const RobotFrameOptions& options, const std::string& robot) {
+  std::vector<geometry_msgs::TransformStamped> transforms;
+  AppendRobotFrames(options, robot, ros::Time(1, 0), PoseOf(Robot()), Eigen::Isometry3d::Identity(),
+                    &transforms);
+  std::vector<std::string> frames;
+  for (const auto& transform : transforms) {
+    frames.push_back(transform.header.frame_id + " -> " + transform.child_frame_id);
+  }
+  return frames;
+}
+
+TEST(RobotFramesTest, WhatOthersPublishIsLeftOutForAllOrByName) {
+  const std::string to_odom = "map -> scout/odom", to_base = "scout/odom -> scout/base_link";
+  RobotFrameOptions options;
+  EXPECT_EQ(FramesOf(options, "scout"), (std::vector<std::string>{to_odom, to_base}));
+  options.localised_elsewhere = {"robot", "scout"};
+  EXPECT_EQ(FramesOf(options, "scout"), std::vector<std::string>{to_base});
+  EXPECT_EQ(FramesOf(options, "scout_2").size(), 2u);
+  options.odometry_elsewhere = {"scout"};
+  EXPECT_TRUE(FramesOf(options, "scout").empty());
+  options = {};
+  options.map_to_odom = false;
+  EXPECT_EQ(FramesOf(options, "scout"), std::vector<std::string>{to_base});
+  options = {};
+  options.odom_to_base = false;
+  EXPECT_EQ(FramesOf(options, "scout"), std::vector<std::string>{to_odom});
 }
 
 TEST(AgentConversionTest, EmptySpawnRequestIsAWheeledRobotAtTheCentre) {

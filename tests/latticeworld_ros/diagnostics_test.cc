@@ -114,5 +114,36 @@ TEST(DiagnosticsTest, SayThatThereIsNoLanguageServer) {
   EXPECT_EQ(status.message, "embedded only; remote_url is not set");
 }
 
+TEST(DiagnosticsTest, WarnOfServicesThatAnotherNodeHas) {
+  const auto report = [](const MasterReport& master) {
+    return ToDiagnostics(LoopStatistics(), SensorStatistics(), nullptr, master).status[4];
+  };
+  EXPECT_EQ(report({}).name, "world_server: services");
+  EXPECT_EQ(report({}).level, DiagnosticStatus::OK);
+  MasterReport master;
+  master.services = {{"/static_map", "/map_server"}};
+  EXPECT_EQ(report(master).level, DiagnosticStatus::WARN);
+  EXPECT_NE(report(master).message.find("/map_server has taken /static_map"), std::string::npos);
+}
+
+TEST(DiagnosticsTest, NameTopicsThatAreNotDelivered) {
+  const auto report = [](const MasterReport& master) {
+    return ToDiagnostics(LoopStatistics(), SensorStatistics(), nullptr, master).status[3];
+  };
+  MasterReport master;
+  master.descriptors = {100, 1024};
+  master.topics = 900;
+  EXPECT_EQ(report(master).name, "world_server: connections");
+  EXPECT_EQ(report(master).level, DiagnosticStatus::OK);
+  master.topics = 1100;
+  EXPECT_EQ(report(master).level, DiagnosticStatus::WARN);
+  EXPECT_NE(report(master).message.find("1024 file descriptors"), std::string::npos);
+  master.descriptors.open = 1000;
+  master.not_delivered = {"/robot_7/odom"};
+  EXPECT_EQ(report(master).level, DiagnosticStatus::WARN);
+  EXPECT_NE(report(master).message.find("1000 of 1024"), std::string::npos);
+  EXPECT_EQ(ValueOf(report(master), "not delivered"), "/robot_7/odom");
+}
+
 }  // namespace
 }  // namespace latticeworld

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 namespace latticeworld {
 namespace {
@@ -47,6 +49,58 @@ TEST(GridConversionTest, GridMapKeepsUnknownCells) {
   grid(0, 0) = std::numeric_limits<float>::quiet_NaN();
   const auto message = ToGridMap(GridGeometry::FromCells(2, 4.0), {{"water", &grid}});
   EXPECT_TRUE(std::isnan(message.data[0].data[1]));
+}
+
+TEST(GridConversionTest, AGridMapIsMadeCoarserUntilItsMessageCanBeReceived) {
+  constexpr std::uint64_t kMost = 1'000'000'000;
+  EXPECT_EQ(CoarseningFor(512, 12, kMost), 1);
+  EXPECT_EQ(CoarseningFor(4500, 12, kMost), 1);
+  EXPECT_EQ(CoarseningFor(4600, 12, kMost), 2);
+  EXPECT_EQ(CoarseningFor(8192, 12, kMost), 2);
+  EXPECT_EQ(CoarseningFor(8192, 20, kMost), 4);
+  EXPECT_EQ(CoarseningFor(32, 1, 1), 32) << "of one cell there is nothing coarser";
+  for (int cells = 4000; cells <= 8192; cells += 131) {
+    const std::uint64_t coarsening = CoarseningFor(cells, 12, kMost);
+    const auto bytes = [cells](std::uint64_t by) {
+      const std::uint64_t side = (cells + by - 1) / by;
+      return 12 * 4 * side * side;
+    };
+    EXPECT_LT(bytes(coarsening), kMost);
+    if (coarsening == 1) continue;
+    EXPECT_GT(bytes(coarsening / 2), kMost - 100'000) << "a finer one could be received";
+  }
+}
+
+// Row 0 north, column 0 west:   1 2 5
+//                               3 4 .
+//                               . . 9
+TEST(GridConversionTest, ACoarserGridMapKeepsItsCornerAndWhatMatters) {
+  const float unknown = std::numeric_limits<float>::quiet_NaN();
+  Grid<float> grid(3, 3);
+  const float rows[3][3] = {{1, 2, 5}, {3, 4, unknown}, {unknown, unknown, 9}};
+  for (int row = 0; row < 3; ++row) {
+    for (int col = 0; col < 3; ++col) grid(row, col) = rows[row][col];
+  }
+  const auto message = ToGridMap(
+      GridGeometry::FromCells(3, 6.0),
+      {{"mean", &grid}, {"least", &grid, CellMerge::kLeast}, {"most", &grid, CellMerge::kMost}}, 2);
+  EXPECT_DOUBLE_EQ(message.info.resolution, 4.0);
+  EXPECT_DOUBLE_EQ(message.info.length_x, 8.0);
+  EXPECT_DOUBLE_EQ(message.info.length_y, 8.0);
+  // The north-west corner is where it was, at (-3, 3).
+  EXPECT_DOUBLE_EQ(message.info.pose.position.x - 4.0, -3.0);
+  EXPECT_DOUBLE_EQ(message.info.pose.position.y + 4.0, 3.0);
+  EXPECT_EQ(message.data[0].layout.dim[0].size, 2u);
+  // From the north-east on: to the west, then south.
+  const auto expect = [&](int layer, std::vector<float> values) {
+    ASSERT_EQ(message.data[layer].data.size(), values.size());
+    for (std::size_t i = 0; i + 1 < values.size(); ++i)
+      EXPECT_FLOAT_EQ(message.data[layer].data[i], values[i]);
+    EXPECT_TRUE(std::isnan(message.data[layer].data.back())) << "all of it is unknown";
+  };
+  expect(0, {5.0f, 2.5f, 9.0f, unknown});
+  expect(1, {5.0f, 1.0f, 9.0f, unknown});
+  expect(2, {5.0f, 4.0f, 9.0f, unknown});
 }
 
 TEST(GridConversionTest, OccupancyStartsInTheSouthWestRowByRow) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "latticeworld/species/species_catalogue.h"
+
 namespace latticeworld {
 namespace {
 
@@ -32,6 +34,26 @@ TEST(NavigatorNodeOptionsTest, WhatIsNotSaidKeepsItsDefault) {
   EXPECT_EQ(some->navigator.closed_cost, 70);
   EXPECT_FALSE(some->navigator.map_is_inflated);
   EXPECT_EQ(some->control_rate_hz, none->control_rate_hz);
+}
+
+TEST(NavigatorNodeOptionsTest, TheRadiusIsThatOfTheSpeciesUnlessItIsSaid) {
+  const SpeciesCatalogue& catalogue = *SpeciesCatalogue::BuiltIn();
+  const double usual_m = catalogue.Of(AgentCategory::kWheeledRobot).radius_m;
+  EXPECT_EQ(NavigatorOptionsFromParameters(XmlRpc::XmlRpcValue())->navigator.robot.radius_m,
+            usual_m);
+  EXPECT_EQ(NavigatorRobot().radius_m, usual_m);
+  XmlRpc::XmlRpcValue parameters;
+  parameters["robot_species"] = "tractor";
+  EXPECT_EQ(NavigatorOptionsFromParameters(parameters)->navigator.robot.radius_m,
+            catalogue.Find("tractor")->radius_m);
+  parameters["robot_radius"] = 0.75;
+  EXPECT_EQ(NavigatorOptionsFromParameters(parameters)->navigator.robot.radius_m, 0.75);
+  parameters["robot_species"] = "rover of mine";
+  EXPECT_TRUE(NavigatorOptionsFromParameters(parameters).ok());
+  parameters["robot_radius"] = 0.0;
+  const Status status = NavigatorOptionsFromParameters(parameters).status();
+  ASSERT_EQ(status.violations().size(), 1u);
+  EXPECT_EQ(status.violations()[0].pointer, "robot_species");
 }
 
 TEST(NavigatorNodeOptionsTest, EveryViolationIsNamedAtOnceByItsParameter) {

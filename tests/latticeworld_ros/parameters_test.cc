@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 
@@ -52,7 +53,7 @@ TEST(ParametersTest, EveryNumberRefusesWhatIsNoNumber) {
         "clock_rate", "state_rate", "marker_rate", "octomap_resolution", "octomap_thickness",
         "robot_radius", "robot_max_slope", "robot_max_step", "robot_max_fording_depth",
         "robot_clearance", "robot_mass", "robot_grip"}) {
-    for (const double value : {-1.0, 1e9, std::numeric_limits<double>::quiet_NaN(),
+    for (const double value : {-1.5, 1e9, std::numeric_limits<double>::quiet_NaN(),
                                std::numeric_limits<double>::infinity()}) {
       XmlRpc::XmlRpcValue parameters;
       parameters[name] = value;
@@ -61,6 +62,32 @@ TEST(ParametersTest, EveryNumberRefusesWhatIsNoNumber) {
       EXPECT_EQ(options.status().violations().size(), 1u) << options.status().ToString();
     }
   }
+}
+
+TEST(ParametersTest, MapsAreForTheFootprintOfTheWorldsRobots) {
+  const auto radius_m = [](const char* species, double given_m) {
+    XmlRpc::XmlRpcValue parameters;
+    parameters["robot_species"] = std::string(species);
+    parameters["robot_radius"] = given_m;
+    const auto options = OptionsFromParameters(parameters);
+    return options.ok() ? options->robot.radius_m : NAN;
+  };
+  EXPECT_EQ(OptionsFromParameters(XmlRpc::XmlRpcValue())->robot.radius_m,
+            SpeciesCatalogue::BuiltIn()->Of(AgentCategory::kWheeledRobot).radius_m);
+  EXPECT_EQ(WorldServerOptions().robot.radius_m,
+            SpeciesCatalogue::BuiltIn()->Of(AgentCategory::kWheeledRobot).radius_m);
+  for (const char* species : {"wheeled robot", "tractor", "differential_robot"}) {
+    EXPECT_EQ(radius_m(species, -1.0), SpeciesCatalogue::BuiltIn()->Find(species)->radius_m);
+    EXPECT_EQ(radius_m(species, 0.0), 0.0);
+    EXPECT_EQ(radius_m(species, 0.25), 0.25);
+  }
+}
+
+// The zones of UTM are 6 degrees wide from 180 W on; coordinates of a world near the border of two
+// would jump by hundreds of kilometres within it.
+TEST(ParametersTest, WorldsThatLieNowhereLieInTheMiddleOfAZoneOfUtm) {
+  const double in_zone_deg = std::fmod(WorldServerOptions().longitude_deg + 180.0, 6.0);
+  EXPECT_NEAR(in_zone_deg, 3.0, 1.0);
 }
 
 TEST(ParametersTest, PhysicsThreadsAreACount) {
@@ -105,12 +132,55 @@ TEST(ParametersTest, SensorsThatThereAreNotAreNamed) {
   parameters["sensor_seed"] = -1;
   parameters["longitude"] = 200.0;
   parameters["altitude"] = 1e6;
+  parameters["geoid_undulation"] = -121.0;
   const auto options = OptionsFromParameters(parameters);
   ASSERT_FALSE(options.ok());
-  EXPECT_EQ(options.status().violations().size(), 6u) << options.status().ToString();
-  for (const char* word : {"/nowhere/sensors.json", "crystal balls", "none", "standard",
-                           "sensor_threads", "sensor_seed", "longitude", "altitude"}) {
+  EXPECT_EQ(options.status().violations().size(), 7u) << options.status().ToString();
+  for (const char* word :
+       {"/nowhere/sensors.json", "crystal balls", "none", "standard", "sensor_threads",
+        "sensor_seed", "longitude", "altitude", "geoid_undulation"}) {
     EXPECT_NE(options.status().message().find(word), std::string::npos) << word;
+  }
+}
+
+TEST(ParametersTest, FramesThatOthersPublishAreSwitchedOffForAllOrByName) {
+  const auto defaults = OptionsFromParameters(XmlRpc::XmlRpcValue());
+  EXPECT_TRUE(defaults->frames.map_to_odom);
+  EXPECT_TRUE(defaults->frames.odom_to_base);
+  XmlRpc::XmlRpcValue parameters;
+  parameters["publish_map_to_odom"] = false;
+  parameters["publish_odom_to_base"] = false;
+  parameters["localised_elsewhere"][0] = std::string("scout");
+  parameters["odometry_elsewhere"].setSize(0);
+  const auto options = OptionsFromParameters(parameters);
+  ASSERT_TRUE(options.ok()) << options.status().ToString();
+  EXPECT_FALSE(options->frames.map_to_odom);
+  EXPECT_FALSE(options->frames.odom_to_base);
+  EXPECT_EQ(options->frames.localised_elsewhere, std::vector<std::string>{"scout"});
+  EXPECT_TRUE(options->frames.odometry_elsewhere.empty());
+  parameters["odometry_elsewhere"][0] = std::string();
+  const auto refused = OptionsFromParameters(parameters);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.status().violations()[0].pointer, "odometry_elsewhere");
+}
+
+TEST(ParametersTest, MapValuesAndPointTimesAreNamed) {
+  const auto defaults = OptionsFromParameters(XmlRpc::XmlRpcValue());
+  EXPECT_EQ(defaults->map_values, MapValues::kGraded);
+  EXPECT_EQ(defaults->point_times, PointTimes::kEnd);
+  XmlRpc::XmlRpcValue parameters;
+  parameters["map_values"] = std::string("trinary");
+  parameters["point_times"] = std::string("begin");
+  const auto options = OptionsFromParameters(parameters);
+  ASSERT_TRUE(options.ok()) << options.status().ToString();
+  EXPECT_EQ(options->map_values, MapValues::kTrinary);
+  EXPECT_EQ(options->point_times, PointTimes::kBegin);
+  parameters["map_values"] = std::string("binary");
+  parameters["point_times"] = std::string("middle");
+  const auto refused = OptionsFromParameters(parameters);
+  ASSERT_FALSE(refused.ok());
+  for (const char* word : {"graded, trinary", "end, begin"}) {
+    EXPECT_NE(refused.status().message().find(word), std::string::npos) << word;
   }
 }
 

@@ -70,6 +70,19 @@ TEST(SensorConversionTest, PointsLieAsDriversLayThemOut) {
   EXPECT_FLOAT_EQ(At<float>(cloud.data, 22 + cloud.fields[5].offset), -0.04f);
 }
 
+// LIO-SAM, FAST-LIO and others take the stamp for the begin of the scan.
+TEST(SensorConversionTest, PointTimesMayCountFromTheRevolutionsBegin) {
+  LidarSweep sweep;
+  sweep.begin_s = 2.0;
+  sweep.end_s = 2.1;
+  sweep.rings = 16;
+  sweep.points = {{1.0f, 2.0f, 3.0f, 99.0f, 7, 0, 0}, {4.0f, 5.0f, 6.0f, 55.0f, 15, 9, 60000000}};
+  const auto cloud = ToPointCloud(sweep, "robot/points", ros::Time(9, 0), PointTimes::kBegin);
+  EXPECT_EQ(cloud.header.stamp, ros::Time(8, 900000000));
+  EXPECT_EQ(At<float>(cloud.data, cloud.fields[5].offset), 0.0f);
+  EXPECT_FLOAT_EQ(At<float>(cloud.data, 22 + cloud.fields[5].offset), 0.06f);
+}
+
 TEST(SensorConversionTest, AnImuWithoutOrientationSaysSo) {
   ImuReading reading;
   reading.acceleration_mps2 = {0.1, 0.2, 9.81};
@@ -109,17 +122,36 @@ TEST(SensorConversionTest, WheelOdometryTurnsAboutTheVertical) {
   reading.heading_rad = M_PI / 2.0;
   reading.forward_mps = 2.0;
   reading.yaw_rate_radps = 0.5;
-  WheelOdometryModel model;
-  model.a3 = 0.01;
-  const auto odometry =
-      ToOdometry(reading, model, "robot/odom", "robot/base_link", ros::Time(1, 0));
+  reading.sideways_mps = -0.25;
+  reading.twist_variances = {0.04, 0.01, 0.0};
+  const auto odometry = ToOdometry(reading, "robot/odom", "robot/base_link", ros::Time(1, 0));
   EXPECT_EQ(odometry.child_frame_id, "robot/base_link");
   EXPECT_EQ(odometry.pose.pose.position.x, 3.0);
   EXPECT_NEAR(odometry.pose.pose.orientation.z, std::sqrt(0.5), 1e-12);
   EXPECT_NEAR(odometry.pose.pose.orientation.w, std::sqrt(0.5), 1e-12);
   EXPECT_EQ(odometry.twist.twist.linear.x, 2.0);
+  EXPECT_EQ(odometry.twist.twist.linear.y, -0.25);
   EXPECT_NEAR(odometry.twist.covariance[0], 0.04, 1e-6);
   EXPECT_LT(odometry.twist.covariance[35], 1e-6);
+}
+
+TEST(SensorConversionTest, WheelOdometryHasThePosesCovarianceAndNoVarianceIsZero) {
+  WheelOdometryReading reading;
+  reading.pose_covariance << 0.3, 0.01, 0.02, 0.01, 0.4, 0.03, 0.02, 0.03, 0.05;
+  const auto odometry = ToOdometry(reading, "robot/odom", "robot/base_link", ros::Time(1, 0));
+  const auto& pose = odometry.pose.covariance;
+  EXPECT_NEAR(pose[0], 0.3, 2e-6);
+  EXPECT_NEAR(pose[7], 0.4, 2e-6);
+  EXPECT_NEAR(pose[35], 0.05, 2e-6);
+  EXPECT_EQ(pose[1], 0.01);   // x y
+  EXPECT_EQ(pose[5], 0.02);   // x yaw
+  EXPECT_EQ(pose[31], 0.03);  // yaw y
+  const auto at_first =
+      ToOdometry(WheelOdometryReading(), "robot/odom", "robot/base_link", ros::Time(1, 0));
+  for (std::size_t i = 0; i < 36; i += 7) {
+    EXPECT_GT(at_first.pose.covariance[i], 0.0);
+    EXPECT_GT(at_first.twist.covariance[i], 0.0);
+  }
 }
 
 TEST(CameraConversionTest, PicturesKeepTheirPixels) {

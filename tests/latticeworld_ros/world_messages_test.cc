@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -102,6 +103,47 @@ TEST(WorldMessagesTest, RefusesChangesOfAssetsThatAreNotThere) {
                 .status()
                 .code(),
             StatusCode::kInvalidArgument);
+}
+
+TEST(WorldMessagesTest, ATrinaryMapHasTheObstaclesOfTheGradedOneAndNothingBetween) {
+  GenerationRequest request;
+  request.layout_instruction = "A high mountain in the center, forest around it.";
+  request.seed = 3;
+  request.size_m = 64.0;
+  const auto world = MakeDefaultWorldGenerator().Generate(request, Progress()).value();
+  std::vector<StageTime> stages;
+  WorldServerOptions options;
+  const WorldMessages graded = BuildWorldMessages(*world, options, Progress(), &stages).value();
+  options.map_values = MapValues::kTrinary;
+  const WorldMessages trinary = BuildWorldMessages(*world, options, Progress(), &stages).value();
+  ASSERT_EQ(trinary.map->data.size(), graded.map->data.size());
+  bool between = false;
+  for (std::size_t i = 0; i < graded.map->data.size(); ++i) {
+    between = between || (graded.map->data[i] > 0 && graded.map->data[i] < 100);
+    EXPECT_EQ(trinary.map->data[i], graded.map->data[i] == 100 ? 100 : 0);
+  }
+  EXPECT_TRUE(between);
+  EXPECT_EQ(trinary.height_map->layers, graded.height_map->layers);
+}
+
+TEST(WorldMessagesTest, WhatWouldBeTooLargeToBeReceivedIsMadeCoarser) {
+  const auto world = SmallForest();
+  std::vector<StageTime> stages;
+  WorldServerOptions options;
+  const WorldMessages whole = BuildWorldMessages(*world, options, Progress(), &stages).value();
+  options.most_message_bytes =
+      std::min<std::uint64_t>(whole.octomap_full->data.size(),
+                              ros::serialization::serializationLength(*whole.height_map)) /
+      2;
+  const WorldMessages coarse = BuildWorldMessages(*world, options, Progress(), &stages).value();
+  EXPECT_LT(coarse.octomap_full->data.size(), options.most_message_bytes);
+  EXPECT_GT(coarse.octomap_full->resolution, whole.octomap_full->resolution);
+  EXPECT_EQ(coarse.octomap_binary->resolution, coarse.octomap_full->resolution);
+  EXPECT_LT(ros::serialization::serializationLength(*coarse.height_map),
+            options.most_message_bytes);
+  EXPECT_GT(coarse.height_map->info.resolution, whole.height_map->info.resolution);
+  EXPECT_EQ(coarse.height_map->layers, whole.height_map->layers);
+  EXPECT_EQ(coarse.map->data, whole.map->data);
 }
 
 TEST(WorldMessagesTest, TheHeightMapHasTheDistanceToWhatTheMapHasOccupied) {

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/navigation/distance_field.h"
 #include "latticeworld/navigation/navigable_map.h"
+#include "latticeworld/scene/spawn_rules.h"
 #include "simulation/test_scene.h"
 
 namespace latticeworld {
@@ -59,6 +61,44 @@ TEST(Tasks, AreSolvableForTheRobotAndOfTheWantedDifficulty) {
       EXPECT_LE(task.difficulty.detour, 1.5);
     }
   }
+}
+
+// Planners such as navfn and global_planner take the outermost cells for closed.
+TEST(Tasks, KeepTheRobotsDiscInTheWorldLessItsOutermostCells) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    TestScene land;
+    land.cells = seed % 2 == 0 ? 32 : 128;
+    const std::shared_ptr<const Scene> scene = land.Build();
+    TaskWishes wishes = Wishes(seed, 100);
+    wishes.robot.radius_m = 0.2 * static_cast<double>(seed);
+    const GridGeometry& geometry = scene->geometry();
+    const double limit_m =
+        geometry.half_size_m() - geometry.resolution_m() - wishes.robot.radius_m + 1e-9;
+    for (const NavigationTask& task : SampleTasks(*scene, wishes, Progress()).value()) {
+      for (const WorldPoint end : {task.start, task.goal})
+        EXPECT_LE(std::max(std::abs(end.x_m), std::abs(end.y_m)), limit_m) << seed;
+      for (const Eigen::Vector3d& corner : task.way.points_m)
+        EXPECT_LE(corner.head<2>().cwiseAbs().maxCoeff(), limit_m) << seed;
+    }
+  }
+}
+
+TEST(Tasks, BeginWhereTheRobotIsPut) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const std::shared_ptr<const Scene> scene = Land(seed);
+    for (const double radius_m : {RobotLimits().radius_m, 1.0}) {
+      TaskWishes wishes = Wishes(seed, 40);
+      wishes.robot.radius_m = radius_m;
+      for (const NavigationTask& task : SampleTasks(*scene, wishes, Progress()).value()) {
+        const Status put = CheckSpawn(*scene, AgentCategory::kWheeledRobot, radius_m, task.start);
+        EXPECT_TRUE(put.ok()) << put.ToString();
+      }
+    }
+  }
+}
+
+TEST(Tasks, AreForTheFootprintOfTheBuiltInRobotUnlessSaidOtherwise) {
+  EXPECT_EQ(TaskWishes().robot.radius_m, BodyRadius(AgentCategory::kWheeledRobot));
 }
 
 TEST(Tasks, AreTheSameForTheSameSeedAndOthersForAnother) {

@@ -20,6 +20,13 @@ std::unique_ptr<Navigator> Make(const NavigatorOptions& options) {
   return *std::move(made);
 }
 
+// Of a robot that the gaps of these worlds were made for.
+NavigatorOptions OfSmallRobot() {
+  NavigatorOptions options;
+  options.robot.radius_m = 0.3;
+  return options;
+}
+
 // A world of 64 m with `mapped` and `unmapped` discs at random, none near its two far corners.
 KinematicWorld RandomWorld(std::uint64_t seed, const NavigatorRobot& robot, int mapped,
                            int unmapped) {
@@ -43,7 +50,7 @@ KinematicWorld RandomWorld(std::uint64_t seed, const NavigatorRobot& robot, int 
 class DrivesTest : public testing::TestWithParam<double> {};  // radius that it turns in at least
 
 TEST_P(DrivesTest, RoundWhatTheMapHasAndWhatItHasNotWithoutTouching) {
-  NavigatorOptions options;
+  NavigatorOptions options = OfSmallRobot();
   options.robot.min_turn_radius_m = GetParam();
   if (GetParam() > 0.0) options.robot.max_reverse_mps = 0.5;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
@@ -88,7 +95,7 @@ class NavigatorTest : public testing::Test {
     return navigator;
   }
 
-  NavigatorOptions options_;
+  NavigatorOptions options_ = OfSmallRobot();
   KinematicWorld world_;
 };
 

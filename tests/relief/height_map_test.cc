@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <opencv2/core.hpp>
@@ -63,7 +64,7 @@ TEST(HeightMapTest, ReadsEveryFormatAndDepthWithMetricScaleAndOffset) {
   for (const int type : {CV_8UC1, CV_16UC1}) {
     const cv::Mat image = Ramp(47, 90, type);
     for (const char* extension : {".png", ".pgm", ".tiff"}) {
-      const Result<Relief> relief = ReadHeightMap(Encode(extension, image), options);
+      const Result<Relief> relief = ReadWholeHeightMap(Encode(extension, image), options);
       ASSERT_TRUE(relief.ok()) << extension << ": " << relief.status().ToString();
       ASSERT_EQ(relief->height_m.rows(), 47);
       ASSERT_EQ(relief->height_m.cols(), 90);
@@ -83,9 +84,40 @@ TEST(HeightMapTest, ReadsEveryFormatAndDepthWithMetricScaleAndOffset) {
 TEST(HeightMapTest, ReadsUncompressedTiff) {
   const std::string bytes =
       Encode(".tiff", Ramp(64, 65, CV_16UC1), {cv::IMWRITE_TIFF_COMPRESSION, 1});
-  const Result<Relief> relief = ReadHeightMap(bytes, HeightMapOptions());
+  const Result<Relief> relief = ReadWholeHeightMap(bytes, HeightMapOptions());
   ASSERT_TRUE(relief.ok()) << relief.status().ToString();
   EXPECT_NEAR(relief->height_m(63, 64), 100.0f, 1e-3);
+}
+
+TEST(HeightMapTest, CutsTheMiddleSquareOutAndSaysWhichPixelsItKept) {
+  const struct {
+    int rows, cols, row, col;
+    const char* words;
+  } kCases[] = {{47, 90, 0, 21,
+                 "90 x 47 pixels, and a world is square: the middle is kept, "
+                 "columns 21 to 67 of 0 to 89"},
+                {91, 40, 25, 0, "rows 25 to 64 of 0 to 90"},
+                {40, 41, 0, 0, "columns 0 to 39 of 0 to 40"}};
+  for (const auto& test : kCases) {
+    const cv::Mat image = Ramp(test.rows, test.cols, CV_16UC1);
+    for (const char* extension : {".png", ".pgm", ".tiff"}) {
+      const Result<Relief> relief = ReadHeightMap(Encode(extension, image), HeightMapOptions());
+      ASSERT_TRUE(relief.ok()) << relief.status().ToString();
+      const int side = std::min(test.rows, test.cols);
+      ASSERT_EQ(relief->height_m.rows(), side);
+      ASSERT_EQ(relief->height_m.cols(), side);
+      for (int r = 0; r < side; ++r) {
+        for (int c = 0; c < side; ++c) {
+          const int value = image.at<std::uint16_t>(test.row + r, test.col + c);
+          EXPECT_NEAR(relief->height_m(r, c), 100.0 * value / 65535.0, 1e-3);
+        }
+      }
+      ASSERT_EQ(relief->warnings.size(), 1u);
+      EXPECT_NE(relief->warnings[0].find(test.words), std::string::npos) << relief->warnings[0];
+    }
+  }
+  const std::string square = Encode(".png", Ramp(40, 40, CV_8UC1));
+  EXPECT_TRUE(ReadHeightMap(square, HeightMapOptions())->warnings.empty());
 }
 
 TEST(HeightMapTest, ReadsPlainPgmWithCommentsAndItsOwnMaxval) {

@@ -203,7 +203,41 @@ TEST(SketchHeightTest, MakesAReliefOfAPicture) {
   EXPECT_EQ(relief->height_m.rows(), 128);
   EXPECT_EQ(relief->summary.rows(), kReliefSummarySize);
   EXPECT_FALSE(relief->caption.empty());
+  EXPECT_TRUE(relief->warnings.empty());
   EXPECT_FALSE(SketchToRelief("not a picture", Options(128), Progress()).ok());
+}
+
+// Upright strokes on a wide sheet, a ridge and a valley.
+std::string WideSketch(int ridge_col, int valley_col) {
+  cv::Mat sheet(200, 400, CV_8UC3, cv::Scalar(255, 255, 255));
+  sheet.colRange(ridge_col - 2, ridge_col + 2).setTo(cv::Scalar(0, 0, 0));
+  sheet.colRange(valley_col - 2, valley_col + 2).setTo(cv::Scalar(255, 40, 20));
+  return EncodePicture(".png", sheet);
+}
+
+TEST(SketchHeightTest, ASketchThatIsNotSquareIsCutToItsMiddleAndNotStretched) {
+  const Result<Relief> relief = SketchToRelief(WideSketch(150, 250), Options(128), Progress());
+  ASSERT_TRUE(relief.ok()) << relief.status().ToString();
+  const auto mean_m = [&](int col) {
+    double sum_m = 0.0;
+    for (int r = 0; r < 128; ++r) sum_m += relief->height_m(r, col);
+    return sum_m / 128.0;
+  };
+  // A quarter and three quarters of the way across the square; stretched they would lie at 48, 80.
+  EXPECT_GT(mean_m(32), mean_m(48));
+  EXPECT_LT(mean_m(96), mean_m(80));
+  ASSERT_EQ(relief->warnings.size(), 1u);
+  EXPECT_NE(relief->warnings[0].find("the sketch has 400 x 200 pixels"), std::string::npos);
+  EXPECT_NE(relief->warnings[0].find("columns 100 to 299 of 0 to 399"), std::string::npos);
+}
+
+TEST(SketchHeightTest, RefusesASketchWhoseStrokesAllLieOutsideItsMiddle) {
+  const Result<Relief> relief = SketchToRelief(WideSketch(30, 370), Options(128), Progress());
+  ASSERT_FALSE(relief.ok());
+  EXPECT_EQ(relief.status().code(), StatusCode::kInvalidArgument);
+  for (const char* word : {"no stroke", "columns 100 to 299", "a square sketch"}) {
+    EXPECT_NE(relief.status().message().find(word), std::string::npos) << relief.status().message();
+  }
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST(SketchModelTest, MakesAReliefOfTheAskedSizeAndHeightsWhoseRidgesAreHigherTh
   double count[3] = {0.0, 0.0, 0.0};
   for (int r = 0; r < 200; ++r) {
     for (int c = 0; c < 200; ++c) {
-      const auto stroke = static_cast<int>(drawn.strokes(r * 300 / 200, c * 400 / 200));
+      const auto stroke = static_cast<int>(drawn.strokes(r * 300 / 200, 50 + c * 300 / 200));
       sum[stroke] += relief->height_m(r, c);
       count[stroke] += 1.0;
     }

@@ -5,11 +5,14 @@ import http.server
 import json
 import os
 import pathlib
+import subprocess
 import tempfile
 import threading
 import unittest
 
 import actionlib
+import rospkg
+import yaml
 from actionlib_msgs.msg import GoalStatus
 from diagnostic_msgs.msg import DiagnosticArray
 from rosgraph_msgs.msg import Clock
@@ -86,6 +89,13 @@ class LanguageTest(unittest.TestCase):
         return Server(**{"remote_url": self.model.url, "remote_model": "parrot", "generator": "grounded",
                          "remote_api_key_variable": KEY_VARIABLE, "remote_max_retries": 0,
                          **parameters})
+
+    def test_the_launch_file_names_the_model_of_the_server(self):
+        launch = pathlib.Path(rospkg.RosPack().get_path("latticeworld")) / "launch_cfg/world.launch"
+        dumped = subprocess.check_output(
+            ["roslaunch", "--dump-params", str(launch), f"remote_url:={self.model.url}",
+             "remote_model:=qwen3:8b"], text=True)
+        self.assertEqual("qwen3:8b", yaml.safe_load(dumped)["/world_server/remote_model"])
 
     def test_a_model_makes_a_world_and_the_bundle_keeps_what_it_said(self):
         with tempfile.TemporaryDirectory() as worlds, self.server(worlds_directory=worlds) as server:

@@ -13,6 +13,7 @@ import gymnasium.utils.env_checker
 import numpy
 import rospy
 from geometry_msgs.msg import Point
+from nav_msgs.msg import OccupancyGrid
 from pettingzoo.test import parallel_api_test
 
 CLIENTS = pathlib.Path(__file__).resolve().parents[2] / "clients"
@@ -21,6 +22,7 @@ sys.path[:0] = [str(CLIENTS / "latticeworld_gym"), str(CLIENTS / "examples")]
 from drive_to_goal import drive, drive_all  # noqa: E402
 from latticeworld_gym import (GoalTask, LatticeWorldEnv, LatticeWorldParallelEnv,  # noqa: E402
                               ServerError, Task)
+from latticeworld_gym.free_space import FreeSpace  # noqa: E402
 from world_client import ServerTest, run  # noqa: E402
 
 WORLD = {"layout": "Flat grassland everywhere, a few trees in the upper right.",
@@ -85,6 +87,26 @@ class LearningTest(ServerTest):
         env.reset(seed=1)
         goals = {tuple(env.reset()[0]["goal"]) for _ in range(4)}
         self.assertEqual(4, len(goals))
+
+    def test_goals_are_free_places_off_the_outermost_cells(self):
+        cells, half_m = 40, 20.0
+        for seed in range(20):
+            rng = numpy.random.default_rng(seed)
+            blocked = rng.random((cells, cells)) < 0.15
+            grid = OccupancyGrid(data=[100 if cell else 0 for cell in blocked.flat])
+            grid.info.width = grid.info.height = cells
+            grid.info.resolution = 1.0
+            grid.info.origin.position = Point(x=-half_m, y=-half_m)
+            for clearance_m in (0.0, 0.6):
+                space = FreeSpace(grid, clearance_m)
+                for _ in range(20):
+                    begin = rng.uniform(-half_m, half_m, 2)
+                    x, y = space.draw(*begin, 1.5, 10.0, rng)
+                    own = tuple(numpy.floor(begin + half_m)) == (x + half_m - 0.5, y + half_m - 0.5)
+                    if own:
+                        continue  # nothing is free around it
+                    self.assertFalse(blocked[int(y + half_m), int(x + half_m)], (seed, x, y))
+                    self.assertLess(max(abs(x), abs(y)), half_m - 1.0 - clearance_m)
 
     def test_a_simple_controller_reaches_its_goals(self):
         env = self.make(LatticeWorldEnv)

@@ -13,8 +13,10 @@ import rospkg
 import rospy
 import rosservice
 import yaml
+from nav_msgs.msg import OccupancyGrid
 from nav_msgs.srv import GetMap
 from rosgraph_msgs.msg import Clock
+from tf2_msgs.msg import TFMessage
 
 from latticeworld.msg import AgentStates, GenerationProgress, Status
 from server_process import Server
@@ -75,6 +77,40 @@ class StartTest(unittest.TestCase):
                 self.assertEqual(Status.OK, world.spawn_agent(place="anywhere").status.code)
                 states.wait_for(lambda m: any(agent.name == "rover_1" for agent in m.agents))
                 states.close()
+
+    def test_frames_that_others_publish_are_left_out_and_sensors_stay(self):
+        with Server(publish_map_to_odom=False, odometry_elsewhere=["scout"]):
+            world = World()
+            transforms = Collector("/tf", TFMessage)
+            fixed = Collector("/tf_static", TFMessage)
+            world.generate(size=64.0)
+            answer = world.spawn_agent(name="scout", place="anywhere", controllable=True)
+            self.assertEqual(Status.OK, answer.status.code, answer.status.message)
+            fixed.wait_for(lambda m: any(t.child_frame_id == "scout/imu" for t in m.transforms))
+            transforms.wait_for_next()
+            transforms.wait_for_next()
+            children = {t.child_frame_id for m in transforms.messages() for t in m.transforms}
+            self.assertIn("robot/base_link", children)
+            self.assertFalse(children & {"robot/odom", "scout/odom", "scout/base_link"}, children)
+            transforms.close()
+            fixed.close()
+
+    def test_a_trinary_map_is_so_on_topic_and_service_and_in_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with Server(map_values="trinary", worlds_directory=folder):
+                world = World()
+                maps = Collector("map", OccupancyGrid)
+                world.generate(layout="A high mountain in the center, forest around it.", size=64.0)
+                published = maps.wait_for(lambda m: True)
+                answered = service("static_map", GetMap)().map
+                for data in (published.data, answered.data):
+                    self.assertEqual({0, 100}, set(data))
+                saved = world.save_world(name="three")
+                self.assertEqual(Status.OK, saved.status.code, saved.status.message)
+                settings = yaml.safe_load((pathlib.Path(saved.path) / "map.yaml").read_text())
+                self.assertEqual("trinary", settings["mode"])
+                self.assertEqual(Status.OK, world.load_world(name="three").status.code)
+                maps.close()
 
     def test_use_sim_time_is_set_only_where_it_is_unset(self):
         rospy.delete_param("/use_sim_time")

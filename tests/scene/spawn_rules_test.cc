@@ -200,6 +200,27 @@ TEST(SpawnRulesTest, WhatIsFoundIsInItsRegionLegalAndClearOfOthers) {
   }
 }
 
+TEST(SpawnRulesTest, RobotsOnTheGroundAreDrawnOffTheOutermostCells) {
+  const Scene scene = MakeScene(Flat());
+  const GridGeometry& geometry = scene.geometry();
+  for (const AgentCategory category :
+       {AgentCategory::kWheeledRobot, AgentCategory::kRoboticDog, AgentCategory::kHumanoidRobot}) {
+    const double limit_m =
+        geometry.half_size_m() - geometry.resolution_m() - BodyRadius(category) + 1e-9;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      RandomStream random(seed, "spawn_rules_test/edge");
+      std::vector<WorldPoint> taken;
+      for (int i = 0; i < 30; ++i) {
+        const auto place =
+            FindSpawn(scene, category, BodyRadius(category), Region::kAnywhere, taken, &random);
+        ASSERT_TRUE(place.ok()) << place.status().ToString();
+        EXPECT_LE(std::max(std::abs(place->x_m), std::abs(place->y_m)), limit_m);
+        taken.push_back(*place);
+      }
+    }
+  }
+}
+
 TEST(SpawnRulesTest, FindsTheOnlyIsland) {
   // A dry disk of 3 m radius in a lake of 256 m: 0.04 % of the area.
   const WorldPoint island = {-71.0, 93.0};

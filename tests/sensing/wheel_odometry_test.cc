@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 
 #include "latticeworld/sensing/bumper.h"
+#include "latticeworld/sensing/counter_noise.h"
 
 namespace latticeworld {
 namespace {
@@ -110,6 +113,115 @@ TEST(WheelOdometryTest, NoiseGrowsAsThrunsModelSays) {
   const double way2 = 0.02 * 0.02, turn2 = 0.016 * 0.016;
   EXPECT_NEAR(std::sqrt(turns / kRobots), std::sqrt(0.01 * turn2 + 0.002 * way2), 1e-4);
   EXPECT_NEAR(std::sqrt(ways / kRobots), std::sqrt(0.003 * way2 + 0.004 * turn2), 1e-4);
+}
+
+// What lasted of a drive: shares along and across, and the turn lost a metre.
+struct Lasting {
+  double along = 0.0, across = 0.0, skid_radpm = 0.0;
+};
+
+// Normalised squared error of the pose that a skidding robot reckons over four seconds at 1 m/s and
+// 0.3 rad/s, where the ground takes of each interval what `lasting` says.
+double SquaredErrorOf(const WheelOdometryModel& model, const Lasting& lasting, std::uint64_t key) {
+  constexpr double kTurned_radps = 0.3;
+  const double left = (1.0 - 0.25 * kTurned_radps) / 0.1,
+               right = (1.0 + 0.25 * kTurned_radps) / 0.1;
+  const auto wheels_at = [&](double time_s) {
+    SensedWheels wheels = WheelsAt(time_s, left, right);
+    wheels.skids = true;
+    return wheels;
+  };
+  WheelOdometer odometer(model, key);
+  odometer.Begin(wheels_at(0.0));
+  WheelOdometryReading reading;
+  Eigen::Vector3d truth = Eigen::Vector3d::Zero();
+  for (int i = 1; i <= 800; ++i) {
+    odometer.Add(wheels_at(i * kStep_s), kStep_s);
+    const double way_m = kStep_s, turned_rad = kTurned_radps * kStep_s;
+    const double turn_rad = (1.0 - lasting.along) * turned_rad - lasting.skid_radpm * way_m;
+    const Eigen::Vector2d moved_m((1.0 - lasting.along) * way_m, -lasting.across * way_m);
+    truth.head<2>() += Eigen::Rotation2Dd(truth.z() + 0.5 * turn_rad) * moved_m;
+    truth.z() += turn_rad;
+    if (i % 4 == 0) reading = odometer.Read(i / 4);
+  }
+  const Eigen::Vector3d error =
+      Eigen::Vector3d(reading.position_m.x(), reading.position_m.y(), reading.heading_rad) - truth;
+  return error.dot(reading.pose_covariance.inverse() * error);
+}
+
+// Of three degrees of freedom the mean is 3, and that of 400 runs has a standard deviation of 0.12.
+TEST(WheelOdometryTest, ManyRunsErrAsMuchAsTheirPoseCovarianceSays) {
+  WheelOdometryModel model;
+  model.a1 = model.a3 = 1e-3;
+  model.a2 = model.a4 = 1e-4;
+  model.skid_radpm = 0.05;  // a turn so small that the covariance, of first order, holds
+  constexpr int kRuns = 400;
+  double with_lasting = 0.0, noise_alone = 0.0;
+  WheelOdometryModel firm = model;
+  firm.slip = firm.skid_radpm = 0.0;
+  for (int i = 0; i < kRuns; ++i) {
+    const Eigen::Vector3d drawn = NormalsAt(77, i);
+    const Lasting lasting = {model.slip * drawn.x(), model.slip * drawn.y(),
+                             model.skid_radpm * drawn.z()};
+    with_lasting += SquaredErrorOf(model, lasting, i) / kRuns;
+    noise_alone += SquaredErrorOf(firm, {}, i) / kRuns;
+  }
+  EXPECT_NEAR(with_lasting, 3.0, 0.5);
+  EXPECT_NEAR(noise_alone, 3.0, 0.5);
+}
+
+TEST(WheelOdometryTest, WhatLastsGrowsWithTheWayAndNoiseWithItsRoot) {
+  WheelOdometryModel model;
+  model.a3 = 1e-3;
+  model.slip = 0.0;
+  const auto along = [](const WheelOdometryModel& of, int steps) {
+    WheelOdometer odometer(of, 1);
+    return std::sqrt(Drive(&odometer, steps, 10.0, 10.0).pose_covariance(0, 0));
+  };
+  EXPECT_NEAR(along(model, 1600) / along(model, 400), 2.0, 1e-6);
+  model.slip = 0.02;
+  model.a3 = 0.0;
+  EXPECT_NEAR(along(model, 400), 0.02 * 2.0, 1e-6);
+  EXPECT_NEAR(along(model, 1600), 0.02 * 8.0, 1e-6);
+}
+
+TEST(WheelOdometryTest, TicksMakeTheRateUncertainAndThePoseNoMoreWithTheWay) {
+  WheelOdometryModel model;
+  model.ticks_per_revolution = 4096.0;
+  model.slip = model.skid_radpm = 0.0;
+  const double tick_m = 0.1 * 2.0 * M_PI / 4096.0;
+  double squares = 0.0, stated = 0.0;
+  Eigen::Matrix3d first, last;
+  WheelOdometer odometer(model, 1);
+  odometer.Begin(WheelsAt(0.0, 9.81, 10.17));
+  constexpr int kReadings = 1000;
+  for (int i = 1; i <= 4 * kReadings; ++i) {
+    odometer.Add(WheelsAt(i * kStep_s, 9.81, 10.17), kStep_s);
+    if (i % 4 != 0) continue;
+    const WheelOdometryReading reading = odometer.Read(i / 4);
+    squares += std::pow(reading.yaw_rate_radps - 0.1 * 0.36 / 0.5, 2) / kReadings;
+    stated = reading.twist_variances.z();
+    (i == 4 ? first : last) = reading.pose_covariance;
+  }
+  EXPECT_NEAR(stated, std::pow(tick_m / 0.5 / 0.02, 2) / 3.0, 1e-9);
+  EXPECT_NEAR(squares / stated, 1.0, 0.3);
+  EXPECT_NEAR(first.trace(), last.trace(), 1e-12);
+}
+
+TEST(WheelOdometryTest, BaseLinkSwingsAroundTheAxleThatRolls) {
+  const auto wheels_at = [](double time_s) {
+    SensedWheels wheels = WheelsAt(time_s, -2.5, 2.5);  // 1 rad/s on the spot
+    wheels.axle_m = -0.8;
+    return wheels;
+  };
+  WheelOdometer odometer({}, 1);
+  odometer.Begin(wheels_at(0.0));
+  const int half = static_cast<int>(std::lround(M_PI / kStep_s));
+  for (int i = 1; i <= half; ++i) odometer.Add(wheels_at(i * kStep_s), kStep_s);
+  const WheelOdometryReading reading = odometer.Read(0);
+  EXPECT_NEAR(reading.position_m.x(), -1.6, 1e-4);
+  EXPECT_NEAR(reading.sideways_mps, 0.8, 1e-6);
+  EXPECT_NEAR(reading.forward_mps, 0.0, 1e-9);
 }
 
 TEST(BumperTest, TellsTheHardestContactSinceItWasRead) {

@@ -45,6 +45,25 @@ TEST(VehicleTest, StandsLevelOnItsWheelsAndRests) {
   }
 }
 
+// The footprint that spawning, maps and planners go by holds all of the body that physics has.
+TEST(VehicleTest, NothingOfItsBodyReachesOutOfItsRadius) {
+  for (const char* name : kVehicles) {
+    const Species& species = SpeciesNamed(name);
+    const BodySpec body = BodyOf(species);
+    double reach_m = 0.0;
+    for (const WheelSpec& wheel : body.wheels) {
+      const double steered_m = wheel.max_steering_rad > 0.0 ? wheel.radius_m : 0.0;
+      reach_m = std::max(reach_m, std::hypot(std::abs(wheel.center_m.x()) + wheel.radius_m,
+                                             std::abs(wheel.center_m.y()) + 0.5 * wheel.width_m));
+      reach_m = std::max(reach_m, wheel.center_m.head<2>().norm() + steered_m);
+    }
+    for (const GroundSample& sample : body.ground_samples)
+      reach_m = std::max(reach_m, sample.offset_m.head<2>().norm() + sample.radius_m);
+    EXPECT_LE(reach_m, species.radius_m) << name;
+    EXPECT_GT(reach_m, 0.9 * species.radius_m) << name;
+  }
+}
+
 TEST(VehicleTest, DrivesStraightAtTheCommandedSpeed) {
   for (const char* name : kVehicles) {
     for (const double share : {0.5, -0.3}) {

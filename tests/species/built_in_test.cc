@@ -7,6 +7,7 @@
 #include <set>
 
 #include "latticeworld/species/species_catalogue.h"
+#include "latticeworld/species/vehicle_outline.h"
 
 namespace latticeworld {
 namespace {
@@ -41,10 +42,26 @@ TEST(BuiltInSpeciesTest, RadiiOfTheCategoriesStayAsTheyAre) {
                                           {C::kRoboticDog, 0.4}, {C::kAncientWarrior, 0.4},
                                           {C::kSheep, 0.6},      {C::kHorse, 1.2},
                                           {C::kEagle, 0.6},      {C::kAerialRobot, 0.4},
-                                          {C::kWhale, 3.0},      {C::kWheeledRobot, 0.6}};
+                                          {C::kWhale, 3.0},      {C::kWheeledRobot, 0.4}};
   for (const auto& [category, radius_m] : radii_m) {
     EXPECT_EQ(BuiltIn().Of(category).radius_m, radius_m) << NameOf(category);
   }
+}
+
+// One footprint: nothing of a vehicle lies outside of it, and it is no wider than that.
+TEST(BuiltInSpeciesTest, TheRadiusOfAVehicleIsTheCircleAroundItsWheelsAndChassis) {
+  for (const Species& species : BuiltIn().all()) {
+    if (!species.vehicle) continue;
+    const double circle_m = CircumscribedRadius(*species.vehicle);
+    EXPECT_GE(species.radius_m, circle_m) << species.name;
+    EXPECT_LT(species.radius_m, circle_m + 0.01) << species.name;
+  }
+}
+
+// Two rectangles around one middle: the chassis of 0.56 x 0.36 m, the wheels' of 0.60 x 0.52 m.
+TEST(BuiltInSpeciesTest, TheWheeledRobotReachesToTheCornersOfItsWheels) {
+  EXPECT_NEAR(CircumscribedRadius(*BuiltIn().Of(AgentCategory::kWheeledRobot).vehicle),
+              std::hypot(0.30, 0.26), 1e-12);
 }
 
 TEST(BuiltInSpeciesTest, AreSortedAndFoundByTheirNames) {

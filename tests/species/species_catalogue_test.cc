@@ -138,6 +138,17 @@ TEST(SpeciesCatalogueTest, ChecksWhatASchemaCannotSay) {
   EXPECT_EQ(broken(Donkey(), "/radius_m", 6), Faults({"out_of_range" + at + "/radius_m"}));
 }
 
+TEST(SpeciesCatalogueTest, AVehiclesRadiusHoldsItsWheelsHoweverTheySteer) {
+  const auto with = [](double radius_m) {
+    Json rover = Rover();
+    rover["radius_m"] = radius_m;
+    return FaultsOf(rover);
+  };
+  // The front wheels' middles are at 0.640, and the wheels reach 0.206 from there.
+  EXPECT_EQ(with(0.85), Faults());
+  EXPECT_EQ(with(0.84), Faults({"out_of_range user.json#/species/0/radius_m"}));
+}
+
 TEST(SpeciesCatalogueTest, AQuadrupedsRadiusHoldsItsFeet) {
   const auto with = [](double radius_m) {
     Json dog = Donkey();

@@ -66,6 +66,13 @@ std::string MakeElevation() {
   return text;
 }
 
+// 400 x 400 samples of 0.09, rising from 100 m in the west to 104 m: by its numbers in metres.
+std::string MakeSurvey() {
+  std::string text = "ncols 400\nnrows 400\nxllcorner 3\nyllcorner 4\ncellsize 0.09\n";
+  for (int i = 0; i < 400 * 400; ++i) text += std::to_string(100.0 + 0.01 * (i % 400)) + " ";
+  return text;
+}
+
 class GenerateCommandTest : public ProgramTest {
  protected:
   // generate for a small world, with these options besides.
@@ -168,6 +175,15 @@ TEST_F(GenerateCommandTest, TakesAHeightMapAlone) {
   EXPECT_EQ(Read("world/visual"), MakePgm(64));
 }
 
+TEST_F(GenerateCommandTest, SaysWhichPixelsOfAWideHeightMapItKept) {
+  std::string pgm = "P5\n80 64\n255\n";
+  for (int i = 0; i < 80 * 64; ++i) pgm.push_back(static_cast<char>(i % 80));
+  Write("wide.pgm", pgm);
+  const ProgramRun run = Generate({"--height-map", PathOf("wide.pgm"), "--seed", "3"});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_NE(run.out.find("columns 8 to 71 of 0 to 79"), std::string::npos) << run.out;
+}
+
 TEST_F(GenerateCommandTest, TakesASketch) {
   Write("sketch.tif", MakeSketch());
   const ProgramRun run = Generate({"--sketch", PathOf("sketch.tif"), "--height-scale", "25",
@@ -199,6 +215,42 @@ TEST_F(GenerateCommandTest, TakesElevationAroundItsMiddleOrAPlace) {
   const ProgramRun shown = RunProgram({"show", PathOf("place")});
   EXPECT_EQ(shown.exit_status, 0) << shown.err;
   EXPECT_NE(shown.out.find("latitude 40.020000"), std::string::npos) << shown.out;
+}
+
+TEST_F(GenerateCommandTest, TakesTheUnitOfElevationThatSaysNone) {
+  Write("survey.asc", MakeSurvey());
+  const std::vector<std::string> options = {
+      "--elevation", PathOf("survey.asc"), "--size", "32", "--resolution", "1", "--seed", "3",
+      "--out"};
+  const auto run_with = [&](const std::string& out, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = options;
+    arguments.push_back(PathOf(out));
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramRun run = Generate(arguments);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    return run.out;
+  };
+  const std::string judged = run_with("judged", {});
+  for (const char* word : {"taken for metres", "--elevation-unit"}) {
+    EXPECT_NE(judged.find(word), std::string::npos) << word << " | " << judged;
+  }
+  EXPECT_EQ(judged.find("longitude"), std::string::npos) << judged;
+  const std::string metres = run_with("metres", {"--elevation-unit", "metres"});
+  EXPECT_EQ(metres.find("taken for"), std::string::npos) << metres;
+  EXPECT_EQ(metres.find("longitude"), std::string::npos) << metres;
+  const std::string degrees = run_with("degrees", {"--elevation-unit", "degrees"});
+  EXPECT_EQ(degrees.find("taken for"), std::string::npos) << degrees;
+  EXPECT_NE(degrees.find("latitude 22.000000, longitude 21.000000"), std::string::npos) << degrees;
+  const ProgramRun again = RunProgram({"rebuild", PathOf("degrees")});
+  EXPECT_EQ(again.exit_status, 0) << again.err;
+
+  ExpectFailure(2, {"--elevation", PathOf("survey.asc"), "--elevation-unit", "feet"},
+                {"--elevation-unit", "feet", "degrees, metres"});
+  ExpectFailure(2, {"--layout", "Forest.", "--elevation-unit", "metres"},
+                {"--elevation-unit", "--elevation"});
+  // A refusal says how the coordinates were taken.
+  ExpectFailure(2, {"--elevation", PathOf("survey.asc"), "--size", "64"},
+                {"legal is a size of at most", "taken for metres", "--elevation-unit"});
 }
 
 TEST_F(GenerateCommandTest, RefusesUnusableSketchesAndElevation) {

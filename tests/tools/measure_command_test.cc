@@ -142,6 +142,11 @@ TEST_F(MeasureCommandTest, RefusesWhatItCannotMeasure) {
   ExpectFailure(2, {"measure", PathOf("small.pgm"), "--size", "100"},
                 {"small.pgm", "63 x 80", "64 x 64"});
   ExpectFailure(2, {"measure", PathOf("letter.asc")}, {"letter.asc"});
+  Write("hills.asc", HillsAsc(40.0));
+  ExpectFailure(2, {"measure", PathOf("hills.asc"), "--elevation-unit", "degrees"},
+                {"hills.asc", "said to be in degrees"});
+  ExpectFailure(2, {"measure", PathOf("hills.asc"), "--elevation-unit", "feet"},
+                {"--elevation-unit", "degrees, metres"});
   ExpectFailure(2, {"measure", PathOf("slope.pgm"), "--size", "0", "--height-scale", "99999"},
                 {"--size", "height_scale"});
   ExpectFailure(2, {"measure", PathOf("slope.pgm"), "--height-scale", "5"}, {"--size"});

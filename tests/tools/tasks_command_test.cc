@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "latticeworld/species/species_catalogue.h"
 #include "tools/run_program.h"
 
 namespace latticeworld {
@@ -50,6 +51,26 @@ TEST_F(TasksCommandTest, DrawsTheWaysOnTheMapWhereAskedTo) {
                   "--picture", PathOf("no/such/folder.png")});
   EXPECT_EQ(nowhere.exit_status, 1);
   EXPECT_NE(nowhere.err.find("--picture"), std::string::npos) << nowhere.err;
+}
+
+TEST_F(TasksCommandTest, TheRadiusIsThatOfTheSpeciesUnlessItIsSaid) {
+  MakeWorld();
+  const auto radius_m = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments = {"tasks", PathOf("lake"), "--count",
+                                          "1",     "--out",        PathOf("tasks.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramRun run = RunProgram(arguments);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    return nlohmann::json::parse(Read("tasks.json")).at("robot").at("radius_m").get<double>();
+  };
+  const SpeciesCatalogue& catalogue = *SpeciesCatalogue::BuiltIn();
+  EXPECT_EQ(radius_m({}), catalogue.Find("wheeled robot")->radius_m);
+  EXPECT_EQ(radius_m({"--robot-species", "tractor"}), catalogue.Find("tractor")->radius_m);
+  EXPECT_EQ(radius_m({"--robot-species", "tractor", "--robot-radius", "0.5"}), 0.5);
+  const ProgramRun unknown = RunProgram(
+      {"tasks", PathOf("lake"), "--robot-species", "dragon", "--out", PathOf("tasks.json")});
+  EXPECT_EQ(unknown.exit_status, 2);
+  EXPECT_NE(unknown.err.find("dragon"), std::string::npos) << unknown.err;
 }
 
 TEST_F(TasksCommandTest, SaysWhatIsUnusableAndWhatTheWorldHasNot) {

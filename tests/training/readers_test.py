@@ -17,11 +17,12 @@ ROOT = pathlib.Path(os.environ["LATTICEWORLD_ROOT"])
 
 class ExamplesTest(unittest.TestCase):
     def examples(self):
-        return reader_examples.read_examples(sorted(glob.glob(str(ROOT / "training/examples/*.jsonl"))))
+        return reader_examples.read_examples(sorted(glob.glob(str(ROOT / "training/examples/**/*.jsonl"), recursive=True)))
 
     def test_every_sentence_has_a_form(self):
         examples = self.examples()
-        self.assertGreater(len(examples), 2000)
+        self.assertGreater(sum(e["kind"] == "layout" for e in examples), 8000)
+        self.assertGreater(sum(e["kind"] == "environment" for e in examples), 4000)
         for example in examples:
             self.assertEqual(reader_examples.faults_of(example), [], example["text"])
 

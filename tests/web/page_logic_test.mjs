@@ -1,10 +1,13 @@
 // What the page decides without a browser: heights, payloads, quality, waiting, keys.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import test from 'node:test';
 import { wayOfKeys } from '../../web/src/control/driving.js';
+import { addressOf, socketAddress } from '../../web/src/protocol/addresses.js';
 import { backoff_ms } from '../../web/src/protocol/connection.js';
 import { HeightField, decodeAssets, decodeWater } from '../../web/src/protocol/payloads.js';
+import { readModels } from '../../web/src/protocol/world_source.js';
 import { chooseLabels } from '../../web/src/view/label_places.js';
 import { levelAt, sightOf } from '../../web/src/view/levels.js';
 import { elementShapes } from '../../web/src/view/shapes.js';
@@ -76,6 +79,43 @@ test('attempts to connect come less and less often, up to ten seconds', () => {
   const middle = () => 0.5;
   const waits = [0, 1, 2, 3, 10].map((attempt) => backoff_ms(attempt, middle));
   assert.deepEqual(waits, [500, 1000, 2000, 4000, 10000]);
+});
+
+test('all addresses stand beside the page, below whatever prefix a proxy gives it', () => {
+  const rows = [
+    ['http://127.0.0.1:8080/', 'http://127.0.0.1:8080', 'ws://127.0.0.1:8080'],
+    ['https://robots.example/lab/world/', 'https://robots.example/lab/world', 'wss://robots.example/lab/world'],
+    ['https://robots.example/world/index.html?a=1#b', 'https://robots.example/world', 'wss://robots.example/world'],
+  ];
+  for (const [page, base, socket] of rows) {
+    assert.equal(addressOf('/api/world.json', page), `${base}/api/world.json`);
+    assert.equal(socketAddress(page), `${socket}/ws`);
+  }
+});
+
+test('a payload that the server names by its path is read below the prefix', async () => {
+  const { fetch } = globalThis;
+  const asked = [];
+  globalThis.document = { baseURI: 'https://robots.example/world/' };
+  globalThis.fetch = async (address) => {
+    asked.push(address);
+    return new Response(Uint8Array.of(1, 2, 3));
+  };
+  try {
+    const models = await readModels({ payloads: { models: { url: '/api/worlds/key/models.glb', bytes: 3 } } }, () => {});
+    assert.deepEqual([...new Uint8Array(models)], [1, 2, 3]);
+    assert.deepEqual(asked, ['https://robots.example/world/api/worlds/key/models.glb']);
+  } finally {
+    globalThis.fetch = fetch;
+    delete globalThis.document;
+  }
+});
+
+test('no file of the page is named from the root of the server', () => {
+  const names = { 'public/index.html': /(?:src|href|action)="\//, 'src/style.css': /url\(["']?\// };
+  for (const [name, from_root] of Object.entries(names)) {
+    assert.doesNotMatch(readFileSync(new URL(`../../web/${name}`, import.meta.url), 'utf8'), from_root);
+  }
 });
 
 test('keys that contradict each other cancel', () => {

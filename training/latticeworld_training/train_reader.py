@@ -23,6 +23,7 @@ from .base_model import read_base
 from .reader_examples import END, PROMPT, answer_of, read_examples
 
 TOKENS_AT_ONCE = 3072
+SAVED_EVERY_S = 300.0  # of the processors' time; what is interrupted begins its epoch anew
 
 
 class FastLayer:
@@ -185,7 +186,7 @@ def main(arguments=None):
     began = time.process_time()
     limit = given.minutes * 60.0
     recent, counted, tokens = 0.0, 0, 0
-    told = time.monotonic()
+    told, saved = time.monotonic(), worked()
     while worked() < limit:
         if epoch > 0:
             lesson = read_lesson(tokenizer, given)  # files may have grown
@@ -208,6 +209,9 @@ def main(arguments=None):
                 print(f"{worked() / 60:.1f} min, epoch {epoch}, step {step}: {recent / counted:.4f} nats a token, "
                       f"{tokens / (time.monotonic() - told):.0f} tokens/s", flush=True)
                 recent, counted, tokens, told = 0.0, 0, 0, time.monotonic()
+            if worked() - saved > SAVED_EVERY_S:
+                saved = worked()
+                save(path, model, optimizer, step=step, spent=saved, epoch=epoch)
         epoch += 1
         save(path, model, optimizer, step=step, spent=worked(), epoch=epoch)
         if lesson.checked:

@@ -3,6 +3,7 @@
 import { Driving } from './control/driving.js';
 import { makeJoystick } from './control/joystick.js';
 import { listenToKeys } from './keyboard.js';
+import { socketAddress } from './protocol/addresses.js';
 import { Connection } from './protocol/connection.js';
 import { MessageKind, StateDecoder, decodePoints } from './protocol/state_frames.js';
 import { readModels, readWorld } from './protocol/world_source.js';
@@ -19,7 +20,7 @@ const kInsetPeriod_ms = 120;
 class Page {
   constructor() {
     this.state = { role: 'viewer', moves: true, paused: false, key: null, clock: null, weather: null, messages: 0, errors: [] };
-    this.connection = new Connection(`${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/ws`);
+    this.connection = new Connection(socketAddress());
     this.viewer = new Viewer(byId('view'), byId('labels'));
     this.decoders = { [MessageKind.agents]: new StateDecoder(), [MessageKind.elements]: new StateDecoder() };
     this.tables = { agents: null, elements: null };

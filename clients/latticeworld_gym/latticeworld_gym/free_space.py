@@ -6,7 +6,10 @@ import numpy as np
 
 
 class FreeSpace:
-    """The free cells of a nav_msgs/OccupancyGrid that are clearance_m away from all others."""
+    """The free cells of a nav_msgs/OccupancyGrid that are clearance_m away from all others.
+
+    The outermost cells count as not free, as planners (navfn, global_planner) take them.
+    """
 
     OCCUPIED = 50  # of 100; unknown is -1
 
@@ -15,17 +18,21 @@ class FreeSpace:
         self._cell_m = info.resolution
         self._origin = np.array([info.origin.position.x, info.origin.position.y])
         data = np.asarray(grid.data, dtype=np.int8).reshape(info.height, info.width)
-        self._free = _shrunk((data >= 0) & (data < self.OCCUPIED),
-                             int(np.ceil(clearance_m / self._cell_m)))
+        free = (data >= 0) & (data < self.OCCUPIED)
+        free[[0, -1], :] = free[:, [0, -1]] = False
+        self._free = _shrunk(free, int(np.ceil(clearance_m / self._cell_m)))
 
     def draw(self, x_m, y_m, least_m, most_m, rng):
-        """A place so far from (x, y), linked with it by free cells within twice that; (x, y) [m].
+        """A free place so far from (x, y), linked with it by free cells within twice that; (x, y) [m].
 
         Where there is none as far away, it is the farthest that there is, of equally far ones the
-        most southern, then the most western one. rng: numpy Generator.
+        most southern, then the most western one; where none is free at all, the cell of (x, y).
+        rng: numpy Generator.
         """
         row, column = self._cell_of(x_m, y_m)
-        cells = np.array(self._reachable(row, column, int(np.ceil(2.0 * most_m / self._cell_m))))
+        reachable = self._reachable(row, column, int(np.ceil(2.0 * most_m / self._cell_m)))
+        # What is let in around the robot leads on, and is no goal.
+        cells = np.array([cell for cell in reachable if self._free[cell]] or [(row, column)])
         places = self._origin + (cells[:, ::-1] + 0.5) * self._cell_m
         distances_m = np.hypot(places[:, 0] - x_m, places[:, 1] - y_m)
         legal = np.flatnonzero((distances_m >= least_m) & (distances_m <= most_m))

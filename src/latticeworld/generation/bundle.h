@@ -8,6 +8,7 @@
 
 #include "latticeworld/common/result.h"
 #include "latticeworld/generation/world.h"
+#include "latticeworld/mapping/traversability.h"
 
 namespace latticeworld {
 
@@ -26,9 +27,10 @@ namespace latticeworld {
 //
 // world.json lists every file with its length and SHA-256 and carries its own.
 
-// Writes the bundle as a new directory, whole or not at all.
+// Writes the bundle as a new directory, whole or not at all. map_values: of map.pgm.
 // Errors: ALREADY_EXISTS, PERMISSION_DENIED, RESOURCE_EXHAUSTED (disk full), NOT_FOUND (no parent).
-Status SaveBundle(const World& world, const std::filesystem::path& directory);
+Status SaveBundle(const World& world, const std::filesystem::path& directory,
+                  MapValues map_values = MapValues::kGraded);
 
 // Reads it back. Trusts nothing: lengths, digests and then every value are checked. Errors:
 // NOT_FOUND (no such directory); DATA_LOSS naming the damaged file and why (missing, length,

@@ -38,7 +38,7 @@ inline constexpr std::size_t kMaxBundleFileBytes = 2048u << 20;
 Result<Manifest> ReadManifest(const std::filesystem::path& directory);
 // The manifest of the bundle that SaveBundle would make of a world; nothing is written.
 // Errors: RESOURCE_EXHAUSTED.
-Result<Manifest> MakeManifest(const World& world);
+Result<Manifest> MakeManifest(const World& world, MapValues map_values = MapValues::kGraded);
 
 }  // namespace latticeworld
 

@@ -184,11 +184,22 @@ BundleFile DecodeFile(const Json& json) {
   return {jf::Text(json, "name"), jf::Unsigned(json, "bytes"), jf::Text(json, "sha256")};
 }
 
-Manifest DecodeFields(const Json& json) {
+// Graded values have no key, as in manifests of before there were others.
+MapValues TakeMapValues(Json* json) {
+  constexpr char kKey[] = "map_values";
+  if (!json->contains(kKey)) return MapValues::kGraded;
+  const auto values = jf::Named<MapValues>(*json, kKey);
+  json->erase(kKey);
+  return values;
+}
+
+Manifest DecodeFields(Json json) {
+  const MapValues map_values = TakeMapValues(&json);
   jf::ExpectKeys(json, {"format_version", "world_id", "geo", "request", "height_png", "water_png",
                         "octree_resolution_m", "atmosphere", "warnings", "stages", "files",
                         "manifest_sha256"});
   Manifest manifest;
+  manifest.map_values = map_values;
   manifest.world_id = jf::Text(json, "world_id");
   manifest.geo = DecodeGeo(json["geo"]);
   manifest.request = DecodeRequest(json["request"]);
@@ -258,12 +269,15 @@ std::string EncodeManifest(const Manifest& manifest) {
       {"atmosphere", Encode(manifest.atmosphere)},
       {"warnings", manifest.warnings},
       {"stages", Json::array()},
-      {"files", Json::array()},
-      {"manifest_sha256", std::string(kDigestDigits, '0')}};
+      {"files", Json::array()}};
   for (const StageTime& stage : manifest.stages) {
     json["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
   }
   for (const BundleFile& file : manifest.files) json["files"].push_back(Encode(file));
+  if (manifest.map_values != MapValues::kGraded) {
+    json["map_values"] = std::string(NameOf(manifest.map_values));
+  }
+  json["manifest_sha256"] = std::string(kDigestDigits, '0');
   std::string content = jf::Dump(json);
   const std::string digest = Sha256Hex(content);
   content.replace(DigestOffset(content), kDigestDigits, digest);

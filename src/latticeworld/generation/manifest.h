@@ -9,6 +9,7 @@
 
 #include "latticeworld/common/result.h"
 #include "latticeworld/generation/world.h"
+#include "latticeworld/mapping/traversability.h"
 #include "latticeworld/scene/atmosphere.h"
 
 namespace latticeworld {
@@ -32,6 +33,7 @@ struct Manifest {
   double height_png_offset_m = 0.0;
   double water_png_scale_m = 0.0;
   double octree_resolution_m = 0.0;
+  MapValues map_values = MapValues::kGraded;  // of map.pgm
   Atmosphere atmosphere;
   std::vector<std::string> warnings;
   std::vector<StageTime> stages;

@@ -21,7 +21,7 @@ StatusCode DecodeFailure(const Json& json) {
   jf::Fail("failure", json["failure"], "the name of an error");
 }
 
-ModelReply DecodeReply(const Json& json) {
+ModelReply DecodeReply(Json json) {
   ModelReply reply;
   if (json.is_object() && json.contains("failure")) {
     jf::ExpectKeys(json, {"purpose", "failure", "message"});
@@ -30,6 +30,17 @@ ModelReply DecodeReply(const Json& json) {
     return reply;
   }
   constexpr int kMost = std::numeric_limits<int>::max();
+  if (json.is_object() && json.contains("warnings")) {
+    for (const Json& warning : jf::Array(json, "warnings")) {
+      reply.warnings.push_back(jf::Text(Json{{"warning", warning}}, "warning"));
+    }
+    json.erase("warnings");
+  }
+  if (json.is_object() && json.contains("log_probability")) {
+    reply.log_probability =
+        jf::Number(json, "log_probability", std::numeric_limits<double>::lowest(), 0.0);
+    json.erase("log_probability");
+  }
   jf::ExpectKeys(json, {"purpose", "model", "text", "finish_reason", "prompt_tokens",
                         "completion_tokens", "retries", "seconds"});
   reply.purpose = jf::Text(json, "purpose");
@@ -49,14 +60,17 @@ Json Encode(const ModelReply& reply) {
             {"failure", ToString(reply.failure.code())},
             {"message", reply.failure.message()}};
   }
-  return {{"purpose", reply.purpose},
-          {"model", reply.model},
-          {"text", reply.text},
-          {"finish_reason", reply.finish_reason},
-          {"prompt_tokens", reply.prompt_tokens},
-          {"completion_tokens", reply.completion_tokens},
-          {"retries", reply.retries},
-          {"seconds", reply.seconds}};
+  Json json = {{"purpose", reply.purpose},
+               {"model", reply.model},
+               {"text", reply.text},
+               {"finish_reason", reply.finish_reason},
+               {"prompt_tokens", reply.prompt_tokens},
+               {"completion_tokens", reply.completion_tokens},
+               {"retries", reply.retries},
+               {"seconds", reply.seconds}};
+  if (!reply.warnings.empty()) json["warnings"] = reply.warnings;
+  if (reply.log_probability != 0.0) json["log_probability"] = reply.log_probability;
+  return json;
 }
 
 }  // namespace

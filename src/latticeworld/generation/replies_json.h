@@ -17,7 +17,8 @@ namespace latticeworld {
 //   {"purpose": "layout", "model": "m", "text": "FFF...", "finish_reason": "stop",
 //    "prompt_tokens": 700, "completion_tokens": 1055, "retries": 0, "seconds": 1.5}
 //
-// Where another back end had to answer, the record of the failure follows the replies:
+// and, where its server gave cause for some, "warnings", a list of texts. Where another back end
+// had to answer, the record of the failure follows the replies:
 //
 //   {"purpose": "layout", "failure": "DATA_LOSS", "message": "the language model gave no ..."}
 std::string EncodeReplies(const std::vector<ModelReply>& replies);

@@ -83,9 +83,9 @@ Status AddRasters(const Terrain& terrain, BundleWriter* writer, Manifest* manife
   return Status();
 }
 
-Status AddMaps(const Scene& scene, BundleWriter* writer) {
+Status AddMaps(const Scene& scene, MapValues values, BundleWriter* writer) {
   const Result<MapServerFiles> map =
-      ToMapServer(BuildOccupancy(scene, RobotLimits()), scene.geometry());
+      ToMapServer(BuildOccupancy(scene, RobotLimits()), scene.geometry(), values);
   if (!map.ok()) return map.status().WithContext(kMapFile);
   LW_RETURN_IF_ERROR(writer->Add(kMapPictureFile, map->pgm));
   LW_RETURN_IF_ERROR(writer->Add(kMapFile, map->yaml));
@@ -115,7 +115,7 @@ Status AddFiles(const World& world, BundleWriter* writer, Manifest* manifest) {
   const auto add_others = [&]() -> Status {
     LW_RETURN_IF_ERROR(AddSources(world, writer));
     LW_RETURN_IF_ERROR(AddRasters(*scene.terrain, writer, manifest));
-    return AddMaps(scene, writer);
+    return AddMaps(scene, manifest->map_values, writer);
   };
   if (const Status status = add_others(); !status.ok()) {
     octree_progress.Cancel();
@@ -130,8 +130,9 @@ fs::path WithoutTrailingSlash(const fs::path& directory) {
 }
 
 // Encodes every file but the manifest. directory: where they go; nullptr: nowhere.
-Result<Manifest> Encode(const World& world, DirectoryWriter* directory) {
+Result<Manifest> Encode(const World& world, MapValues map_values, DirectoryWriter* directory) {
   Manifest manifest;
+  manifest.map_values = map_values;
   manifest.world_id = world.id;
   manifest.geo = world.geo;
   manifest.request = world.request;
@@ -144,10 +145,10 @@ Result<Manifest> Encode(const World& world, DirectoryWriter* directory) {
   return manifest;
 }
 
-Status Save(const World& world, const fs::path& target) {
+Status Save(const World& world, const fs::path& target, MapValues map_values) {
   LW_ASSIGN_OR_RETURN(DirectoryWriter directory,
                       DirectoryWriter::Create(WithoutTrailingSlash(target)));
-  LW_ASSIGN_OR_RETURN(const Manifest manifest, Encode(world, &directory));
+  LW_ASSIGN_OR_RETURN(const Manifest manifest, Encode(world, map_values, &directory));
   LW_RETURN_IF_ERROR(directory.Write(kManifestFile, EncodeManifest(manifest)));
   return directory.Commit();
 }
@@ -166,13 +167,13 @@ auto Caught(const std::string& context, const Function& function) -> decltype(fu
 
 }  // namespace
 
-Status SaveBundle(const World& world, const fs::path& directory) {
+Status SaveBundle(const World& world, const fs::path& directory, MapValues map_values) {
   const std::string context = "cannot save " + directory.string();
-  return Caught(context, [&] { return Save(world, directory).WithContext(context); });
+  return Caught(context, [&] { return Save(world, directory, map_values).WithContext(context); });
 }
 
-Result<Manifest> MakeManifest(const World& world) {
-  return Caught("cannot encode " + world.id, [&] { return Encode(world, nullptr); });
+Result<Manifest> MakeManifest(const World& world, MapValues map_values) {
+  return Caught("cannot encode " + world.id, [&] { return Encode(world, map_values, nullptr); });
 }
 
 }  // namespace latticeworld

@@ -53,6 +53,7 @@ ElevationOptions ElevationOptionsOf(const GenerationRequest& request,
   options.latitude_deg = request.elevation.latitude_deg;
   options.longitude_deg = request.elevation.longitude_deg;
   options.keep_altitude = request.elevation.keep_altitude;
+  options.unit = request.elevation.unit;
   return options;
 }
 
@@ -145,6 +146,7 @@ void ResolveVisual(const SketchTranslator& sketches, GenerationRequest* request)
   const ElevationOptions given = request->elevation;
   request->elevation = ElevationOptions();
   request->elevation.keep_altitude = given.keep_altitude;
+  request->elevation.unit = given.unit;
   request->elevation.centered = given.centered;
   if (!given.centered) {
     request->elevation.latitude_deg = given.latitude_deg;

@@ -1,5 +1,6 @@
 #include "latticeworld/interchange/export_region.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -33,6 +34,23 @@ Status Validate(const ExportRegion& region, const GridGeometry& geometry) {
   if (ordered && inside) return Status();
   return InvalidArgument("the region " + given +
                          (inside ? " is too small" : " is not in the world") + "; " + legal);
+}
+
+CellRange CellsIn(const ExportRegion& region, const GridGeometry& geometry) {
+  const auto first = [&](double cell) {
+    return std::clamp(static_cast<int>(std::ceil(cell - 1e-9)), 0, geometry.rows() - 1);
+  };
+  const auto last = [&](double cell) {
+    return std::clamp(static_cast<int>(std::floor(cell + 1e-9)), 0, geometry.rows() - 1);
+  };
+  return {first(geometry.RowOf(region.north_m)), last(geometry.RowOf(region.south_m)),
+          first(geometry.ColOf(region.west_m)), last(geometry.ColOf(region.east_m))};
+}
+
+ExportRegion BetweenCenters(const CellRange& cells, const GridGeometry& geometry) {
+  const WorldPoint north_west = geometry.CenterOf({cells.first_row, cells.first_col});
+  const WorldPoint south_east = geometry.CenterOf({cells.last_row, cells.last_col});
+  return {north_west.x_m, south_east.y_m, south_east.x_m, north_west.y_m};
 }
 
 }  // namespace latticeworld

@@ -27,6 +27,17 @@ ExportRegion WholeWorld(const GridGeometry& geometry);
 // the world.
 Status Validate(const ExportRegion& region, const GridGeometry& geometry);
 
+// Cells of a grid, both ends included.
+struct CellRange {
+  int first_row = 0, last_row = -1, first_col = 0, last_col = -1;
+  int rows() const { return last_row - first_row + 1; }
+  int cols() const { return last_col - first_col + 1; }
+};
+// Those whose centres a region holds; none where it lies between centres.
+CellRange CellsIn(const ExportRegion& region, const GridGeometry& geometry);
+// From the centres of the outermost of them to each other; at least one cell.
+ExportRegion BetweenCenters(const CellRange& cells, const GridGeometry& geometry);
+
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_INTERCHANGE_EXPORT_REGION_H_

@@ -5,7 +5,6 @@
 #include <gdal.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -20,24 +19,6 @@ namespace latticeworld {
 namespace {
 
 constexpr char kStage[] = "geotiff";
-
-// Cells of a region, both ends included.
-struct CellRange {
-  int first_row, last_row, first_col, last_col;
-  int rows() const { return last_row - first_row + 1; }
-  int cols() const { return last_col - first_col + 1; }
-};
-
-CellRange CellsOf(const ExportRegion& region, const GridGeometry& geometry) {
-  const auto first = [&](double cell) {
-    return std::clamp(static_cast<int>(std::ceil(cell - 1e-9)), 0, geometry.rows() - 1);
-  };
-  const auto last = [&](double cell) {
-    return std::clamp(static_cast<int>(std::floor(cell + 1e-9)), 0, geometry.rows() - 1);
-  };
-  return {first(geometry.RowOf(region.north_m)), last(geometry.RowOf(region.south_m)),
-          first(geometry.ColOf(region.west_m)), last(geometry.ColOf(region.east_m))};
-}
 
 // One file that GDAL writes in memory.
 class TiffFile {
@@ -139,7 +120,7 @@ Result<std::vector<ExportFile>> GeoTiffFiles(const Scene& scene,
   LW_RETURN_IF_ERROR(Validate(region, geometry));
   internal::PrepareGdal();
   Frame frame;
-  frame.cells = CellsOf(region, geometry);
+  frame.cells = CellsIn(region, geometry);
   if (frame.cells.rows() < 1 || frame.cells.cols() < 1)
     return InvalidArgument("the region holds no cell of the world's grid");
   LW_ASSIGN_OR_RETURN(frame.wkt, MapWkt(origin));

@@ -8,6 +8,7 @@
 #include <limits>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 namespace latticeworld {
 namespace {
@@ -47,10 +48,23 @@ struct GlbDocument::Parts {
   Json textures = Json::array(), materials = Json::array(), meshes = Json::array();
   Json nodes = Json::array(), lights = Json::array();
   bool instancing = false, quantization = false;
+  GlbNames names = GlbNames::kAsGiven;
 };
 
-GlbDocument::GlbDocument() : parts_(std::make_unique<Parts>()) {}
+GlbDocument::GlbDocument(GlbNames names) : parts_(std::make_unique<Parts>()) {
+  parts_->names = names;
+}
 GlbDocument::~GlbDocument() = default;
+
+std::string GlbDocument::Named(const std::string& name) const {
+  if (parts_->names == GlbNames::kAsGiven) return name;
+  constexpr std::string_view kTakenOut = "[].:/ \t\r\n";
+  std::string plain = name;
+  for (char& c : plain) {
+    if (kTakenOut.find(c) != std::string_view::npos) c = '_';
+  }
+  return plain;
+}
 
 int GlbDocument::AddView(const void* data, std::size_t bytes, int target) {
   Pad('\0', &parts_->binary);
@@ -110,6 +124,12 @@ int GlbDocument::AddVectors(const std::vector<Eigen::Vector3f>& vectors) {
                      kFloat, vectors.size(), "VEC3");
 }
 
+int GlbDocument::AddNumbers(const std::vector<std::uint32_t>& numbers) {
+  const std::vector<float> values(numbers.begin(), numbers.end());
+  return AddAccessor(AddView(values.data(), values.size() * sizeof(float), kNoTarget), kFloat,
+                     values.size(), "SCALAR");
+}
+
 int GlbDocument::AddNormals(const std::vector<Eigen::Vector3f>& normals) {
   return AddAccessor(
       AddView(normals.data(), normals.size() * sizeof(Eigen::Vector3f), kArrayBuffer), kFloat,
@@ -143,7 +163,7 @@ int GlbDocument::AddIndices(const std::vector<std::uint32_t>& corners, std::size
 }
 
 int GlbDocument::AddTexture(const std::string& jpeg, const std::string& name) {
-  parts_->images.push_back({{"name", name},
+  parts_->images.push_back({{"name", Named(name)},
                             {"mimeType", "image/jpeg"},
                             {"bufferView", AddView(jpeg.data(), jpeg.size(), kNoTarget)}});
   parts_->textures.push_back({{"source", parts_->images.size() - 1}, {"sampler", 0}});
@@ -156,7 +176,7 @@ int GlbDocument::AddMaterial(const GlbMaterial& material) {
                   {"metallicFactor", 0.0},
                   {"roughnessFactor", material.roughness}};
   if (material.texture >= 0) surface["baseColorTexture"] = {{"index", material.texture}};
-  Json json = {{"name", material.name}, {"pbrMetallicRoughness", std::move(surface)}};
+  Json json = {{"name", Named(material.name)}, {"pbrMetallicRoughness", std::move(surface)}};
   if (color[3] < 1.0f) json["alphaMode"] = "BLEND";
   if (material.both_sides) json["doubleSided"] = true;
   parts_->materials.push_back(std::move(json));
@@ -174,13 +194,13 @@ int GlbDocument::AddMesh(const std::string& name, const std::vector<GlbPrimitive
                     {"indices", primitive.indices},
                     {"material", primitive.material}});
   }
-  parts_->meshes.push_back({{"name", name}, {"primitives", std::move(list)}});
+  parts_->meshes.push_back({{"name", Named(name)}, {"primitives", std::move(list)}});
   return static_cast<int>(parts_->meshes.size()) - 1;
 }
 
 int GlbDocument::AddSun(const std::string& name, const Eigen::Vector3f& linear_color,
                         double illuminance_lux) {
-  parts_->lights.push_back({{"name", name},
+  parts_->lights.push_back({{"name", Named(name)},
                             {"type", "directional"},
                             {"color", ToJson(linear_color)},
                             {"intensity", illuminance_lux}});
@@ -188,7 +208,7 @@ int GlbDocument::AddSun(const std::string& name, const Eigen::Vector3f& linear_c
 }
 
 int GlbDocument::AddNode(const GlbNode& node) {
-  Json json = {{"name", node.name}};
+  Json json = {{"name", Named(node.name)}};
   if (node.mesh >= 0) json["mesh"] = node.mesh;
   if (node.translation_m) json["translation"] = ToJson(*node.translation_m);
   if (node.rotation) {
@@ -200,10 +220,16 @@ int GlbDocument::AddNode(const GlbNode& node) {
   if (node.light >= 0) json["extensions"][kLights] = {{"light", node.light}};
   if (node.instances) {
     parts_->instancing = true;
-    json["extensions"][kInstancing]["attributes"] = {{"TRANSLATION", node.instances->translations},
-                                                     {"ROTATION", node.instances->rotations},
-                                                     {"SCALE", node.instances->scales}};
+    Json& attributes = json["extensions"][kInstancing]["attributes"];
+    attributes = {{"TRANSLATION", node.instances->translations},
+                  {"ROTATION", node.instances->rotations},
+                  {"SCALE", node.instances->scales}};
+    if (node.instances->assets >= 0) attributes["_ASSET"] = node.instances->assets;
   }
+  const GlbExtras& extras = node.extras;
+  if (!extras.kind.empty()) json["extras"]["kind"] = extras.kind;
+  if (!extras.model.empty()) json["extras"]["model"] = extras.model;
+  if (extras.asset) json["extras"]["asset"] = *extras.asset;
   parts_->nodes.push_back(std::move(json));
   return static_cast<int>(parts_->nodes.size()) - 1;
 }

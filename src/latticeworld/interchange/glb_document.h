@@ -37,6 +37,21 @@ struct GlbPrimitive {
 // One mesh in many places, each in the frame of the node (EXT_mesh_gpu_instancing).
 struct GlbInstances {
   int translations = -1, rotations = -1, scales = -1;  // accessors
+  int assets = -1;                                     // "_ASSET": of each its number; -1: none
+};
+
+// What a node is of, for programs (its "extras").
+struct GlbExtras {
+  std::string kind;   // "": nothing is said
+  std::string model;  // "": none
+  std::optional<std::uint32_t> asset;
+};
+
+// What becomes of characters of names that three.js takes out, so that names could meet: brackets,
+// full stops, colons, slashes and blanks.
+enum class GlbNames : std::uint8_t {
+  kAsGiven,
+  kPlain  // each becomes "_"
 };
 
 struct GlbNode {
@@ -47,6 +62,7 @@ struct GlbNode {
   std::optional<Eigen::Quaternionf> rotation;
   std::optional<Eigen::Vector3f> scale;
   std::optional<GlbInstances> instances;
+  GlbExtras extras;
   std::vector<int> children;
 };
 
@@ -55,7 +71,8 @@ struct GlbNode {
 // bytes. All data is in glTF's axes.
 class GlbDocument {
  public:
-  GlbDocument();
+  // names: of nodes, meshes, materials, textures and lights.
+  explicit GlbDocument(GlbNames names = GlbNames::kAsGiven);
   ~GlbDocument();
 
   // Accessors. Vectors must not be empty, and every number must be finite.
@@ -65,6 +82,8 @@ class GlbDocument {
   int AddVectors(const std::vector<Eigen::Vector3f>& vectors);
   int AddNormals(const std::vector<Eigen::Vector3f>& normals);
   int AddTextureCoordinates(const std::vector<Eigen::Vector2f>& coordinates);
+  // Whole numbers as floats, exact up to 2^24: the format has no whole numbers of 32 bits here.
+  int AddNumbers(const std::vector<std::uint32_t>& numbers);
   int AddRotations(const std::vector<Eigen::Quaternionf>& rotations);
   // Corners of triangles, of a list of so many vertices; 16 bit where they suffice.
   int AddIndices(const std::vector<std::uint32_t>& corners, std::size_t vertices);
@@ -82,6 +101,7 @@ class GlbDocument {
 
  private:
   struct Parts;
+  std::string Named(const std::string& name) const;
   int AddView(const void* data, std::size_t bytes, int target);
   int AddAccessor(int view, int component, std::size_t count, const char* type);
 

@@ -15,18 +15,23 @@ void AppendLine(const char* keyword, const Eigen::Vector3f& v, std::string* text
   *text += line;
 }
 
-}  // namespace
-
-std::string ToObj(const Mesh& mesh, const std::string& material_file) {
-  std::string text = "mtllib " + material_file + "\n";
+// Vertices, then normals and faces part by part; palette: parts are columns of a picture instead of
+// materials.
+std::string MeshText(const Mesh& mesh, bool palette) {
+  std::string text;
   for (const Eigen::Vector3f& vertex : mesh.vertices) AppendLine("v", vertex, &text);
   std::string faces;
-  std::size_t normals = 0;
+  std::size_t normals = 0, columns = 0;
   for (int part = 0; part < kMeshPartCount; ++part) {
     bool named = false;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
       if (mesh.parts[i] != static_cast<MeshPart>(part)) continue;
-      if (!named) faces += std::string("usemtl ") + NameOf(mesh.parts[i]) + "\n";
+      if (!named && palette) {
+        AppendLine("vt", {(static_cast<float>(part) + 0.5f) / kMeshPartCount, 0.5f, 0.0f}, &text);
+        ++columns;
+      } else if (!named) {
+        faces += std::string("usemtl ") + NameOf(mesh.parts[i]) + "\n";
+      }
       named = true;
       const auto& triangle = mesh.triangles[i];
       const Eigen::Vector3f& a = mesh.vertices[triangle[0]];
@@ -34,14 +39,23 @@ std::string ToObj(const Mesh& mesh, const std::string& material_file) {
           (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a).normalized();
       AppendLine("vn", normal, &text);
       ++normals;
+      const std::string column = palette ? std::to_string(columns) : "";
       faces += "f";
       for (const std::uint32_t corner : triangle)
-        faces += " " + std::to_string(corner + 1) + "//" + std::to_string(normals);
+        faces += " " + std::to_string(corner + 1) + "/" + column + "/" + std::to_string(normals);
       faces += "\n";
     }
   }
   return text + faces;
 }
+
+}  // namespace
+
+std::string ToObj(const Mesh& mesh, const std::string& material_file) {
+  return "mtllib " + material_file + "\n" + MeshText(mesh, /*palette=*/false);
+}
+
+std::string ToPaletteObj(const Mesh& mesh) { return MeshText(mesh, /*palette=*/true); }
 
 std::string ToMtl(const ModelColors& colors) {
   std::string text;

@@ -15,6 +15,10 @@ struct SurfaceMesh;
 std::string ToObj(const Mesh& mesh, const std::string& material_file);
 std::string ToMtl(const ModelColors& colors);
 
+// The same of a mesh for readers that give a mesh one material: texture coordinates choose the
+// part's column of a picture of kMeshPartCount columns of equal width.
+std::string ToPaletteObj(const Mesh& mesh);
+
 // The same of a surface with its normals, moved by offset_m, all of one material "surface".
 std::string ToObj(const SurfaceMesh& mesh, const Eigen::Vector3f& offset_m);
 

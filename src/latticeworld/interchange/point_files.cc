@@ -1,47 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <string>
-#include <type_traits>
 
+#include "latticeworld/interchange/bytes.h"
 #include "latticeworld/interchange/map_reference.h"
 #include "latticeworld/interchange/point_cloud.h"
 
 namespace latticeworld {
 namespace {
-
-// Appends numbers with the lowest byte first, whatever the machine's own order.
-class Bytes {
- public:
-  explicit Bytes(std::string* out) : out_(out) {}
-
-  template <typename T>
-  void Add(T value) {
-    static_assert(std::is_arithmetic_v<T>);
-    std::uint64_t bits = 0;
-    if constexpr (std::is_same_v<T, float>) {
-      std::uint32_t narrow;
-      std::memcpy(&narrow, &value, sizeof narrow);
-      bits = narrow;
-    } else if constexpr (std::is_same_v<T, double>) {
-      std::memcpy(&bits, &value, sizeof bits);
-    } else {
-      bits = static_cast<std::uint64_t>(value);
-    }
-    for (std::size_t i = 0; i < sizeof(T); ++i)
-      out_->push_back(static_cast<char>(bits >> (8 * i) & 0xff));
-  }
-  // Filled up with zeros.
-  void AddText(const std::string& text, std::size_t length) {
-    std::string field = text.substr(0, length);
-    field.resize(length, '\0');
-    *out_ += field;
-  }
-
- private:
-  std::string* out_;
-};
 
 // Of LAS 1.4 R15.
 constexpr std::uint16_t kHeaderBytes = 375, kRecordHeaderBytes = 54, kPointBytes = 36;

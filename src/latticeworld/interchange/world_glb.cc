@@ -80,6 +80,7 @@ class WorldGlbBuilder {
     primitive.material = document_.AddMaterial(material);
     GlbNode node;
     node.name = name;
+    node.extras.kind = name;
     node.mesh = document_.AddMesh(name, {primitive});
     return document_.AddNode(node);
   }
@@ -115,6 +116,7 @@ class WorldGlbBuilder {
                                     : Eigen::Vector3f(Eigen::Vector3f::Ones());
     GlbNode node;
     node.name = "sun";
+    node.extras.kind = "sun";
     node.light = document_.AddSun(
         "sun", color, kSunIlluminance_lux * std::max(0.0, scene_.atmosphere.sun_intensity));
     node.rotation = Eigen::Quaternionf::FromTwoVectors(Eigen::Vector3f::UnitZ(),
@@ -139,6 +141,10 @@ class WorldGlbBuilder {
     return AddModel(group.name, geometry, materials, &document_);
   }
 
+  GlbExtras ExtrasOf(const Asset& asset) const {
+    return {std::string(NameOf(asset.kind)), scene_.catalogue->models()[asset.model].name, {}};
+  }
+
   int AddInstances(const LookGroup& group, int mesh) {
     std::vector<Eigen::Vector3f> places, sizes;
     std::vector<Eigen::Quaternionf> turns;
@@ -152,14 +158,17 @@ class WorldGlbBuilder {
     node.name = group.name;
     node.mesh = mesh;
     node.instances = GlbInstances{document_.AddVectors(places), document_.AddRotations(turns),
-                                  document_.AddVectors(sizes)};
+                                  document_.AddVectors(sizes), document_.AddNumbers(group.members)};
+    node.extras = ExtrasOf(scene_.assets[group.members.front()]);
     return document_.AddNode(node);
   }
 
   int AddThing(std::uint32_t number, int mesh) {
     const Asset& asset = scene_.assets[number];
     GlbNode node;
-    node.name = scene_.catalogue->models()[asset.model].name + "/" + std::to_string(number);
+    node.name = scene_.catalogue->models()[asset.model].name + "_" + std::to_string(number);
+    node.extras = ExtrasOf(asset);
+    node.extras.asset = number;
     node.mesh = mesh;
     node.translation_m = PlaceOf(asset);
     node.rotation = Turned(asset.yaw_rad);
@@ -203,6 +212,7 @@ class WorldGlbBuilder {
       }
       GlbNode node;
       node.name = element.name;
+      node.extras = {"element", std::string(NameOf(element.kind)), {}};
       node.mesh = found->second;
       node.translation_m = YUp(
           Eigen::Vector3d(element.position.x_m, element.position.y_m, element.z_m).cast<float>());
@@ -227,6 +237,7 @@ class WorldGlbBuilder {
       }
       GlbNode node;
       node.name = agent.name;
+      node.extras = {"agent", species.name, {}};
       node.mesh = found->second;
       const double z_m =
           scene_.terrain->ground.HeightAt(agent.position) + agent.height_above_ground_m;
@@ -252,7 +263,7 @@ class WorldGlbBuilder {
   const WorldGlbOptions& options_;
   const Progress& progress_;
   ExportRegion region_;
-  GlbDocument document_;
+  GlbDocument document_{GlbNames::kPlain};
   std::vector<int> roots_;
   std::map<std::string, ModelGeometry> geometries_;  // by model
 };

@@ -37,8 +37,12 @@ inline constexpr std::size_t kMostNodes = 100000;  // of expanded things
 // the origin is the world's). The scene has nodes "ground" and "water" (where there is some), "sun"
 // (KHR_lights_punctual), "assets", "elements" and "agents". Children of "assets" are, for every
 // mesh (ModelNameOf, model_library.h), material and one of three shades, one node with instances
-// (EXT_mesh_gpu_instancing), which the file then requires; or, expanded, one node a thing, named
-// "<model>/<number of the asset>". Children of "elements" and "agents" are named as those are.
+// (EXT_mesh_gpu_instancing), which the file then requires, each with its number in the scene's
+// assets ("_ASSET"); or, expanded, one node a thing, named "<model>_<number of the asset>".
+// Children of "elements" and "agents" are named as those are. Names are GlbNames::kPlain. Nodes
+// have extras: "kind" ("ground", "water", "sun", an AssetKind, "element", "agent"); of assets,
+// elements and agents "model" (catalogue's model, kind of element, species); of an expanded thing
+// "asset".
 //
 // The ground is triangulated as HeightField, at the lattice's vertices exactly on it, and has the
 // unlit colours of the land in season and snow as its texture. The sun's illuminance is

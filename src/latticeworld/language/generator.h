@@ -42,6 +42,8 @@ struct ModelReply {
   int completion_tokens = 0;
   int retries = 0;
   double seconds = 0.0;
+  double log_probability = 0.0;         // of the text, natural; 0: not said
+  std::vector<std::string> warnings{};  // of how its server treats what it is asked
   // Not OK: no reply, but what the back end failed of before another one answered. The purpose is
   // "layout" or "environment", and the rest says nothing.
   Status failure{};

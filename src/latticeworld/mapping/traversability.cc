@@ -68,6 +68,14 @@ Grid<std::int8_t> BuildOccupancy(const Scene& scene, const RobotLimits& limits,
   });
 }
 
+Grid<std::int8_t> WithValues(Grid<std::int8_t> occupancy, MapValues values) {
+  if (values == MapValues::kGraded) return occupancy;
+  for (std::int8_t& value : occupancy) {
+    if (value >= 0 && value < kOccupied) value = 0;
+  }
+  return occupancy;
+}
+
 Grid<float> BuildDistanceField(const Grid<std::int8_t>& occupancy, double resolution_m) {
   Grid<unsigned char> occupied(occupancy.rows(), occupancy.cols());
   std::transform(occupancy.begin(), occupancy.end(), occupied.begin(),

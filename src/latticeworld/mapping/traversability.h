@@ -1,8 +1,10 @@
 #ifndef LATTICEWORLD_MAPPING_TRAVERSABILITY_H_
 #define LATTICEWORLD_MAPPING_TRAVERSABILITY_H_
 
+#include <array>
 #include <cstdint>
 
+#include "latticeworld/common/enum_names.h"
 #include "latticeworld/geometry/grid.h"
 #include "latticeworld/scene/scene_changes.h"
 
@@ -10,9 +12,9 @@ namespace latticeworld {
 
 struct Scene;
 
-// The robot that a map is made for.
+// The robot that a map is made for. The usual radius is that of the built-in wheeled robot.
 struct RobotLimits {
-  double radius_m = 0.3;          // 0: obstacles are not inflated
+  double radius_m = 0.4;          // 0: obstacles are not inflated
   double max_slope_rad = 0.5236;  // 30 degrees
   // Height difference between neighbouring cells that it can climb. A difference that a slope of
   // max_slope makes over the same distance is no step, so that coarse grids do not close slopes.
@@ -49,6 +51,18 @@ Grid<float> BuildTraversability(const Scene& scene, const RobotLimits& limits,
 // water, steps and too steep ground are 100.
 Grid<std::int8_t> BuildOccupancy(const Scene& scene, const RobotLimits& limits,
                                  const SceneChanges& changes = {}, int threads = 0);
+
+// What an occupancy map says of ground that a robot can cross with effort.
+enum class MapValues : std::uint8_t {
+  kGraded,  // as BuildOccupancy has it
+  kTrinary  // free 0, occupied 100, unknown -1: some programs take what is between for unknown
+};
+constexpr std::array<EnumName<MapValues>, 2> EnumNames(MapValues) {
+  return {{{MapValues::kGraded, "graded"}, {MapValues::kTrinary, "trinary"}}};
+}
+
+// The same map with such values: in the trinary one what is known and below 100 is free.
+Grid<std::int8_t> WithValues(Grid<std::int8_t> occupancy, MapValues values);
 
 // Euclidean distance [m] between the centre of each cell and that of the nearest occupied one (100
 // of BuildOccupancy): 0 on those, infinity everywhere when there is none.

@@ -11,12 +11,15 @@
 #include "latticeworld/navigation/distance_field.h"
 #include "latticeworld/navigation/navigable_map.h"
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/scene/spawn_site.h"
 
 namespace latticeworld {
 namespace {
 
 constexpr int kStartsPerGoal = 25;
+constexpr int kDrawsPerStart = 20;  // until one is where the robot can be put
 constexpr int kGoalsPerTask = 40;
+constexpr double kLeastRadius_m = 0.01;  // of a body that is put somewhere
 
 // What a difficulty is made of, by name.
 struct Measure {
@@ -124,6 +127,29 @@ TaskDifficulty DifficultyOf(const Scene& scene, const NavigableMap& map, const S
   return difficulty;
 }
 
+// The map without the cells in which the robot's disc would reach the outermost ones: planners such
+// as navfn and global_planner take those for closed.
+NavigableMap WithoutEdge(NavigableMap map, double radius_m) {
+  const GridGeometry& geometry = map.geometry();
+  const double limit_m = geometry.half_size_m() - geometry.resolution_m() - radius_m;
+  for (int row = 0; row < map.free.rows(); ++row) {
+    for (int col = 0; col < map.free.cols(); ++col) {
+      const WorldPoint center = geometry.CenterOf({row, col});
+      if (std::max(std::abs(center.x_m), std::abs(center.y_m)) > limit_m) map.free(row, col) = 0;
+    }
+  }
+  return map;
+}
+
+// Whether world_server would put the robot there: its whole disc on ground that it can stand on.
+bool CanSpawn(const Scene& scene, const RobotLimits& robot, WorldPoint place) {
+  const AgentCategory category =
+      robot.on_wheels ? AgentCategory::kWheeledRobot : AgentCategory::kRoboticDog;
+  return ExamineSpawn(scene, scene.atmosphere, category, std::max(robot.radius_m, kLeastRadius_m),
+                      place)
+             .flaw == SpawnFlaw::kNone;
+}
+
 // Free cells where a task may begin and end: outside of bushes and crops, which let a robot pass
 // but hide everything else from its eyes.
 Grid<std::uint8_t> OpenCells(const Scene& scene, const NavigableMap& map, double radius_m) {
@@ -184,7 +210,8 @@ Result<std::vector<NavigationTask>> SampleTasks(const Scene& scene, const TaskWi
                                                 const Progress& progress) {
   LW_RETURN_IF_ERROR(Validate(wishes));
   const NavigableMap map = BuildNavigableMap(scene, wishes.robot);
-  const Grid<std::uint8_t> open = OpenCells(scene, map, wishes.robot.radius_m);
+  const NavigableMap inner = WithoutEdge(map, wishes.robot.radius_m);
+  const Grid<std::uint8_t> open = OpenCells(scene, inner, wishes.robot.radius_m);
   std::vector<CellIndex> ends;
   for (int row = 0; row < open.rows(); ++row) {
     for (int col = 0; col < open.cols(); ++col) {
@@ -193,8 +220,8 @@ Result<std::vector<NavigationTask>> SampleTasks(const Scene& scene, const TaskWi
   }
   if (ends.empty())
     return FailedPrecondition(
-        "the robot can be nowhere in this world: nothing is free for it outside of bushes and "
-        "crops");
+        "the robot can be nowhere in this world: nothing is free for it outside of bushes, crops "
+        "and the world's edge");
 
   RandomStream random(wishes.seed, "navigation tasks");
   const auto draw = [&](const std::vector<CellIndex>& cells) {
@@ -209,15 +236,18 @@ Result<std::vector<NavigationTask>> SampleTasks(const Scene& scene, const TaskWi
     const WorldPoint goal = draw(ends);
     // A way that is pulled straight may be a little shorter than the field has it.
     LW_ASSIGN_OR_RETURN(const DistanceField field,
-                        DistancesTo(map, goal, 1.02 * wishes.length_m.high));
+                        DistancesTo(inner, goal, 1.02 * wishes.length_m.high));
     const std::vector<CellIndex> starts = CellsOf(field, wishes.length_m, open);
     for (int i = 0; i < kStartsPerGoal && !starts.empty(); ++i) {
       NavigationTask task;
       task.start = draw(starts);
+      for (int k = 1; k < kDrawsPerStart && !CanSpawn(scene, wishes.robot, task.start); ++k)
+        task.start = draw(starts);
+      if (!CanSpawn(scene, wishes.robot, task.start)) continue;
       task.start_heading_rad = random.Uniform(-M_PI, M_PI);
       task.goal = goal;
       task.goal_radius_m = wishes.goal_radius_m;
-      Result<SurfacePath> way = PathDown(map, field, task.start);
+      Result<SurfacePath> way = PathDown(inner, field, task.start);
       if (!way.ok()) continue;
       task.way = std::move(way).value();
       task.difficulty = DifficultyOf(scene, map, task.way);

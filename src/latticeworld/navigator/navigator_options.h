@@ -10,7 +10,7 @@ namespace latticeworld {
 
 // The robot that is driven, as its maker states it.
 struct NavigatorRobot {
-  double radius_m = 0.3;                     // [0.05, 5] of the circle that holds it in plan
+  double radius_m = 0.4;                     // [0.05, 5] of the circle that holds it in plan
   double max_speed_mps = 1.0;                // [0.05, 20] forward
   double max_reverse_mps = 0.3;              // [0, 20] 0: it cannot go backward
   double max_yaw_rate_radps = 1.0;           // [0.05, 20]

@@ -186,15 +186,10 @@ std::vector<Violation> Validate(const ElevationOptions& options) {
   return violations;
 }
 
-Result<Relief> ReadElevation(std::string_view bytes, std::string_view name,
-                             const ElevationOptions& options) {
-  LW_RETURN_IF_ERROR(Status::FromViolations("illegal elevation options", Validate(options)));
-  if (bytes.size() > kMaxBytes) {
-    return InvalidArgument("the elevation takes " + std::to_string(bytes.size()) +
-                           " bytes; legal are at most " + std::to_string(kMaxBytes));
-  }
-  LW_ASSIGN_OR_RETURN(const ElevationRaster raster,
-                      ElevationRaster::Open(bytes, name, options.unit));
+namespace {
+
+// Errors: as ReadElevation.
+Result<Relief> CutOutOf(const ElevationRaster& raster, const ElevationOptions& options) {
   LW_ASSIGN_OR_RETURN(const ElevationFrame frame, ElevationFrame::Create(raster, options));
   LW_ASSIGN_OR_RETURN(const PlaceLattice lattice, frame.Lattice(options.size_m));
   const int samples = SamplesFor(options, frame);
@@ -224,6 +219,25 @@ Result<Relief> ReadElevation(std::string_view bytes, std::string_view name,
                               " % of the elevation was no-data and is filled from around it");
   }
   return relief;
+}
+
+}  // namespace
+
+Result<Relief> ReadElevation(std::string_view bytes, std::string_view name,
+                             const ElevationOptions& options) {
+  LW_RETURN_IF_ERROR(Status::FromViolations("illegal elevation options", Validate(options)));
+  if (bytes.size() > kMaxBytes) {
+    return InvalidArgument("the elevation takes " + std::to_string(bytes.size()) +
+                           " bytes; legal are at most " + std::to_string(kMaxBytes));
+  }
+  LW_ASSIGN_OR_RETURN(const ElevationRaster raster,
+                      ElevationRaster::Open(bytes, name, options.unit));
+  Result<Relief> relief = CutOutOf(raster, options);
+  if (relief.ok() || raster.warnings().empty()) return relief;
+  // What was guessed may be why.
+  const Status& refusal = relief.status();
+  return Status(refusal.code(), refusal.message() + "; " + Join(raster.warnings(), "; "),
+                refusal.violations());
 }
 
 }  // namespace latticeworld

@@ -4,12 +4,19 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "latticeworld/common/result.h"
 
 namespace latticeworld::internal {
 
 inline constexpr int kMaxDataSide = 65536;  // samples a side of a file; at least 2
+
+// No ground on the earth lies outside; what does stands for no-data.
+inline constexpr double kLowestGround_m = -12000.0;
+inline constexpr double kHighestGround_m = 9000.0;
+// What writers put where they know nothing, also in files that do not say so.
+inline constexpr float kUsualNoData = -9999.0f;
 
 enum class ElevationFormat : std::uint8_t { kGeoTiff, kArcAscii, kSrtm };
 
@@ -28,9 +35,24 @@ Result<ElevationFile> RecognizeElevation(std::string_view bytes, std::string_vie
 // OK when both sides are in 2..kMaxDataSide.
 Status CheckDataSize(std::int64_t cols, std::int64_t rows);
 
-// OK when an Arc/Info ASCII grid is whole: its size is legal and as many numbers follow as it asks
-// for. GDAL takes what is no number for 0.
-Status CheckArcAscii(std::string_view bytes);
+// An Arc/Info ASCII grid, checked and written anew.
+struct ArcAsciiGrid {
+  std::string text;             // the same grid, as GDAL reads it
+  bool whole_numbers = true;    // no sample has decimals
+  double height_range_m = 0.0;  // from the lowest to the highest of what can be ground, [0, 21000]
+  std::vector<std::string> warnings;  // what was left out
+};
+
+// Reads an Arc/Info ASCII grid before GDAL does, which takes what is no number for 0, skips lines
+// that begin with nan, puts a grid without a whole corner at (0, 0), and takes whole numbers beside
+// inf for 32-bit integers. The grid's text has the keys ncols, nrows, xllcorner, yllcorner,
+// cellsize (or dx and dy) and NODATA_value, a line a row, decimal points, and one number for
+// no-data: for what the file declares to be none, else -9999, for nan, inf and null. Decimal commas
+// are points where the file has no points. Takes up to about twice the bytes. Errors:
+// INVALID_ARGUMENT saying what was given and what is legal (a key or number is wrong, missing or
+// given twice, one corner with one center, points and commas, a size outside 2..65536, more or
+// fewer numbers than that).
+Result<ArcAsciiGrid> NormalizeArcAscii(std::string_view bytes);
 
 }  // namespace latticeworld::internal
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -22,12 +23,6 @@ namespace {
 // A file is decoded block by block (strip or tile), so this bounds what a small file asks for.
 constexpr std::int64_t kMaxBlockBytes = std::int64_t{256} << 20;
 constexpr std::int64_t kChunkSamples = std::int64_t{8} << 20;  // read at once
-
-// No ground on the earth lies outside; what does stands for no-data.
-constexpr double kLowestGround_m = -12000.0;
-constexpr double kHighestGround_m = 9000.0;
-// What writers put where they know nothing, also in files that do not say so.
-constexpr float kUsualNoData = -9999.0f;
 
 // Metres a unit of height; nullopt: not known. The empty unit is the metre, as GeoTIFF and SRTM
 // mean it.
@@ -92,14 +87,65 @@ bool LiesOnTheEarth(const std::array<double, 6>& t, int cols, int rows) {
          t[3] + t[5] * rows >= -90.5;
 }
 
+// What an ASCII grid's numbers say about its coordinates.
+struct GridNumbers {
+  std::array<double, 6> transform;
+  int cols;
+  int rows;
+  double height_range_m;
+
+  double width() const { return std::abs(transform[1]) * cols; }
+  double length() const { return std::abs(transform[5]) * rows; }
+};
+
 // Degrees, by the look of them: what SRTM tiles become when they are written as text without a CRS.
-// A survey in local metres begins at (0, 0), where as degrees there is the Gulf of Guinea.
-bool LooksLikeDegrees(const std::array<double, 6>& t, int cols, int rows) {
+// Heights tell them from surveys in local metres with cells of centimetres: land rises by a few
+// times its width at most, and where it rises by less than 3 m in a degree (111 km) it is no land.
+// A survey often begins at (0, 0), where as degrees there is the Gulf of Guinea. Nobody surveys a
+// centimetre.
+bool LooksLikeDegrees(const GridNumbers& grid) {
   constexpr double kLargestCell = 0.1;
-  const double west = t[0], south = t[3] + t[5] * rows;
-  const bool local = std::abs(west) < 1e-9 && std::abs(south) < 1e-9;
-  return !local && std::abs(t[1]) < kLargestCell && std::abs(t[5]) < kLargestCell &&
-         LiesOnTheEarth(t, cols, rows);
+  constexpr double kSmallestSurvey = 0.01;
+  constexpr double kSteepest = 3.0;
+  constexpr double kSteepestAtZero = 100.0;
+  const std::array<double, 6>& t = grid.transform;
+  if (std::abs(t[1]) >= kLargestCell || std::abs(t[5]) >= kLargestCell ||
+      !LiesOnTheEarth(t, grid.cols, grid.rows)) {
+    return false;
+  }
+  const double extent = std::max(grid.width(), grid.length());
+  if (extent < kSmallestSurvey) return true;
+  const double west = t[0], south = t[3] + t[5] * grid.rows;
+  const bool at_zero = std::abs(west) < 1e-9 && std::abs(south) < 1e-9;
+  if (grid.height_range_m == 0.0) return !at_zero;
+  return grid.height_range_m > (at_zero ? kSteepestAtZero : kSteepest) * extent;
+}
+
+std::string Rounded(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof(buffer), "%.6g", value);
+  return buffer;
+}
+
+// How the coordinates were taken, by what, and how to say otherwise.
+std::string JudgedWarning(const GridNumbers& grid, bool degrees) {
+  constexpr double kDegree_m = 111e3;  // of latitude
+  const std::array<double, 6>& t = grid.transform;
+  const std::string numbers = "the elevation has no coordinate system: by its numbers (cells of " +
+                              Rounded(std::abs(t[1])) + " x " + Rounded(std::abs(t[5])) + ", " +
+                              Rounded(grid.width()) + " x " + Rounded(grid.length()) +
+                              " in all, heights that differ by " + Rounded(grid.height_range_m) +
+                              " m) it is taken for ";
+  if (!degrees) {
+    return numbers +
+           "metres, and the world lies nowhere on the earth; elevation unit degrees "
+           "(--elevation-unit, elevation_unit) takes it otherwise";
+  }
+  char cell_m[32];
+  std::snprintf(cell_m, sizeof(cell_m), "%.2g", std::abs(t[5]) * kDegree_m);
+  return numbers + "degrees (WGS 84), so that a cell is about " + cell_m +
+         " m from north to south; elevation unit metres (--elevation-unit, elevation_unit) takes "
+         "it otherwise";
 }
 
 }  // namespace
@@ -115,6 +161,7 @@ struct ElevationRaster::File {
   double scale_m = 1.0;  // height [m] = offset_m + scale_m * sample
   double offset_m = 0.0;
   ElevationUnit coordinates = ElevationUnit::kJudged;
+  ArcAsciiGrid ascii;  // what GDAL reads of an ASCII grid
   GeoReference reference;
   std::vector<std::string> warnings;
 
@@ -145,8 +192,10 @@ Status ElevationRaster::File::Open(std::string_view bytes, const ElevationFile& 
 
   const char* const drivers[] = {file.driver.c_str(), nullptr};
   const char* const no_siblings[] = {nullptr};
-  dataset =
-      GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers, nullptr, no_siblings);
+  // Else GDAL looks at some numbers only to find out what kind they are.
+  const char* const any_numbers[] = {"DATATYPE=Float64", nullptr};
+  dataset = GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers,
+                       format == ElevationFormat::kArcAscii ? any_numbers : nullptr, no_siblings);
   if (dataset == nullptr) {
     return InvalidArgument("the elevation cannot be read, it is cut off or damaged" +
                            errors.Last(name));
@@ -256,18 +305,12 @@ Status ElevationRaster::File::ReadReference() {
   }
   // An ASCII grid has its coordinate system in a file of its own, if anywhere.
   const bool judged = coordinates == ElevationUnit::kJudged;
-  const bool degrees =
-      judged ? LooksLikeDegrees(t, GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset))
-             : coordinates == ElevationUnit::kDegrees;
-  if (!degrees) {
-    if (judged) {
-      warnings.push_back(
-          "the elevation has no coordinate system: by its numbers it is taken for metres, and the "
-          "world lies nowhere on the earth (elevation unit: degrees, if it is not)");
-    }
-    return Status();
-  }
-  if (!LiesOnTheEarth(t, GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset))) {
+  const GridNumbers grid = {t, GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset),
+                            ascii.height_range_m};
+  const bool degrees = judged ? LooksLikeDegrees(grid) : coordinates == ElevationUnit::kDegrees;
+  if (judged) warnings.push_back(JudgedWarning(grid, degrees));
+  if (!degrees) return Status();
+  if (!LiesOnTheEarth(t, grid.cols, grid.rows)) {
     return InvalidArgument(
         "the elevation is said to be in degrees, but reaches beyond -180 to 360 degrees of "
         "longitude or -90 to 90 of latitude");
@@ -276,11 +319,6 @@ Status ElevationRaster::File::ReadReference() {
   if (OSRSetWellKnownGeogCS(wgs84, "WGS84") == OGRERR_NONE) reference.crs = WellKnownText(wgs84);
   OSRDestroySpatialReference(wgs84);
   if (reference.crs.empty()) return Internal("PROJ does not know WGS 84" + errors.Last(name));
-  if (judged) {
-    warnings.push_back(
-        "the elevation has no coordinate system: by its numbers it is taken for degrees (WGS 84; "
-        "elevation unit: metres, if it is not)");
-  }
   return Status();
 }
 
@@ -292,9 +330,13 @@ Result<ElevationRaster> ElevationRaster::Open(std::string_view bytes, std::strin
                                               ElevationUnit unit) {
   PrepareGdal();
   LW_ASSIGN_OR_RETURN(const ElevationFile recognized, RecognizeElevation(bytes, name));
-  if (recognized.format == ElevationFormat::kArcAscii) LW_RETURN_IF_ERROR(CheckArcAscii(bytes));
   auto file = std::make_unique<File>();
   file->coordinates = unit;
+  if (recognized.format == ElevationFormat::kArcAscii) {
+    LW_ASSIGN_OR_RETURN(file->ascii, NormalizeArcAscii(bytes));
+    file->warnings = file->ascii.warnings;
+    bytes = file->ascii.text;
+  }
   LW_RETURN_IF_ERROR(file->Open(bytes, recognized));
   return ElevationRaster(std::move(file));
 }
@@ -304,7 +346,10 @@ int ElevationRaster::rows() const { return GDALGetRasterYSize(file_->dataset); }
 const GeoReference& ElevationRaster::reference() const { return file_->reference; }
 double ElevationRaster::height_step_m() const {
   const GDALDataType type = GDALGetRasterDataType(file_->band);
-  return GDALDataTypeIsFloating(type) != 0 ? 0.0 : std::abs(file_->scale_m);
+  const bool whole_numbers = file_->format == ElevationFormat::kArcAscii
+                                 ? file_->ascii.whole_numbers
+                                 : GDALDataTypeIsFloating(type) == 0;
+  return whole_numbers ? std::abs(file_->scale_m) : 0.0;
 }
 const std::vector<std::string>& ElevationRaster::warnings() const { return file_->warnings; }
 

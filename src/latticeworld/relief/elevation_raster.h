@@ -33,8 +33,9 @@ struct DataWindow {
 // Samples of elevation in a file that GDAL reads.
 class ElevationRaster {
  public:
-  // bytes: outlive the raster. unit: of data without a coordinate system. Errors: INVALID_ARGUMENT
-  // saying what was given and what is legal.
+  // bytes: outlive the raster. unit: of an ASCII grid, which names no coordinate system; judged by
+  // its place, cells and heights unless said. Errors: INVALID_ARGUMENT saying what was given and
+  // what is legal.
   static Result<ElevationRaster> Open(std::string_view bytes, std::string_view name,
                                       ElevationUnit unit = ElevationUnit::kJudged);
   ElevationRaster(ElevationRaster&&) noexcept;

@@ -32,8 +32,9 @@ Grid<unsigned char> Stretched(const Grid<unsigned char>& mask, int rows, int col
 
 }  // namespace
 
-Result<ElevationSurvey> SurveyElevation(std::string_view bytes, std::string_view name) {
-  LW_ASSIGN_OR_RETURN(const ElevationRaster raster, ElevationRaster::Open(bytes, name));
+Result<ElevationSurvey> SurveyElevation(std::string_view bytes, std::string_view name,
+                                        ElevationUnit unit) {
+  LW_ASSIGN_OR_RETURN(const ElevationRaster raster, ElevationRaster::Open(bytes, name, unit));
   LW_ASSIGN_OR_RETURN(const ElevationFrame frame, ElevationFrame::Create(raster, {}));
   DataWindow window;
   window.block_cols = window.block_rows =

@@ -7,6 +7,7 @@
 
 #include "latticeworld/common/result.h"
 #include "latticeworld/geometry/grid.h"
+#include "latticeworld/relief/elevation.h"
 
 namespace latticeworld {
 
@@ -22,8 +23,10 @@ struct ElevationSurvey {
 // Reads what ReadElevation reads. The samples' shorter side at the middle of the data becomes the
 // side of a cell; along the longer one heights are interpolated. Data of more than 8192 samples a
 // side is averaged in blocks. Data in degrees that spans much of the earth is not laid flat: meant
-// for pieces of up to a degree. Errors: INVALID_ARGUMENT (not elevation; nothing but no-data).
-Result<ElevationSurvey> SurveyElevation(std::string_view bytes, std::string_view name);
+// for pieces of up to a degree. unit: of an ASCII grid. Errors: INVALID_ARGUMENT (not elevation;
+// nothing but no-data).
+Result<ElevationSurvey> SurveyElevation(std::string_view bytes, std::string_view name,
+                                        ElevationUnit unit = ElevationUnit::kJudged);
 
 }  // namespace latticeworld
 

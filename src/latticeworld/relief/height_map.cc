@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "latticeworld/relief/middle_square.h"
 #include "latticeworld/relief/pgm.h"
 #include "latticeworld/relief/picture_header.h"
 #include "latticeworld/relief/relief.h"
@@ -53,9 +54,8 @@ Result<Picture> Decode(std::string_view bytes) {
   return Picture{std::move(pgm.values), pgm.max_value};
 }
 
-}  // namespace
-
-Result<Relief> ReadHeightMap(std::string_view bytes, const HeightMapOptions& options) {
+// Errors: as ReadHeightMap.
+Result<Picture> CheckAndDecode(std::string_view bytes, const HeightMapOptions& options) {
   LW_RETURN_IF_ERROR(Status::FromViolations("illegal height map options", Validate(options)));
   // OpenCV counts the bytes of its input in an int; the largest legal picture takes 129 MiB raw.
   constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
@@ -63,12 +63,32 @@ Result<Relief> ReadHeightMap(std::string_view bytes, const HeightMapOptions& opt
     return InvalidArgument("the height map takes " + std::to_string(bytes.size()) +
                            " bytes; legal are at most " + std::to_string(kMaxBytes));
   }
-  LW_ASSIGN_OR_RETURN(Picture picture, Decode(bytes));
+  return Decode(bytes);
+}
+
+Relief ReliefOf(Picture picture, const HeightMapOptions& options) {
   const double step_m = options.height_scale_m / picture.max_value;
   for (float& value : picture.values) {
     value = static_cast<float>(options.height_offset_m + step_m * value);
   }
   return MakeRelief(std::move(picture.values), step_m);
+}
+
+}  // namespace
+
+Result<Relief> ReadHeightMap(std::string_view bytes, const HeightMapOptions& options) {
+  LW_ASSIGN_OR_RETURN(Picture picture, CheckAndDecode(bytes, options));
+  const internal::MiddleSquare square(picture.values.rows(), picture.values.cols());
+  if (!square.cuts()) return ReliefOf(std::move(picture), options);
+  picture.values = CutOut(square, picture.values);
+  Relief relief = ReliefOf(std::move(picture), options);
+  relief.warnings.push_back(CutWarning(square, "height map"));
+  return relief;
+}
+
+Result<Relief> ReadWholeHeightMap(std::string_view bytes, const HeightMapOptions& options) {
+  LW_ASSIGN_OR_RETURN(Picture picture, CheckAndDecode(bytes, options));
+  return ReliefOf(std::move(picture), options);
 }
 
 }  // namespace latticeworld

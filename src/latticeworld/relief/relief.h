@@ -20,7 +20,7 @@ inline constexpr int kMaxReliefSize = 8193;
 
 // v_L, read: the shape of the land that the user gave. It spans the whole world whatever its size.
 struct Relief {
-  Grid<float> height_m;  // (rows x cols) of the picture, not necessarily square; row 0 north
+  Grid<float> height_m;  // (rows x cols), square but for what is only measured; row 0 north
   Grid<float> summary;   // (32 x 32) mean height, scaled so that the lowest is 0 and the highest 1
   std::string caption;   // "high ground in the upper right falling to low ground in the lower left"
   double height_step_m = 0.0;         // between neighbouring values of the picture; 0: not in steps
@@ -37,9 +37,12 @@ struct HeightMapOptions {
 std::vector<Violation> Validate(const HeightMapOptions& options);
 
 // Reads an 8- or 16-bit greyscale height map (colour is refused) from the bytes of a PNG, PGM or
-// TIFF. Errors: INVALID_ARGUMENT (not such a picture, truncated, size outside 33..8193, options).
+// TIFF. Of a picture that is not square its middle square, and a warning says which pixels are
+// kept. Errors: INVALID_ARGUMENT (not such a picture, truncated, a side outside 33..8193, options).
 // The header is checked before pixels are decoded, so that a hostile size costs no memory.
 Result<Relief> ReadHeightMap(std::string_view bytes, const HeightMapOptions& options);
+// The same with nothing cut off, (rows x cols) of the picture: for measuring.
+Result<Relief> ReadWholeHeightMap(std::string_view bytes, const HeightMapOptions& options);
 
 // Relief from height samples: summary and caption are made. height_m: finite, at least 33 a side.
 Relief MakeRelief(Grid<float> height_m, double height_step_m = 0.0);

@@ -1,9 +1,12 @@
 #include "latticeworld/relief/sketch.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "latticeworld/common/range.h"
+#include "latticeworld/relief/middle_square.h"
 #include "latticeworld/relief/sketch_model.h"
 
 namespace latticeworld {
@@ -19,6 +22,21 @@ void CheckCount(std::string pointer, int value, int low, int high,
                          pointer + " is " + std::to_string(value) + "; legal are " +
                              std::to_string(low) + " to " + std::to_string(high),
                          std::to_string(value)});
+}
+
+// Cuts its middle square out of a sketch that is not square and says so. Errors: INVALID_ARGUMENT
+// (no stroke is left).
+Status MakeSquare(Sketch* sketch, std::vector<std::string>* warnings) {
+  const internal::MiddleSquare square(sketch->rows(), sketch->cols());
+  if (!square.cuts()) return Status();
+  *sketch = CutOut(square, *sketch);
+  const std::string warning = CutWarning(square, "sketch");
+  if (std::all_of(sketch->begin(), sketch->end(), [](Stroke s) { return s == Stroke::kNone; })) {
+    return InvalidArgument("no stroke of the sketch lies in its middle square (" + warning +
+                           "); legal are strokes there, or a square sketch");
+  }
+  warnings->push_back(warning);
+  return Status();
 }
 
 }  // namespace
@@ -38,14 +56,16 @@ Result<Relief> SketchToRelief(std::string_view bytes, const SketchOptions& optio
                               const Progress& progress, const SketchModel* model) {
   LW_RETURN_IF_ERROR(Status::FromViolations("illegal sketch options", Validate(options)));
   progress.Report("relief", 0.0);
-  LW_ASSIGN_OR_RETURN(const Sketch sketch, ReadSketch(bytes, options.threads));
+  LW_ASSIGN_OR_RETURN(Sketch sketch, ReadSketch(bytes, options.threads));
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
-  if (model != nullptr) {
-    LW_ASSIGN_OR_RETURN(Grid<float> made, SketchToHeight(sketch, *model, options, progress));
-    return MakeRelief(std::move(made));
-  }
-  LW_ASSIGN_OR_RETURN(Grid<float> height_m, SketchToHeight(sketch, options, progress));
-  return MakeRelief(std::move(height_m));
+  std::vector<std::string> warnings;
+  LW_RETURN_IF_ERROR(MakeSquare(&sketch, &warnings));
+  LW_ASSIGN_OR_RETURN(Grid<float> height_m, model != nullptr
+                                                ? SketchToHeight(sketch, *model, options, progress)
+                                                : SketchToHeight(sketch, options, progress));
+  Relief relief = MakeRelief(std::move(height_m));
+  relief.warnings = std::move(warnings);
+  return relief;
 }
 
 }  // namespace latticeworld

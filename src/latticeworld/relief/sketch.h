@@ -41,15 +41,18 @@ Result<Sketch> ReadSketch(std::string_view bytes, int threads = 0);
 // along their course to the border, gaps are bridged, and how high a ridge is follows from what
 // lies around it. Fluvial erosion on up to 1024 x 1024 cells cuts side valleys that drain to the
 // drawn ones; then detail down to a metre, and steep slopes slide on the whole grid. The shape does
-// not depend on the height scale. sketch: with at least one stroke; it spans the whole relief
-// whatever its shape. Takes about 20 bytes a sample. Errors: INVALID_ARGUMENT (options), CANCELLED.
+// not depend on the height scale. sketch: with at least one stroke; it spans the whole relief,
+// which stretches one that is not square. Takes about 20 bytes a sample. Errors: INVALID_ARGUMENT
+// (options), CANCELLED.
 Result<Grid<float>> SketchToHeight(const Sketch& sketch, const SketchOptions& options,
                                    const Progress& progress);
 
 class SketchModel;  // sketch_model.h
 
-// Both, as a relief. model: makes the land from the strokes where one is given, null for the way
-// above. Errors: as above, and INTERNAL from the model. Reports the stage "relief".
+// Both, as a relief. Of a sketch that is not square its middle square, and a warning says which
+// pixels are kept. model: makes the land from the strokes where one is given, null for the way
+// above. Errors: as above, INVALID_ARGUMENT where all strokes lie outside that square, and INTERNAL
+// from the model. Reports the stage "relief".
 Result<Relief> SketchToRelief(std::string_view bytes, const SketchOptions& options,
                               const Progress& progress, const SketchModel* model = nullptr);
 

@@ -35,6 +35,12 @@ std::string_view WordsFor(SpawnFlaw flaw) {
   return "";
 }
 
+// Robots on the ground, whose planners take the outermost cells of a map for closed.
+bool DrivesByMaps(AgentCategory category) {
+  return category == AgentCategory::kWheeledRobot || category == AgentCategory::kRoboticDog ||
+         category == AgentCategory::kHumanoidRobot;
+}
+
 std::string LimitFor(SpawnFlaw flaw, Locomotion locomotion) {
   switch (flaw) {
     case SpawnFlaw::kTooDeep:
@@ -66,7 +72,8 @@ SpawnSearch::SpawnSearch(const Scene& scene, const Atmosphere& atmosphere, Agent
   const GridGeometry& geometry = scene.geometry();
   const double size_m = geometry.size_m(), half_m = geometry.half_size_m();
   const UnitBox unit = BoxOf(region);
-  const double inner_m = std::max(0.0, half_m - body_radius_m);
+  const double edge_m = DrivesByMaps(category) ? geometry.resolution_m() : 0.0;
+  const double inner_m = std::max(0.0, half_m - body_radius_m - edge_m);
   box_ = {std::max(unit.u_min * size_m - half_m, -inner_m),
           std::min(unit.u_max * size_m - half_m, inner_m),
           std::max(half_m - unit.v_max * size_m, -inner_m),

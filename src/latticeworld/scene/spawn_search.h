@@ -17,7 +17,8 @@ double SpawnClearance(double body_radius_m);
 // Finds places for bodies of one kind in one region: random tries, first on ground that suits the
 // category, then a scan of the whole region in steps of at most kScanStep_m, the body's radius, or
 // 1/256 of the region, whichever is largest. The scan goes on where the last one stopped, because
-// what was refused once stays refused: `taken` may only grow between calls.
+// what was refused once stays refused: `taken` may only grow between calls. Robots on the ground
+// are put wholly inside the world less its outermost cells, which planners take for closed.
 class SpawnSearch {
  public:
   static constexpr double kScanStep_m = 0.5;

@@ -56,16 +56,26 @@ struct MagnetometerReading {
 
 // Dead reckoning from the wheels' encoders: it slips as the wheels do. Motion noise after Thrun,
 // Burgard and Fox 2005 (section 5.4): variance of a turn a1 turn^2 + a2 way^2, of a way
-// a3 way^2 + a4 turn^2.
+// a3 way^2 + a4 turn^2. What the ground does to it is no noise of the sensor's but lasts: `slip`
+// and `skid_radpm` say how much of that is expected, which readings state and do not add.
 struct WheelOdometryModel {
   double ticks_per_revolution = 0.0;  // of an encoder; 0: exact angles
   double a1 = 0.0, a2 = 0.0, a3 = 0.0, a4 = 0.0;
+  double slip = 0.03;  // standard deviation of the share of a way, and of a turn, that slipping
+                       // wheels and slopes take, and of what goes sideways for it
+  double skid_radpm = 0.08;  // standard deviation of the turn that wheels which skid lose a metre
+                             // that they roll, against the way they turn
 };
+// Of base_link, in the plane, from where it began. Covariances are of first order: they hold while
+// the heading is known to half a radian or so.
 struct WheelOdometryReading {
   double time_s = 0.0;
-  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  // from where it began
+  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
   double heading_rad = 0.0;
-  double forward_mps = 0.0, yaw_rate_radps = 0.0;
+  double forward_mps = 0.0, sideways_mps = 0.0, yaw_rate_radps = 0.0;
+  Eigen::Matrix3d pose_covariance = Eigen::Matrix3d::Zero();  // x, y [m], heading [rad]
+  // Variances of forward and sideways speed [m^2/s^2] and of the yaw rate [rad^2/s^2].
+  Eigen::Vector3d twist_variances = Eigen::Vector3d::Zero();
 };
 
 struct BumperModel {

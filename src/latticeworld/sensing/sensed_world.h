@@ -23,6 +23,8 @@ struct SensedWheels {
   std::optional<double> steering_rad;  // of the middle of the steered axle; none: not steered
   double wheel_radius_m = 0.1;
   double track_m = 0.5, wheelbase_m = 0.5;
+  double axle_m = 0.0;  // x in base_link of the axle that rolls without going sideways
+  bool skids = false;   // it turns by wheels that are dragged sideways
 };
 
 // An agent as sensors meet it, and what it feels itself.

@@ -153,6 +153,8 @@ void ReadModel(const Json& json, SensorEntry* entry) {
     Read(odometry, "a2", &model.a2);
     Read(odometry, "a3", &model.a3);
     Read(odometry, "a4", &model.a4);
+    Read(odometry, "slip", &model.slip);
+    Read(odometry, "skid_radpm", &model.skid_radpm);
     entry->spec.model = model;
   } else {
     BumperModel model;

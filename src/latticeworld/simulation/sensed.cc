@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "latticeworld/species/vehicle_outline.h"
+
 namespace latticeworld {
 namespace {
 
@@ -50,12 +52,15 @@ SensedWheels WheelsOf(const AgentSnapshot& agent, const VehicleDesign& design) {
   switch (design.drive) {
     case DriveKind::kDifferential:
       SetWheels(agent, "left_wheel", "right_wheel", &wheels);
+      wheels.axle_m = DifferentialAxle(design);
       break;
     case DriveKind::kSkidSteer:
       SetWheels(agent, "front_left_wheel", "front_right_wheel", &wheels);
+      wheels.skids = true;
       break;
     case DriveKind::kAckermann:
       SetWheels(agent, "rear_left_wheel", "rear_right_wheel", &wheels);
+      wheels.axle_m = -0.5 * design.wheelbase_m;
       wheels.steering_rad = MiddleSteering(AngleOf(agent, "front_left_steering"),
                                            AngleOf(agent, "front_right_steering"));
       break;

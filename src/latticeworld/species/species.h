@@ -91,7 +91,9 @@ struct Species {
 
   double mass_kg = 60.0;  // all of it
   double height_m = 1.0;
-  double radius_m = 0.5;      // of the vertical cylinder around it
+  // Of the vertical cylinder around it: the one footprint that spawning, paths, maps and tasks
+  // take.
+  double radius_m = 0.5;
   double eye_height_m = 0.9;  // above base_link
 
   double cruise_mps = 1.0;         // when it goes about its business

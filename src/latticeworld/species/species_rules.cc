@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/species/vehicle_outline.h"
 
 namespace latticeworld {
 namespace {
@@ -84,12 +85,8 @@ void CheckVehicle(const Species& species, Checker* check) {
   check->Demand(design.center_height_m < species.height_m, "vehicle/center_height_m",
                 "it lies below the height of " + FormatDouble(species.height_m),
                 design.center_height_m);
-  const double half_length_m =
-      std::max(0.5 * design.chassis_length_m, 0.5 * design.wheelbase_m + design.wheel_radius_m);
-  const double half_width_m =
-      std::max(0.5 * design.chassis_width_m, 0.5 * design.track_m + 0.5 * design.wheel_width_m);
-  const double reach_m = std::hypot(half_length_m, half_width_m);
-  check->Demand(species.radius_m >= 0.95 * reach_m, "radius_m",
+  const double reach_m = CircumscribedRadius(design);
+  check->Demand(species.radius_m >= reach_m, "radius_m",
                 "wheels and chassis reach out to " + FormatDouble(reach_m), species.radius_m);
 }
 

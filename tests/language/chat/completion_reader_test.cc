@@ -135,6 +135,22 @@ TEST(CompletionReaderTest, ReadsTheShapesThatServersUse) {
   }
 }
 
+TEST(CompletionReaderTest, KeepsThinkingApartOnceWhateverItsNameAndStreamedOrNot) {
+  const char* deltas[] = {R"({"reasoning_content":"h"})", R"({"reasoning":"h"})",
+                          R"({"thinking":"h"})", R"({"reasoning":"h","reasoning_content":"h"})"};
+  for (const std::string delta : deltas) {
+    const Reading stream =
+        Read(Chunk("{\"delta\":" + delta + "}") +
+             Chunk("{\"delta\":{\"reasoning\":\"m\"},\"finish_reason\":\"stop\"}"));
+    EXPECT_EQ(stream.completion.thinking, "hm") << delta;
+    EXPECT_EQ(stream.completion.text, "") << delta;
+    const Reading whole =
+        Read("{\"choices\":[{\"message\":" + delta + ",\"finish_reason\":\"stop\"}]}");
+    EXPECT_EQ(whole.completion.thinking, "h") << delta;
+    EXPECT_EQ(whole.completion.text, "") << delta;
+  }
+}
+
 TEST(CompletionReaderTest, RefusesWhatIsNoAnswer) {
   struct Row {
     std::string body;

@@ -103,6 +103,19 @@ SCENARIOS = {
         c.sendall(STREAM_HEAD + STREAM[:STREAM.index(b"data: [DONE]")]), hang(c)),
     "thinks_aloud": lambda c, n, r: c.sendall(
         STREAM_HEAD + event(chunk({"reasoning_content": "hm, hm"})) + STREAM),
+    # A form holds from the first letter on, so that the thinking of the model cannot end.
+    "answers_in_thinking": lambda c, n, r: c.sendall(
+        STREAM_HEAD + event(chunk({"content": ""})) +
+        b"".join(event(chunk({"reasoning_content": part})) for part in ('{"rows"', ': ["A"]}')) +
+        event(chunk({"content": "\n"})) + event(chunk({}, "stop")) + b"data: [DONE]\n\n"),
+    "answers_in_thinking_whole": lambda c, n, r: c.sendall(whole(200, {"choices": [{
+        "message": {"content": None, "reasoning": '{"rows": ["A"]}'}, "finish_reason": "stop"}]})),
+    "only_thinks": lambda c, n, r: c.sendall(
+        STREAM_HEAD + event(chunk({"reasoning_content": 'Hm: {"rows": ["A"]} or not?'})) +
+        event(chunk({}, "stop")) + b"data: [DONE]\n\n"),
+    "cut_in_thinking": lambda c, n, r: c.sendall(
+        STREAM_HEAD + event(chunk({"reasoning_content": '{"rows": ["A"'})) +
+        event(chunk({}, "length")) + b"data: [DONE]\n\n"),
     "length": lambda c, n, r: c.sendall(
         STREAM_HEAD + TOKENS[0] + event(chunk({}, "length")) + b"data: [DONE]\n\n"),
     "no_models": lambda c, n, r: c.sendall(whole(200, {"object": "list", "data": []})),

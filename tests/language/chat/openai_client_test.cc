@@ -239,7 +239,7 @@ TEST_F(OpenAiClientTest, AServerWithoutModelsIsToldOf) {
 
 TEST_F(OpenAiClientTest, TheRequestOnTheWireIsWhatTheDialectPromises) {
   const std::pair<ChatDialect, const char*> rows[] = {{ChatDialect::kLlamaCpp, "grammar"},
-                                                      {ChatDialect::kVllm, "structured_outputs"},
+                                                      {ChatDialect::kVllm, "response_format"},
                                                       {ChatDialect::kOllama, "response_format"},
                                                       {ChatDialect::kOpenAi, "response_format"},
                                                       {ChatDialect::kNone, nullptr}};
@@ -261,6 +261,60 @@ TEST_F(OpenAiClientTest, TheRequestOnTheWireIsWhatTheDialectPromises) {
     EXPECT_FALSE(headers.contains("authorization"));
     EXPECT_FALSE(headers.contains("accept-encoding"));
   }
+}
+
+// As of a layout, in a language that takes its schema.
+ChatRequest AskedForRows() {
+  ChatRequest request;
+  request.messages = {{ChatRole::kUser, "Draw.", ""}};
+  request.form.name = "rows";
+  request.form.json_schema = R"({"type":"object","properties":{"rows":{}},"required":["rows"],)"
+                             R"("additionalProperties":false})";
+  return request;
+}
+
+TEST_F(OpenAiClientTest, AnAnswerInItsFormInThePlaceOfThinkingIsTheAnswer) {
+  for (const char* scenario : {"answers_in_thinking", "answers_in_thinking_whole"}) {
+    SCOPED_TRACE(scenario);
+    OpenAiOptions options = Options(scenario);
+    options.dialect = ChatDialect::kLlamaCpp;
+    std::string heard;
+    const auto reply = Make(options)->Complete(
+        AskedForRows(), [&heard](std::string_view text) { return !(heard = text).empty(); },
+        progress_);
+    ASSERT_TRUE(reply.ok()) << reply.status().ToString();
+    EXPECT_EQ(reply->text, R"({"rows": ["A"]})");
+    EXPECT_EQ(heard, reply->text);
+    EXPECT_EQ(reply->form, FormLanguage::kJsonSchema);
+  }
+}
+
+TEST_F(OpenAiClientTest, ThinkingIsNeverAnAnswerWhereItIsNotInTheFormOrNoneWasTold) {
+  for (const auto& [scenario, dialect] :
+       {std::pair<const char*, ChatDialect>{"only_thinks", ChatDialect::kLlamaCpp},
+        std::pair<const char*, ChatDialect>{"cut_in_thinking", ChatDialect::kVllm},
+        std::pair<const char*, ChatDialect>{"answers_in_thinking", ChatDialect::kNone}}) {
+    SCOPED_TRACE(scenario);
+    OpenAiOptions options = Options(scenario);
+    options.dialect = dialect;
+    const auto reply = Make(options)->Complete(AskedForRows(), nullptr, progress_);
+    ASSERT_TRUE(reply.ok()) << reply.status().ToString();
+    EXPECT_EQ(reply->text.find_first_not_of('\n'), std::string::npos) << reply->text;
+    EXPECT_NE(reply->thinking, "");
+  }
+}
+
+TEST_F(OpenAiClientTest, AReplyThatCountsTooFewTokensWarnsOfACutPrompt) {
+  ChatRequest request = Hello();
+  const auto client = Make(Options("good"));  // counts 11 tokens whatever it is sent
+  const auto small = client->Complete(request, nullptr, progress_);
+  ASSERT_TRUE(small.ok()) << small.status().ToString();
+  EXPECT_TRUE(small->warnings.empty());
+  request.messages[0].text = std::string(400, 'x');
+  const auto large = client->Complete(request, nullptr, progress_);
+  ASSERT_TRUE(large.ok()) << large.status().ToString();
+  ASSERT_EQ(large->warnings.size(), 1u);
+  EXPECT_NE(large->warnings[0].find("cut the prompt"), std::string::npos) << large->warnings[0];
 }
 
 TEST_F(OpenAiClientTest, ALongRequestIsSentWithoutWaitingForLeave) {

@@ -57,6 +57,18 @@ TEST_F(ReadingLayoutsTest, WhatTheModelSaysTwiceIsLaidOut) {
   EXPECT_EQ(replies_[1].text, kLake);
 }
 
+TEST_F(ReadingLayoutsTest, WarningsOfTheServerFollowHowTheWordsWereRead) {
+  FakeChatServer::Answer said;
+  said.text = kLake;
+  said.warnings = {"the chat server has cut the prompt: 7"};
+  server_->Say(said).Say(said);
+  const auto answer = Generate();
+  ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+  ASSERT_GE(answer->warnings.size(), 2u);
+  EXPECT_EQ(answer->warnings[0], "read as: \"A lake in the south.\"");
+  EXPECT_EQ(answer->warnings[1], said.warnings[0]);
+}
+
 TEST_F(ReadingLayoutsTest, TheModelSeesWhatIsReadInItsSentences) {
   server_->Say(R"({"sentences": ["A lake in the south.", "Frobs."]})").Say(kRound).Say(kRound);
   const auto answer = Generate();

@@ -87,7 +87,13 @@ TEST(EnvironmentOfSentencesTest, Agents) {
             (std::vector<AgentCategory>{AgentCategory::kSheep, AgentCategory::kHorse}));
   EXPECT_TRUE(heard.agents[2].feature->near);
   EXPECT_FALSE(heard.agents[3].counted);
-  EXPECT_FALSE(heard.agents[4].state.has_value()) << "either will do";
+  EXPECT_EQ(heard.agents[4].state, AgentState::kIdle) << "either will do, the first is taken";
+}
+
+TEST(EnvironmentOfSentencesTest, WhatIsHeardInPartIsSaid) {
+  const HeardEnvironment heard = Read("2 goblins away from the village.");
+  ASSERT_EQ(heard.warnings.size(), 1u);
+  EXPECT_NE(heard.warnings[0].find("2 goblins away from the village"), std::string::npos);
 }
 
 TEST(EnvironmentOfSentencesTest, LandInAPartOfTheMap) {

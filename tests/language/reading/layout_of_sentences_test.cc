@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -124,6 +125,28 @@ TEST(LayoutOfSentencesTest, WhatLandCannotShowYetIsSaid) {
   const LayoutPlan plan = Read("A hill in the north. The hill is 120 m high.");
   ASSERT_FALSE(plan.warnings.empty());
   EXPECT_NE(plan.warnings.back().find("The hill is 120 m high"), std::string::npos);
+}
+
+TEST(LayoutOfSentencesTest, WhatIsHeardInPartIsSaid) {
+  for (const std::string text :
+       {"More forest than water in the north", "Most forest is in the north and the south",
+        "A house is 20 m from the lake", "A house is in front of the lake",
+        "The road climbs the hill", "The lakes touch each other"}) {
+    const LayoutPlan plan = Read(text + ".");
+    const bool told =
+        std::any_of(plan.warnings.begin(), plan.warnings.end(), [&](const std::string& warning) {
+          return warning.find("heard in part: \"" + text) != std::string::npos;
+        });
+    EXPECT_TRUE(told) << text;
+  }
+}
+
+TEST(LayoutOfSentencesTest, AContradictionNamesBothSentences) {
+  const LayoutPlan plan = Read("Forest in the north. No forest in the north.");
+  ASSERT_FALSE(plan.warnings.empty());
+  for (const char* said : {"Forest in the north", "No forest in the north"}) {
+    EXPECT_NE(plan.warnings.back().find(said), std::string::npos) << plan.warnings.back();
+  }
 }
 
 // Plans of the small language are laid out so that their claims hold.

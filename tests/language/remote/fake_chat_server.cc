@@ -24,6 +24,8 @@ Result<ChatReply> FakeChatServer::Complete(const ChatRequest& request,
   reply.retries = static_cast<int>(turn);
   reply.total_s = 0.25 * static_cast<double>(turn + 1);
   reply.finish_reason = answer.finish_reason;
+  reply.form = answer.form;
+  reply.warnings = answer.warnings;
   for (std::size_t at = 0; at < answer.text.size(); at += answer.piece_bytes) {
     reply.text += answer.text.substr(at, answer.piece_bytes);
     if (listener && !listener(reply.text)) {

@@ -20,6 +20,8 @@ class FakeChatServer final : public ChatServer {
     std::string finish_reason = "stop";
     std::size_t piece_bytes = 7;
     std::function<void()> before = [] {};  // called when it is asked
+    FormLanguage form = FormLanguage::kNone;
+    std::vector<std::string> warnings{};
   };
 
   bool sees() const override { return sees_; }

@@ -48,6 +48,22 @@ TEST_F(RemoteEnvironmentTest, AsksOnceForALegalAnswer) {
   EXPECT_EQ(asked.max_tokens, 4096);
 }
 
+TEST_F(RemoteEnvironmentTest, AnAnswerOutOfTheFormThatTheServerWasToldIsAWarning) {
+  FakeChatServer::Answer fenced;
+  fenced.text = "```json\n" + LegalEnvironment() + "\n```";
+  fenced.form = FormLanguage::kJsonSchema;
+  FakeChatServer::Answer bare = fenced;
+  bare.text = LegalEnvironment();
+  server_->Say(fenced).Say(bare);
+  const auto warned = Generate();
+  ASSERT_TRUE(warned.ok()) << warned.status().ToString();
+  ASSERT_EQ(warned->warnings.size(), 1u);
+  EXPECT_NE(warned->warnings[0].find("does not enforce the form"), std::string::npos);
+  const auto quiet = Generate();
+  ASSERT_TRUE(quiet.ok()) << quiet.status().ToString();
+  EXPECT_TRUE(quiet->warnings.empty()) << quiet->warnings[0];
+}
+
 TEST_F(RemoteEnvironmentTest, WhatTheSchemaLetThroughGoesBackToTheModel) {
   std::string bad = LegalEnvironment();
   bad.replace(bad.find("\"autumn\""), 8, "\"winter\"");

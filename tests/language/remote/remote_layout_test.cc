@@ -209,6 +209,83 @@ TEST_F(RemoteLayoutTest, ALongAnswerGoesBackCutBetweenTwoCharacters) {
   EXPECT_TRUE(ValidateText("said", said, said.size()).ok());
 }
 
+FakeChatServer::Answer Told(const std::string& text, FormLanguage form,
+                            const std::string& finish_reason = "stop") {
+  FakeChatServer::Answer answer;
+  answer.text = text;
+  answer.finish_reason = finish_reason;
+  answer.form = form;
+  return answer;
+}
+
+std::string RowsJson() {
+  std::string json = LegalMatrix();
+  json.pop_back();
+  for (std::size_t at = json.find('\n'); at != std::string::npos; at = json.find('\n', at)) {
+    json.replace(at, 1, "\",\"");
+  }
+  return "{\"rows\":[\"" + json + "\"]}";
+}
+
+TEST_F(RemoteLayoutTest, AnAnswerOutOfTheFormThatTheServerWasToldIsAWarning) {
+  const std::string texts[] = {"Here is the map:\n" + LegalMatrix(), LegalMatrix(),
+                               "```json\n" + RowsJson() + "\n```"};
+  for (const std::string& text : texts) {
+    server_ = std::make_shared<FakeChatServer>();
+    server_->Say(Told(text, FormLanguage::kJsonSchema));
+    const auto answer = Generate();
+    ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+    ASSERT_EQ(answer->warnings.size(), 1u) << text;
+    EXPECT_NE(answer->warnings[0].find("does not enforce the form"), std::string::npos)
+        << answer->warnings[0];
+  }
+}
+
+TEST_F(RemoteLayoutTest, AnswersInTheirFormAndServersThatWereToldNoneAreNoWarning) {
+  const std::string plain = LegalMatrix();
+  const FakeChatServer::Answer answers[] = {
+      Told(RowsJson(), FormLanguage::kJsonSchema),
+      Told("<think>hm</think>\n" + RowsJson(), FormLanguage::kJsonSchema),
+      Told(plain.substr(0, plain.size() - 1), FormLanguage::kGbnf),
+      Told(plain.substr(0, plain.size() - 1), FormLanguage::kGbnf, "length"),
+      Told("Here is the map:\n" + plain, FormLanguage::kNone)};
+  for (const FakeChatServer::Answer& said : answers) {
+    server_ = std::make_shared<FakeChatServer>();
+    server_->Say(said);
+    const auto answer = Generate();
+    ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+    EXPECT_TRUE(answer->warnings.empty()) << answer->warnings[0];
+  }
+}
+
+TEST_F(RemoteLayoutTest, WarningsOfTheServerAreSaidOnceAndAgainOfARecording) {
+  FakeChatServer::Answer bad = Told("no", FormLanguage::kJsonSchema);
+  bad.warnings = {"the chat server has cut the prompt: 2048"};
+  FakeChatServer::Answer good = Told(RowsJson(), FormLanguage::kJsonSchema);
+  good.warnings = {"the chat server has cut the prompt: 2050"};
+  server_->Say(bad).Say(good);
+  const auto answer = Generate();
+  ASSERT_TRUE(answer.ok()) << answer.status().ToString();
+  ASSERT_EQ(answer->warnings.size(), 2u);
+  EXPECT_EQ(answer->warnings[0], bad.warnings[0]);
+  EXPECT_NE(answer->warnings[1].find("\"no\""), std::string::npos) << answer->warnings[1];
+  const auto again =
+      MakeRemoteLayoutGenerator(MakeReplayServer(replies_), {})->Generate(request_, Progress());
+  ASSERT_TRUE(again.ok()) << again.status().ToString();
+  EXPECT_EQ(again->warnings, answer->warnings);
+}
+
+TEST_F(RemoteLayoutTest, AFailureSaysWhatTheServerDidToThePrompt) {
+  FakeChatServer::Answer bad = Told("no", FormLanguage::kNone);
+  bad.warnings = {"the chat server has cut the prompt: 2048"};
+  server_->Say(bad);
+  RemoteOptions options;
+  options.repair_turns = 0;
+  const Status failure = Generate(options).status();
+  EXPECT_EQ(failure.code(), StatusCode::kDataLoss);
+  EXPECT_NE(failure.ToString().find(bad.warnings[0]), std::string::npos) << failure.ToString();
+}
+
 TEST_F(RemoteLayoutTest, PassesTheServersErrorOn) {
   server_->Fail(Unavailable("connection refused"));
   const auto answer = Generate();

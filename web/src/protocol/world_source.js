@@ -1,13 +1,15 @@
 // Reads a world from the server: its description and its payloads.
 
+import { addressOf } from './addresses.js';
 import { HeightField, decodeAssets, decodeWater } from './payloads.js';
 
 const kBinary = ['height', 'water', 'weights', 'surface', 'assets'];
 
-async function fetchOk(url, options) {
-  const response = await fetch(url, options);
+/** Reads a path of the server. */
+async function fetchOk(path, options) {
+  const response = await fetch(addressOf(path), options);
   if (response.ok) return response;
-  let text = `${url}: ${response.status} ${response.statusText}`;
+  let text = `${path}: ${response.status} ${response.statusText}`;
   try {
     text = (await response.json()).message;
   } catch {

@@ -29,6 +29,10 @@ struct AnswerForm {
   std::string json_schema;  // draft 2020-12; an answer in this form is one JSON value
 };
 
+// In which of them a server was told the form. What is told so holds by force: the server lets the
+// model write nothing else.
+enum class FormLanguage : std::uint8_t { kNone, kGbnf, kRegex, kJsonSchema };
+
 struct ChatRequest {
   std::vector<ChatMessage> messages;
   AnswerForm form;
@@ -39,13 +43,19 @@ struct ChatRequest {
 
 struct ChatReply {
   std::string text;           // the answer without what the server marks as thinking
+  std::string thinking;       // what it marks so
   std::string finish_reason;  // "stop", "length", ...; "cut": the listener wanted no more
   std::string model;          // as the server names it
   int prompt_tokens = 0;      // 0: not said
   int completion_tokens = 0;
   int retries = 0;
-  double first_token_s = 0.0;  // from the last try's start
-  double total_s = 0.0;        // with all tries and waits between them
+  // Of the answer, natural, where a form and temperature 0 left the model choices; 0: not said.
+  double log_probability = 0.0;
+  double first_token_s = 0.0;               // from the last try's start
+  double total_s = 0.0;                     // with all tries and waits between them
+  FormLanguage form = FormLanguage::kNone;  // in which the server was told the form
+  std::vector<std::string> warnings;        // of how the server treats what it is asked:
+                                            // "what it does: how that shows"
 };
 
 // The answer so far, each time more of it has come; false: enough, cut it short. When a connection

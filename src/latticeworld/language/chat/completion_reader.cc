@@ -50,10 +50,16 @@ std::string ContentText(const Json& message) {
   return text;
 }
 
-bool Thinks(const Json& message) {
+// What a message marks as thinking; servers that change a member's name send both for a while.
+std::string ThinkingText(const Json& message) {
   for (const char* name : {"reasoning_content", "reasoning", "thinking"}) {
-    if (!TextMember(message, name).empty()) return true;
+    std::string text = TextMember(message, name);
+    if (!text.empty()) return text;
   }
+  return "";
+}
+
+bool HasParts(const Json& message) {
   const Json* content = Member(message, "content");
   return content != nullptr && content->is_array() && !content->empty();
 }
@@ -181,8 +187,10 @@ void CompletionReader::ReadObject(std::string_view text, bool in_stream) {
       if (message != nullptr && message->is_object()) {
         has_message = true;
         const std::string content = ContentText(*message);
-        spoken_ |= !content.empty() || Thinks(*message);
+        const std::string thinking = ThinkingText(*message);
+        spoken_ |= !content.empty() || !thinking.empty() || HasParts(*message);
         completion_.text += content;
+        completion_.thinking += thinking;
         completion_.refusal += TextMember(*message, "refusal");
       }
       const std::string finish_reason = TextMember(choice, "finish_reason");

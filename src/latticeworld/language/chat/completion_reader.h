@@ -15,6 +15,7 @@ namespace latticeworld {
 // What a server has said of one answer so far.
 struct Completion {
   std::string text;
+  std::string thinking;       // marked so by the server
   std::string refusal;        // said in the text's place
   std::string finish_reason;  // "": not said (yet)
   std::string model;
@@ -24,7 +25,8 @@ struct Completion {
 
 // Reads the body of a 200 answer to POST /chat/completions as it comes: an event stream or one JSON
 // object, told apart by how it begins and not by its Content-Type, which servers get wrong. What is
-// marked as thinking (reasoning_content, reasoning, thinking parts) is not part of the text.
+// marked as thinking (reasoning_content, reasoning, thinking, thinking parts) is not part of the
+// text; all but the parts is kept apart from it.
 class CompletionReader {
  public:
   // key: must outlive the reader; it is scrubbed from what is quoted.

@@ -11,7 +11,9 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/chat/api_key.h"
 #include "latticeworld/language/chat/call_clock.h"
+#include "latticeworld/language/chat/cut_prompt.h"
 #include "latticeworld/language/chat/failure.h"
+#include "latticeworld/language/chat/kept_form.h"
 #include "latticeworld/language/chat/model_list.h"
 #include "latticeworld/language/chat/request_body.h"
 #include "latticeworld/language/chat/retry_policy.h"
@@ -64,6 +66,17 @@ class Tries {
   int retries_ = 0;
 };
 
+// Where a form holds from the first letter on, a thinking model cannot write the end of its
+// thinking, so that some servers take the whole answer for that. What is thinking in earnest is not
+// in the form as a whole.
+void TakeAnswerFromThinking(const AnswerForm& form, const AnswerListener& listener,
+                            ChatReply* reply) {
+  if (reply->text.find_first_not_of(" \t\r\n") != std::string::npos) return;
+  if (KeepsForm(reply->thinking, /*whole=*/true, form, reply->form) != KeptForm::kYes) return;
+  reply->text = reply->thinking;
+  if (listener) listener(reply->text);
+}
+
 class CurlOpenAiClient : public OpenAiClient {
  public:
   CurlOpenAiClient(OpenAiOptions options, ServerUrl url)
@@ -104,6 +117,10 @@ class CurlOpenAiClient : public OpenAiClient {
         tries->Run([&] { return AskAsAccepted(request, model, context, listener, &reply); });
     if (status.code() == StatusCode::kNotFound) ForgetModel();
     if (!status.ok()) return status;
+    reply.form = FormLanguageOf(request.form, options_.dialect);
+    TakeAnswerFromThinking(request.form, listener, &reply);
+    const std::string cut = CutPromptWarning(request, reply.prompt_tokens);
+    if (!cut.empty()) reply.warnings.push_back(cut);
     if (reply.model.empty()) reply.model = model;
     return reply;
   }
@@ -124,7 +141,7 @@ class CurlOpenAiClient : public OpenAiClient {
     }
   }
 
-  // The model that was named, or the first that the server lists.
+  // The model that was named, or the first that the server lists and that seems to answer.
   Result<std::string> ModelName(const TryContext& context, Tries* tries) {
     if (!options_.model.empty()) return options_.model;
     {

@@ -30,7 +30,7 @@ constexpr std::array<EnumName<ChatDialect>, 5> EnumNames(ChatDialect) {
 // when no retry is left.
 struct OpenAiOptions {
   std::string url;    // base, "http://127.0.0.1:8080/v1"; http or https, no password, no query
-  std::string model;  // "": the first that the server lists
+  std::string model;  // "": the first that the server lists and that answers by its name
   ChatDialect dialect = ChatDialect::kOpenAi;
   bool sees = false;                        // the model looks at images
   std::string api_key_variable;             // variable with the key, A-Z 0-9 _; "": no key
@@ -67,6 +67,10 @@ struct ServerStatistics {
 // total timeout is not begun: the request ends at once. A request that is refused (HTTP 400, 422)
 // for a member that servers differ about (max_tokens, temperature, seed, stream_options) is said
 // once more without it, and the client remembers.
+//
+// An answer that stands where thinking should, with nothing in its own place, is taken from there
+// when the server was told its form and all of it is in that form. A prompt that the server seems
+// to have cut is a warning of the reply.
 //
 // The key is read from its variable at each request and stands in the request's header alone.
 class OpenAiClient : public ChatServer {

@@ -79,39 +79,54 @@ std::vector<Violation> Validate(const ChatRequest& request) {
 }
 
 void AddForm(const AnswerForm& form, ChatDialect dialect, Json* body) {
-  const auto schema = [&] { return Json::parse(form.json_schema); };
-  const bool has_schema = !form.json_schema.empty();
-  switch (dialect) {
-    case ChatDialect::kLlamaCpp:
-      if (!form.gbnf.empty()) {
-        (*body)["grammar"] = form.gbnf;
-      } else if (has_schema) {
-        (*body)["json_schema"] = schema();
-      }
+  const bool is_llama_cpp = dialect == ChatDialect::kLlamaCpp;
+  switch (FormLanguageOf(form, dialect)) {
+    case FormLanguage::kNone:
       break;
-    case ChatDialect::kVllm:
-      if (!form.regex.empty()) {
-        (*body)["structured_outputs"] = {{"regex", form.regex}};
-      } else if (has_schema) {
-        (*body)["structured_outputs"] = {{"json", schema()}};
-      } else if (!form.gbnf.empty()) {
+    case FormLanguage::kGbnf:
+      if (is_llama_cpp) {
+        (*body)["grammar"] = form.gbnf;
+      } else {
         (*body)["structured_outputs"] = {{"grammar", form.gbnf}};
       }
       break;
-    case ChatDialect::kOllama:
-    case ChatDialect::kOpenAi:
-      if (has_schema) {
-        Json named = {{"name", form.name.empty() ? "answer" : form.name}, {"schema", schema()}};
-        if (dialect == ChatDialect::kOpenAi) named["strict"] = true;
-        (*body)["response_format"] = {{"type", "json_schema"}, {"json_schema", std::move(named)}};
+    case FormLanguage::kRegex:
+      (*body)["structured_outputs"] = {{"regex", form.regex}};
+      break;
+    case FormLanguage::kJsonSchema: {
+      Json schema = Json::parse(form.json_schema);
+      if (is_llama_cpp) {
+        (*body)["json_schema"] = std::move(schema);
+        break;
       }
-      break;
-    case ChatDialect::kNone:
-      break;
+      Json named = {{"name", form.name.empty() ? "answer" : form.name},
+                    {"schema", std::move(schema)}};
+      if (dialect == ChatDialect::kOpenAi) named["strict"] = true;
+      (*body)["response_format"] = {{"type", "json_schema"}, {"json_schema", std::move(named)}};
+    }
   }
 }
 
 }  // namespace
+
+FormLanguage FormLanguageOf(const AnswerForm& form, ChatDialect dialect) {
+  const FormLanguage schema =
+      form.json_schema.empty() ? FormLanguage::kNone : FormLanguage::kJsonSchema;
+  switch (dialect) {
+    case ChatDialect::kLlamaCpp:
+      return form.gbnf.empty() ? schema : FormLanguage::kGbnf;
+    case ChatDialect::kVllm:
+      if (schema != FormLanguage::kNone) return schema;
+      if (!form.regex.empty()) return FormLanguage::kRegex;
+      return form.gbnf.empty() ? FormLanguage::kNone : FormLanguage::kGbnf;
+    case ChatDialect::kOllama:
+    case ChatDialect::kOpenAi:
+      return schema;
+    case ChatDialect::kNone:
+      break;
+  }
+  return FormLanguage::kNone;
+}
 
 Result<std::string> CompletionBody(const ChatRequest& request, std::string_view model,
                                    const OpenAiOptions& options, const AcceptedMembers& accepted) {

@@ -19,10 +19,15 @@ struct AcceptedMembers {
   bool stream_options = true;
 };
 
+// In which language a server of this dialect is told a form; kNone: it is not told.
+FormLanguage FormLanguageOf(const AnswerForm& form, ChatDialect dialect);
+
 // The JSON of POST /chat/completions. Messages, max_tokens, temperature, seed, stream and
 // stream_options are said to all; the form of the answer, the first that there is of
 //   llama.cpp  grammar, json_schema                      (it refuses both at once)
-//   vllm       structured_outputs: {regex}, {json}, {grammar}; guided_* is ignored since v0.12
+//   vllm       response_format json_schema, which old and new versions enforce; a form without a
+//              schema structured_outputs: {regex}, {grammar}, which versions before 0.10.2 ignore,
+//              as those from 0.12 on do guided_*
 //   ollama     response_format json_schema, which its /v1 hands on as its own `format`; a `format`
 //              in the request itself is ignored there
 //   openai     response_format json_schema, strict

@@ -228,11 +228,13 @@ Failure AskOnce(const TryContext& context, const std::string& url, const std::st
   if (failure.ok() || whole) failure = handler.Finish(result.head.content_type);
   if (!failure.ok()) return failure;
   const Completion& completion = handler.completion();
-  for (const std::string& said : {completion.text, completion.model, completion.finish_reason}) {
+  for (const std::string& said :
+       {completion.text, completion.thinking, completion.model, completion.finish_reason}) {
     if (!context.key.IsGivenAwayBy(said)) continue;
     return Failure::Final(DataLoss("the answer repeats the key that came with the request"));
   }
   reply->text = completion.text;
+  reply->thinking = completion.thinking;
   reply->finish_reason = handler.cut() ? "cut" : completion.finish_reason;
   reply->model = completion.model;
   reply->prompt_tokens = completion.prompt_tokens;

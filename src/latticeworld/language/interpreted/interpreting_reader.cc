@@ -1,6 +1,8 @@
 #include "latticeworld/language/interpreted/interpreting_reader.h"
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -10,10 +12,18 @@
 #include "latticeworld/language/interpreted/prompts.h"
 #include "latticeworld/language/interpreted/reading_text.h"
 #include "latticeworld/language/interpreted/sentences.h"
+#include "latticeworld/language/remote/conversation.h"
 #include "latticeworld/language/sentences/sentence.h"
 
 namespace latticeworld {
 namespace {
+
+// How the instruction was read comes first, then what is to be said of the server.
+void Warn(std::string_view words, std::vector<std::string> of_server,
+          std::vector<std::string>* warnings) {
+  of_server.insert(of_server.begin(), ReadAsWarning(words));
+  warnings->insert(warnings->begin(), of_server.begin(), of_server.end());
+}
 
 class InterpretingReader final : public InstructionReader {
  public:
@@ -34,6 +44,7 @@ class InterpretingReader final : public InstructionReader {
       return TextOf(ReadLayoutInstruction(words, vocabulary));
     };
     interpretation.max_tokens = options_.layout_max_tokens;
+    const std::size_t before = replies->size();
     LW_ASSIGN_OR_RETURN(const std::string words,
                         Interpret(server_.get(), interpretation, progress, replies));
     LayoutRequest plain = request;
@@ -46,8 +57,7 @@ class InterpretingReader final : public InstructionReader {
     reading.second = std::move(own.plan.claims);
     reading.coverage = CoverageOf(request.instruction, reading.sentences, SentenceKind::kLayout,
                                   request.vocabulary);
-    std::vector<std::string>& warnings = reading.plan.warnings;
-    warnings.insert(warnings.begin(), ReadAsWarning(plain.instruction));
+    Warn(plain.instruction, ServerWarnings(*replies, before), &reading.plan.warnings);
     return reading;
   }
 
@@ -66,6 +76,7 @@ class InterpretingReader final : public InstructionReader {
       return TextOf(ReadEnvironmentInstruction(words, request.layout, *request.catalogue));
     };
     interpretation.max_tokens = options_.environment_max_tokens;
+    const std::size_t before = replies->size();
     LW_ASSIGN_OR_RETURN(const std::string words,
                         Interpret(server_.get(), interpretation, progress, replies));
     EnvironmentRequest plain = request;
@@ -79,8 +90,7 @@ class InterpretingReader final : public InstructionReader {
     reading.second = std::move(own.heard);
     reading.coverage = CoverageOf(request.instruction, reading.sentences,
                                   SentenceKind::kEnvironment, request.layout->vocabulary);
-    std::vector<std::string>& warnings = reading.heard.warnings;
-    warnings.insert(warnings.begin(), ReadAsWarning(plain.instruction));
+    Warn(plain.instruction, ServerWarnings(*replies, before), &reading.heard.warnings);
     return reading;
   }
 

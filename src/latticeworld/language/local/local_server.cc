@@ -152,6 +152,8 @@ class LocalServer : public ChatServer {
                         (mask ? " that the form allows" : "") + After(reply.text) +
                         ": its weights are damaged or overflow");
       const TokenId token = *chosen;
+      if (mask && allowed.size() > 1 && request.temperature <= 0.0)
+        reply.log_probability += LogProbability(Logits(), allowed, token);
       if (token == end()) {
         reply.finish_reason = "stop";
         break;

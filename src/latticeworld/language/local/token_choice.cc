@@ -25,4 +25,14 @@ std::optional<TokenId> ChooseToken(const std::vector<float>& logits,
   return allowed[random->Weighted(weights)];
 }
 
+double LogProbability(const std::vector<float>& logits, const std::vector<TokenId>& allowed,
+                      TokenId chosen) {
+  double sum = 0.0;
+  for (const TokenId token : allowed) {
+    const double above = double{logits[token]} - logits[chosen];
+    if (!std::isnan(above)) sum += std::exp(above);
+  }
+  return -std::log(sum);
+}
+
 }  // namespace latticeworld

@@ -17,6 +17,10 @@ std::optional<TokenId> ChooseToken(const std::vector<float>& logits,
                                    const std::vector<TokenId>& allowed, double temperature,
                                    RandomStream* random);
 
+// The natural logarithm of the softmax of logits over the allowed tokens, at `chosen`, one of them.
+double LogProbability(const std::vector<float>& logits, const std::vector<TokenId>& allowed,
+                      TokenId chosen);
+
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_LANGUAGE_LOCAL_TOKEN_CHOICE_H_

@@ -354,13 +354,13 @@ class EnvironmentTeller {
     wish.counted = quantity.counted;
     if (const Phrase* states = Slot("states"); states != nullptr) {
       const std::vector<const Phrase*> all = states->FindAll("state");
-      if (all.size() == 1) wish.state = FromName<AgentState>(all.front()->text);
+      wish.state = FromName<AgentState>(all.front()->text);  // any of them will do
     }
     AddPlace(&wish);
     heard_.agents.push_back(std::move(wish));
   }
 
-  void AddPlace(AgentWish* wish) const {
+  void AddPlace(AgentWish* wish) {
     if (const Phrase* place = Slot("place"); place != nullptr) {
       for (const Zone& zone : ZonesOf(*place)) {
         wish->places.push_back(PlaceOfBoxes(zone.name, zone.boxes));
@@ -374,7 +374,11 @@ class EnvironmentTeller {
       feature.on = HeadingOfName(heading->text);
     } else {
       const std::string& near = Slot("near")->text;
-      if (near == "away from") return;  // nothing can be claimed of where it is not
+      if (near == "away from") {
+        heard_.warnings.push_back("heard in part: " + Quote(words_) +
+                                  ": nobody is kept away from land");
+        return;
+      }
       feature.near = feature.near || near == "by" || (near == "at" && feature.name != "bridge");
       if (const Phrase* part = Slot("part"); part != nullptr)
         feature.on = HeadingOfPart(part->text);

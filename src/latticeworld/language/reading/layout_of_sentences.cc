@@ -99,6 +99,7 @@ class SentencePlanner {
     if (label != nullptr && !phrase.qualities.count.has_value()) phrase.indefinite = true;
     const int created = d_.Create(phrase, begin_, end_);
     if (created < 0) return {};
+    said_.emplace(created, d_.Words(begin_, end_));
     if (label != nullptr) labelled_.emplace(name, created);
     return {created};
   }
@@ -129,6 +130,7 @@ class SentencePlanner {
         } else {
           d_.feature(index).located_in = Zones().front();
           d_.feature(index).located_least = kMostOfIt;
+          if (Zones().size() > 1) HeardInPart("only the first of its places counts");
         }
       }
       return true;
@@ -146,6 +148,7 @@ class SentencePlanner {
       const std::vector<int> first = ThingsOfNoun(*nouns.front());
       const std::vector<int> second = ThingsOfNoun(*nouns.back());
       if (!first.empty() && !second.empty()) Relate(RelationKind::kMoreThan, first[0], second[0]);
+      if (!Zones().empty()) HeardInPart("it is meant of the whole map");
       return true;
     }
     return SayHowMuch();
@@ -205,8 +208,24 @@ class SentencePlanner {
     if (letter == '\0') return true;  // there is none in any case
     std::vector<Zone> zones = Zones();
     if (zones.empty()) zones.emplace_back();
-    for (Zone& zone : zones) d_.Deny({letter, std::move(zone), d_.Words(begin_, end_)});
+    for (Zone& zone : zones) {
+      WarnOfContradiction(letter, zone);
+      d_.Deny({letter, std::move(zone), d_.Words(begin_, end_)});
+    }
     return true;
+  }
+
+  // What was said to be in a place that is now said to hold none of it.
+  void WarnOfContradiction(char letter, const Zone& zone) {
+    if (zone.is_anywhere()) return;  // the discourse settles those
+    for (const auto& [index, words] : said_) {
+      const PlannedFeature& feature = d_.feature(index);
+      const bool there =
+          std::find(feature.zones.begin(), feature.zones.end(), zone) != feature.zones.end();
+      if (feature.letter != letter || !there) continue;
+      d_.plan().warnings.push_back(Quote(words) + " and " + Quote(d_.Words(begin_, end_)) +
+                                   " cannot both be");
+    }
   }
 
   void Relate(RelationKind kind, int subject, int object, double steps = 0.0) {
@@ -238,9 +257,19 @@ class SentencePlanner {
     return AssertAll(std::move(frame));
   }
 
+  bool AssertInPart(Sense sense, const char* how) {
+    HeardInPart(how);
+    return AssertAll(sense);
+  }
+  // A warning that the plan has less than the sentence says.
+  void HeardInPart(const char* how) {
+    d_.plan().warnings.push_back("heard in part: " + Quote(d_.Words(begin_, end_)) + ": " + how);
+  }
+
   bool SayRelation() {
     if (Is("touch")) return AssertAll(Sense::kNextTo);
-    if (Is("near") || Is("near_metres")) return AssertAll(Sense::kNear);
+    if (Is("near")) return AssertAll(Sense::kNear);
+    if (Is("near_metres")) return AssertInPart(Sense::kNear, "it is laid near, not to the metre");
     if (Is("near_cells")) return AssertAll(Sense::kNextTo, NumberOf(*Slot("n")));
     if (Is("away")) return AssertAll(Sense::kAway);
     if (Is("far")) return AssertAll(Sense::kAway, kFarSteps);
@@ -248,7 +277,7 @@ class SentencePlanner {
     if (Is("surround")) return AssertAll(Sense::kSurrounds);
     if (Is("inside")) return AssertAll(Sense::kWithin);
     if (Is("both_sides")) return AssertAll(Sense::kBothSides);
-    if (Is("front")) return AssertAll(Sense::kNear);
+    if (Is("front")) return AssertInPart(Sense::kNear, "it is laid near, on whichever side");
     if (Is("heading")) {
       Frame frame;
       frame.is_direction = true;
@@ -265,6 +294,7 @@ class SentencePlanner {
       for (std::size_t i = 1; i < all.size(); ++i) {
         Relate(RelationKind::kAdjacent, all[i - 1], all[i]);
       }
+      if (all.size() < 2) HeardInPart("like pieces that touch are one piece");
       return true;
     }
     if (Is("between") || Is("between_all") || Is("connect") || Is("connect_all")) return JoinTwo();
@@ -346,7 +376,7 @@ class SentencePlanner {
       return true;
     }
     if (Is("over")) return Bridge();
-    if (Is("climb")) return AssertAll(Sense::kNear);
+    if (Is("climb")) return AssertInPart(Sense::kNear, "it is laid near, not up the slope");
     return false;
   }
 
@@ -449,6 +479,7 @@ class SentencePlanner {
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
   std::map<std::string, int> labelled_;  // "lake A"
+  std::map<int, std::string> said_;      // the sentence that each feature comes from
 };
 
 }  // namespace

@@ -66,8 +66,9 @@ class ModelReader final : public InstructionReader {
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& progress,
                                    std::vector<ModelReply>* replies) override {
     LayoutReading reading;
-    LW_ASSIGN_OR_RETURN(reading.sentences, Read(request.instruction, SentenceKind::kLayout,
-                                                request.seed, progress, replies));
+    LW_ASSIGN_OR_RETURN(reading.sentences,
+                        Read(request.instruction, SentenceKind::kLayout, request.seed, progress,
+                             replies, &reading.log_probability));
     reading.plan = LayoutOfSentences(reading.sentences, request.vocabulary);
     WarnOfOtherLanguage(request.instruction, &reading.plan.warnings);
     reading.coverage = CoverageOf(request.instruction, reading.sentences, SentenceKind::kLayout,
@@ -83,8 +84,9 @@ class ModelReader final : public InstructionReader {
                                              const Progress& progress,
                                              std::vector<ModelReply>* replies) override {
     EnvironmentReading reading;
-    LW_ASSIGN_OR_RETURN(reading.sentences, Read(request.instruction, SentenceKind::kEnvironment,
-                                                request.seed, progress, replies));
+    LW_ASSIGN_OR_RETURN(reading.sentences,
+                        Read(request.instruction, SentenceKind::kEnvironment, request.seed,
+                             progress, replies, &reading.log_probability));
     reading.heard = EnvironmentOfSentences(reading.sentences, *request.catalogue);
     WarnOfOtherLanguage(request.instruction, &reading.heard.warnings);
     const Vocabulary vocabulary = request.layout->vocabulary;
@@ -103,7 +105,7 @@ class ModelReader final : public InstructionReader {
  private:
   Result<std::vector<std::string>> Read(const std::string& text, SentenceKind kind,
                                         std::uint64_t seed, const Progress& progress,
-                                        std::vector<ModelReply>* replies) {
+                                        std::vector<ModelReply>* replies, double* log_probability) {
     if (IsBlank(text)) return std::vector<std::string>();
     std::vector<std::string> sentences = SplitSentences(text);
     if (IsControlled(sentences, kind)) return sentences;
@@ -128,6 +130,8 @@ class ModelReader final : public InstructionReader {
     said.completion_tokens = reply.completion_tokens;
     said.retries = reply.retries;
     said.seconds = reply.total_s;
+    said.log_probability = reply.log_probability;
+    *log_probability = reply.log_probability;
     replies->push_back(std::move(said));
     return WithoutRepeats(SplitSentences(reply.text == "-" ? std::string() : reply.text),
                           reply.finish_reason == "stop");

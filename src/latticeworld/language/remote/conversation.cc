@@ -1,10 +1,12 @@
 #include "latticeworld/language/remote/conversation.h"
 
 #include <cstddef>
+#include <set>
 #include <utility>
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/language/chat/kept_form.h"
 #include "latticeworld/language/remote/thinking_filter.h"
 
 namespace latticeworld {
@@ -55,16 +57,40 @@ ModelReply Record(std::string_view purpose, const ChatReply& reply) {
   record.completion_tokens = reply.completion_tokens;
   record.retries = reply.retries;
   record.seconds = reply.total_s;
+  record.warnings = reply.warnings;
   return record;
 }
 
+// The warning that a server enforces nothing, or "": its answer is out of the form that it was told
+// in a language of its own.
+std::string FormWarning(const ChatReply& reply, const AnswerForm& form) {
+  const std::string answer = WithoutThinking(reply.text);
+  const bool whole = reply.finish_reason != "length" && reply.finish_reason != "cut";
+  if (KeepsForm(answer, whole, form, reply.form) != KeptForm::kNo) return "";
+  return "the chat server does not enforce the form of answers: one that it was told the form of "
+         "begins " +
+         Quote(answer, 60) + "; name its own dialect, or update it (docs/language.md)";
+}
+
 }  // namespace
+
+std::vector<std::string> ServerWarnings(const std::vector<ModelReply>& replies, std::size_t from) {
+  std::vector<std::string> warnings;
+  std::set<std::string> kinds;
+  for (std::size_t i = from; i < replies.size(); ++i) {
+    for (const std::string& warning : replies[i].warnings) {
+      if (kinds.insert(warning.substr(0, warning.find(':'))).second) warnings.push_back(warning);
+    }
+  }
+  return warnings;
+}
 
 Status Ask(ChatServer* server, Question question, const Progress& progress,
            std::vector<ModelReply>* replies) {
   ChatRequest request = std::move(question.first);
   const std::size_t opening = request.messages.size();
   const std::uint64_t seed = request.seed;
+  const std::size_t before = replies->size();
   for (int turn = 0;; ++turn) {
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
     request.seed = SeedOfTurn(seed, turn);
@@ -80,6 +106,8 @@ Status Ask(ChatServer* server, Question question, const Progress& progress,
     reply->text = MakeText(std::move(reply->text));
     reply->model = MakeText(std::move(reply->model));
     reply->finish_reason = MakeText(std::move(reply->finish_reason));
+    const std::string out_of_form = FormWarning(*reply, request.form);
+    if (!out_of_form.empty()) reply->warnings.push_back(out_of_form);
     replies->push_back(Record(question.purpose, *reply));
 
     const Status read = question.read(reply->text);
@@ -94,6 +122,9 @@ Status Ask(ChatServer* server, Question question, const Progress& progress,
                             ""});
     }
     if (turn >= question.repair_turns) {
+      for (const std::string& warning : ServerWarnings(*replies, before)) {
+        violations.push_back({"server", "", warning, ""});
+      }
       const Status last = Status::FromViolations(
           "the language model gave no legal " + std::string(question.purpose) + " in " +
               std::to_string(turn + 1) + (turn == 0 ? " answer" : " answers; the last"),

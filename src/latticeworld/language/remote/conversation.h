@@ -1,6 +1,7 @@
 #ifndef LATTICEWORLD_LANGUAGE_REMOTE_CONVERSATION_H_
 #define LATTICEWORLD_LANGUAGE_REMOTE_CONVERSATION_H_
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -28,10 +29,15 @@ struct Question {
 // Asks, and asks again with all that was wrong with the last answer, until an answer can be used or
 // the turns are used up. The model sees the question, its last answer and what was wrong with that
 // (older ones are left out, so that what is sent stays bounded). Each repair has a seed of its own,
-// drawn from the first. replies: every answer as it was read, appended in order.
-// Errors: those of the server; CANCELLED; DATA_LOSS with the violations of the last answer.
+// drawn from the first. replies: every answer as it was read, appended in order, with
+// the warnings of its server; one out of the form that the server was told adds one.
+// Errors: those of the server; CANCELLED; DATA_LOSS with the violations of the last answer and the
+// warnings of all.
 Status Ask(ChatServer* server, Question question, const Progress& progress,
            std::vector<ModelReply>* replies);
+
+// The warnings of the replies from this one on, each kind once: what stands before its colon.
+std::vector<std::string> ServerWarnings(const std::vector<ModelReply>& replies, std::size_t from);
 
 }  // namespace latticeworld
 

@@ -59,7 +59,11 @@ class RemoteEnvironmentGenerator final : public EnvironmentGenerator {
       return Status();
     };
     question.repair_text = EnvironmentRepairText;
+    const std::size_t before = replies->size();
     LW_RETURN_IF_ERROR(Ask(server_.get(), std::move(question), progress, replies));
+    for (std::string& warning : ServerWarnings(*replies, before)) {
+      answer.warnings.push_back(std::move(warning));
+    }
     return answer;
   }
 

@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <utility>
@@ -74,7 +75,11 @@ class RemoteLayoutGenerator final : public LayoutGenerator {
     question.repair_text = [vocabulary](const std::vector<Violation>& violations) {
       return LayoutRepairText(violations, vocabulary);
     };
+    const std::size_t before = replies->size();
     LW_RETURN_IF_ERROR(Ask(server_.get(), std::move(question), progress, replies));
+    for (std::string& warning : ServerWarnings(*replies, before)) {
+      answer.warnings.push_back(std::move(warning));
+    }
     return answer;
   }
 

@@ -35,6 +35,8 @@ class ReplayServer final : public ChatServer {
     reply.completion_tokens = record->completion_tokens;
     reply.retries = record->retries;
     reply.total_s = record->seconds;
+    reply.warnings = record->warnings;
+    reply.log_probability = record->log_probability;
     // For its progress; the reply stays as long as it was recorded, whatever the listener wants.
     if (listener) listener(reply.text);
     return reply;

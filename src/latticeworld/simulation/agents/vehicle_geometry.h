@@ -4,12 +4,9 @@
 #include <cmath>
 
 #include "latticeworld/species/species.h"
+#include "latticeworld/species/vehicle_outline.h"
 
 namespace latticeworld {
-
-// The middle of a differential vehicle's mass lies a quarter of the wheelbase behind its axle, so
-// that it stands on the castor: x of the axle in base_link [m].
-inline double DifferentialAxle(const VehicleDesign& design) { return 0.25 * design.wheelbase_m; }
 
 // Ackermann's geometry: all wheels roll around one point on the line of the rear axle. Angles of
 // the front wheels, left positive, for a path of that curvature [1/m] of the rear axle's middle.
