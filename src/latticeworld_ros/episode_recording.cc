@@ -36,6 +36,12 @@ void EpisodeRecording::Add(BagMessage message) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (stop_ || !progress_.reason.empty()) return;
+    if (const std::uint64_t missing = gaps_.MissingBefore(message); missing > 0) {
+      progress_.dropped += missing;
+      ROS_WARN_STREAM_THROTTLE(10.0, missing << " messages of " << message.topic
+                                             << " were lost on the way to the recorder; a slower "
+                                                "real_time_factor or fewer topics help");
+    }
     if (waiting_bytes_ + message.bytes() > options_.buffer_bytes) {
       ++progress_.dropped;
       return;

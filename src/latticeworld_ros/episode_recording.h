@@ -16,6 +16,7 @@
 #include "latticeworld/common/result.h"
 #include "latticeworld_ros/bag_file.h"
 #include "latticeworld_ros/messages.h"
+#include "latticeworld_ros/sequence_gaps.h"
 
 namespace latticeworld {
 
@@ -62,7 +63,8 @@ class EpisodeRecording {
   EpisodeRecording(const EpisodeRecording&) = delete;
   EpisodeRecording& operator=(const EpisodeRecording&) = delete;
 
-  // Thread safe; drops the message where too many wait for the disk.
+  // Thread safe; drops the message where too many wait for the disk. What is dropped counts, and
+  // what was lost on the way here does too.
   void Add(BagMessage message);
   // Makes the first file. Errors: as BagFile::Create.
   Status Begin(latticeworld_msgs::EpisodeStart start, latticeworld_msgs::WorldFiles world);
@@ -102,6 +104,7 @@ class EpisodeRecording {
   std::uint64_t waiting_bytes_ = 0;  // guarded by mutex_
   bool stop_ = false;                // guarded by mutex_
   EpisodeProgress progress_;         // guarded by mutex_
+  SequenceGaps gaps_;                // guarded by mutex_
 
   // Of the writing thread, and of Begin and End while it does not run.
   latticeworld_msgs::EpisodeStart start_;

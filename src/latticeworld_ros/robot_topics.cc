@@ -7,11 +7,19 @@
 #include <std_msgs/Empty.h>
 
 #include <boost/function.hpp>
+#include <cstdint>
 #include <utility>
 
 #include "latticeworld_ros/agent_conversion.h"
 
 namespace latticeworld {
+namespace {
+
+// As deep as that of tf: two seconds in real time, so that bursts of a simulation that runs faster
+// reach who keeps up, and who does not keep up is not told of a past long gone.
+constexpr std::uint32_t kStateQueue = 100;
+
+}  // namespace
 
 RobotTopics::RobotTopics(ros::NodeHandle node, CommandSinks sinks,
                          std::function<void(const std::vector<RobotWish>&)> others)
@@ -80,15 +88,15 @@ void RobotTopics::Apply(const std::vector<RobotWish>& wishes) {
       robot = kept->second;
     } else {
       robot.ground_truth =
-          HeardPublisher(node_.advertise<nav_msgs::Odometry>(name + "/ground_truth", 10));
-      robot.joint_states =
-          HeardPublisher(node_.advertise<sensor_msgs::JointState>(name + "/joint_states", 10));
+          HeardPublisher(node_.advertise<nav_msgs::Odometry>(name + "/ground_truth", kStateQueue));
+      robot.joint_states = HeardPublisher(
+          node_.advertise<sensor_msgs::JointState>(name + "/joint_states", kStateQueue));
     }
     // The name may have gone to an agent of the other kind.
     if (!wish.controllable) {
       robot.odom = HeardPublisher();
     } else if (!robot.odom) {
-      robot.odom = HeardPublisher(node_.advertise<nav_msgs::Odometry>(name + "/odom", 10));
+      robot.odom = HeardPublisher(node_.advertise<nav_msgs::Odometry>(name + "/odom", kStateQueue));
     }
   }
   subscribers_ = std::move(subscribers);

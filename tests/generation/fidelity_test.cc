@@ -154,6 +154,16 @@ TEST(RepliesJsonTest, WarningsOfTheServerAreReadBackAndNotWrittenWhereThereAreNo
   EXPECT_EQ((*decoded)[0].warnings, replies[0].warnings);
 }
 
+// A world is made again by it: how sure the model was decides whose reading counts.
+TEST(RepliesJsonTest, HowSureTheModelWasIsReadBackToTheBit) {
+  std::vector<ModelReply> replies = {{"layout_words", "m", "A lake.", "stop"}};
+  EXPECT_EQ(EncodeReplies(replies).find("log_probability"), std::string::npos);
+  replies[0].log_probability = -1.0 / 3.0;
+  const auto decoded = DecodeReplies(EncodeReplies(replies));
+  ASSERT_TRUE(decoded.ok()) << decoded.status().ToString();
+  EXPECT_EQ((*decoded)[0].log_probability, -1.0 / 3.0);
+}
+
 // As bundles had them before failures were recorded.
 TEST(RepliesJsonTest, ARecordingWithoutFailuresIsRead) {
   const auto decoded = DecodeReplies(

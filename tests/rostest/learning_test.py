@@ -170,6 +170,35 @@ class LearningTest(ServerTest):
         env.close()
         self.assertTrue(self.world.get_world().paused)
 
+    def test_two_environments_on_one_server_do_not_mix_their_episodes(self):
+        first, second = self.make(LatticeWorldEnv), self.make(LatticeWorldEnv)
+        first.reset(seed=1)
+        first.step((0.5, 0.0))
+        second.reset(seed=2)
+        with self.assertRaisesRegex(ServerError, "episode .* is over.*server of its own"):
+            first.step((0.5, 0.0))
+        second.step((0.5, 0.0))
+        first.reset(seed=1)  # its own again
+        first.step((0.5, 0.0))
+
+    def test_another_world_between_episodes_is_looked_at_anew(self):
+        env = self.make(LatticeWorldEnv)
+        env.reset(seed=1)
+        before = env.task._space
+        self.addCleanup(self.world.generate, **WORLD)
+        self.world.generate(layout="A lake fills the eastern half. Flat grassland in the west.",
+                            environment="A wheeled robot waits in the upper left.", size=128.0, seed=5)
+        env.reset(seed=1)
+        self.assertIsNot(before, env.task._space)
+        self.assertEqual(128.0, env._server.size_m)
+
+    def test_what_is_closed_says_so(self):
+        env = self.make(LatticeWorldEnv)
+        env.reset(seed=1)
+        env.close()
+        with self.assertRaisesRegex(ServerError, "closed"):
+            env.step((0.0, 0.0))
+
     def test_what_is_wrong_is_said(self):
         with self.assertRaisesRegex(ServerError, '(?s)nobody.*|no agent "nobody"'):
             self.make(LatticeWorldEnv, "nobody").reset(seed=1)

@@ -156,6 +156,19 @@ class LockstepTest(ServerTest):
             entry = journal.wait_for(lambda m: True)
         self.assertIn("0.25", entry.call)
 
+    def test_a_call_of_an_episode_that_is_over_is_refused(self):
+        mine = self.assert_ok(self.world.reset_world()).episode
+        self.assertGreater(mine, 0)
+        self.lockstep(observe=["robot"], episode=mine)
+        others = self.assert_ok(self.world.reset_world()).episode
+        self.assertGreater(others, mine)
+        before = self.world.get_world()
+        self.assert_refused(self.world.lockstep(observe=["robot"], episode=mine),
+                            Status.FAILED_PRECONDITION, f"episode {mine} is over", str(others))
+        self.assertEqual(before.step, self.world.get_world().step)
+        self.lockstep(observe=["robot"], episode=others)
+        self.lockstep(observe=["robot"])  # of whatever runs
+
     def test_it_is_refused_while_time_runs(self):
         self.assertTrue(self.world.unpause().success)
         self.assert_refused(self.world.lockstep(observe=["robot"]), Status.FAILED_PRECONDITION,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -50,6 +51,21 @@ TEST(TokenChoiceTest, NeverChoosesWhatHasNoNumber) {
 TEST(TokenChoiceTest, ChoosesTheFirstThatIsInfinite) {
   for (const double temperature : {0.0, 1.0})
     EXPECT_EQ(Draws({0.0f, 3.0f, kNan, kInfinity, kInfinity, 0.0f}, temperature)[3], kDraws);
+}
+
+TEST(LogProbabilityTest, IsThatOfTheSoftmaxOverWhatIsAllowed) {
+  const std::vector<float> logits = {1.0f, 3.0f, 2.0f, 900.0f};
+  const double both = std::exp(1.0) + std::exp(2.0);
+  EXPECT_NEAR(LogProbability(logits, {0, 2}, 0), 1.0 - std::log(both), 1e-9);
+  EXPECT_NEAR(LogProbability(logits, {0, 2}, 2), 2.0 - std::log(both), 1e-9);
+  EXPECT_EQ(LogProbability(logits, {3}, 3), 0.0);
+  EXPECT_NEAR(LogProbability(logits, {0, 3}, 3), 0.0, 1e-9);
+}
+
+TEST(LogProbabilityTest, TokensWithoutANumberHaveNoShareInIt) {
+  const float nothing = std::numeric_limits<float>::quiet_NaN();
+  const float never = -std::numeric_limits<float>::infinity();
+  EXPECT_EQ(LogProbability({1.0f, nothing, never}, {0, 1, 2}, 0), 0.0);
 }
 
 }  // namespace

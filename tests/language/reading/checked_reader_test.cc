@@ -40,12 +40,16 @@ TEST_F(CheckedReaderTest, TheModelsReadingCountsAndTheRulesStandsBesideIt) {
   EXPECT_FALSE(reading.second.empty());
 }
 
-TEST_F(CheckedReaderTest, WhereTheModelLosesSomethingThatTheRulesReadTheirsCounts) {
-  server_->Say("A lake in the north.");
+TEST_F(CheckedReaderTest, WhereTheModelIsNotSureTheRulesReadingCounts) {
+  FakeChatServer::Answer unsure;
+  unsure.text = "A lake in the north.";
+  unsure.log_probability = -9.0;
+  server_->Say(unsure);
   const LayoutReading reading =
       ReadLayout("There is a lake in the north. A forest is south of it.");
   EXPECT_TRUE(reading.sentences.empty());
   EXPECT_EQ(reading.plan.features.size(), 2u);
+  EXPECT_FALSE(reading.second.empty());
 }
 
 TEST_F(CheckedReaderTest, AnEnvironmentIsCompleted) {

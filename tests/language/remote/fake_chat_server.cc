@@ -26,6 +26,7 @@ Result<ChatReply> FakeChatServer::Complete(const ChatRequest& request,
   reply.finish_reason = answer.finish_reason;
   reply.form = answer.form;
   reply.warnings = answer.warnings;
+  reply.log_probability = answer.log_probability;
   for (std::size_t at = 0; at < answer.text.size(); at += answer.piece_bytes) {
     reply.text += answer.text.substr(at, answer.piece_bytes);
     if (listener && !listener(reply.text)) {

@@ -22,6 +22,7 @@ class FakeChatServer final : public ChatServer {
     std::function<void()> before = [] {};  // called when it is asked
     FormLanguage form = FormLanguage::kNone;
     std::vector<std::string> warnings{};
+    double log_probability = 0.0;
   };
 
   bool sees() const override { return sees_; }

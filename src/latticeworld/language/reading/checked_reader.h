@@ -7,11 +7,11 @@
 
 namespace latticeworld {
 
-// Two readers read every text, and each reading is checked by the other: the first one's counts,
-// but where it has lost known words of the text and the second's has lost fewer, the second one's
-// does. Of an environment the first one's reading is completed by what only the second has read.
-// The other reading stands beside it (second). A text that is already the small language needs no
-// second reader. name(): "checked". Errors: those of the readers.
+// Two readers read every text, and each reading is checked by the other: the first one's, a
+// model's, counts where it is sure of its sentences, else the second one's does. Of an environment
+// the reading that counts is completed by what only the other one has read. The other reading
+// stands beside it (second). A text that is already the small language needs no second reader.
+// name(): "checked". Errors: those of the readers.
 std::shared_ptr<InstructionReader> MakeCheckedReader(std::shared_ptr<InstructionReader> first,
                                                      std::shared_ptr<InstructionReader> second);
 

@@ -22,7 +22,9 @@ struct LayoutReading {
   std::vector<std::string> sentences;  // of the small language; empty where rules read the text
   LayoutPlan plan;                     // with its claims, its warnings and what was not understood
   TextCoverage coverage;
-  double log_probability = 0.0;  // of the sentences, where a model said them and tells it; 0: none
+  // Of a token of the sentences, in the mean, natural, where a model said them and tells it; 0:
+  // none.
+  double log_probability = 0.0;
   std::vector<Claim> second;  // claims of a second reading of the same text; empty: there is none
 };
 

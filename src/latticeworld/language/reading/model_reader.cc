@@ -131,7 +131,7 @@ class ModelReader final : public InstructionReader {
     said.retries = reply.retries;
     said.seconds = reply.total_s;
     said.log_probability = reply.log_probability;
-    *log_probability = reply.log_probability;
+    *log_probability = reply.log_probability / std::max(1, reply.completion_tokens);
     replies->push_back(std::move(said));
     return WithoutRepeats(SplitSentences(reply.text == "-" ? std::string() : reply.text),
                           reply.finish_reason == "stop");
