@@ -152,7 +152,10 @@ void MeasureRandom(const char* name, std::uint32_t type, std::size_t layers, std
 
 int main(int argc, char** argv) {
   const std::string llama = argc > 1 ? argv[1] : "";
-  for (int i = 2; i < argc; ++i) latticeworld::Measure(argv[i], argv[i], llama, /*draws=*/false);
+  for (int i = 2; i < argc; ++i) {
+    const std::string file = std::filesystem::absolute(argv[i]);  // llama.cpp starts elsewhere
+    latticeworld::Measure(argv[i], file, llama, /*draws=*/false);
+  }
   if (argc > 2) return EXIT_SUCCESS;
   using latticeworld::MeasureRandom;
   latticeworld::Measure("shipped", SHIPPED_MODELS "/layouts.gguf", llama);
