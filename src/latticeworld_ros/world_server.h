@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "latticeworld/catalogue/catalogue.h"
-#include "latticeworld/generation/language_stacks.h"
+#include "latticeworld/generation/load_language.h"
 #include "latticeworld/generation/sketch_translator.h"
 #include "latticeworld_ros/bundle_service.h"
 #include "latticeworld_ros/current_world.h"

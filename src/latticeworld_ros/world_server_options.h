@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "latticeworld/common/status.h"
-#include "latticeworld/generation/language_stacks.h"
+#include "latticeworld/generation/load_language.h"
 #include "latticeworld/mapping/traversability.h"
 #include "latticeworld/sensing/sensor_suite.h"
 #include "latticeworld/simulation/simulator.h"

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "latticeworld/catalogue/catalogue.h"
-#include "latticeworld/generation/language_stacks.h"
+#include "latticeworld/generation/load_language.h"
 #include "latticeworld/generation/sketch_translator.h"
 #include "latticeworld_ros/node_start.h"
 #include "latticeworld_ros/parameters.h"

@@ -15,7 +15,7 @@
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/fidelity.h"
 #include "latticeworld/generation/fidelity_benchmark.h"
-#include "latticeworld/generation/language_stacks.h"
+#include "latticeworld/generation/load_language.h"
 #include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/layout/claims_json.h"
 #include "tools/arguments.h"

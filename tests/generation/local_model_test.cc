@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "language/local/tiny_model.h"
-#include "latticeworld/generation/language_stacks.h"
+#include "latticeworld/generation/load_language.h"
 #include "latticeworld/generation/rebuild.h"
 #include "latticeworld/generation/world_generator.h"
 

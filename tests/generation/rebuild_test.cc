@@ -5,7 +5,7 @@
 #include "generation/test_world.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/bundle_files.h"
-#include "latticeworld/generation/language_stacks.h"
+#include "latticeworld/generation/load_language.h"
 #include "latticeworld/generation/world_generator.h"
 
 namespace latticeworld {

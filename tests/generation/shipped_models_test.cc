@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "latticeworld/environment/environment_claims.h"
-#include "latticeworld/generation/language_stacks.h"
+#include "latticeworld/generation/load_language.h"
 #include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/layout/claims.h"
 

@@ -10,7 +10,7 @@
 #include "latticeworld/common/files.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/catalogue_json.h"
-#include "latticeworld/generation/language_stacks.h"
+#include "latticeworld/generation/load_language.h"
 #include "latticeworld/generation/rebuild.h"
 #include "latticeworld/generation/world_generator.h"
 

@@ -36,10 +36,9 @@ struct FidelityReport {
   // What the instructions were read as, sentences of the small language; empty where rules read.
   std::vector<std::string> layout_sentences;
   std::vector<std::string> environment_sentences;
-  int words = 0;       // of both instructions, that say something
-  int words_read = 0;  // of them
-  std::vector<ClaimOutcome>
-      second;  // claims of a second reading of the same words, if there is one
+  int words = 0;                     // of both instructions, that say something
+  int words_read = 0;                // of them
+  std::vector<ClaimOutcome> second;  // claims of a second reading of the same words; empty: none
 
   int satisfied() const;
 };

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "latticeworld/generation/bundle_files.h"
-#include "latticeworld/generation/language_stacks.h"
+#include "latticeworld/generation/load_language.h"
 #include "latticeworld/generation/world_generator.h"
 
 namespace latticeworld {

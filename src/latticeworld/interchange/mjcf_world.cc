@@ -14,6 +14,7 @@
 #include "latticeworld/interchange/bytes.h"
 #include "latticeworld/interchange/chosen_assets.h"
 #include "latticeworld/interchange/ground_mesh.h"
+#include "latticeworld/interchange/media.h"
 #include "latticeworld/interchange/mjcf_text.h"
 #include "latticeworld/interchange/mjcf_things.h"
 #include "latticeworld/interchange/obj_mesh.h"
@@ -35,26 +36,6 @@ constexpr float kThinnest_m = 1e-3f;
 // Torsional and rolling, usual of MuJoCo.
 constexpr double kTorsion_m = 0.005, kRolling_m = 0.0001;
 
-// Letters, digits and '_', for files and names.
-std::string Plain(const std::string& name) {
-  std::string plain;
-  for (const char c : name) {
-    const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    plain += fits ? c : '_';
-  }
-  return plain;
-}
-
-Result<std::string> Png(const cv::Mat& picture) {
-  try {
-    std::vector<unsigned char> png;
-    if (!cv::imencode(".png", picture, png)) return Internal("cannot encode a PNG");
-    return std::string(png.begin(), png.end());
-  } catch (const cv::Exception& error) {
-    return Internal(std::string("cannot encode a PNG: ") + error.what());
-  }
-}
-
 // A JPEG of the ground, north up, as the turned height field wears it.
 Result<std::string> TurnedPng(const std::string& jpeg) {
   cv::Mat turned;
@@ -65,7 +46,7 @@ Result<std::string> TurnedPng(const std::string& jpeg) {
   } catch (const cv::Exception& error) {
     return Internal(std::string("cannot turn the ground's colours: ") + error.what());
   }
-  return Png(turned);
+  return internal::EncodePng(turned);
 }
 
 // The columns of ToPaletteObj; readers blend columns that are too narrow.
@@ -81,7 +62,7 @@ Result<std::string> PalettePng(const ModelColors& colors) {
     picture.colRange(part * kColumn_px, (part + 1) * kColumn_px)
         .setTo(cv::Scalar(byte(color.z()), byte(color.y()), byte(color.x())));
   }
-  return Png(picture);
+  return internal::EncodePng(picture);
 }
 
 // The nearest step of a tenth.
@@ -180,7 +161,7 @@ class MjcfBuilder {
     const SurfaceTable surfaces(scene_, scene_.atmosphere.ground());
     for (const auto& entry : EnumNames(SurfaceClass{})) {
       if (cells_of_class_[static_cast<std::size_t>(entry.value)] == 0) continue;
-      model->Leaf("numeric", {{"name", "friction_" + Plain(std::string(entry.name))},
+      model->Leaf("numeric", {{"name", "friction_" + internal::PlainName(std::string(entry.name))},
                               {"data", MjcfNumbers({surfaces.Of(entry.value).friction})}});
     }
     model->Close("custom");
@@ -310,7 +291,7 @@ class MjcfBuilder {
 
   // Things of one mesh and look: each a geom to be seen and, where it is solid, one that collides.
   Status AddGroup(const LookGroup& group, int number) {
-    const std::string look = Plain(group.name) + "_" + std::to_string(number);
+    const std::string look = internal::PlainName(group.name) + "_" + std::to_string(number);
     LW_ASSIGN_OR_RETURN(std::string palette, PalettePng(MeanColors(scene_, group.members)));
     files_.push_back({"looks/" + look + ".png", std::move(palette)});
     asset_.Leaf("texture", {{"name", look}, {"type", "2d"}, {"file", "looks/" + look + ".png"}});
@@ -335,7 +316,8 @@ class MjcfBuilder {
   const std::string& MeshFile(const std::string& model_name, const Asset& asset) {
     std::string& file = mesh_files_[model_name];
     if (!file.empty()) return file;
-    file = "meshes/" + Plain(model_name) + "_" + std::to_string(mesh_files_.size() - 1) + ".obj";
+    file = "meshes/" + internal::PlainName(model_name) + "_" +
+           std::to_string(mesh_files_.size() - 1) + ".obj";
     const AssetModel& model = scene_.catalogue->models()[asset.model];
     const auto& variants = scene_.catalogue->season_variants(TypeOf(asset.kind));
     files_.push_back({file, ToPaletteObj(BuildMesh(model, variants[asset.season_variant].foliage,
@@ -351,7 +333,7 @@ class MjcfBuilder {
     for (float& value : size_m) value = exact ? std::max(kThinnest_m, value) : Stepped(value);
     std::string& name = sized_meshes_[{model_name, size_m}];
     if (!name.empty()) return name;
-    name = Plain(model_name) + "_mesh_" + std::to_string(sized_meshes_.size() - 1);
+    name = internal::PlainName(model_name) + "_mesh_" + std::to_string(sized_meshes_.size() - 1);
     // Leaves are open surfaces, which have no volume.
     asset_.Leaf("mesh", {{"name", name},
                          {"file", MeshFile(model_name, asset)},

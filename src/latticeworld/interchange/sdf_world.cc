@@ -11,6 +11,7 @@
 #include "latticeworld/common/range.h"
 #include "latticeworld/interchange/chosen_assets.h"
 #include "latticeworld/interchange/ground_mesh.h"
+#include "latticeworld/interchange/media.h"
 #include "latticeworld/interchange/obj_mesh.h"
 #include "latticeworld/interchange/sdf_text.h"
 #include "latticeworld/interchange/sdf_things.h"
@@ -46,26 +47,6 @@ int HeightmapSizeFor(const ExportRegion& region, double resolution_m) {
   while (vertices < kUsualMostVertices && region.width_m() / (vertices - 1) > resolution_m * 1.001)
     vertices = 2 * (vertices - 1) + 1;
   return vertices;
-}
-
-// Letters, digits and '_', for files and models.
-std::string Plain(const std::string& name) {
-  std::string plain;
-  for (const char c : name) {
-    const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    plain += fits ? c : '_';
-  }
-  return plain;
-}
-
-Result<std::string> Png(const cv::Mat& picture) {
-  try {
-    std::vector<unsigned char> png;
-    if (!cv::imencode(".png", picture, png)) return Internal("cannot encode a PNG");
-    return std::string(png.begin(), png.end());
-  } catch (const cv::Exception& error) {
-    return Internal(std::string("cannot encode a PNG: ") + error.what());
-  }
 }
 
 class SdfBuilder {
@@ -198,11 +179,12 @@ class SdfBuilder {
           picture.at<std::uint8_t>(row, col) = static_cast<std::uint8_t>(step);
       }
     }
-    LW_ASSIGN_OR_RETURN(std::string png, Png(picture));
+    LW_ASSIGN_OR_RETURN(std::string png, internal::EncodePng(picture));
     AddFile("heightmap.png", std::move(png));
     LW_ASSIGN_OR_RETURN(std::string jpeg, GroundTexture(scene_, region_, options_.texture_px));
     AddFile("ground.jpg", std::move(jpeg));
-    LW_ASSIGN_OR_RETURN(std::string flat, Png(cv::Mat(8, 8, CV_8UC3, cv::Scalar(255, 128, 128))));
+    LW_ASSIGN_OR_RETURN(std::string flat,
+                        internal::EncodePng(cv::Mat(8, 8, CV_8UC3, cv::Scalar(255, 128, 128))));
     AddFile("flat.png", std::move(flat));
     AddGroundModel(world, low_m, range_m);
     SdfText model;
@@ -266,7 +248,7 @@ class SdfBuilder {
     const auto& variants = scene_.catalogue->season_variants(TypeOf(example.kind));
     const Mesh mesh = BuildMesh(model, variants[example.season_variant].foliage, options_.detail,
                                 MeshVariationOf(example));
-    const std::string name = Plain(group.name) + "_" + std::to_string(number);
+    const std::string name = internal::PlainName(group.name) + "_" + std::to_string(number);
     AddFile("meshes/" + name + ".obj", ToObj(mesh, name + ".mtl"));
     AddFile("meshes/" + name + ".mtl", ToMtl(MeanColors(scene_, group.members)));
     world->Open("model", name);

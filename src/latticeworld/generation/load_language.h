@@ -1,5 +1,5 @@
-#ifndef LATTICEWORLD_GENERATION_LANGUAGE_STACKS_H_
-#define LATTICEWORLD_GENERATION_LANGUAGE_STACKS_H_
+#ifndef LATTICEWORLD_GENERATION_LOAD_LANGUAGE_H_
+#define LATTICEWORLD_GENERATION_LOAD_LANGUAGE_H_
 
 #include <memory>
 #include <string>
@@ -69,4 +69,4 @@ LanguageStack MakeReplayStack(const std::vector<ModelReply>& replies);
 
 }  // namespace latticeworld
 
-#endif  // LATTICEWORLD_GENERATION_LANGUAGE_STACKS_H_
+#endif  // LATTICEWORLD_GENERATION_LOAD_LANGUAGE_H_

@@ -1,4 +1,4 @@
-#include "latticeworld/generation/language_stacks.h"
+#include "latticeworld/generation/load_language.h"
 
 #include <memory>
 #include <utility>
