@@ -61,8 +61,8 @@ TEST(RebuildTest, AWorldOfAModelIsMadeAgainWithoutTheModel) {
 }
 
 TEST(RebuildTest, AWorldThatAModelReadIsMadeAgainWithoutTheModel) {
-  const std::string map = R"({"sentences": ["A lake in the south.", "No buildings."]})";
-  const std::string scene = R"({"sentences": ["Night.", "Two goblins attack."]})";
+  const std::string map = R"({"sentences": ["A lake in the south.", "No houses."]})";
+  const std::string scene = R"({"sentences": ["Time: night.", "2 goblins attacking."]})";
   // The first is given twice, for good; the second was cut off by its server after once.
   const auto world = Generate({{"layout_words", "m", map, "stop"},
                                {"layout_words", "m", map, "stop"},

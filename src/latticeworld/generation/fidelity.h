@@ -33,7 +33,7 @@ struct ClaimOutcome {
 struct FidelityReport {
   std::vector<ClaimOutcome> claims;         // in the order of the words, layout first
   std::vector<std::string> not_understood;  // words, as they stand in the instructions
-  // What the instructions were read as, sentences of the small language; empty where rules read.
+  // What the instructions were read as, sentences of the small language.
   std::vector<std::string> layout_sentences;
   std::vector<std::string> environment_sentences;
   int words = 0;                     // of both instructions, that say something

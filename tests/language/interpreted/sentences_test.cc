@@ -11,7 +11,7 @@ namespace {
 using Strings = std::vector<std::string>;
 
 TEST(SentencesTest, AreFoundInWhateverAModelPutsAroundThem) {
-  const Strings wanted = {"A lake in the north.", "No road!", "Two farms."};
+  const Strings wanted = {"A lake in the north", "No road", "Two farms"};
   const std::string object =
       R"({"sentences": ["A lake in the north", " No road!\n", "", "Two farms."]})";
   for (const std::string& answer :

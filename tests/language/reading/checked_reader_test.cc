@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -47,7 +48,8 @@ TEST_F(CheckedReaderTest, WhereTheModelIsNotSureTheRulesReadingCounts) {
   server_->Say(unsure);
   const LayoutReading reading =
       ReadLayout("There is a lake in the north. A forest is south of it.");
-  EXPECT_TRUE(reading.sentences.empty());
+  EXPECT_NE(std::find(reading.sentences.begin(), reading.sentences.end(), "Forest"),
+            reading.sentences.end());
   EXPECT_EQ(reading.plan.features.size(), 2u);
   EXPECT_FALSE(reading.second.empty());
 }

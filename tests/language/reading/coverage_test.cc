@@ -51,12 +51,18 @@ TEST(CoverageTest, NothingOfNothing) {
   EXPECT_EQ(Layout("what the of and", {}).words, 0);
 }
 
-TEST(CoverageTest, WhatRulesQuoteIsRead) {
-  const TextCoverage coverage =
-      CoverageByQuotes("a lake in the north, and a zorblax", {"lake in the north"},
-                       SentenceKind::kLayout, Vocabulary::kSuburb);
-  EXPECT_EQ(coverage.words, 3);
-  EXPECT_EQ(coverage.carried, 2);
+TEST(CoverageTest, PartsOfSharesAreNoNumbersOfThings) {
+  const TextCoverage coverage = CoverageOf("two thirds woods", {"Forest covers 67 % of the map"},
+                                           SentenceKind::kLayout, Vocabulary::kSuburb);
+  EXPECT_TRUE(coverage.lost.empty());
+}
+
+TEST(CoverageTest, WhatIsLostIsToldOnce) {
+  TextCoverage coverage;
+  coverage.lost = {"zorblax", "three"};
+  std::vector<std::string> not_understood = {"a zorblax"};
+  AddLost(coverage, &not_understood);
+  EXPECT_EQ(not_understood, (std::vector<std::string>{"a zorblax", "three"}));
 }
 
 TEST(QuoteOfTest, IsThePieceThatSaysMostOfTheSentence) {

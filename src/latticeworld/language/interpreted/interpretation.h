@@ -1,7 +1,6 @@
 #ifndef LATTICEWORLD_LANGUAGE_INTERPRETED_INTERPRETATION_H_
 #define LATTICEWORLD_LANGUAGE_INTERPRETED_INTERPRETATION_H_
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,27 +9,32 @@
 #include "latticeworld/common/result.h"
 #include "latticeworld/language/chat/chat_server.h"
 #include "latticeworld/language/generator.h"
+#include "latticeworld/language/sentences/sentence_tables.h"
+#include "latticeworld/layout/vocabulary.h"
 
 namespace latticeworld {
 
-// A question for the plain sentences of an instruction.
+// A question for the sentences of an instruction.
 struct Interpretation {
   std::string_view purpose;  // "layout_words", "environment_words"
+  std::string_view text;     // the instruction
+  SentenceKind kind = SentenceKind::kLayout;
+  Vocabulary vocabulary = Vocabulary::kSuburb;
   std::vector<ChatMessage> messages;
-  // What the embedded reader makes of an instruction in plain words, for the model to look over.
-  std::function<std::string(const std::string& words)> read_back;
-  int read_back_turns = 2;  // times that it is shown
+  int repair_turns = 2;
   int max_tokens = 2048;
   double temperature = 0.7;
   std::uint64_t seed = 0;
 };
 
-// The instruction in plain words, its sentences in one line; empty where it asks for nothing. The
-// model is done when it says the same twice, or when the turns are used up, or when its server
-// fails after it has said something. replies: every answer, appended in order.
-// Errors: those of Ask while nothing has been said; CANCELLED.
-Result<std::string> Interpret(ChatServer* server, const Interpretation& interpretation,
-                              const Progress& progress, std::vector<ModelReply>* replies);
+// The instruction in sentences of the small language, without their stops; none where it asks for
+// nothing. A sentence of no form, and a known noun, place or number of the text that no sentence
+// carries, goes back to the model, until nothing is wrong, it says the same again, its turns are
+// used up, or its server fails after it has said something. replies: every answer, appended in
+// order. Errors: those of Ask while nothing has been said; CANCELLED.
+Result<std::vector<std::string>> Interpret(ChatServer* server, const Interpretation& interpretation,
+                                           const Progress& progress,
+                                           std::vector<ModelReply>* replies);
 
 }  // namespace latticeworld
 

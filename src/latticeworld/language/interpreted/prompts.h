@@ -10,13 +10,13 @@
 
 namespace latticeworld {
 
-// What is said to a model that interprets. The words stand in prompts/*.txt.
+// What is said to a model that interprets. The words stand in prompts/*.txt; the small language in
+// them is written from its own tables.
 std::vector<ChatMessage> LayoutWordsMessages(const LayoutRequest& request);
 std::vector<ChatMessage> EnvironmentWordsMessages(const EnvironmentRequest& request);
 
-// Shows the model what was read in its sentences, and asks for them once more.
-std::string ReadBackText(const std::string& reading);
-// What goes back after an answer that is no list of sentences.
+// What goes back after an answer that is not all sentences of the language, or that leaves words
+// out.
 std::string SentencesRepairText(const std::vector<Violation>& violations);
 
 }  // namespace latticeworld

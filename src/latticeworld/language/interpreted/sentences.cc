@@ -35,7 +35,8 @@ bool ReadObject(std::string_view object, std::vector<std::string>* sentences) {
     if (!sentence.is_string()) return false;
     std::string text(Trimmed(sentence.get_ref<const std::string&>()));
     if (text.empty()) continue;
-    if (text.back() != '.' && text.back() != '!') text += '.';
+    while (!text.empty() && (text.back() == '.' || text.back() == '!')) text.pop_back();
+    if (text.empty()) continue;
     sentences->push_back(std::move(text));
   }
   return true;

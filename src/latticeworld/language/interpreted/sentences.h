@@ -17,7 +17,7 @@ std::string_view Trimmed(std::string_view text);
 AnswerForm SentencesForm(std::string name);
 
 // The sentences of a whole answer, with thinking, prose and Markdown fences around the object:
-// trimmed, empty ones left out, each ended by a stop. Errors: INVALID_ARGUMENT with violations: no
+// trimmed, empty ones left out, without their stops. Errors: INVALID_ARGUMENT with violations: no
 // such object, too many of them, or longer together than an instruction may be.
 Result<std::vector<std::string>> ReadSentences(std::string_view answer);
 

@@ -42,20 +42,13 @@ TextCoverage CoverageOf(std::string_view text, const std::vector<std::string>& s
   return coverage;
 }
 
-TextCoverage CoverageByQuotes(std::string_view text, const std::vector<std::string>& quotes,
-                              SentenceKind kind, Vocabulary vocabulary) {
-  std::vector<bool> quoted(text.size(), false);
-  for (const std::string& quote : quotes) {
-    const std::size_t begin = quote.empty() ? std::string_view::npos : text.find(quote);
-    if (begin == std::string_view::npos) continue;
-    std::fill_n(quoted.begin() + static_cast<std::ptrdiff_t>(begin), quote.size(), true);
+void AddLost(const TextCoverage& coverage, std::vector<std::string>* not_understood) {
+  for (const std::string& words : coverage.lost) {
+    const bool told = std::any_of(
+        not_understood->begin(), not_understood->end(),
+        [&words](const std::string& known) { return known.find(words) != std::string::npos; });
+    if (!told) not_understood->push_back(words);
   }
-  TextCoverage coverage;
-  for (const TextUnit& unit : UnitsOf(text, kind, vocabulary)) {
-    ++coverage.words;
-    if (quoted[unit.begin]) ++coverage.carried;
-  }
-  return coverage;
 }
 
 std::string QuoteOf(std::string_view text, const std::string& sentence, SentenceKind kind,

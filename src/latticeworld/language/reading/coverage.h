@@ -19,10 +19,9 @@ struct TextCoverage {
 TextCoverage CoverageOf(std::string_view text, const std::vector<std::string>& sentences,
                         SentenceKind kind, Vocabulary vocabulary);
 
-// The same where rules read the text: what they quote is carried, and what they did not understand
-// is theirs to say.
-TextCoverage CoverageByQuotes(std::string_view text, const std::vector<std::string>& quotes,
-                              SentenceKind kind, Vocabulary vocabulary);
+// Adds the known words that no sentence carries to those that were not understood, where these do
+// not hold them already.
+void AddLost(const TextCoverage& coverage, std::vector<std::string>* not_understood);
 
 // The piece of a text, between two pauses, that says most of a sentence; the sentence itself where
 // none says anything of it.

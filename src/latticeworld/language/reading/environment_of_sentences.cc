@@ -11,6 +11,7 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/place_zones.h"
+#include "latticeworld/language/reading/sentence_assets.h"
 #include "latticeworld/language/reading/sentence_places.h"
 #include "latticeworld/language/sentences/sentence.h"
 
@@ -55,26 +56,6 @@ Meant MeantBy(const Phrase& range, double room, const Range& legal) {
   meant.most = std::clamp(meant.most, legal.low, legal.high);
   meant.value = std::clamp(meant.value, meant.least, meant.most);
   return meant;
-}
-
-AssetType AssetOf(std::string_view name) {
-  constexpr std::pair<std::string_view, AssetType> kAssets[] = {
-      {"grass", AssetType::kGrass},
-      {"flowers", AssetType::kFlower},
-      {"branches", AssetType::kDeadBranch},
-      {"stones", AssetType::kStone},
-      {"buildings", AssetType::kArchitecture},
-      {"roads", AssetType::kRoad},
-      {"lake", AssetType::kLake},
-      {"desert", AssetType::kDesert},
-      {"forest", AssetType::kForest},
-      {"crops", AssetType::kCrops},
-      {"snow", AssetType::kSnowMountain},
-  };
-  for (const auto& [word, asset] : kAssets)
-    if (word == name) return asset;
-  LW_CHECK(false, "every asset of the small language has its type");
-  return AssetType::kGrass;
 }
 
 // The land that a feature's noun is: its letters in either vocabulary.

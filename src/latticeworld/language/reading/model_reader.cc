@@ -1,15 +1,12 @@
 #include "latticeworld/language/reading/model_reader.h"
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <utility>
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/text.h"
-#include "latticeworld/language/reading/environment_of_sentences.h"
-#include "latticeworld/language/reading/foreign_text.h"
-#include "latticeworld/language/reading/layout_of_sentences.h"
+#include "latticeworld/language/reading/reading_of_sentences.h"
 #include "latticeworld/language/sentences/sentence.h"
 #include "latticeworld/language/sentences/sentence_grammar.h"
 
@@ -29,34 +26,6 @@ bool IsControlled(const std::vector<std::string>& sentences, SentenceKind kind) 
   });
 }
 
-void WarnOfOtherLanguage(std::string_view text, std::vector<std::string>* warnings) {
-  if (!SeemsForeign(text)) return;
-  warnings->push_back("the text does not seem to be English, which alone is read well: " +
-                      Quote(text));
-}
-
-void Append(const std::vector<std::string>& words, std::vector<std::string>* list) {
-  list->insert(list->end(), words.begin(), words.end());
-}
-
-// The words of a text that sentences come from, in the place of the sentences.
-class Quotes {
- public:
-  Quotes(std::string_view text, const std::vector<std::string>& sentences, SentenceKind kind,
-         Vocabulary vocabulary) {
-    for (const std::string& sentence : sentences) {
-      quote_of_[sentence] = QuoteOf(text, sentence, kind, vocabulary);
-    }
-  }
-
-  void Quote(std::string* words) const {
-    if (const auto quote = quote_of_.find(*words); quote != quote_of_.end()) *words = quote->second;
-  }
-
- private:
-  std::map<std::string, std::string> quote_of_;
-};
-
 class ModelReader final : public InstructionReader {
  public:
   explicit ModelReader(std::shared_ptr<ChatServer> server) : server_(std::move(server)) {}
@@ -65,40 +34,24 @@ class ModelReader final : public InstructionReader {
 
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& progress,
                                    std::vector<ModelReply>* replies) override {
-    LayoutReading reading;
-    LW_ASSIGN_OR_RETURN(reading.sentences,
+    double log_probability = 0.0;
+    LW_ASSIGN_OR_RETURN(std::vector<std::string> sentences,
                         Read(request.instruction, SentenceKind::kLayout, request.seed, progress,
-                             replies, &reading.log_probability));
-    reading.plan = LayoutOfSentences(reading.sentences, request.vocabulary);
-    WarnOfOtherLanguage(request.instruction, &reading.plan.warnings);
-    reading.coverage = CoverageOf(request.instruction, reading.sentences, SentenceKind::kLayout,
-                                  request.vocabulary);
-    Append(reading.coverage.lost, &reading.plan.not_understood);
-    const Quotes quotes(request.instruction, reading.sentences, SentenceKind::kLayout,
-                        request.vocabulary);
-    for (Claim& claim : reading.plan.claims) quotes.Quote(&claim.words);
+                             replies, &log_probability));
+    LayoutReading reading = ReadingOfSentences(request, std::move(sentences));
+    reading.log_probability = log_probability;
     return reading;
   }
 
   Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& request,
                                              const Progress& progress,
                                              std::vector<ModelReply>* replies) override {
-    EnvironmentReading reading;
-    LW_ASSIGN_OR_RETURN(reading.sentences,
+    double log_probability = 0.0;
+    LW_ASSIGN_OR_RETURN(std::vector<std::string> sentences,
                         Read(request.instruction, SentenceKind::kEnvironment, request.seed,
-                             progress, replies, &reading.log_probability));
-    reading.heard = EnvironmentOfSentences(reading.sentences, *request.catalogue);
-    WarnOfOtherLanguage(request.instruction, &reading.heard.warnings);
-    const Vocabulary vocabulary = request.layout->vocabulary;
-    reading.coverage =
-        CoverageOf(request.instruction, reading.sentences, SentenceKind::kEnvironment, vocabulary);
-    Append(reading.coverage.lost, &reading.heard.not_understood);
-    const Quotes quotes(request.instruction, reading.sentences, SentenceKind::kEnvironment,
-                        vocabulary);
-    for (HeardCoarse& coarse : reading.heard.coarse) quotes.Quote(&coarse.words);
-    for (FineWish& wish : reading.heard.fine) quotes.Quote(&wish.claim.words);
-    for (AgentWish& wish : reading.heard.agents) quotes.Quote(&wish.words);
-    for (EnvironmentClaim& claim : reading.heard.absences) quotes.Quote(&claim.words);
+                             progress, replies, &log_probability));
+    EnvironmentReading reading = ReadingOfSentences(request, std::move(sentences));
+    reading.log_probability = log_probability;
     return reading;
   }
 

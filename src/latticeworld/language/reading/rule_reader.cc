@@ -2,6 +2,7 @@
 #include "latticeworld/language/grounded/environment/environment_parser.h"
 #include "latticeworld/language/grounded/reading/layout_parser.h"
 #include "latticeworld/language/reading/instruction_reader.h"
+#include "latticeworld/language/reading/sentences_of_claims.h"
 
 namespace latticeworld {
 namespace {
@@ -14,10 +15,10 @@ class RuleReader final : public InstructionReader {
                                    std::vector<ModelReply>* /*replies*/) override {
     LayoutReading reading;
     reading.plan = ParseLayoutInstruction(request.instruction, request.vocabulary);
-    std::vector<std::string> quotes;
-    for (const Claim& claim : reading.plan.claims) quotes.push_back(claim.words);
-    reading.coverage =
-        CoverageByQuotes(request.instruction, quotes, SentenceKind::kLayout, request.vocabulary);
+    reading.sentences = SentencesOf(reading.plan.claims, request.vocabulary);
+    reading.coverage = CoverageOf(request.instruction, reading.sentences, SentenceKind::kLayout,
+                                  request.vocabulary);
+    AddLost(reading.coverage, &reading.plan.not_understood);
     return reading;
   }
 
@@ -26,12 +27,10 @@ class RuleReader final : public InstructionReader {
                                              std::vector<ModelReply>* /*replies*/) override {
     EnvironmentReading reading;
     reading.heard = ParseEnvironmentInstruction(request.instruction, *request.catalogue);
-    std::vector<std::string> quotes;
-    for (const EnvironmentClaim& claim : ClaimsOf(reading.heard, request.layout)) {
-      quotes.push_back(claim.words);
-    }
-    reading.coverage = CoverageByQuotes(request.instruction, quotes, SentenceKind::kEnvironment,
-                                        request.layout->vocabulary);
+    reading.sentences = SentencesOf(ClaimsOf(reading.heard, request.layout));
+    reading.coverage = CoverageOf(request.instruction, reading.sentences,
+                                  SentenceKind::kEnvironment, request.layout->vocabulary);
+    AddLost(reading.coverage, &reading.heard.not_understood);
     return reading;
   }
 };

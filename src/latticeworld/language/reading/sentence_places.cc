@@ -40,15 +40,49 @@ const Side* FindSide(std::string_view name) {
   return found == std::end(kSides) ? nullptr : found;
 }
 
+struct ExactName {
+  std::string_view name;  // of the small language
+  std::string_view zone;
+};
+constexpr ExactName kExactNames[] = {{"upper middle", "upper"}, {"lower middle", "lower"}};
+
 // The zones of an exact place: all but a few have the name that zones have.
 std::vector<Zone> ExactZones(std::string_view name) {
   if (name == "corners") {
     return {Named("north-west corner"), Named("north-east corner"), Named("south-west corner"),
             Named("south-east corner")};
   }
-  if (name == "upper middle") return {Named("upper")};
-  if (name == "lower middle") return {Named("lower")};
+  for (const ExactName& exact : kExactNames)
+    if (exact.name == name) return {Named(exact.zone)};
   return {Named(name)};
+}
+
+// The exact place that is a zone; "": none.
+std::string ExactNameOf(const Zone& zone) {
+  for (const ExactName& exact : kExactNames)
+    if (Named(exact.zone) == zone) return std::string(exact.name);
+  const std::vector<std::string>& names = SentenceWords("exact");
+  const auto found = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
+    const std::optional<Zone> named = FindZone(name);
+    return named.has_value() && *named == zone;
+  });
+  return found == names.end() ? std::string() : *found;
+}
+
+// "the north", where the zone is what `side_zone` of a side names; else its exact name.
+std::string NameOfZone(const Zone& zone, std::string_view Side::*side_zone) {
+  for (const Side& side : kSides) {
+    if (Named(side.*side_zone) == zone) return "the " + std::string(side.name);
+  }
+  const std::string exact = ExactNameOf(zone);
+  if (!exact.empty()) return "the " + exact;
+  const Zone ninth = ZoneOf(RegionOf(zone));
+  const auto* const side =
+      std::find_if(std::begin(kSides), std::end(kSides),
+                   [&](const Side& each) { return Named(each.area) == ninth; });
+  if (side != std::end(kSides)) return "the " + std::string(side->name);
+  const std::string about = ExactNameOf(ninth);
+  return about.empty() ? "the center" : "the " + about;
 }
 
 }  // namespace
@@ -80,5 +114,15 @@ Zone EndZoneOf(const Phrase& phrase) {
   LW_CHECK(exact != nullptr, "a place is a side or exact");
   return ExactZones(exact->text).front();
 }
+
+std::string HeadingName(Claim::Heading heading) {
+  const std::string south = heading.south < 0 ? "north" : heading.south > 0 ? "south" : "";
+  const std::string east = heading.east < 0 ? "west" : heading.east > 0 ? "east" : "";
+  return south + (south.empty() || east.empty() ? "" : "-") + east;
+}
+
+std::string PlaceName(const Zone& zone) { return NameOfZone(zone, &Side::area); }
+
+std::string EndName(const Zone& zone) { return NameOfZone(zone, &Side::end); }
 
 }  // namespace latticeworld

@@ -1,11 +1,13 @@
 #ifndef LATTICEWORLD_LANGUAGE_READING_SENTENCE_PLACES_H_
 #define LATTICEWORLD_LANGUAGE_READING_SENTENCE_PLACES_H_
 
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "latticeworld/language/places.h"
 #include "latticeworld/language/sentences/sentence.h"
+#include "latticeworld/layout/claims.h"
 #include "latticeworld/layout/zone.h"
 
 namespace latticeworld {
@@ -20,6 +22,13 @@ std::vector<Zone> ZonesOf(const Phrase& phrase);
 // Where a line begins or ends that is said to come from a place: "the north" is the northern edge,
 // "the north-west" the corner.
 Zone EndZoneOf(const Phrase& phrase);
+
+// The other way: what slot {heading} says of a step of the compass, {zone} and {place} of a zone,
+// and {end} of the zone where a line ends. A zone that has no name in the small language is said as
+// the ninth of its middle.
+std::string HeadingName(Claim::Heading heading);
+std::string PlaceName(const Zone& zone);
+std::string EndName(const Zone& zone);
 
 }  // namespace latticeworld
 

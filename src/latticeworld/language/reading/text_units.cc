@@ -57,6 +57,16 @@ class UnitTaker {
     return GetEnvironmentWords().species.LengthAt(tokens_, at) > 0;
   }
 
+  // "two thirds" counts nothing.
+  bool IsPartOfShare(std::size_t at) const {
+    if (at >= tokens_.size()) return false;
+    const std::string part = Singular(tokens_[at].text);
+    const std::string_view parts[] = {"half",    "third",  "quarter", "fifth",   "sixth",
+                                      "seventh", "eighth", "ninth",   "tenth",   "percent",
+                                      "%",       "cell",   "step",    "per cent"};
+    return std::find(std::begin(parts), std::end(parts), part) != std::end(parts);
+  }
+
   // A number is known to count something where a noun follows within three words.
   std::size_t TakeNumber() {
     const NumberMatch match = MatchNumber(tokens_, at_);
@@ -64,7 +74,8 @@ class UnitTaker {
     TextUnit& unit = Add(match.tokens);
     unit.keys.push_back("number " + std::to_string(match.value));
     const std::size_t after = at_ + match.tokens;
-    unit.known = match.value > 1 && (IsNoun(after) || IsNoun(after + 1) || IsNoun(after + 2));
+    unit.known = match.value > 1 && !IsPartOfShare(after) &&
+                 (IsNoun(after) || IsNoun(after + 1) || IsNoun(after + 2));
     return match.tokens;
   }
 
@@ -78,7 +89,10 @@ class UnitTaker {
     const auto [east, south] = direction.heading;
     if (east != 0) unit.keys.emplace_back(east > 0 ? "side east" : "side west");
     if (south != 0) unit.keys.emplace_back(south > 0 ? "side south" : "side north");
-    if (unit.keys.empty()) unit.keys.emplace_back("side center");
+    const bool middle =
+        std::any_of(tokens_.begin() + at_, tokens_.begin() + at_ + taken,
+                    [](const Token& token) { return StartsWith(token.text, "mid"); });
+    if (unit.keys.empty() || middle) unit.keys.emplace_back("side center");
     return taken;
   }
 

@@ -135,10 +135,4 @@ class GrammarWriter {
 
 std::string SentenceGrammar(SentenceKind kind) { return GrammarWriter().Write(kind); }
 
-std::string SentenceExamples(SentenceKind kind) {
-  std::string text;
-  for (const SentenceForm& form : SentenceForms(kind)) text += form.example + "\n";
-  return text;
-}
-
 }  // namespace latticeworld

@@ -14,9 +14,6 @@ inline constexpr int kMostSentences = 64;
 // by blanks, each with a capital letter and a stop; or of a dash, where there is nothing to say.
 std::string SentenceGrammar(SentenceKind kind);
 
-// A list of the forms for a prompt: an example a line.
-std::string SentenceExamples(SentenceKind kind);
-
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_LANGUAGE_SENTENCES_SENTENCE_GRAMMAR_H_

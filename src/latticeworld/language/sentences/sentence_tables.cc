@@ -64,17 +64,36 @@ const std::vector<SentenceForm>& SentenceForms(SentenceKind kind) {
   return kind == SentenceKind::kLayout ? layout : environment;
 }
 
-const Pattern* SlotPattern(std::string_view slot) {
-  static const std::map<std::string, Pattern, std::less<>> patterns = [] {
-    std::map<std::string, Pattern, std::less<>> all;
+namespace {
+
+struct Slot {
+  Pattern pattern;
+  std::string written;
+};
+
+const Slot* FindSlot(std::string_view name) {
+  static const std::map<std::string, Slot, std::less<>> slots = [] {
+    std::map<std::string, Slot, std::less<>> all;
     for (const std::vector<std::string>& line : LinesOf("slots.txt")) {
       LW_CHECK(line.size() == 2, "a slot has a name and a pattern");
-      all.emplace(line[0], PatternOf(line[1]));
+      all.emplace(line[0], Slot{PatternOf(line[1]), line[1]});
     }
     return all;
   }();
-  const auto found = patterns.find(slot);
-  return found == patterns.end() ? nullptr : &found->second;
+  const auto found = slots.find(name);
+  return found == slots.end() ? nullptr : &found->second;
+}
+
+}  // namespace
+
+const Pattern* SlotPattern(std::string_view slot) {
+  const Slot* const found = FindSlot(slot);
+  return found == nullptr ? nullptr : &found->pattern;
+}
+
+std::string_view SlotText(std::string_view slot) {
+  const Slot* const found = FindSlot(slot);
+  return found == nullptr ? std::string_view() : std::string_view(found->written);
 }
 
 const std::vector<std::string>& SentenceWords(std::string_view list) {

@@ -26,6 +26,8 @@ const std::vector<SentenceForm>& SentenceForms(SentenceKind kind);
 
 // The pattern of a slot of data/slots.txt; nullptr: it is a list of words, or {n} or {label}.
 const Pattern* SlotPattern(std::string_view slot);
+// The same as the file writes it; empty where SlotPattern has none.
+std::string_view SlotText(std::string_view slot);
 
 // The words of a list of data/words.txt, in its order; NAME_s has the plurals of NAME. Empty for
 // another name.
