@@ -16,8 +16,8 @@ void AddLanguageOptions(CLI::App* command) {
       command, "--reader", "NAME",
       "Who reads the words: rules, controlled (they are sentences of the small language, "
       "docs/small_language.md), model (--reader-model says them in it), checked (model, with the "
-      "rules beside it) or remote (the model behind --remote-url says them in plain sentences, "
-      "which the rules read) [checked where --reader-model is given, else rules].");
+      "rules beside it) or remote (the model behind --remote-url says them in it) [checked where "
+      "--reader-model is given, else rules].");
   AddValueOption(
       command, "--generator", "NAME",
       "Who answers them: grounded (draws what was read), remote (the model behind --remote-url) or "

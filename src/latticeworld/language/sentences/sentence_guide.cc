@@ -43,6 +43,8 @@ std::string SlotsInWords(SentenceKind kind) {
   for (const std::string& slot : SlotsOf(kind)) {
     if (const std::string written(SlotText(slot)); !written.empty()) {
       lines.push_back("- {" + slot + "}: " + written);
+    } else if (EndsWith(slot, "_s")) {
+      lines.push_back("- {" + slot + "}: a plural of {" + slot.substr(0, slot.size() - 2) + "}");
     } else if (const std::vector<std::string>& words = SentenceWords(slot); !words.empty()) {
       lines.push_back("- {" + slot + "}: " + Join(words, ", "));
     }
