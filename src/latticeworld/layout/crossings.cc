@@ -8,7 +8,7 @@
 namespace latticeworld {
 namespace {
 
-constexpr int kWidestRoad_cells = 2;  // that water is taken to run on under
+constexpr int kWidestRoad_cells = 3;  // that water is taken to run on under
 constexpr int kWidestFord_cells = 3;
 constexpr int kLongestFord_cells = 6;  // of a road that crosses a river at a slant
 
@@ -37,8 +37,8 @@ int WidthOf(const SymbolicLayout& layout, CellIndex cell, int d_row, int d_col) 
   return width;
 }
 
-// A piece of road over water is a ford or a dam as a whole: a dam where it is long, or mostly over
-// what is wide.
+// A piece of road over water is a ford or a bridge as a whole: a bridge where it is long, or mostly
+// over what is wide.
 void DecideByPiece(Grid<Crossing>* crossings) {
   Grid<unsigned char> seen(crossings->rows(), crossings->cols(), 0);
   for (int row = 0; row < crossings->rows(); ++row) {
@@ -49,7 +49,7 @@ void DecideByPiece(Grid<Crossing>* crossings) {
       int wide = 0;
       for (std::size_t next = 0; next < piece.size(); ++next) {
         const CellIndex cell = piece[next];
-        wide += (*crossings)[cell] == Crossing::kCauseway;
+        wide += (*crossings)[cell] == Crossing::kBridge;
         for (int r = cell.row - 1; r <= cell.row + 1; ++r) {
           for (int c = cell.col - 1; c <= cell.col + 1; ++c) {
             if (!crossings->Contains({r, c}) || seen(r, c) != 0) continue;
@@ -60,9 +60,9 @@ void DecideByPiece(Grid<Crossing>* crossings) {
         }
       }
       const int cells = static_cast<int>(piece.size());
-      const bool dam = cells > kLongestFord_cells || 2 * wide > cells;
+      const bool bridge = cells > kLongestFord_cells || 2 * wide > cells;
       for (const CellIndex cell : piece) {
-        (*crossings)[cell] = dam ? Crossing::kCauseway : Crossing::kFord;
+        (*crossings)[cell] = bridge ? Crossing::kBridge : Crossing::kFord;
       }
     }
   }
@@ -70,7 +70,7 @@ void DecideByPiece(Grid<Crossing>* crossings) {
 
 }  // namespace
 
-Grid<Crossing> CrossingsOf(const SymbolicLayout& layout) {
+Grid<Crossing> CrossingsOf(const SymbolicLayout& layout, bool fords) {
   Grid<Crossing> crossings(layout.cells.rows(), layout.cells.cols(), Crossing::kNone);
   if (layout.vocabulary != Vocabulary::kSuburb) return crossings;
   constexpr int kDirections[4][2] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
@@ -89,16 +89,32 @@ Grid<Crossing> CrossingsOf(const SymbolicLayout& layout) {
         const int width = std::min(WidthOf(layout, ahead, -step[1], step[0]),
                                    WidthOf(layout, behind, -step[1], step[0]));
         // What is narrow one way is narrow.
-        if (width <= kWidestFord_cells) {
+        if (fords && width <= kWidestFord_cells) {
           crossings(row, col) = Crossing::kFord;
         } else if (crossings(row, col) == Crossing::kNone) {
-          crossings(row, col) = Crossing::kCauseway;
+          crossings(row, col) = Crossing::kBridge;
         }
       }
     }
   }
   DecideByPiece(&crossings);
   return crossings;
+}
+
+Grid<unsigned char> CornerCrossingsOf(const SymbolicLayout& layout) {
+  const int rows = layout.cells.rows(), cols = layout.cells.cols();
+  Grid<unsigned char> corners(rows + 1, cols + 1, 0);
+  if (layout.vocabulary != Vocabulary::kSuburb) return corners;
+  for (int row = 1; row < rows; ++row) {
+    for (int col = 1; col < cols; ++col) {
+      const char a = layout.cells(row - 1, col - 1), b = layout.cells(row - 1, col);
+      const char c = layout.cells(row, col - 1), d = layout.cells(row, col);
+      const bool falls = a == 'R' && d == 'R' && b == 'W' && c == 'W';
+      const bool rises = a == 'W' && d == 'W' && b == 'R' && c == 'R';
+      corners(row, col) = falls || rises ? 1 : 0;
+    }
+  }
+  return corners;
 }
 
 }  // namespace latticeworld
