@@ -9,6 +9,7 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/generation/agents_json.h"
 #include "latticeworld/generation/assets_csv.h"
+#include "latticeworld/generation/bridges_json.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/bundle_files.h"
 #include "latticeworld/generation/catalogue_json.h"
@@ -47,6 +48,7 @@ Status CheckFileList(const Manifest& manifest) {
     legal.insert(WeightFile(entry.letter));  // only for classes that occur
   }
   legal.insert(kCatalogueFile);  // only where a user added to it
+  legal.insert(kBridgesFile);    // only where roads have any
   for (const BundleFile& file : manifest.files) {
     if (legal.erase(file.name) == 0) {
       return DataLoss("lists " + Quote(file.name) + ", which no bundle has or which it has twice");
@@ -78,7 +80,7 @@ Result<std::string> ReadVerified(const fs::path& directory, const BundleFile& fi
 // The files that a world is read back from. The others are checked and forgotten.
 struct Contents {
   std::string layout, environment, fidelity, replies, catalogue, terrain, assets, agents, elements,
-      visual;
+      bridges, visual;
 
   std::string* Find(std::string_view name) {
     if (name == kLayoutFile) return &layout;
@@ -90,6 +92,7 @@ struct Contents {
     if (name == kAssetsFile) return &assets;
     if (name == kAgentsFile) return &agents;
     if (name == kElementsFile) return &elements;
+    if (name == kBridgesFile) return &bridges;
     if (name == kVisualFile) return &visual;
     return nullptr;
   }
@@ -119,6 +122,11 @@ Result<std::shared_ptr<const Scene>> ParseScene(const Contents& contents, const 
   auto terrain =
       DecodeTerrain(contents.terrain, geometry, *FromName<Vocabulary>(manifest.request.vocabulary));
   if (!terrain.ok()) return Damaged(kTerrainFile, terrain.status());
+  if (!contents.bridges.empty()) {
+    auto bridges = DecodeBridges(contents.bridges, geometry);
+    if (!bridges.ok()) return Damaged(kBridgesFile, bridges.status());
+    terrain->bridges = *std::move(bridges);
+  }
   auto assets = DecodeAssets(contents.assets, geometry, *catalogue);
   if (!assets.ok()) return Damaged(kAssetsFile, assets.status());
   auto agents = DecodeAgents(contents.agents, geometry);

@@ -10,6 +10,7 @@
 #include "latticeworld/exporting/picture.h"
 #include "latticeworld/generation/agents_json.h"
 #include "latticeworld/generation/assets_csv.h"
+#include "latticeworld/generation/bridges_json.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/bundle_files.h"
 #include "latticeworld/generation/catalogue_json.h"
@@ -62,6 +63,9 @@ Status AddSources(const World& world, BundleWriter* writer) {
   LW_RETURN_IF_ERROR(writer->Add(kAssetsFile, EncodeAssets(world.scene->assets, catalogue)));
   LW_RETURN_IF_ERROR(writer->Add(kAgentsFile, EncodeAgents(world.scene->agents)));
   LW_RETURN_IF_ERROR(writer->Add(kElementsFile, EncodeElements(world.scene->elements)));
+  if (!world.scene->terrain->bridges.empty()) {
+    LW_RETURN_IF_ERROR(writer->Add(kBridgesFile, EncodeBridges(world.scene->terrain->bridges)));
+  }
   if (!catalogue.added_files().empty()) {
     LW_RETURN_IF_ERROR(writer->Add(kCatalogueFile, EncodeCatalogue(catalogue)));
   }

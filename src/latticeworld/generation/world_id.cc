@@ -36,6 +36,19 @@ void AddGrid(const Grid<T>& grid, Digest* digest) {
   digest->AddBytes(grid.data(), grid.size() * sizeof(T));
 }
 
+void AddBridge(const Bridge& bridge, Digest* digest) {
+  digest->Add(bridge.kind);
+  for (const WorldPoint point : bridge.line) {
+    digest->Add(point.x_m);
+    digest->Add(point.y_m);
+  }
+  for (const double number : {bridge.width_m, bridge.deck_z_m, bridge.thickness_m,
+                              bridge.water_level_m, bridge.railing_m, bridge.load_kg}) {
+    digest->Add(number);
+  }
+  for (const double along_m : bridge.supports_m) digest->Add(along_m);
+}
+
 void AddTerrain(const Terrain& terrain, Digest* digest) {
   digest->Add(terrain.geometry().resolution_m());
   AddGrid(terrain.ground.height_m(), digest);
@@ -45,6 +58,7 @@ void AddTerrain(const Terrain& terrain, Digest* digest) {
     digest->Add(entry.letter);
     AddGrid(entry.weight.levels(), digest);
   }
+  for (const Bridge& bridge : terrain.bridges) AddBridge(bridge, digest);
 }
 
 std::string FieldsOf(const std::vector<Asset>& assets) {

@@ -88,6 +88,7 @@ class MjcfBuilder {
     LW_RETURN_IF_ERROR(AddWater());
     LW_RETURN_IF_ERROR(AddAssets());
     AddElements();
+    AddBridges();
     AddStarts();
     MjcfText model;
     model.Open("mujoco", {{"model", name}});
@@ -348,6 +349,16 @@ class MjcfBuilder {
         AddMjcfElement(element, Local(element.position.x_m, element.position.y_m, element.z_m),
                        &body_);
       }
+    }
+  }
+
+  void AddBridges() {
+    const std::vector<Bridge>& bridges = scene_.terrain->bridges;
+    for (std::size_t i = 0; i < bridges.size(); ++i) {
+      const Bridge& bridge = bridges[i];
+      if (!region_.Holds(PlaceOn(bridge, 0.5 * bridge.length_m()).point)) continue;
+      AddMjcfBridge(bridge, PartsOf(bridge, scene_.terrain->ground),
+                    "road_bridge_" + std::to_string(i + 1), -Local(0.0, 0.0, 0.0), &body_);
     }
   }
 
