@@ -1,6 +1,7 @@
 #include "latticeworld/layout/crossings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <vector>
@@ -68,6 +69,105 @@ void DecideByPiece(Grid<Crossing>* crossings) {
   }
 }
 
+// The pieces of water that hang together, also below roads.
+class Waters {
+ public:
+  Waters(const SymbolicLayout& layout, const Grid<Crossing>& crossings)
+      : layout_(layout),
+        crossings_(crossings),
+        piece_(layout.cells.rows(), layout.cells.cols(), -1) {
+    for (int row = 0; row < piece_.rows(); ++row) {
+      for (int col = 0; col < piece_.cols(); ++col) Spread({row, col});
+    }
+  }
+  // -1: dry.
+  int Of(CellIndex cell) const {
+    int piece = piece_.Contains(cell) ? piece_[cell] : -1;
+    while (piece >= 0 && joined_[piece] != piece) piece = joined_[piece];
+    return piece;
+  }
+  void Join(CellIndex a, CellIndex b) {
+    const int first = std::min(Of(a), Of(b)), second = std::max(Of(a), Of(b));
+    joined_[second] = first;
+  }
+
+ private:
+  bool IsWet(CellIndex cell) const {
+    return layout_.cells[cell] == 'W' || crossings_[cell] != Crossing::kNone;
+  }
+  void Spread(CellIndex begin) {
+    if (!IsWet(begin) || piece_[begin] >= 0) return;
+    const int piece = static_cast<int>(joined_.size());
+    joined_.push_back(piece);
+    piece_[begin] = piece;
+    std::vector<CellIndex> cells = {begin};
+    for (std::size_t next = 0; next < cells.size(); ++next) {
+      for (int k = 0; k < 9; ++k) {
+        const CellIndex near{cells[next].row + k / 3 - 1, cells[next].col + k % 3 - 1};
+        if (!piece_.Contains(near) || !IsWet(near) || piece_[near] >= 0) continue;
+        piece_[near] = piece;
+        cells.push_back(near);
+      }
+    }
+  }
+
+  const SymbolicLayout& layout_;
+  const Grid<Crossing>& crossings_;
+  Grid<int> piece_;
+  std::vector<int> joined_;  // of each piece, the one that it became part of
+};
+
+// Whether all steps of a way head at most 40 degrees off from where it leads: it goes through a
+// road, not along it.
+bool GoesThrough(const std::vector<CellIndex>& way) {
+  constexpr double kCosine = 0.766;
+  const double rows = way.back().row - way.front().row, cols = way.back().col - way.front().col;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const double r = way[i].row - way[i - 1].row, c = way[i].col - way[i - 1].col;
+    if (r * rows + c * cols < kCosine * std::hypot(r, c) * std::hypot(rows, cols)) return false;
+  }
+  return true;
+}
+
+// Joins two pieces of water by a way that goes on over so many more cells of road, if there is one.
+bool JoinOver(const SymbolicLayout& layout, int road_cells, Crossing crossing, Waters* waters,
+              std::vector<CellIndex>* way, Grid<Crossing>* crossings) {
+  const CellIndex last = way->back();
+  for (int k = 0; k < 9; ++k) {
+    const CellIndex next{last.row + k / 3 - 1, last.col + k % 3 - 1};
+    if (next == last || !crossings->Contains(next)) continue;
+    way->push_back(next);
+    if (road_cells > 0) {
+      if (layout.cells[next] == 'R' && waters->Of(next) < 0 &&
+          JoinOver(layout, road_cells - 1, crossing, waters, way, crossings)) {
+        return true;
+      }
+    } else if (waters->Of(next) >= 0 && waters->Of(next) != waters->Of(way->front()) &&
+               GoesThrough(*way)) {
+      for (std::size_t i = 1; i + 1 < way->size(); ++i) (*crossings)[(*way)[i]] = crossing;
+      waters->Join(way->front(), next);
+      return true;
+    }
+    way->pop_back();
+  }
+  return false;
+}
+
+// Rivers that cross a road at a slant between the four directions: what is still parted by a road
+// hangs together below it.
+void JoinParted(const SymbolicLayout& layout, Crossing crossing, Grid<Crossing>* crossings) {
+  Waters waters(layout, *crossings);
+  for (int road_cells = 1; road_cells <= kWidestRoad_cells; ++road_cells) {
+    for (int row = 0; row < crossings->rows(); ++row) {
+      for (int col = 0; col < crossings->cols(); ++col) {
+        std::vector<CellIndex> way = {{row, col}};
+        if (layout.cells(row, col) != 'W') continue;
+        while (JoinOver(layout, road_cells, crossing, &waters, &way, crossings)) way.resize(1);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Grid<Crossing> CrossingsOf(const SymbolicLayout& layout, bool fords) {
@@ -97,6 +197,7 @@ Grid<Crossing> CrossingsOf(const SymbolicLayout& layout, bool fords) {
       }
     }
   }
+  JoinParted(layout, fords ? Crossing::kFord : Crossing::kBridge, &crossings);
   DecideByPiece(&crossings);
   return crossings;
 }

@@ -11,6 +11,7 @@
 #include "latticeworld/scene/footbridges.h"
 #include "latticeworld/scene/placement.h"
 #include "latticeworld/scene/road_finder.h"
+#include "latticeworld/scene/standing_elements.h"
 
 namespace latticeworld {
 namespace {
@@ -39,7 +40,9 @@ constexpr double kFarthestRoad_m = 20.0;
 class Placer {
  public:
   Placer(const Scene& scene, std::uint64_t seed)
-      : scene_(scene), terrain_(*scene.terrain), seed_(seed), roads_(terrain_) {}
+      : scene_(scene), terrain_(*scene.terrain), seed_(seed), roads_(terrain_) {
+    AddBridges(terrain_, &road_bridges_);
+  }
 
   std::vector<Element> Place() && {
     PlaceBridges();
@@ -60,6 +63,13 @@ class Placer {
   }
 
   // Whether it would be wholly in the world and clear of solids, agents and other elements.
+  // Of those of roads.
+  bool IsClearOfBridges(const Footprint& footprint) const {
+    return std::none_of(
+        road_bridges_.decks.begin(), road_bridges_.decks.end(),
+        [&](const ElementDeck& deck) { return GapBetween(footprint, deck.footprint) < kApart_m; });
+  }
+
   bool IsClear(const Element& element) const {
     if (elements_.size() >= static_cast<std::size_t>(kMost)) return false;
     const Footprint footprint = FootprintOf(element);
@@ -82,7 +92,7 @@ class Placer {
       if (!clear) break;
       clear = GapBetween(footprint, FootprintOf(other)) >= kApart_m;
     }
-    return clear;
+    return clear && IsClearOfBridges(footprint);
   }
   // And on ground that is dry, no road and no steeper.
   bool IsOnLand(const Element& element, double steepest_deg) const {
@@ -212,6 +222,7 @@ class Placer {
   const Terrain& terrain_;
   const std::uint64_t seed_;
   const RoadFinder roads_;
+  StandingElements road_bridges_;
   std::map<ElementKind, int> count_;
   std::vector<Element> elements_;
 };

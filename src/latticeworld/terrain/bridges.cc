@@ -142,7 +142,12 @@ class Planner {
     std::vector<CellIndex> landings = MiddlesIn(std::move(shore));
     if (landings.size() != 1) return landings;
     const std::vector<CellIndex> edges = MiddlesIn(std::move(edge));
-    landings.push_back(edges.empty() ? FarthestFrom(landings.front(), piece) : edges.front());
+    const CellIndex end = edges.empty() ? FarthestFrom(landings.front(), piece) : edges.front();
+    // What only frays the side of a road needs no bridge.
+    const CellIndex begin = landings.front();
+    if (!edges.empty() || std::hypot(end.row - begin.row, end.col - begin.col) > layout_cell_) {
+      landings.push_back(end);
+    }
     return landings;
   }
 
