@@ -1,7 +1,6 @@
 #include "latticeworld/layout/crossings.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <vector>
@@ -117,14 +116,31 @@ class Waters {
   std::vector<int> joined_;  // of each piece, the one that it became part of
 };
 
-// Whether all steps of a way head at most 40 degrees off from where it leads: it goes through a
-// road, not along it.
-bool GoesThrough(const std::vector<CellIndex>& way) {
-  constexpr double kCosine = 0.766;
-  const double rows = way.back().row - way.front().row, cols = way.back().col - way.front().col;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const double r = way[i].row - way[i - 1].row, c = way[i].col - way[i - 1].col;
-    if (r * rows + c * cols < kCosine * std::hypot(r, c) * std::hypot(rows, cols)) return false;
+// Whether road lies between both ends of a way, so that nobody gets from one to the other beside it
+// without crossing that; as far as a few cells around show.
+bool IsParted(const SymbolicLayout& layout, const std::vector<CellIndex>& way) {
+  constexpr int kAround = 3;
+  const CellIndex from = way.front(), to = way.back();
+  const int row_begin = std::max(0, std::min(from.row, to.row) - kAround);
+  const int row_end = std::min(layout.cells.rows() - 1, std::max(from.row, to.row) + kAround);
+  const int col_begin = std::max(0, std::min(from.col, to.col) - kAround);
+  const int col_end = std::min(layout.cells.cols() - 1, std::max(from.col, to.col) + kAround);
+  Grid<unsigned char> seen(layout.cells.rows(), layout.cells.cols(), 0);
+  std::vector<CellIndex> cells = {from};
+  seen[from] = 1;
+  // Roads are closed at their corners.
+  constexpr int kSteps[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+  for (std::size_t next = 0; next < cells.size(); ++next) {
+    if (cells[next] == to) return false;
+    for (const auto& step : kSteps) {
+      const CellIndex near{cells[next].row + step[0], cells[next].col + step[1]};
+      if (near.row < row_begin || near.row > row_end || near.col < col_begin ||
+          near.col > col_end || seen[near] != 0 || layout.cells[near] == 'R') {
+        continue;
+      }
+      seen[near] = 1;
+      cells.push_back(near);
+    }
   }
   return true;
 }
@@ -143,7 +159,7 @@ bool JoinOver(const SymbolicLayout& layout, int road_cells, Crossing crossing, W
         return true;
       }
     } else if (waters->Of(next) >= 0 && waters->Of(next) != waters->Of(way->front()) &&
-               GoesThrough(*way)) {
+               IsParted(layout, *way)) {
       for (std::size_t i = 1; i + 1 < way->size(); ++i) (*crossings)[(*way)[i]] = crossing;
       waters->Join(way->front(), next);
       return true;

@@ -24,6 +24,7 @@ constexpr double kMostClearance_m = 3.0;
 constexpr double kSettled_cells = 5.0;  // layout cells: how near houses make it a stone bridge
 constexpr double kLongestStone_m = 45.0;
 constexpr double kOnLand_cells = 2.5;   // that an end lies from the water
+constexpr double kGap = 0.4;            // layout cells: within one side of a crossing
 constexpr double kLongestEnd = 1.5;     // layout cells beyond the water, however slant the shore
 constexpr double kBendTolerance = 0.2;  // of the width, between the road's course and the deck's
 
@@ -110,16 +111,17 @@ class Planner {
     });
   }
 
-  // The middle of each group of neighbouring cells.
+  // The middle of each group of cells: ragged shores have gaps, far less wide than a river.
   std::vector<CellIndex> MiddlesOf(std::vector<CellIndex> cells) const {
+    const int reach = std::max(1, static_cast<int>(kGap * layout_cell_));
     std::vector<CellIndex> middles;
     while (!cells.empty()) {
       std::vector<CellIndex> group = {cells.front()};
       cells.erase(cells.begin());
       for (std::size_t next = 0; next < group.size(); ++next) {
         const auto far = std::stable_partition(cells.begin(), cells.end(), [&](CellIndex cell) {
-          return std::abs(cell.row - group[next].row) > 1 ||
-                 std::abs(cell.col - group[next].col) > 1;
+          return std::abs(cell.row - group[next].row) > reach ||
+                 std::abs(cell.col - group[next].col) > reach;
         });
         group.insert(group.end(), far, cells.end());
         cells.erase(far, cells.end());
