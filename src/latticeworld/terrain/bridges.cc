@@ -26,6 +26,7 @@ constexpr double kLongestStone_m = 45.0;
 constexpr double kOnLand_cells = 2.5;   // that an end lies from the water
 constexpr double kGap = 0.4;            // layout cells: within one side of a crossing
 constexpr double kLongestEnd = 1.5;     // layout cells beyond the water, however slant the shore
+constexpr double kLongestDetour = 3.0;  // layout cells along a road whose shore stays beside it
 constexpr double kBendTolerance = 0.2;  // of the width, between the road's course and the deck's
 
 // Places of the lattice, between its cells.
@@ -174,10 +175,27 @@ class Planner {
     return farthest;
   }
 
-  // Bridges from the first landing of a piece to each other one.
+  // Landings by how far they are from one of those that are farthest apart, which comes first; then
+  // the farthest.
+  static void Sort(std::vector<CellIndex>* landings) {
+    const auto away = [](CellIndex a, CellIndex b) {
+      return std::hypot(a.row - b.row, a.col - b.col);
+    };
+    const CellIndex any = landings->front();
+    const auto first =
+        std::max_element(landings->begin(), landings->end(),
+                         [&](CellIndex a, CellIndex b) { return away(a, any) < away(b, any); });
+    std::iter_swap(landings->begin(), first);
+    const CellIndex begin = landings->front();
+    std::stable_sort(landings->begin() + 1, landings->end(),
+                     [&](CellIndex a, CellIndex b) { return away(a, begin) > away(b, begin); });
+  }
+
+  // Bridges from one landing of a piece to the others, but those that lie on the way to one.
   void Join(const std::vector<std::int32_t>& piece) {
-    const std::vector<CellIndex> landings = LandingsOf(piece);
+    std::vector<CellIndex> landings = LandingsOf(piece);
     if (landings.size() < 2) return;
+    Sort(&landings);
     double level_m = -std::numeric_limits<double>::infinity();
     for (const std::int32_t cell : piece) {
       level_m = std::max<double>(level_m, ground_.banks.level_everywhere_m().data()[cell]);
@@ -187,12 +205,25 @@ class Planner {
     }
     for (const CellIndex landing : landings) cost_[landing] = 1.0f;
     const LeastCostWays ways(cost_, {landings.front()});
+    std::vector<std::vector<CellIndex>> taken;
     for (std::size_t i = 1; i < landings.size(); ++i) {
-      if (!ways.Reaches(landings[i])) continue;
-      Add(ways.WayTo(landings[i]), level_m, landings.size() == 2);
+      if (!ways.Reaches(landings[i]) || IsOn(taken, landings[i])) continue;
+      taken.push_back(ways.WayTo(landings[i]));
     }
+    for (const auto& way : taken) Add(way, level_m, taken.size() == 1);
     for (const std::int32_t cell : piece) cost_.data()[cell] = kInfinity;
     for (const CellIndex landing : landings) cost_[landing] = kInfinity;
+  }
+
+  // Whether a way passes a place at less than the width of a road.
+  bool IsOn(const std::vector<std::vector<CellIndex>>& ways, CellIndex place) const {
+    for (const std::vector<CellIndex>& way : ways) {
+      for (const CellIndex cell : way) {
+        if (std::hypot(cell.row - place.row, cell.col - place.col) < kRoadWidth * layout_cell_)
+          return true;
+      }
+    }
+    return false;
   }
 
   Place OnCenter(CellIndex cell) const {
@@ -203,11 +234,22 @@ class Planner {
   void Add(const std::vector<CellIndex>& way, double level_m, bool railed) {
     std::vector<Place> course;
     for (const CellIndex cell : way) course.push_back(OnCenter(cell));
-    std::vector<Place> line = {course.front()};
-    Simplify(course, 0, course.size() - 1, kBendTolerance * width_m_ / cell_m_, &line);
-    if (Norm(line.back() - line.front()) < 1.0) return;
-    Lengthen(line[1], &line[0]);
-    Lengthen(line[line.size() - 2], &line.back());
+    if (Norm(course.back() - course.front()) < 1.0) return;
+    std::vector<Place> line = Simplified(course);
+    const bool begins = Lengthen(line[1], &line[0]);
+    const bool ends = Lengthen(line[line.size() - 2], &line.back());
+    if (!begins || !ends) {
+      // Where the shore stays beside the road the bridge follows that.
+      std::vector<Place> before, after;
+      if (!begins) before = ToDryRoad(way.front());
+      if (!ends) after = ToDryRoad(way.back());
+      course.insert(course.begin(), before.rbegin(), before.rend());
+      course.insert(course.end(), after.begin(), after.end());
+      std::vector<Place> longer = Simplified(course);
+      if (before.empty()) longer.front() = line.front();
+      if (after.empty()) longer.back() = line.back();
+      line = std::move(longer);
+    }
     Bridge bridge;
     for (const Place place : line) bridge.line.push_back(PointOf(place));
     bridge.width_m = width_m_;
@@ -216,26 +258,65 @@ class Planner {
     bridges_.push_back(std::move(bridge));
   }
 
-  // Moves an end on until the deck rests on land with all of its width.
-  void Lengthen(Place before, Place* end) const {
+  std::vector<Place> Simplified(const std::vector<Place>& course) const {
+    std::vector<Place> line = {course.front()};
+    Simplify(course, 0, course.size() - 1, kBendTolerance * width_m_ / cell_m_, &line);
+    return line;
+  }
+
+  // Along the road from a landing to where a deck rests on land with all of its width; empty where
+  // there is no such place near.
+  std::vector<Place> ToDryRoad(CellIndex landing) const {
+    const int reach = static_cast<int>(kLongestDetour * layout_cell_);
+    const double need = 0.5 * width_m_ / cell_m_ + kOnLand_cells;
+    Grid<float> road(rows_, cols_, kInfinity);
+    const int row_begin = std::max(0, landing.row - reach);
+    const int row_end = std::min(rows_ - 1, landing.row + reach);
+    const int col_begin = std::max(0, landing.col - reach);
+    const int col_end = std::min(cols_ - 1, landing.col + reach);
+    for (int r = row_begin; r <= row_end; ++r) {
+      for (int c = col_begin; c <= col_end; ++c) {
+        if (IsRoad(r, c)) road(r, c) = 1.0f;
+      }
+    }
+    const LeastCostWays ways(road, {landing});
+    CellIndex nearest = landing;
+    double least = std::numeric_limits<double>::infinity();
+    for (int r = row_begin; r <= row_end; ++r) {
+      for (int c = col_begin; c <= col_end; ++c) {
+        const double away = std::hypot(r - landing.row, c - landing.col);
+        if (away >= least || !ways.Reaches({r, c})) continue;
+        if (ground_.banks.to_water()(r, c) < need) continue;
+        least = away;
+        nearest = {r, c};
+      }
+    }
+    std::vector<Place> places;
+    if (nearest == landing) return places;
+    for (const CellIndex cell : ways.WayTo(nearest)) places.push_back(OnCenter(cell));
+    return places;
+  }
+
+  // Moves an end on until the deck rests on land with all of its width. False: it does not.
+  bool Lengthen(Place before, Place* end) const {
     const Place ahead = (1.0 / std::max(Norm(*end - before), 1e-9)) * (*end - before);
     const Place aside = (0.5 * width_m_ / cell_m_) * Place{-ahead.col, ahead.row};
     constexpr double kStep = 0.5;
     Place best = *end;
     double most = -1.0;
-    for (double on = 0.0; on <= kLongestEnd * layout_cell_; on += kStep) {
+    bool at_edge = false;
+    for (double on = 0.0; on <= kLongestEnd * layout_cell_ && most < kOnLand_cells; on += kStep) {
       const Place place = *end + on * ahead;
-      if (place.row < -0.5 || place.col < -0.5 || place.row > rows_ - 0.5 ||
-          place.col > cols_ - 0.5) {
-        break;
-      }
+      at_edge = place.row < -0.5 || place.col < -0.5 || place.row > rows_ - 0.5 ||
+                place.col > cols_ - 0.5;
+      if (at_edge) break;
       const double dry = std::min({ToWater(place), ToWater(place + aside), ToWater(place - aside)});
       if (dry <= most) continue;
       most = dry;
       best = place;
-      if (dry >= kOnLand_cells) break;
     }
     *end = best;
+    return at_edge || most >= kOnLand_cells;
   }
 
   double ToWater(Place place) const {

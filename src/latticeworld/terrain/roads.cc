@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "latticeworld/terrain/bridges.h"
+#include "latticeworld/terrain/components.h"
 #include "latticeworld/terrain/cones.h"
 #include "latticeworld/terrain/embankment.h"
 #include "latticeworld/terrain/lattice.h"
@@ -73,6 +74,24 @@ float At(const Grid<float>& values, float row, float col) {
   return north + v * (south - north);
 }
 
+// Gives bridges whose cells touch the height of the highest of them.
+void LevelNeighbours(const Grid<std::int32_t>& of, std::vector<Bridge>* bridges) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (int r = 0; r < of.rows(); ++r) {
+      for (int c = 0; c < of.cols(); ++c) {
+        if (of(r, c) < 0) continue;
+        double& deck_z_m = (*bridges)[of(r, c)].deck_z_m;
+        ForEachNeighbour(of, r, c, [&](int row, int col) {
+          if (of(row, col) < 0 || (*bridges)[of(row, col)].deck_z_m <= deck_z_m) return;
+          deck_z_m = (*bridges)[of(row, col)].deck_z_m;
+          changed = true;
+        });
+      }
+    }
+  }
+}
+
 // Lifts bridges to the road on both sides, and so far that none near another one is lower than the
 // road's slope can make up for. of: the bridge of each cell, or -1.
 void LiftBridges(const Grid<unsigned char>& road, const Grid<std::int32_t>& of,
@@ -93,6 +112,7 @@ void LiftBridges(const Grid<unsigned char>& road, const Grid<std::int32_t>& of,
     double& deck_z_m = (*bridges)[of.data()[i]].deck_z_m;
     deck_z_m = std::max<double>(deck_z_m, lowest.data()[i]);
   }
+  LevelNeighbours(of, bridges);
 }
 
 }  // namespace
