@@ -12,6 +12,7 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/generation/fords.h"
 #include "latticeworld/generation/visual.h"
 #include "latticeworld/generation/world_id.h"
 
@@ -158,6 +159,7 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
     terrain_request.layout = &world->layout;
     terrain_request.relief = relief_pointer;
     terrain_request.seed = StreamSeed(request.seed, "terrain");
+    terrain_request.options.fords = AsksForFords(request.layout_instruction);
     return BuildTerrain(terrain_request, progress);
   }));
 

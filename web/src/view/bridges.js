@@ -24,7 +24,7 @@ export class Bridges {
     const key = `${red} ${green} ${blue}`;
     if (!this.materials.has(key)) {
       const color = new THREE.Color().setRGB(red, green, blue, THREE.SRGBColorSpace);
-      this.materials.set(key, new THREE.MeshStandardMaterial({ color, roughness: 0.9 }));
+      this.materials.set(key, new THREE.MeshLambertMaterial({ color }));
     }
     return this.materials.get(key);
   }
