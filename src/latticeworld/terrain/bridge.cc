@@ -8,6 +8,7 @@ namespace latticeworld {
 namespace {
 
 constexpr double kFoundation_m = 0.5;   // of a pier below the bed
+constexpr double kRailedLand_m = 1.0;   // beyond the water
 constexpr int kArchSlices = 8;          // of an opening
 constexpr double kArchSpringing = 0.1;  // of the clearance, above the water
 
@@ -69,8 +70,14 @@ class PartsBuilder {
     const double half_m = 0.5 * bridge_.width_m;
     const double top_m = bridge_.deck_z_m;
     const double rail_half_m = std::min(0.15, 0.03 * bridge_.width_m);
+    // Railings stand beside the water alone: streets join the road right behind it.
+    const double rail_begin_m = bridge_.supports_m.front() - kRailedLand_m;
+    const double rail_end_m = bridge_.supports_m.back() + kRailedLand_m;
+    double passed_m = 0.0;
     for (std::size_t i = 0; i + 1 < bridge_.line.size(); ++i) {
       const double length_m = Distance(bridge_.line[i], bridge_.line[i + 1]);
+      const double begin_m = rail_begin_m - passed_m, end_m = rail_end_m - passed_m;
+      passed_m += length_m;
       const double before = HalfTurn(i), after = HalfTurn(i + 1);
       // On the outer side of a bend decks reach so far that no gap is left.
       AddAlong(BridgePartKind::kDeck, i, -half_m * std::abs(before),
@@ -80,8 +87,9 @@ class PartsBuilder {
       for (const double side : {-1.0, 1.0}) {
         // Railings meet on the line that halves the bend.
         const double off_m = side * (half_m - rail_half_m);
-        AddAlong(BridgePartKind::kRailing, i, off_m * before, length_m - off_m * after, off_m,
-                 rail_half_m, top_m, top_m + bridge_.railing_m);
+        AddAlong(BridgePartKind::kRailing, i, std::max(begin_m, off_m * before),
+                 std::min(end_m, length_m - off_m * after), off_m, rail_half_m, top_m,
+                 top_m + bridge_.railing_m);
       }
     }
   }
