@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "latticeworld/common/random.h"
-#include "latticeworld/exporting/bridge_looks.h"
+#include "latticeworld/exporting/bridge_colors.h"
 #include "latticeworld/meshes/mesh.h"
 #include "latticeworld_ros/geometry_conversion.h"
 #include "latticeworld_ros/marker_pieces.h"
@@ -246,8 +246,8 @@ void AddAssets(const Scene& scene, int max_assets, const SceneChanges& changes,
 }
 
 std_msgs::ColorRGBA ColorOf(const Bridge& bridge, const BridgePart& part) {
-  const auto bgr = ColorOfBridge(bridge.kind, part.kind, part.kind == BridgePartKind::kDeck);
-  return Color(bgr[2], bgr[1], bgr[0]);
+  const Rgb rgb = RgbOfBridge(bridge.kind, part.kind, part.kind == BridgePartKind::kDeck);
+  return Color(rgb.r / 255.0f, rgb.g / 255.0f, rgb.b / 255.0f);
 }
 
 void AddBridges(const Terrain& terrain, MarkerPieces* pieces) {

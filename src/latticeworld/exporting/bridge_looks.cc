@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "latticeworld/exporting/body_looks.h"
+#include "latticeworld/exporting/bridge_colors.h"
 #include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/exporting/ray_noise.h"
 
@@ -61,18 +62,23 @@ float Planks(float along_m, float footprint_m) {
 
 }  // namespace
 
-Color ColorOfBridge(BridgeKind kind, BridgePartKind part, bool top) {
+Rgb RgbOfBridge(BridgeKind kind, BridgePartKind part, bool top) {
   const bool carries = top && part == BridgePartKind::kDeck;
   switch (kind) {
     case BridgeKind::kPlank:
-      return carries ? FromRgb(150, 118, 82) : FromRgb(112, 86, 60);
+      return carries ? Rgb{150, 118, 82} : Rgb{112, 86, 60};
     case BridgeKind::kStoneArch:
-      return carries ? FromRgb(150, 142, 128) : FromRgb(168, 156, 134);
+      return carries ? Rgb{150, 142, 128} : Rgb{168, 156, 134};
     case BridgeKind::kGirder:
       break;
   }
-  if (part == BridgePartKind::kRailing) return FromRgb(116, 122, 128);
-  return carries ? FromRgb(112, 110, 108) : FromRgb(176, 174, 168);
+  if (part == BridgePartKind::kRailing) return Rgb{116, 122, 128};
+  return carries ? Rgb{112, 110, 108} : Rgb{176, 174, 168};
+}
+
+Color ColorOfBridge(BridgeKind kind, BridgePartKind part, bool top) {
+  const Rgb rgb = RgbOfBridge(kind, part, top);
+  return FromRgb(rgb.r, rgb.g, rgb.b);
 }
 
 SurfaceLook LookOfBridge(const Bridge& bridge, ArtisticStyle style, const RayHit& hit,

@@ -8,7 +8,7 @@
 
 namespace latticeworld {
 
-// The natural colour of a part of a bridge, of what is driven on: its top.
+// RgbOfBridge (bridge_colors.h), as pictures have colours.
 Color ColorOfBridge(BridgeKind kind, BridgePartKind part, bool top);
 
 // Where a ray met a bridge: planks, courses of stone or smooth concrete; footprint_m: the extent of
