@@ -113,7 +113,8 @@ void AddEdgeOutlets(const Grid<float>& hills_m, const Grid<float>& level_m, Base
   }
 }
 
-BaseLevel BaseLevelOf(const Grid<float>& hills_m, const Grid<float>& level_m) {
+BaseLevel BaseLevelOf(const Grid<float>& hills_m, const Grid<float>& level_m,
+                      const ReliefForms& forms) {
   const int n = hills_m.rows();
   BaseLevel base{Grid<unsigned char>(n, n, 0), Grid<float>(n, n, 0.0f)};
   bool any = false;
@@ -124,6 +125,7 @@ BaseLevel BaseLevelOf(const Grid<float>& hills_m, const Grid<float>& level_m) {
     base.height_m.data()[i] = level_m.data()[i];
   }
   AddEdgeOutlets(hills_m, level_m, &base);
+  forms.OpenEdges(hills_m, &base.outlet, &base.height_m);
   if (!any && std::find(base.outlet.begin(), base.outlet.end(), 1) == base.outlet.end()) {
     const auto lowest = std::min_element(hills_m.begin(), hills_m.end()) - hills_m.begin();
     base.outlet.data()[lowest] = 1;
@@ -191,9 +193,11 @@ void Evolve(const GridGeometry& lattice, const Phase& phase, const BaseLevel& ba
 }
 
 // Creep rounds soft land, and everywhere a little what the lattice's eight directions left.
-void Creep(const GridGeometry& lattice, const SmoothedMasks& masks, Grid<float>* land_m) {
+void Creep(const GridGeometry& lattice, const SmoothedMasks& masks, const ReliefForms& forms,
+           Grid<float>* land_m) {
   const double layout_cell = LatticeCellsPerLayoutCell(lattice);
-  const Grid<float> smoothness = MixTrait(masks, &ClassTraits::smoothness);
+  Grid<float> smoothness = MixTrait(masks, &ClassTraits::smoothness);
+  forms.Roughen(&smoothness);
   Grid<float> wide = *land_m;
   GaussianBlur(0.05 * layout_cell, land_m);
   GaussianBlur(0.35 * layout_cell, &wide);
@@ -244,14 +248,15 @@ void SmoothSteps(double step_m, Grid<float>* land) {
 }  // namespace
 
 Result<ShapedLand> ShapeLand(const GridGeometry& lattice, const SmoothedMasks& masks,
-                             const WaterBodies& water, std::uint64_t seed,
+                             const WaterBodies& water, const ReliefForms& forms, std::uint64_t seed,
                              const Progress& progress) {
   const int n = lattice.rows();
   const double size_m = lattice.size_m();
   const double incision_m = std::min(kMaxIncision_m, kIncisionOfSize * size_m);
   const Grid<float> hills_m =
       ProceduralRelief(lattice, std::min(kHillsOfSize * size_m, kMaxHills_m), seed);
-  const Fields fields = FieldsOf(lattice, masks, seed);
+  Fields fields = FieldsOf(lattice, masks, seed);
+  forms.Raise(&fields.steepness_m, &fields.slide_slope, &fields.talus);
 
   // Rivers leave the world where the land is softest and lowest.
   Grid<float> prior_m = fields.steepness_m;
@@ -276,29 +281,31 @@ Result<ShapedLand> ShapeLand(const GridGeometry& lattice, const SmoothedMasks& m
     land_m.data()[i] =
         hills_m.data()[i] + fields.steepness_m.data()[i] * (3.0f + 6.0f * land_m.data()[i]);
   }
-  Evolve(lattice, {coarse, 12, 0}, BaseLevelOf(hills_m, levels.Levels()), fields, &land_m);
+  Evolve(lattice, {coarse, 12, 0}, BaseLevelOf(hills_m, levels.Levels(), forms), fields, &land_m);
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   levels.SetClosedBases(Resample(land_m, n, n), incision_m);
   levels.Reconcile(kNeighbourSlope * lattice.resolution_m());
   ShapedLand result;
   result.water_level_m = levels.Levels();
 
-  const BaseLevel base = BaseLevelOf(hills_m, result.water_level_m);
+  const BaseLevel base = BaseLevelOf(hills_m, result.water_level_m, forms);
   for (const Phase& phase : {Phase{coarse, 4, 0}, Phase{n / 2, 3, 6}, Phase{n, 1, 8}}) {
     Evolve(lattice, phase, base, fields, &land_m);
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
   }
-  Creep(lattice, masks, &land_m);
+  Creep(lattice, masks, forms, &land_m);
+  forms.Lay(result.water_level_m, &land_m);
   result.height_m = std::move(land_m);
   return result;
 }
 
 void FillHollows(double cell_m, const WaterBodies& water, const Grid<float>& level_m,
-                 Grid<float>* land_m) {
+                 const Grid<unsigned char>& hollow, Grid<float>* land_m) {
   constexpr double kLeastFall = 0.004;  // [m/m]
   const int n = land_m->rows();
   Grid<unsigned char> outlet = water.wet;
   for (const std::int32_t cell : EdgeCells(n)) outlet.data()[cell] = 1;
+  for (std::size_t i = 0; i < outlet.size(); ++i) outlet.data()[i] |= hollow.data()[i];
   Grid<float> surface = *land_m;
   for (std::size_t i = 0; i < surface.size(); ++i) {
     if (water.wet.data()[i] != 0) surface.data()[i] = level_m.data()[i];

@@ -15,6 +15,8 @@
 #include "latticeworld/terrain/cover.h"
 #include "latticeworld/terrain/land.h"
 #include "latticeworld/terrain/lattice.h"
+#include "latticeworld/terrain/relief_forms.h"
+#include "latticeworld/terrain/relief_places.h"
 #include "latticeworld/terrain/render.h"
 #include "latticeworld/terrain/roads.h"
 #include "latticeworld/terrain/streets.h"
@@ -53,6 +55,17 @@ Grid<unsigned char> FordCells(const Grid<char>& letters, const Grid<Crossing>& c
     ford.data()[i] = letters.data()[i] == 'R' && crossing.data()[i] == Crossing::kFord ? 1 : 0;
   }
   return ford;
+}
+
+// Roads, buildings and fields: what relief keeps away from.
+Grid<unsigned char> BuiltCells(const Grid<char>& letters, Vocabulary vocabulary) {
+  Grid<unsigned char> built(letters.rows(), letters.cols(), 0);
+  if (vocabulary != Vocabulary::kSuburb) return built;
+  for (std::size_t i = 0; i < built.size(); ++i) {
+    const char letter = letters.data()[i];
+    built.data()[i] = letter == 'R' || letter == 'B' || letter == 'A' ? 1 : 0;
+  }
+  return built;
 }
 
 // How deep water may be on and beside roads [m]: fords are shallow and lead into the water gently,
@@ -123,6 +136,11 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
       WetCells(letters, lines.crossing), internal::LatticeCellsPerLayoutCell(lattice), !has_relief);
   LW_RETURN_IF_ERROR(advance(0.1));
 
+  const std::vector<ReliefWish> no_words;
+  const internal::ReliefForms forms(internal::PlaceReliefs(has_relief ? no_words : request.reliefs,
+                                                           *request.layout, lattice.size_m()),
+                                    lattice, BuiltCells(letters, lines.masks.vocabulary), water,
+                                    request.seed);
   internal::LandPlan plan;
   Grid<float> level_m;
   if (has_relief) {
@@ -131,8 +149,9 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
     plan.given_m = plan.height_m;
     level_m = internal::GradedLevels(lattice, water, plan.height_m, internal::GradedRule());
   } else {
-    LW_ASSIGN_OR_RETURN(internal::ShapedLand land,
-                        internal::ShapeLand(lattice, lines.masks, water, request.seed, progress));
+    LW_ASSIGN_OR_RETURN(
+        internal::ShapedLand land,
+        internal::ShapeLand(lattice, lines.masks, water, forms, request.seed, progress));
     plan.height_m = std::move(land.height_m);
     level_m = std::move(land.water_level_m);
   }
@@ -143,7 +162,9 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
                                   ? request.options.max_bank_slope
                                   : std::min(kShapedBankSlope, request.options.max_bank_slope));
   banks.Shape(&plan.height_m);
-  if (!has_relief) internal::FillHollows(lattice.resolution_m(), water, level_m, &plan.height_m);
+  if (!has_relief) {
+    internal::FillHollows(lattice.resolution_m(), water, level_m, forms.Hollows(), &plan.height_m);
+  }
   Grid<float> shaped(n, n, 0.0f);
   std::vector<internal::Street> streets;
   if (lines.masks.vocabulary == Vocabulary::kSuburb) {

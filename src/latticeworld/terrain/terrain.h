@@ -10,6 +10,7 @@
 #include "latticeworld/geometry/grid_geometry.h"
 #include "latticeworld/geometry/height_field.h"
 #include "latticeworld/layout/class_weights.h"
+#include "latticeworld/layout/relief_wish.h"
 #include "latticeworld/layout/symbolic_layout.h"
 #include "latticeworld/relief/relief.h"
 #include "latticeworld/terrain/surface.h"
@@ -43,6 +44,7 @@ struct TerrainRequest {
   GridGeometry geometry;
   const SymbolicLayout* layout = nullptr;  // never null
   const Relief* relief = nullptr;          // variable-height scene; null: gentle procedural relief
+  std::vector<ReliefWish> reliefs;         // only without a relief: given land stays as it is
   std::uint64_t seed = 0;
   TerrainOptions options;
   int threads = 0;  // 0: as many as cores; the terrain is the same with any

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/relief_wish.h"
 #include "latticeworld/layout/vocabulary.h"
 #include "latticeworld/layout/zone.h"
 
@@ -62,6 +63,8 @@ struct PlannedFeature {
 
   bool supposed = false;  // no words speak of it, and nothing is claimed of it: it stands only for
                           // what others need, the pool around an island in a river
+  std::string noun;     // that names it, in the singular: "snow mountain"
+  bool plural = false;  // the words had it in the plural
   std::string words;
 };
 
@@ -114,6 +117,7 @@ struct LayoutPlan {
   std::vector<PlannedRelation> relations;
   std::vector<PlannedOrder> orders;
   std::vector<PlannedAbsence> absences;
+  std::vector<ReliefWish> reliefs;  // of the land's form, whatever lies on it (relief_reading.h)
   char background = '\0';     // what nothing else takes; always a letter of the vocabulary
   std::vector<Claim> claims;  // what the layout is measured by
   std::vector<std::string> not_understood;  // words, as they stand in the instruction
