@@ -6,7 +6,9 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/environment/environment_claims.h"
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
+#include "latticeworld/language/reading/relief_reading.h"
 #include "latticeworld/layout/claims.h"
+#include "latticeworld/terrain/relief_claims.h"
 
 namespace latticeworld {
 namespace {
@@ -43,6 +45,19 @@ FidelityReport AssessLayoutFidelity(const LayoutReading& reading, const Symbolic
   return report;
 }
 
+void AssessReliefFidelity(const LayoutReading& reading, const SymbolicLayout& layout,
+                          const Terrain& terrain, FidelityReport* report) {
+  std::vector<ClaimOutcome> outcomes;
+  for (ReliefMeasure& measure : MeasureReliefs(reading.plan.reliefs, layout, terrain)) {
+    outcomes.push_back({InstructionPart::kLayout, std::move(measure.kind), std::move(measure.words),
+                        measure.holds, measure.distance, std::move(measure.explanation)});
+  }
+  const auto behind_layout = std::find_if(
+      report->claims.begin(), report->claims.end(),
+      [](const ClaimOutcome& claim) { return claim.part == InstructionPart::kEnvironment; });
+  report->claims.insert(behind_layout, outcomes.begin(), outcomes.end());
+}
+
 ClaimOutcome OutcomeOf(const EnvironmentClaim& claim, const EnvironmentConfig& environment) {
   return OutcomeOf(InstructionPart::kEnvironment, claim, Measure(claim, environment));
 }
@@ -72,20 +87,27 @@ Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view
                                      std::string_view environment_instruction,
                                      const SymbolicLayout& layout,
                                      const EnvironmentConfig& environment,
-                                     std::shared_ptr<const Catalogue> catalogue) {
+                                     std::shared_ptr<const Catalogue> catalogue,
+                                     const Terrain* terrain) {
   std::vector<ModelReply> replies;
   LayoutRequest layout_request;
   layout_request.instruction = layout_instruction;
   layout_request.vocabulary = layout.vocabulary;
-  LW_ASSIGN_OR_RETURN(const LayoutReading layout_reading,
+  LW_ASSIGN_OR_RETURN(LayoutReading layout_reading,
                       reader->ReadLayout(layout_request, Progress(), &replies));
+  ReadRelief(layout_instruction, &layout_reading);
   EnvironmentRequest environment_request;
   environment_request.instruction = environment_instruction;
   environment_request.layout = &layout;
   environment_request.catalogue = std::move(catalogue);
   LW_ASSIGN_OR_RETURN(const EnvironmentReading environment_reading,
                       reader->ReadEnvironment(environment_request, Progress(), &replies));
-  return AssessFidelity(layout_reading, environment_reading, layout, environment);
+  FidelityReport report = AssessFidelity(layout_reading, environment_reading, layout, environment);
+  if (terrain != nullptr) {
+    AddTerrainType(environment_reading, &layout_reading);
+    AssessReliefFidelity(layout_reading, layout, *terrain, &report);
+  }
+  return report;
 }
 
 std::vector<std::string> WarningsOf(const FidelityReport& report,

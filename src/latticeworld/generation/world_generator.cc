@@ -14,6 +14,8 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/generation/visual.h"
 #include "latticeworld/generation/world_id.h"
+#include "latticeworld/language/reading/relief_reading.h"
+#include "latticeworld/terrain/relief_claims.h"
 
 namespace latticeworld {
 namespace {
@@ -124,6 +126,7 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
     layout_request.seed = StreamSeed(request.seed, "layout");
     LW_ASSIGN_OR_RETURN(layout_reading,
                         reader->ReadLayout(layout_request, progress, &world->replies));
+    ReadRelief(request.layout_instruction, &layout_reading);
     layout_request.reading = &layout_reading;
     return generator->layout->Generate(layout_request, progress, &world->replies);
   }));
@@ -150,16 +153,21 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
   add_warnings(std::move(environment.warnings));
   world->fidelity =
       AssessFidelity(layout_reading, environment_reading, world->layout, world->environment);
-  add_warnings(WarningsOf(world->fidelity, world->warnings));
+  AddTerrainType(environment_reading, &layout_reading);
+  if (relief) add_warnings(ReliefLeftAlone(layout_reading.plan.reliefs));
 
   LW_ASSIGN_OR_RETURN(Terrain terrain, stages.Run("terrain", [&] {
     TerrainRequest terrain_request;
     terrain_request.geometry = geometry;
     terrain_request.layout = &world->layout;
     terrain_request.relief = relief_pointer;
+    if (!relief) terrain_request.reliefs = layout_reading.plan.reliefs;
     terrain_request.seed = StreamSeed(request.seed, "terrain");
     return BuildTerrain(terrain_request, progress);
   }));
+
+  AssessReliefFidelity(layout_reading, world->layout, terrain, &world->fidelity);
+  add_warnings(WarningsOf(world->fidelity, world->warnings));
 
   LW_ASSIGN_OR_RETURN(SceneAnswer scene, stages.Run("scene", [&] {
     SceneRequest scene_request;

@@ -10,6 +10,7 @@
 #include "latticeworld/common/random.h"
 #include "latticeworld/geomorphology/blur.h"
 #include "latticeworld/geomorphology/distance.h"
+#include "latticeworld/geomorphology/erosion.h"
 #include "latticeworld/geomorphology/noise.h"
 #include "latticeworld/terrain/cones.h"
 #include "latticeworld/terrain/lattice.h"
@@ -39,9 +40,14 @@ AreaTraits TraitsOf(ReliefKind kind) {
     case ReliefKind::kRugged:
       return {16.0f, 1.1f, 0.12f};
     default:
-      return {30.0f, 1.0f, 0.12f};
+      return {80.0f, 1.0f, 0.12f};
   }
 }
+
+// How rough rock is, as a share of its height, and how far rain cuts into what was laid [m]: a
+// gully of so much runs back from its foot by the root of its drainage area in a step.
+constexpr double kRoughness = 0.05;
+constexpr double kGullies = 0.25;
 
 bool Evolves(ReliefKind kind) { return kind != ReliefKind::kSlope && kind != ReliefKind::kDunes; }
 
@@ -97,6 +103,21 @@ float Section(ReliefKind kind, float u) {
 
 }  // namespace
 
+// A thing that is laid into the land.
+struct ReliefForms::Laid {
+  const ReliefPiece* piece;
+  Grid<float> shape;   // in shares of its height, with its sign
+  Grid<float> room_m;  // the most that there is room for
+
+  void Add(double height_m, Grid<float>* land_m) const {
+    const auto height = static_cast<float>(height_m);
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+      const float most = room_m.data()[i];
+      land_m->data()[i] += std::clamp(height * shape.data()[i], -most, most);
+    }
+  }
+};
+
 ReliefForms::ReliefForms(std::vector<ReliefPiece> pieces, const GridGeometry& lattice,
                          Grid<unsigned char> built, const WaterBodies& water, std::uint64_t seed)
     : pieces_(std::move(pieces)),
@@ -112,10 +133,20 @@ ReliefForms::ReliefForms(std::vector<ReliefPiece> pieces, const GridGeometry& la
 Grid<float> ReliefForms::ShareOf(const LayoutMask& area, bool off_built) const {
   const int n = lattice_.rows();
   const double layout_cell = LatticeCellsPerLayoutCell(lattice_);
+  NoiseOptions waver;
+  waver.wavelength_m = 0.16 * lattice_.size_m();
+  waver.octaves = 4;
+  const Grid<float> down = FractalNoise(lattice_, waver, StreamSeed(seed_, "relief/area rows"));
+  const Grid<float> along = FractalNoise(lattice_, waver, StreamSeed(seed_, "relief/area columns"));
+  constexpr double kWaver_cells = 2.5;
   Grid<float> share(n, n);
   for (int r = 0; r < n; ++r) {
     for (int c = 0; c < n; ++c) {
-      const CellIndex cell = {static_cast<int>(r / layout_cell), static_cast<int>(c / layout_cell)};
+      const auto of = [](double cells) {
+        return std::clamp(static_cast<int>(std::floor(cells)), 0, kLayoutSize - 1);
+      };
+      const CellIndex cell = {of(r / layout_cell + kWaver_cells * down(r, c)),
+                              of(c / layout_cell + kWaver_cells * along(r, c))};
       const bool kept = area.Contains(cell) && (!off_built || built_(r, c) == 0);
       share(r, c) = kept ? 1.0f : 0.0f;
     }
@@ -195,6 +226,53 @@ void ReliefForms::Scale(const Area& area, const Grid<float>& base_m, Grid<float>
     const float base = base_m.data()[i];
     float& land = land_m->data()[i];
     land = base + (land - base) * (1.0f + area.share.data()[i] * (factor - 1.0f));
+  }
+}
+
+void ReliefForms::Weather(Grid<float>* land_m) const {
+  const int n = lattice_.rows();
+  Grid<float> rough(n, n, 0.0f);
+  for (const Area& area : areas_) {
+    const bool rocky =
+        area.piece->kind == ReliefKind::kMountain || area.piece->kind == ReliefKind::kPeak ||
+        area.piece->kind == ReliefKind::kMountainous || area.piece->kind == ReliefKind::kRugged;
+    if (!rocky) continue;
+    const auto rough_m = static_cast<float>(kRoughness * area.piece->height_m);
+    for (std::size_t i = 0; i < rough.size(); ++i) {
+      rough.data()[i] = std::max(rough.data()[i], rough_m * area.share.data()[i]);
+    }
+  }
+  if (*std::max_element(rough.begin(), rough.end()) > 0.0f) {
+    NoiseOptions options;
+    options.wavelength_m = 0.09 * lattice_.size_m();
+    options.octaves = 5;
+    const Grid<float> noise = FractalNoise(lattice_, options, StreamSeed(seed_, "relief/rough"));
+    for (std::size_t i = 0; i < rough.size(); ++i) {
+      land_m->data()[i] += rough.data()[i] * noise.data()[i];
+    }
+  }
+}
+
+// Rain cuts gullies into what was laid.
+void ReliefForms::Gully(const Grid<float>& laid, const Grid<float>& level_m,
+                        Grid<float>* land_m) const {
+  const int n = lattice_.rows();
+  Grid<unsigned char> outlet = water_.wet;
+  for (int i = 0; i < n; ++i) {
+    outlet(0, i) = outlet(n - 1, i) = outlet(i, 0) = outlet(i, n - 1) = 1;
+  }
+  Grid<float> eroded = *land_m;
+  for (std::size_t i = 0; i < eroded.size(); ++i) {
+    if (water_.wet.data()[i] != 0) eroded.data()[i] = level_m.data()[i];
+  }
+  FluvialOptions options;
+  options.steps = 1;
+  options.time_step_yr = kGullies / options.erodibility;
+  ErodeFluvially(lattice_.resolution_m(), options, &outlet, nullptr, nullptr, 0, &eroded);
+  for (std::size_t i = 0; i < eroded.size(); ++i) {
+    if (water_.wet.data()[i] != 0) continue;
+    float& land = land_m->data()[i];
+    land += std::min(1.0f, laid.data()[i]) * (eroded.data()[i] - land);
   }
 }
 
@@ -334,23 +412,33 @@ void ReliefForms::Lay(const Grid<float>& level_m, Grid<float>* land_m) const {
         Scale(area, base_m, land_m);
       }
     }
+    Weather(land_m);
   }
+  LayThings(level_m, land_m);
+}
+
+void ReliefForms::LayThings(const Grid<float>& level_m, Grid<float>* land_m) const {
+  Grid<float> raised(land_m->rows(), land_m->cols(), 0.0f);
+  std::vector<Laid> all;
   for (const ReliefPiece& piece : pieces_) {
     if (piece.has_area()) continue;
-    const Grid<float> shape = ShapeOf(piece);
-    const Grid<float> room_m = RoomFor(piece);
-    auto more_m = static_cast<float>(piece.height_m);
-    // What the land was like before is in the way of a height to the metre: once more.
-    for (int round = 0; round < 2; ++round) {
-      for (std::size_t i = 0; i < shape.size(); ++i) {
-        const float wanted = more_m * shape.data()[i];
-        land_m->data()[i] += std::clamp(wanted, -room_m.data()[i], room_m.data()[i]);
-      }
-      if (piece.kind == ReliefKind::kCrater) break;
-      const double laid_m = Amplitude_m(piece, lattice_, *land_m);
-      more_m = static_cast<float>(
-          std::clamp(piece.height_m - laid_m, -0.4 * piece.height_m, 0.4 * piece.height_m));
+    Laid laid = {&piece, ShapeOf(piece), RoomFor(piece)};
+    laid.Add(piece.height_m, land_m);
+    if (!IsSunk(piece.kind) && piece.kind != ReliefKind::kCrater) {
+      for (std::size_t i = 0; i < raised.size(); ++i) raised.data()[i] += laid.shape.data()[i];
     }
+    all.push_back(std::move(laid));
+  }
+  if (all.empty()) return;
+  Gully(raised, level_m, land_m);
+  // What the land was like before, and what rain has taken, are in the way of a height to the
+  // metre.
+  for (const Laid& laid : all) {
+    const ReliefPiece& piece = *laid.piece;
+    if (piece.kind == ReliefKind::kCrater) continue;
+    const double is_m = Amplitude_m(piece, lattice_, *land_m);
+    laid.Add(std::clamp(piece.height_m - is_m, -0.5 * piece.height_m, 0.5 * piece.height_m),
+             land_m);
   }
 }
 

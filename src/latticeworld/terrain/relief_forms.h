@@ -23,6 +23,7 @@ class ReliefForms {
   ReliefForms& operator=(const ReliefForms&) = delete;
 
   bool empty() const { return pieces_.empty(); }
+  const std::vector<ReliefPiece>& pieces() const { return pieces_; }
 
   // Of evolution: uplift over erodibility [m], the steepest slope that rock holds [m/m], and that
   // of loose ground.
@@ -46,6 +47,11 @@ class ReliefForms {
 
   Grid<float> ShareOf(const LayoutMask& area, bool off_built) const;
   void Scale(const Area& area, const Grid<float>& base_m, Grid<float>* land_m) const;
+  // Rock is rough.
+  void Weather(Grid<float>* land_m) const;
+  struct Laid;
+  void LayThings(const Grid<float>& level_m, Grid<float>* land_m) const;
+  void Gully(const Grid<float>& laid, const Grid<float>& level_m, Grid<float>* land_m) const;
   void LayTilt(const Area& area, Grid<float>* land_m) const;
   void LayDunes(const Area& area, Grid<float>* land_m) const;
   // The distance from the axis in half widths; its lines waver.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "latticeworld/geomorphology/flow.h"
+#include "latticeworld/geomorphology/resample.h"
 #include "latticeworld/geomorphology/slope.h"
 #include "latticeworld/terrain/components.h"
 
@@ -112,13 +113,23 @@ double DistanceToAxis_m(const ReliefPiece& piece, WorldPoint at) {
 }
 
 double SideOfAxis_m(const ReliefPiece& piece, WorldPoint at) {
-  const WorldPoint a = piece.axis.front(), b = piece.axis.back();
-  const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
-  const double length = std::max(std::hypot(dx, dy), 1e-9);
-  const double side = ((at.y_m - a.y_m) * dx - (at.x_m - a.x_m) * dy) / length;
+  // The side of the nearest part of the axis.
+  double least = std::numeric_limits<double>::infinity(), side = 0.0;
+  for (std::size_t i = 0; i + 1 < piece.axis.size(); ++i) {
+    const WorldPoint a = piece.axis[i], b = piece.axis[i + 1];
+    const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
+    const double length = std::max(std::hypot(dx, dy), 1e-9);
+    const double t =
+        std::clamp(((at.x_m - a.x_m) * dx + (at.y_m - a.y_m) * dy) / (length * length), 0.0, 1.0);
+    const double off = std::hypot(a.x_m + t * dx - at.x_m, a.y_m + t * dy - at.y_m);
+    if (off >= least) continue;
+    least = off;
+    side = ((at.y_m - a.y_m) * dx - (at.x_m - a.x_m) * dy) / length;
+  }
   // The left of the axis as it runs, unless the heading lies to its right.
-  const double heading_left = -dy * piece.heading.east - dx * piece.heading.south;
-  return heading_left < 0.0 ? -side : side;
+  const WorldPoint a = piece.axis.front(), b = piece.axis.back();
+  const double left = -(b.y_m - a.y_m) * piece.heading.east - (b.x_m - a.x_m) * piece.heading.south;
+  return left < 0.0 ? -side : side;
 }
 
 double Amplitude_m(const ReliefPiece& piece, const GridGeometry& geometry,
@@ -181,6 +192,11 @@ AreaRelief MeasureArea(const ReliefPiece& piece, const GridGeometry& geometry,
 
 double HollowDepth_m(const ReliefPiece& piece, const GridGeometry& geometry,
                      const Grid<float>& height_m) {
+  constexpr int kCells = 256;  // hollows are wide: fewer cells tell as much
+  if (geometry.rows() > kCells) {
+    const GridGeometry coarse = GridGeometry::FromCells(kCells, geometry.size_m());
+    return HollowDepth_m(piece, coarse, Resample(height_m, kCells, kCells));
+  }
   const Grid<float> filled = FillDepressions(height_m, nullptr);
   double deepest = 0.0;
   ForEachSample(geometry, [&](CellIndex cell) {

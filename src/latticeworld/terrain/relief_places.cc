@@ -278,6 +278,9 @@ class Placer {
     if (IsCourse(wish.kind)) {
       piece->half_width_m = half_m;
       PlaceCourse(wish, tied, obstacles, piece);
+      if (!piece->follows_water) {
+        piece->axis = Bent(piece->axis, wish.kind == ReliefKind::kCliff ? 0.025 : 0.055);
+      }
     } else {
       double room_cells = 0.0;
       const CellIndex at = Freest(tied, obstacles | laid_, half_m / cell_m_, &room_cells);
@@ -387,6 +390,22 @@ class Placer {
       piece->axis = {{at.x_m - behind * dx, at.y_m - behind * dy},
                      {at.x_m + ahead * dx, at.y_m + ahead * dy}};
     }
+  }
+
+  // Courses bend: two waves across them, that depend on where they lie.
+  static std::vector<WorldPoint> Bent(const std::vector<WorldPoint>& ends, double share) {
+    constexpr int kPoints = 14;
+    const WorldPoint a = ends.front(), b = ends.back();
+    const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
+    const double phase = 0.37 * a.x_m + 0.61 * b.y_m + 0.23 * dx;
+    std::vector<WorldPoint> line;
+    for (int i = 0; i <= kPoints; ++i) {
+      const double t = static_cast<double>(i) / kPoints;
+      const double off = share * (std::sin(2.0 * M_PI * t * 1.3 + phase) +
+                                  0.45 * std::sin(2.0 * M_PI * t * 2.9 + 2.0 * phase));
+      line.push_back({a.x_m + t * dx - off * dy, a.y_m + t * dy + off * dx});
+    }
+    return line;
   }
 
   // Of a flank's width the share that is not rounded off at foot and top.

@@ -12,6 +12,7 @@
 #include "latticeworld/geomorphology/slope.h"
 #include "latticeworld/terrain/banks.h"
 #include "latticeworld/terrain/benches.h"
+#include "latticeworld/terrain/climbing_ways.h"
 #include "latticeworld/terrain/cover.h"
 #include "latticeworld/terrain/land.h"
 #include "latticeworld/terrain/lattice.h"
@@ -38,6 +39,7 @@ DecodeOptions BorderOptions(const GridGeometry& geometry) {
 // Of land that is shaped around its water anyway.
 constexpr double kShapedBankSlope = 0.35;
 constexpr float kFordReach_cells = 4.0f;
+constexpr double kClimbShare = 0.75;  // of the most that roads slope by: what bends are laid for
 constexpr float kRoughSlope = 0.06f;  // where half of the undulation shows [m/m]
 
 // Water, and what would be without a road over it.
@@ -66,6 +68,15 @@ Grid<unsigned char> BuiltCells(const Grid<char>& letters, Vocabulary vocabulary)
     built.data()[i] = letter == 'R' || letter == 'B' || letter == 'A' ? 1 : 0;
   }
   return built;
+}
+
+// Where no way goes that climbs: water and buildings.
+Grid<unsigned char> BlockedCells(const Grid<char>& letters, const Grid<unsigned char>& wet) {
+  Grid<unsigned char> blocked = wet;
+  for (std::size_t i = 0; i < blocked.size(); ++i) {
+    if (letters.data()[i] == 'B') blocked.data()[i] = 1;
+  }
+  return blocked;
 }
 
 // How deep water may be on and beside roads [m]: fords are shallow and lead into the water gently,
@@ -177,8 +188,14 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
     if (std::find(letters.begin(), letters.end(), 'B') != letters.end()) {
       const internal::StreetGround ground = {lattice, &letters, &water.wet, &plan.height_m, &lines};
       streets = internal::LayOutStreets(ground, internal::StreetRule(), request.seed);
-      internal::MarkStreets(lattice, streets, water.wet, &paved, &lines);
     }
+    for (internal::Street& way :
+         internal::ClimbingWays(request.reliefs, forms.pieces(), lattice,
+                                {plan.height_m, road, BlockedCells(letters, water.wet)},
+                                kClimbShare * request.options.max_road_slope)) {
+      streets.push_back(std::move(way));
+    }
+    if (!streets.empty()) internal::MarkStreets(lattice, streets, water.wet, &paved, &lines);
     const double ford_depth_m =
         std::min(request.options.ford_depth_m, internal::RiverDepth_m(lattice.size_m()));
     const Grid<float> depth_m =

@@ -12,6 +12,7 @@
 #include "latticeworld/language/grounded/reading/discourse.h"
 #include "latticeworld/language/grounded/reading/frame.h"
 #include "latticeworld/language/grounded/reading/settle_plan.h"
+#include "latticeworld/language/reading/relief_words.h"
 #include "latticeworld/language/reading/sentence_places.h"
 #include "latticeworld/language/reading/sentence_things.h"
 #include "latticeworld/language/sentences/sentence.h"
@@ -73,10 +74,16 @@ class SentencePlanner {
     return zone == nullptr ? std::vector<Zone>() : ZonesOf(*zone);
   }
 
+  static bool IsRelief(const Phrase& thing) {
+    const Phrase* noun = thing.slot == "noun" ? &thing : thing.Find("noun");
+    return ReliefOfNoun(noun->text).has_value();
+  }
+
   // The features of a thing that is spoken of, new ones where none is known.
   std::vector<int> Things(const Phrase& thing, Reference bare = Reference::kUnplaced) {
     NounPhrase phrase = NounOf(thing);
     if (phrase.noun == nullptr) {
+      if (IsRelief(thing)) return {};  // relief_reading.h
       d_.plan().warnings.push_back("no land is known by the noun of " + Quote(thing.text));
       return {};
     }
