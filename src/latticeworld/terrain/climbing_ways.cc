@@ -17,14 +17,17 @@
 namespace latticeworld::internal {
 namespace {
 
-constexpr double kWidth_m = 5.0;
-constexpr int kCoarser = 4;     // cells of the lattice a step
-constexpr int kReach = 5;       // steps that a move goes at most
-constexpr float kDear = 60.0f;  // of what is too steep
+constexpr double kWidth_m = 4.0;
+constexpr int kCoarser = 8;      // cells of the lattice a step
+constexpr int kReach = 5;        // steps that a move goes at most
+constexpr float kDear = 120.0f;  // of what is too steep
+constexpr int kDirections = 16;
+constexpr float kTurn = 9.0f;  // of turning back, as a way of so many steps
 
 struct Move {
   int rows, cols;
-  float length;  // [steps]
+  float length;   // [steps]
+  int direction;  // of kDirections
 };
 
 // Moves of every direction that the reach allows.
@@ -33,7 +36,9 @@ std::vector<Move> AllMoves() {
   for (int r = -kReach; r <= kReach; ++r) {
     for (int c = -kReach; c <= kReach; ++c) {
       if (std::gcd(std::abs(r), std::abs(c)) != 1) continue;
-      moves.push_back({r, c, std::hypot(static_cast<float>(r), static_cast<float>(c))});
+      const double turn = std::atan2(r, c) / (2.0 * M_PI) + 1.0;
+      const int direction = static_cast<int>(std::lround(turn * kDirections)) % kDirections;
+      moves.push_back({r, c, std::hypot(static_cast<float>(r), static_cast<float>(c)), direction});
     }
   }
   return moves;
@@ -73,31 +78,38 @@ class WayFinder {
     return top;
   }
 
-  // From a road to the place; empty where none leads there.
+  // From a road to the place; empty where none leads there. States are cells and the direction in
+  // which they are left: bends cost, so that legs are long.
   std::vector<CellIndex> WayTo(CellIndex goal) const {
     using Entry = std::pair<float, std::int32_t>;
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     const std::vector<Move> moves = AllMoves();
     const int cols = height_m_.cols();
-    Grid<float> least(height_m_.rows(), cols, kInfinity);
-    Grid<std::int32_t> next(height_m_.rows(), cols, -1);
+    std::vector<float> least(height_m_.size() * kDirections, kInfinity);
+    std::vector<std::int32_t> before(least.size(), -1);
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    least[goal] = 0.0f;
-    queue.push({0.0f, goal.row * cols + goal.col});
+    for (int direction = 0; direction < kDirections; ++direction) {
+      const std::int32_t state = (goal.row * cols + goal.col) * kDirections + direction;
+      least[state] = 0.0f;
+      queue.push({0.0f, state});
+    }
     while (!queue.empty()) {
-      const auto [cost, index] = queue.top();
+      const auto [cost, state] = queue.top();
       queue.pop();
-      if (cost > least.data()[index]) continue;
+      if (cost > least[state]) continue;
+      const std::int32_t index = state / kDirections;
       const CellIndex cell = {index / cols, index % cols};
-      if (road_[cell] != 0) return Follow(cell, next);
+      if (road_[cell] != 0) return Follow(state, before);
       for (const Move& move : moves) {
         const CellIndex to = {cell.row + move.rows, cell.col + move.cols};
         if (!height_m_.Contains(to) || blocked_[to] != 0) continue;
-        const float reached = cost + CostOf(cell, to, move.length);
-        if (reached >= least[to]) continue;
-        least[to] = reached;
-        next[to] = index;
-        queue.push({reached, to.row * cols + to.col});
+        const float reached = cost + CostOf(cell, to, move.length) +
+                              (cell == goal ? 0.0f : TurnCost(state % kDirections, move.direction));
+        const std::int32_t next = (to.row * cols + to.col) * kDirections + move.direction;
+        if (reached >= least[next]) continue;
+        least[next] = reached;
+        before[next] = state;
+        queue.push({reached, next});
       }
     }
     return {};
@@ -122,11 +134,17 @@ class WayFinder {
     return length * (1.0f + kDear * over * (1.0f + over));
   }
 
-  std::vector<CellIndex> Follow(CellIndex cell, const Grid<std::int32_t>& next) const {
-    std::vector<CellIndex> way = {cell};
-    while (next[way.back()] >= 0) {
-      const std::int32_t index = next[way.back()];
-      way.push_back({index / next.cols(), index % next.cols()});
+  static float TurnCost(int from, int to) {
+    const int apart = std::abs(from - to);
+    const float half_turns = std::min(apart, kDirections - apart) / (0.5f * kDirections);
+    return kTurn * half_turns * half_turns;
+  }
+
+  std::vector<CellIndex> Follow(std::int32_t state, const std::vector<std::int32_t>& before) const {
+    std::vector<CellIndex> way;
+    for (; state >= 0; state = before[state]) {
+      const std::int32_t index = state / kDirections;
+      way.push_back({index / height_m_.cols(), index % height_m_.cols()});
     }
     return way;
   }

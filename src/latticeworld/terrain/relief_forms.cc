@@ -40,13 +40,13 @@ AreaTraits TraitsOf(ReliefKind kind) {
     case ReliefKind::kRugged:
       return {16.0f, 1.1f, 0.12f};
     default:
-      return {80.0f, 1.0f, 0.12f};
+      return {55.0f, 0.95f, 0.12f};
   }
 }
 
 // How rough rock is, as a share of its height, and how far rain cuts into what was laid [m]: a
 // gully of so much runs back from its foot by the root of its drainage area in a step.
-constexpr double kRoughness = 0.05;
+constexpr double kRoughness = 0.035;
 constexpr double kGullies = 0.25;
 
 bool Evolves(ReliefKind kind) { return kind != ReliefKind::kSlope && kind != ReliefKind::kDunes; }
@@ -183,17 +183,29 @@ void ReliefForms::Raise(Grid<float>* steepness_m, Grid<float>* slide_slope,
 void ReliefForms::OpenEdges(const Grid<float>& hills_m, Grid<unsigned char>* outlet,
                             Grid<float>* height_m) const {
   const int n = hills_m.rows();
+  const int reach = n / 20;
+  NoiseOptions options;
+  options.wavelength_m = 0.12 * lattice_.size_m();
+  options.octaves = 2;
   for (const Area& area : areas_) {
     const bool whole =
         area.piece->kind == ReliefKind::kMountain || area.piece->kind == ReliefKind::kPeak;
     if (!whole || area.piece->half_width_m < 0.45 * lattice_.size_m()) continue;
-    for (int r = 0; r < n; ++r) {
-      for (int c = 0; c < n; ++c) {
-        if (r > 0 && c > 0 && r + 1 < n && c + 1 < n) continue;
-        if ((*outlet)(r, c) != 0 || area.share(r, c) < 0.5f) continue;
-        (*outlet)(r, c) = 1;
-        (*height_m)(r, c) = hills_m(r, c);
+    const Grid<float> low = FractalNoise(lattice_, options, StreamSeed(seed_, "relief/mouths"));
+    // Valleys end where the noise is lowest for some way along the edge.
+    const auto open = [&](int r, int c, int down, int right) {
+      for (int k = -reach; k <= reach; ++k) {
+        if (low.Clamped(r + k * down, c + k * right) < low(r, c)) return;
       }
+      if ((*outlet)(r, c) != 0 || area.share(r, c) < 0.5f) return;
+      (*outlet)(r, c) = 1;
+      (*height_m)(r, c) = hills_m(r, c);
+    };
+    for (int i = 0; i < n; ++i) {
+      open(0, i, 0, 1);
+      open(n - 1, i, 0, 1);
+      open(i, 0, 1, 0);
+      open(i, n - 1, 1, 0);
     }
   }
 }
@@ -262,17 +274,26 @@ void ReliefForms::Gully(const Grid<float>& laid, const Grid<float>& level_m,
     outlet(0, i) = outlet(n - 1, i) = outlet(i, 0) = outlet(i, n - 1) = 1;
   }
   Grid<float> eroded = *land_m;
+  NoiseOptions uneven;
+  uneven.wavelength_m = 0.05 * lattice_.size_m();
+  uneven.octaves = 3;
+  Grid<float> soft = FractalNoise(lattice_, uneven, StreamSeed(seed_, "relief/soft rock"));
+  for (float& value : soft) value = std::exp(2.0f * value);
   for (std::size_t i = 0; i < eroded.size(); ++i) {
     if (water_.wet.data()[i] != 0) eroded.data()[i] = level_m.data()[i];
   }
   FluvialOptions options;
   options.steps = 1;
   options.time_step_yr = kGullies / options.erodibility;
-  ErodeFluvially(lattice_.resolution_m(), options, &outlet, nullptr, nullptr, 0, &eroded);
+  ErodeFluvially(lattice_.resolution_m(), options, &outlet, nullptr, &soft, 0, &eroded);
+  // Their sides slump.
   for (std::size_t i = 0; i < eroded.size(); ++i) {
-    if (water_.wet.data()[i] != 0) continue;
-    float& land = land_m->data()[i];
-    land += std::min(1.0f, laid.data()[i]) * (eroded.data()[i] - land);
+    const bool wet = water_.wet.data()[i] != 0;
+    eroded.data()[i] = wet ? 0.0f : std::min(0.0f, eroded.data()[i] - land_m->data()[i]);
+  }
+  GaussianBlur(2.0, &eroded);
+  for (std::size_t i = 0; i < eroded.size(); ++i) {
+    land_m->data()[i] += std::min(1.0f, laid.data()[i]) * eroded.data()[i];
   }
 }
 
@@ -321,9 +342,8 @@ Grid<float> ReliefForms::AxisDistance(const ReliefPiece& piece) const {
   NoiseOptions waver;
   waver.wavelength_m = 1.6 * piece.half_width_m;
   waver.octaves = 4;
-  const auto index = static_cast<int>(&piece - pieces_.data());
-  const std::string name = "relief/outline " + std::to_string(index);
-  const Grid<float> noise = FractalNoise(lattice_, waver, StreamSeed(seed_, name));
+  const Grid<float> noise =
+      FractalNoise(lattice_, waver, StreamSeed(seed_, "relief/outline " + NumberOf(piece)));
   Grid<float> distance(n, n);
   const double reach_m = piece.kind == ReliefKind::kCliff || piece.follows_water
                              ? lattice_.size_m()
@@ -392,6 +412,20 @@ Grid<float> ReliefForms::ShapeOf(const ReliefPiece& piece) const {
   return shape;
 }
 
+// Nothing in nature is as even as a section: a tenth of the height, more on flanks than on tops.
+void ReliefForms::Uneven(const ReliefPiece& piece, Grid<float>* shape) const {
+  NoiseOptions options;
+  options.wavelength_m = 0.7 * piece.half_width_m;
+  options.octaves = 5;
+  const Grid<float> noise =
+      FractalNoise(lattice_, options, StreamSeed(seed_, "relief/uneven " + NumberOf(piece)));
+  for (std::size_t i = 0; i < noise.size(); ++i) {
+    float& value = shape->data()[i];
+    const float flank = std::abs(value) * (1.0f - std::abs(value));
+    value += 0.5f * flank * noise.data()[i];
+  }
+}
+
 void ReliefForms::Lay(const Grid<float>& level_m, Grid<float>* land_m) const {
   if (empty()) return;
   if (!areas_.empty()) {
@@ -423,6 +457,7 @@ void ReliefForms::LayThings(const Grid<float>& level_m, Grid<float>* land_m) con
   for (const ReliefPiece& piece : pieces_) {
     if (piece.has_area()) continue;
     Laid laid = {&piece, ShapeOf(piece), RoomFor(piece)};
+    Uneven(piece, &laid.shape);
     laid.Add(piece.height_m, land_m);
     if (!IsSunk(piece.kind) && piece.kind != ReliefKind::kCrater) {
       for (std::size_t i = 0; i < raised.size(); ++i) raised.data()[i] += laid.shape.data()[i];

@@ -2,6 +2,7 @@
 #define LATTICEWORLD_TERRAIN_RELIEF_FORMS_H_
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "latticeworld/geometry/grid.h"
@@ -47,6 +48,10 @@ class ReliefForms {
 
   Grid<float> ShareOf(const LayoutMask& area, bool off_built) const;
   void Scale(const Area& area, const Grid<float>& base_m, Grid<float>* land_m) const;
+  std::string NumberOf(const ReliefPiece& piece) const {
+    return std::to_string(&piece - pieces_.data());
+  }
+  void Uneven(const ReliefPiece& piece, Grid<float>* shape) const;
   // Rock is rough.
   void Weather(Grid<float>* land_m) const;
   struct Laid;

@@ -51,17 +51,17 @@ Nature NatureOf(ReliefKind kind) {
     case ReliefKind::kFlat:
       return {0.50, 0.004};
     case ReliefKind::kGentle:
-      return {0.50, 0.04};
+      return {0.50, 0.025};
     case ReliefKind::kRolling:
-      return {0.50, 0.08};
+      return {0.50, 0.05};
     case ReliefKind::kHilly:
-      return {0.50, 0.17};
+      return {0.50, 0.11};
     case ReliefKind::kRugged:
-      return {0.50, 0.30};
+      return {0.50, 0.25};
     case ReliefKind::kSteep:
       return {0.50, 0.40};
     default:
-      return {0.50, 0.62};  // mountains
+      return {0.50, 0.605};  // mountains
   }
 }
 
@@ -394,7 +394,7 @@ class Placer {
 
   // Courses bend: two waves across them, that depend on where they lie.
   static std::vector<WorldPoint> Bent(const std::vector<WorldPoint>& ends, double share) {
-    constexpr int kPoints = 14;
+    constexpr int kPoints = 28;
     const WorldPoint a = ends.front(), b = ends.back();
     const double dx = b.x_m - a.x_m, dy = b.y_m - a.y_m;
     const double phase = 0.37 * a.x_m + 0.61 * b.y_m + 0.23 * dx;
@@ -402,7 +402,7 @@ class Placer {
     for (int i = 0; i <= kPoints; ++i) {
       const double t = static_cast<double>(i) / kPoints;
       const double off = share * (std::sin(2.0 * M_PI * t * 1.3 + phase) +
-                                  0.45 * std::sin(2.0 * M_PI * t * 2.9 + 2.0 * phase));
+                                  0.3 * std::sin(2.0 * M_PI * t * 2.7 + 2.0 * phase));
       line.push_back({a.x_m + t * dx - off * dy, a.y_m + t * dy + off * dx});
     }
     return line;

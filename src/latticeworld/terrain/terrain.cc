@@ -39,7 +39,7 @@ DecodeOptions BorderOptions(const GridGeometry& geometry) {
 // Of land that is shaped around its water anyway.
 constexpr double kShapedBankSlope = 0.35;
 constexpr float kFordReach_cells = 4.0f;
-constexpr double kClimbShare = 0.75;  // of the most that roads slope by: what bends are laid for
+constexpr double kClimbShare = 0.65;  // of the most that roads slope by: what bends are laid for
 constexpr float kRoughSlope = 0.06f;  // where half of the undulation shows [m/m]
 
 // Water, and what would be without a road over it.
