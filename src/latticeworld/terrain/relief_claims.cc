@@ -7,6 +7,7 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/layout/mask_measures.h"
+#include "latticeworld/terrain/components.h"
 #include "latticeworld/terrain/relief_measures.h"
 #include "latticeworld/terrain/relief_places.h"
 
@@ -19,6 +20,7 @@ constexpr double kNearEnough = 0.15;     // of a measure that was said
 constexpr double kLeastShare = 0.5;      // of the natural height of a form
 constexpr double kSlopeRoom_deg = 3.0;   // and a fifth of what was said
 constexpr double kLeastInside = 0.6;     // of what is said to lie in a form
+constexpr double kLeastClimb = 0.7;      // of the height that a road is said to climb
 constexpr double kLeastMountain = 0.15;  // of a mountain's height by its width
 constexpr double kMountainSlope_deg = 15.0;
 
@@ -193,7 +195,31 @@ class Measurer {
     }
   }
 
+  // Whether road leads from beyond a thing's foot to near its top.
+  void MeasureClimb(const ReliefPiece& piece) {
+    const Grid<SurfaceClass>& surface = terrain_.surface;
+    Grid<unsigned char> road(surface.rows(), surface.cols(), 0);
+    for (std::size_t i = 0; i < road.size(); ++i) {
+      road.data()[i] = surface.data()[i] == SurfaceClass::kRoad ? 1 : 0;
+    }
+    const internal::Components ways = internal::ComponentsOf(road);
+    double highest = 0.0;
+    for (int i = 0; i < ways.count(); ++i) {
+      float low = 1e9f, high = -1e9f;
+      for (int k = ways.begin[i]; k < ways.begin[i + 1]; ++k) {
+        low = std::min(low, height_m_.data()[ways.cells[k]]);
+        high = std::max(high, height_m_.data()[ways.cells[k]]);
+      }
+      highest = std::max(highest, static_cast<double>(high - low));
+    }
+    const double asked_m = kLeastClimb * piece.height_m;
+    Add("relief_road", wish_->words, highest >= asked_m, 1.0 - highest / asked_m,
+        "a road climbs " + Metres(highest) + "; at least " + Metres(asked_m) + " of " + name_ +
+            " are asked");
+  }
+
   void MeasureTie(const ReliefTie& tie, const ReliefPiece& piece) {
+    if (tie.kind == ReliefTie::Kind::kClimbed) return MeasureClimb(piece);
     if (tie.kind != ReliefTie::Kind::kUnder || piece.has_area()) return;
     const GridGeometry cells = GridGeometry::FromCells(kLayoutSize, terrain_.geometry().size_m());
     int all = 0, inside = 0;

@@ -183,7 +183,7 @@ void ReliefForms::Raise(Grid<float>* steepness_m, Grid<float>* slide_slope,
 void ReliefForms::OpenEdges(const Grid<float>& hills_m, Grid<unsigned char>* outlet,
                             Grid<float>* height_m) const {
   const int n = hills_m.rows();
-  const int reach = n / 20;
+  const int reach = n / 14;
   NoiseOptions options;
   options.wavelength_m = 0.12 * lattice_.size_m();
   options.octaves = 2;
