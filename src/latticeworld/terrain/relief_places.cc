@@ -59,7 +59,7 @@ Nature NatureOf(ReliefKind kind) {
     case ReliefKind::kRugged:
       return {0.50, 0.25};
     case ReliefKind::kSteep:
-      return {0.50, 0.40};
+      return {0.50, 0.30};
     default:
       return {0.50, 0.605};  // mountains
   }
