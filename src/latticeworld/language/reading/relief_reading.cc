@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -46,7 +45,7 @@ struct OtherThing {
 
 class ReliefReader {
  public:
-  explicit ReliefReader(LayoutReading* reading) : reading_(*reading), plan_(reading->plan) {}
+  explicit ReliefReader(LayoutReading* reading) : plan_(reading->plan) {}
 
   void Read(const std::string& sentence) {
     sentence_ = sentence;
@@ -233,8 +232,8 @@ class ReliefReader {
 
   void ReadNumber(const Mention& mention) {
     for (std::size_t i = mention.begin; i-- > 0 && mention.begin - i <= 4;) {
-      if (IsIn(Word(i), {"of", "in", "to", "than"})) return;
       const CountMatch count = MatchCount(tokens_, i);
+      if (count.tokens == 0 && IsIn(Word(i), {"a", "an", "and", "in", "to", "than"})) return;
       if (count.tokens == 0 || IsIn(Word(i + count.tokens), {"m", "metre", "meter", "degree"})) {
         continue;
       }
@@ -452,11 +451,12 @@ class ReliefReader {
   void TakeOffWarnings() {
     for (const Mention& mention : mentions_) Take(mention.begin, mention.end);
     const std::string quote = Quote(Trimmed());
+    const std::string not_laid = "read, but land cannot be laid by it yet: " + quote;
+    const std::string not_climbed = "heard in part: " + quote + ": it is laid near, not up";
     auto& warnings = plan_.warnings;
     warnings.erase(std::remove_if(warnings.begin(), warnings.end(),
                                   [&](const std::string& warning) {
-                                    return warning ==
-                                           "read, but land cannot be laid by it yet: " + quote;
+                                    return warning == not_laid || StartsWith(warning, not_climbed);
                                   }),
                    warnings.end());
   }
@@ -509,7 +509,6 @@ class ReliefReader {
 
   static constexpr std::size_t kMostWishes = 24;
 
-  LayoutReading& reading_;
   LayoutPlan& plan_;
   std::string sentence_;
   std::vector<Token> tokens_;
