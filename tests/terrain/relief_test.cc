@@ -85,7 +85,7 @@ TEST(ReliefTest, AWorldThatIsOneMountainIsHighAndSteepAsMountainsAre) {
   }
 }
 
-TEST(ReliefTest, EveryKindHoldsWhatItClaims) {
+TEST(ReliefTest, EveryKindHoldsWhatItClaimsAndDrains) {
   const SymbolicLayout layout = Filled(Vocabulary::kWild, 'B');
   for (const auto& [kind, name] : EnumNames(ReliefKind{})) {
     ReliefWish wish = Wish(kind);
@@ -93,6 +93,8 @@ TEST(ReliefTest, EveryKindHoldsWhatItClaims) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       const Terrain terrain = BuildWith({wish}, layout, seed, Small());
       EXPECT_EQ(Misses({wish}, layout, terrain), "") << name << ", seed " << seed;
+      const bool closed = kind == ReliefKind::kBasin || kind == ReliefKind::kCrater;
+      if (!closed) EXPECT_LT(HollowShare(terrain), 0.004) << name << ", seed " << seed;
     }
   }
 }
@@ -106,19 +108,6 @@ TEST(ReliefTest, LandWithoutTheFormDoesNotHoldItsClaim) {
         ReliefKind::kGorge, ReliefKind::kCanyon, ReliefKind::kCliff, ReliefKind::kTerraces,
         ReliefKind::kHilly, ReliefKind::kMountainous, ReliefKind::kRugged, ReliefKind::kSteep}) {
     EXPECT_NE(Misses({Wish(kind)}, layout, terrain), "") << NameOf(kind);
-  }
-}
-
-TEST(ReliefTest, WaterStillDrainsFromWhatIsLaid) {
-  const SymbolicLayout layout = Filled(Vocabulary::kWild, 'B');
-  for (const ReliefKind kind :
-       {ReliefKind::kHill, ReliefKind::kRidge, ReliefKind::kPlateau, ReliefKind::kMesa,
-        ReliefKind::kValley, ReliefKind::kGorge, ReliefKind::kCanyon, ReliefKind::kCliff,
-        ReliefKind::kTerraces, ReliefKind::kRolling, ReliefKind::kHilly, ReliefKind::kRugged}) {
-    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-      const Terrain terrain = BuildWith({Wish(kind)}, layout, seed, Small());
-      EXPECT_LT(HollowShare(terrain), 0.004) << NameOf(kind) << ", seed " << seed;
-    }
   }
 }
 
