@@ -1,6 +1,7 @@
 #include "latticeworld/terrain/relief_places.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -278,7 +279,7 @@ class Placer {
     if (IsCourse(wish.kind)) {
       piece->half_width_m = half_m;
       PlaceCourse(wish, tied, obstacles, piece);
-      if (!piece->follows_water) {
+      if (piece->axis.size() == 2) {
         piece->axis = Bent(piece->axis, wish.kind == ReliefKind::kCliff ? 0.025 : 0.055);
       }
     } else {
@@ -312,7 +313,7 @@ class Placer {
 
   void PlaceCourse(const ReliefWish& wish, const LayoutMask& zone, const LayoutMask& obstacles,
                    ReliefPiece* piece) {
-    if (FollowWater(wish, piece)) return;
+    if (FollowWater(wish, piece) || FollowLetter(wish, zone, piece)) return;
     if (!wish.from.empty() && !wish.to.empty()) {
       piece->axis = {EndOf(wish.from.front()), EndOf(wish.to.front())};
       return;
@@ -339,6 +340,42 @@ class Placer {
       return true;
     }
     return false;
+  }
+
+  // Where the layout shows the course itself: through the middles of its cells, one after another
+  // along their main direction, and on to the world's edge where that is near.
+  bool FollowLetter(const ReliefWish& wish, const LayoutMask& zone, ReliefPiece* piece) const {
+    constexpr int kBins = 12;
+    if (wish.letter == '\0') return false;
+    LayoutMask cells = Letters(wish.letter, zone);
+    if (cells.empty()) return false;
+    cells = cells.Pieces().front();
+    if (cells.count() < 6) return false;
+    const PrincipalAxes axes = PrincipalAxesOf(cells);
+    std::array<LayoutMask, kBins> bins;
+    ForEachCell(cells, [&](CellIndex cell) {
+      const double along = (cell.row - axes.center.row) * axes.axis.row +
+                           (cell.col - axes.center.col) * axes.axis.col;
+      const double share = along / (1.05 * axes.length) + 0.5;
+      const int bin = std::clamp(static_cast<int>(share * kBins), 0, kBins - 1);
+      bins[static_cast<std::size_t>(bin)].Add(cell);
+    });
+    const auto to_edge = [](double value) {
+      return value < 2.0 ? -0.5 : value > kLayoutSize - 3.0 ? kLayoutSize - 0.5 : value;
+    };
+    std::vector<LayoutMask::Point> line;
+    for (const LayoutMask& bin : bins) {
+      if (!bin.empty()) line.push_back(bin.Centroid());
+    }
+    if (line.size() < 2) return false;
+    for (LayoutMask::Point* end : {&line.front(), &line.back()}) {
+      *end = {to_edge(end->row), to_edge(end->col)};
+    }
+    piece->axis.clear();
+    for (const LayoutMask::Point& point : line) {
+      piece->axis.push_back(PointOf(point.row, point.col));
+    }
+    return true;
   }
 
   // A straight axis through a place: of eight headings the one that meets least in its way. What
