@@ -119,6 +119,11 @@ TEST(ReliefReadingTest, WhatReliefHasReadIsNotCalledNotUnderstood) {
   EXPECT_TRUE(reading.plan.not_understood.empty()) << reading.plan.not_understood.front();
 }
 
+TEST(ReliefReadingTest, WordsOfReliefCountAsRead) {
+  const LayoutReading reading = ByRules("A hill in the north. The hill is 120 m high.");
+  EXPECT_EQ(reading.coverage.carried, reading.coverage.words);
+}
+
 TEST(ReliefReadingTest, ContradictoryHeightsAreTold) {
   const LayoutReading reading =
       BySentences("A hill. The hill is 20 m high. The hill is 120 m high.");

@@ -61,7 +61,9 @@ class ReliefReader {
       ReadTies(mentions_[i]);
       read = true;
     }
-    if (read) TakeOffWarnings();
+    if (!read) return;
+    TakeOffWarnings();
+    quotes_.push_back(Trimmed());
   }
 
   void Finish() {
@@ -69,6 +71,9 @@ class ReliefReader {
     for (ReliefWish& wish : plan_.reliefs) Settle(&wish);
     TakeOffNotUnderstood();
   }
+
+  // The sentences that say something of relief.
+  const std::vector<std::string>& quotes() const { return quotes_; }
 
  private:
   std::string_view Word(std::size_t at) const {
@@ -514,7 +519,8 @@ class ReliefReader {
   std::vector<Token> tokens_;
   std::vector<Mention> mentions_;
   std::vector<OtherThing> others_;
-  std::set<int> told_;           // features that a wish has
+  std::set<int> told_;  // features that a wish has
+  std::vector<std::string> quotes_;
   std::set<std::string> taken_;  // words that were read
 };
 
@@ -526,6 +532,11 @@ void ReadRelief(std::string_view text, LayoutReading* reading) {
       reading->sentences.empty() ? SplitSentences(text) : reading->sentences;
   for (const std::string& sentence : sentences) reader.Read(sentence);
   reader.Finish();
+  if (!reading->sentences.empty() || reader.quotes().empty()) return;
+  std::vector<std::string> quotes = reader.quotes();
+  for (const Claim& claim : reading->plan.claims) quotes.push_back(claim.words);
+  reading->coverage =
+      CoverageByQuotes(text, quotes, SentenceKind::kLayout, reading->plan.vocabulary);
 }
 
 void AddTerrainType(const EnvironmentReading& environment, LayoutReading* layout) {
