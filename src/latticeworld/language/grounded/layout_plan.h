@@ -63,8 +63,8 @@ struct PlannedFeature {
 
   bool supposed = false;  // no words speak of it, and nothing is claimed of it: it stands only for
                           // what others need, the pool around an island in a river
-  std::string noun;     // that names it, in the singular: "snow mountain"
-  bool plural = false;  // the words had it in the plural
+  std::string noun;       // that names it, in the singular: "snow mountain"
+  bool plural = false;    // the words had it in the plural
   std::string words;
 };
 
@@ -118,8 +118,8 @@ struct LayoutPlan {
   std::vector<PlannedOrder> orders;
   std::vector<PlannedAbsence> absences;
   std::vector<ReliefWish> reliefs;  // of the land's form, whatever lies on it (relief_reading.h)
-  char background = '\0';     // what nothing else takes; always a letter of the vocabulary
-  std::vector<Claim> claims;  // what the layout is measured by
+  char background = '\0';           // what nothing else takes; always a letter of the vocabulary
+  std::vector<Claim> claims;        // what the layout is measured by
   std::vector<std::string> not_understood;  // words, as they stand in the instruction
   std::vector<std::string> warnings;        // each quotes the words it is about
 };
