@@ -25,7 +25,6 @@ enum class ReliefKind : std::uint8_t {
   kMesa,      // a small plateau with steep sides
   kCrater,    // a rim around a hollow
   kBasin,     // a hollow that no water leaves
-  kSaddle,    // the low place between two tops
   kValley,    // long and low, with a floor
   kGorge,     // a narrow valley with steep walls
   kCanyon,    // a deep and wide one
@@ -43,19 +42,30 @@ enum class ReliefKind : std::uint8_t {
   kSteep,
 };
 
-constexpr std::array<EnumName<ReliefKind>, 24> EnumNames(ReliefKind) {
-  return {{{ReliefKind::kMountain, "mountain"}, {ReliefKind::kPeak, "peak"},
-           {ReliefKind::kHill, "hill"},         {ReliefKind::kRidge, "ridge"},
-           {ReliefKind::kMoraine, "moraine"},   {ReliefKind::kPlateau, "plateau"},
-           {ReliefKind::kMesa, "mesa"},         {ReliefKind::kCrater, "crater"},
-           {ReliefKind::kBasin, "basin"},       {ReliefKind::kSaddle, "saddle"},
-           {ReliefKind::kValley, "valley"},     {ReliefKind::kGorge, "gorge"},
-           {ReliefKind::kCanyon, "canyon"},     {ReliefKind::kCliff, "cliff"},
-           {ReliefKind::kSlope, "slope"},       {ReliefKind::kDunes, "dunes"},
-           {ReliefKind::kTerraces, "terraces"}, {ReliefKind::kFlat, "flat"},
-           {ReliefKind::kGentle, "gentle"},     {ReliefKind::kRolling, "rolling"},
-           {ReliefKind::kHilly, "hilly"},       {ReliefKind::kMountainous, "mountainous"},
-           {ReliefKind::kRugged, "rugged"},     {ReliefKind::kSteep, "steep"}}};
+constexpr std::array<EnumName<ReliefKind>, 23> EnumNames(ReliefKind) {
+  return {{{ReliefKind::kMountain, "mountain"},
+           {ReliefKind::kPeak, "peak"},
+           {ReliefKind::kHill, "hill"},
+           {ReliefKind::kRidge, "ridge"},
+           {ReliefKind::kMoraine, "moraine"},
+           {ReliefKind::kPlateau, "plateau"},
+           {ReliefKind::kMesa, "mesa"},
+           {ReliefKind::kCrater, "crater"},
+           {ReliefKind::kBasin, "basin"},
+           {ReliefKind::kValley, "valley"},
+           {ReliefKind::kGorge, "gorge"},
+           {ReliefKind::kCanyon, "canyon"},
+           {ReliefKind::kCliff, "cliff"},
+           {ReliefKind::kSlope, "slope"},
+           {ReliefKind::kDunes, "dunes"},
+           {ReliefKind::kTerraces, "terraces"},
+           {ReliefKind::kFlat, "flat"},
+           {ReliefKind::kGentle, "gentle"},
+           {ReliefKind::kRolling, "rolling"},
+           {ReliefKind::kHilly, "hilly"},
+           {ReliefKind::kMountainous, "mountainous"},
+           {ReliefKind::kRugged, "rugged"},
+           {ReliefKind::kSteep, "steep"}}};
 }
 
 // Whether the kind is about a place as a whole rather than a thing in it.

@@ -33,8 +33,6 @@ Nature NatureOf(ReliefKind kind) {
       return {0.12, 0.35};
     case ReliefKind::kBasin:
       return {0.15, 0.14};
-    case ReliefKind::kSaddle:
-      return {0.11, 0.40};
     case ReliefKind::kValley:
       return {0.14, 0.25};
     case ReliefKind::kGorge:

@@ -125,8 +125,7 @@ class ReliefReader {
     if (word == "slope" || word == "slopes") {
       if (Word(at + 1) == "of") return false;  // "a slope of 15 degrees", "the slope of the hill"
     }
-    if (IsIn(word, {"pass", "passes"})) return IsIn(before, {"a", "the", "mountain", "high"});
-    if (IsIn(word, {"hollow", "depression", "crest", "summit", "col"})) {
+    if (IsIn(word, {"hollow", "depression", "crest", "summit"})) {
       return IsIn(before, {"a", "the", "small", "large", "deep", "round", "high"});
     }
     return true;
