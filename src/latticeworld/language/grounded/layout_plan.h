@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/thing_wish.h"
 #include "latticeworld/layout/vocabulary.h"
 #include "latticeworld/layout/zone.h"
 
@@ -114,6 +115,7 @@ struct LayoutPlan {
   std::vector<PlannedRelation> relations;
   std::vector<PlannedOrder> orders;
   std::vector<PlannedAbsence> absences;
+  std::vector<ThingWish> things;  // single ones; they take no land
   char background = '\0';     // what nothing else takes; always a letter of the vocabulary
   std::vector<Claim> claims;  // what the layout is measured by
   std::vector<std::string> not_understood;  // words, as they stand in the instruction
