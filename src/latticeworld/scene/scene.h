@@ -76,8 +76,9 @@ struct SceneAnswer {
   std::vector<std::string> warnings;  // what could not be placed and why
 };
 
-// Psi_C: places what was asked for one by one (things.h), then assets, agents and elements by class weights, density and rules (densities.h has
-// the numbers a hectare, placement.h and elements.h the rules). Nothing solid overlaps, and nothing
+// Psi_C: places assets, agents and elements by class weights, density and rules (densities.h has
+// the numbers a hectare, placement.h and elements.h the rules), and what is asked for one by one
+// (things.h). Nothing solid overlaps, and nothing
 // stands in water, on a road or outside. Every stage draws from its own stream of the seed: the
 // same request gives the same bytes. Reports the stage "scene". Errors: CANCELLED.
 Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& progress);
