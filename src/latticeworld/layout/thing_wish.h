@@ -18,7 +18,7 @@ namespace latticeworld {
 
 // No world holds more of them than this, and no wish asks for more.
 inline constexpr int kMostThings = 500;
-inline constexpr int kMostThingWishes = 200;
+inline constexpr int kMostThingWishes = 500;
 
 enum class ThingArrangement : std::uint8_t { kNone, kRow, kRing, kGrid, kPair, kCluster };
 constexpr std::array<EnumName<ThingArrangement>, 6> EnumNames(ThingArrangement) {

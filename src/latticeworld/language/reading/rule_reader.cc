@@ -1,7 +1,11 @@
+#include <utility>
+
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
 #include "latticeworld/language/grounded/environment/environment_parser.h"
 #include "latticeworld/language/grounded/reading/layout_parser.h"
 #include "latticeworld/language/reading/instruction_reader.h"
+#include "latticeworld/language/reading/text_units.h"
+#include "latticeworld/language/reading/things_of_text.h"
 
 namespace latticeworld {
 namespace {
@@ -13,11 +17,18 @@ class RuleReader final : public InstructionReader {
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& /*progress*/,
                                    std::vector<ModelReply>* /*replies*/) override {
     LayoutReading reading;
-    reading.plan = ParseLayoutInstruction(request.instruction, request.vocabulary);
+    // The rules are of land.
+    TextThings things = TakeThings(request.instruction, request.vocabulary);
+    reading.plan = ParseLayoutInstruction(things.rest, request.vocabulary);
+    reading.plan.things = std::move(things.things);
     std::vector<std::string> quotes;
     for (const Claim& claim : reading.plan.claims) quotes.push_back(claim.words);
     reading.coverage =
-        CoverageByQuotes(request.instruction, quotes, SentenceKind::kLayout, request.vocabulary);
+        CoverageByQuotes(things.rest, quotes, SentenceKind::kLayout, request.vocabulary);
+    const auto of_things =
+        static_cast<int>(UnitsOf(things.taken, SentenceKind::kLayout, request.vocabulary).size());
+    reading.coverage.words += of_things;
+    reading.coverage.carried += of_things;
     return reading;
   }
 
