@@ -21,6 +21,7 @@ inline constexpr char kTerrainFile[] = "terrain.bin";
 inline constexpr char kAssetsFile[] = "assets.csv";
 inline constexpr char kAgentsFile[] = "agents.json";
 inline constexpr char kElementsFile[] = "elements.json";
+inline constexpr char kThingsFile[] = "things.json";
 inline constexpr char kVisualFile[] = "visual";
 inline constexpr char kHeightFile[] = "height.png";
 inline constexpr char kWaterFile[] = "water.png";

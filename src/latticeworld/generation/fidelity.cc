@@ -88,6 +88,18 @@ Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view
   return AssessFidelity(layout_reading, environment_reading, layout, environment);
 }
 
+void AddThings(const std::vector<ThingOutcome>& things, FidelityReport* report) {
+  const auto of_layout = [](const ClaimOutcome& claim) {
+    return claim.part == InstructionPart::kLayout;
+  };
+  auto at = std::find_if_not(report->claims.begin(), report->claims.end(), of_layout);
+  for (const ThingOutcome& thing : things) {
+    at = report->claims.insert(at, {InstructionPart::kLayout, thing.kind, thing.words, thing.holds,
+                                    thing.distance, thing.explanation});
+    ++at;
+  }
+}
+
 std::vector<std::string> WarningsOf(const FidelityReport& report,
                                     const std::vector<std::string>& so_far) {
   const auto is_quoted = [&so_far](const std::string& quote) {

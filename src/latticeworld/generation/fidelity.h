@@ -10,6 +10,7 @@
 #include "latticeworld/environment/environment_config.h"
 #include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/layout/symbolic_layout.h"
+#include "latticeworld/scene/thing_claims.h"
 
 namespace latticeworld {
 
@@ -61,6 +62,9 @@ Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view
                                      const SymbolicLayout& layout,
                                      const EnvironmentConfig& environment,
                                      std::shared_ptr<const Catalogue> catalogue);
+
+// Adds the claims of single things, which stand once there is a scene, after those of the layout.
+void AddThings(const std::vector<ThingOutcome>& things, FidelityReport* report);
 
 // A line a claim that is not satisfied, one for the words that were not understood and one for what
 // a second reading asks for in vain, leaving out what one of the warnings so far quotes already.

@@ -16,6 +16,7 @@
 #include "latticeworld/generation/fidelity_json.h"
 #include "latticeworld/generation/replies_json.h"
 #include "latticeworld/generation/terrain_file.h"
+#include "latticeworld/generation/things_json.h"
 #include "latticeworld/generation/visual.h"
 #include "latticeworld/generation/world_id.h"
 
@@ -46,6 +47,7 @@ Status CheckFileList(const Manifest& manifest) {
   for (const LayoutClass& entry : ClassesOf(*FromName<Vocabulary>(manifest.request.vocabulary))) {
     legal.insert(WeightFile(entry.letter));  // only for classes that occur
   }
+  legal.insert(kThingsFile);     // only where there are any
   legal.insert(kCatalogueFile);  // only where a user added to it
   for (const BundleFile& file : manifest.files) {
     if (legal.erase(file.name) == 0) {
@@ -78,7 +80,7 @@ Result<std::string> ReadVerified(const fs::path& directory, const BundleFile& fi
 // The files that a world is read back from. The others are checked and forgotten.
 struct Contents {
   std::string layout, environment, fidelity, replies, catalogue, terrain, assets, agents, elements,
-      visual;
+      things, visual;
 
   std::string* Find(std::string_view name) {
     if (name == kLayoutFile) return &layout;
@@ -90,6 +92,7 @@ struct Contents {
     if (name == kAssetsFile) return &assets;
     if (name == kAgentsFile) return &agents;
     if (name == kElementsFile) return &elements;
+    if (name == kThingsFile) return &things;
     if (name == kVisualFile) return &visual;
     return nullptr;
   }
@@ -111,9 +114,18 @@ Result<std::shared_ptr<const Catalogue>> ParseCatalogue(const Contents& contents
   return catalogue;
 }
 
-Result<std::shared_ptr<const Scene>> ParseScene(const Contents& contents, const Manifest& manifest,
-                                                std::shared_ptr<const Catalogue> catalogue,
-                                                EnvironmentConfig environment) {
+// Gives the scene its things; the request's as they were written.
+Result<std::string> ParseThingsFile(const Contents& contents, Scene* scene) {
+  if (contents.things.empty()) return std::string();
+  auto file = DecodeThings(contents.things, scene->geometry(), scene->assets.size());
+  if (!file.ok()) return Damaged(kThingsFile, file.status());
+  scene->things = std::move(file->things);
+  return std::move(file->request);
+}
+
+Result<std::shared_ptr<Scene>> ParseScene(const Contents& contents, const Manifest& manifest,
+                                          std::shared_ptr<const Catalogue> catalogue,
+                                          EnvironmentConfig environment) {
   LW_ASSIGN_OR_RETURN(const GridGeometry geometry,
                       GridGeometry::Create(manifest.request.size_m, manifest.request.resolution_m));
   auto terrain =
@@ -135,7 +147,7 @@ Result<std::shared_ptr<const Scene>> ParseScene(const Contents& contents, const 
   scene->atmosphere = manifest.atmosphere;
   scene->agents = *std::move(agents);
   scene->elements = *std::move(elements);
-  return std::shared_ptr<const Scene>(std::move(scene));
+  return scene;
 }
 
 Result<std::shared_ptr<const World>> Load(const fs::path& directory) {
@@ -155,6 +167,8 @@ Result<std::shared_ptr<const World>> Load(const fs::path& directory) {
   if (!replies.ok()) return Damaged(kRepliesFile, replies.status());
   LW_ASSIGN_OR_RETURN(auto scene, ParseScene(contents, manifest, catalogue, *environment));
 
+  LW_ASSIGN_OR_RETURN(const std::string request_things, ParseThingsFile(contents, scene.get()));
+
   const std::string id = ContentId(*layout, *scene, manifest.geo);
   if (id != manifest.world_id) {
     return DataLoss(std::string(kManifestFile) + ": names " + Quote(manifest.world_id) +
@@ -163,6 +177,7 @@ Result<std::shared_ptr<const World>> Load(const fs::path& directory) {
   auto world = std::make_shared<World>();
   world->id = id;
   world->request = std::move(manifest.request);
+  world->request.things = request_things;
   world->request.visual = std::move(contents.visual);
   world->layout = *std::move(layout);
   world->environment = *std::move(environment);

@@ -12,6 +12,7 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/generation/things_json.h"
 #include "latticeworld/generation/visual.h"
 #include "latticeworld/generation/world_id.h"
 
@@ -65,6 +66,16 @@ Vocabulary ResolveVocabulary(const GenerationRequest& request) {
   // The method's suburban scenes have no relief, so a relief without words is a wild one.
   if (request.layout_instruction.empty()) return Vocabulary::kWild;
   return ChooseVocabulary(request.layout_instruction);
+}
+
+// Adds wishes whose targets are indices into their own list.
+void AppendThings(std::vector<ThingWish> more, std::vector<ThingWish>* things) {
+  const int before = static_cast<int>(things->size());
+  for (ThingWish& wish : more) {
+    if (wish.target.wish >= 0) wish.target.wish += before;
+    if (wish.facing.wish >= 0) wish.facing.wish += before;
+    things->push_back(std::move(wish));
+  }
 }
 
 // Runs the stages of one generation: reports, times and names the failure of each, and stops
@@ -150,6 +161,10 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
   add_warnings(std::move(environment.warnings));
   world->fidelity =
       AssessFidelity(layout_reading, environment_reading, world->layout, world->environment);
+  // The request's things may name each other by index: those of the words come after them.
+  LW_ASSIGN_OR_RETURN(std::vector<ThingWish> things,
+                      ParseThings(request.things, *catalogue, world->layout.vocabulary));
+  AppendThings(layout_reading.plan.things, &things);
   add_warnings(WarningsOf(world->fidelity, world->warnings));
 
   LW_ASSIGN_OR_RETURN(Terrain terrain, stages.Run("terrain", [&] {
@@ -166,12 +181,15 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
     scene_request.terrain = std::make_shared<const Terrain>(std::move(terrain));
     scene_request.catalogue = catalogue;
     scene_request.environment = world->environment;
+    scene_request.things = things;
     if (world->geo) scene_request.latitude_deg = world->geo->latitude_deg;
     scene_request.seed = StreamSeed(request.seed, "scene");
     return BuildScene(scene_request, progress);
   }));
   world->scene = std::move(scene.scene);
   add_warnings(std::move(scene.warnings));
+  AddThings(MeasureThings(*world->scene, things), &world->fidelity);
+  add_warnings(WarningsOf(world->fidelity, world->warnings));
 
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   world->request = std::move(request);
@@ -217,6 +235,13 @@ Status WorldGenerator::Validate(const GenerationRequest& request) const {
                           "is " + Quote(request.vocabulary) + "; legal are " +
                               LegalNames<Vocabulary>() + ", or none to let the text decide",
                           request.vocabulary});
+  }
+  // The text of a request without a vocabulary may choose either.
+  if (const auto things = ParseThings(
+          request.things, *catalogue_,
+          FromName<Vocabulary>(request.vocabulary).value_or(ResolveVocabulary(request)));
+      !things.ok()) {
+    Append(things.status(), "things", &violations);
   }
   CheckName("reader", request.reader, reader_names(), language_.default_reader, &violations);
   CheckName("generator", request.generator, generator_names(), language_.default_generator,

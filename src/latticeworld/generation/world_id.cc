@@ -1,8 +1,10 @@
 #include "latticeworld/generation/world_id.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "latticeworld/common/digest.h"
 
@@ -47,13 +49,28 @@ void AddTerrain(const Terrain& terrain, Digest* digest) {
   }
 }
 
+// A model's index as it was before there were models of single things (Shape::kParts), which count
+// from the end: worlds that hold none, with models of a user's too, keep their identities.
+std::uint8_t ModelNumber(std::uint8_t model) {
+  static const std::pair<int, int> things = [] {
+    const std::vector<AssetModel>& models = Catalogue::BuiltIn()->models();
+    const auto found = std::find_if(models.begin(), models.end(), [](const AssetModel& each) {
+      return each.shape == Shape::kParts;
+    });
+    return std::pair(static_cast<int>(found - models.begin()), static_cast<int>(models.size()));
+  }();
+  const auto [first, end] = things;
+  if (model < first) return model;
+  return static_cast<std::uint8_t>(model < end ? 255 - (model - first) : model - (end - first));
+}
+
 std::string FieldsOf(const std::vector<Asset>& assets) {
   FieldBuffer fields;
   for (const Asset& asset : assets) {
     fields.Add(asset.kind);
     fields.Add(asset.season_variant);
     fields.Add(asset.material);
-    fields.Add(asset.model);
+    fields.Add(ModelNumber(asset.model));
     fields.Add(asset.x_m);
     fields.Add(asset.y_m);
     fields.Add(asset.z_m);
@@ -130,6 +147,11 @@ std::string ContentId(const SymbolicLayout& layout, const Scene& scene,
   digest.AddText(FieldsOf(scene.atmosphere));
   for (const AgentStart& agent : scene.agents) AddAgent(agent, &digest);
   for (const Element& element : scene.elements) AddElement(element, &digest);
+  for (const Thing& thing : scene.things) {
+    digest.AddText(thing.name);
+    digest.AddText(thing.kind);
+    digest.Add(thing.asset);
+  }
   if (geo) {
     digest.Add(geo->latitude_deg);
     digest.Add(geo->longitude_deg);
