@@ -11,7 +11,7 @@
 #include "latticeworld/scene/footprint.h"
 #include "latticeworld/scene/thing_claims.h"
 #include "latticeworld/scene/thing_maker.h"
-#include "scene/test_world.h"
+#include "test_world.h"
 
 namespace latticeworld {
 namespace {
@@ -64,7 +64,7 @@ TEST(ThingsTest, ARowOfTreesStandsInOneLineBesideTheVillageForAnySeed) {
     SCOPED_TRACE(seed);
     const SceneAnswer answer = BuildWith({row}, seed);
     ASSERT_EQ(answer.scene->things.size(), 3u);
-    for (const Thing& thing : answer.scene->things) {
+    for (const SceneThing& thing : answer.scene->things) {
       EXPECT_EQ(answer.scene->assets[thing.asset].kind, AssetKind::kTree);
     }
     ExpectAllHold(answer, {row});
@@ -97,7 +97,7 @@ TEST(ThingsTest, NothingOverlapsSolidsRoadsOrWater) {
     SCOPED_TRACE(seed);
     const SceneAnswer answer = BuildWith(wishes, seed);
     const Scene& scene = *answer.scene;
-    for (const Thing& thing : scene.things) {
+    for (const SceneThing& thing : scene.things) {
       EXPECT_NE(scene.terrain->SurfaceAt(thing.position), SurfaceClass::kRoad) << thing.name;
       EXPECT_EQ(scene.terrain->WaterDepthAt(thing.position), 0.0) << thing.name;
       for (std::size_t i = 0; i < scene.assets.size(); ++i) {
@@ -158,7 +158,7 @@ TEST(ThingsTest, EveryKindCanStand) {
     }
     const SceneAnswer answer = BuildWith({wish}, 5);
     ASSERT_EQ(answer.scene->things.size(), 1u);
-    const Thing& thing = answer.scene->things[0];
+    const SceneThing& thing = answer.scene->things[0];
     EXPECT_EQ(thing.asset < 0, kind.source == ThingSource::kElement);
   }
 }

@@ -220,15 +220,15 @@ class ThingReader {
   std::vector<Violation> violations_;
 };
 
-Json Encode(const Thing& thing) {
+Json Encode(const SceneThing& thing) {
   return {{"name", thing.name},      {"kind", thing.kind},        {"wish", thing.wish},
           {"asset", thing.asset},    {"x_m", thing.position.x_m}, {"y_m", thing.position.y_m},
           {"yaw_rad", thing.yaw_rad}};
 }
 
-Thing Decode(const Json& json, const GridGeometry& geometry, std::size_t assets) {
+SceneThing Decode(const Json& json, const GridGeometry& geometry, std::size_t assets) {
   jf::ExpectKeys(json, {"name", "kind", "wish", "asset", "x_m", "y_m", "yaw_rad"});
-  Thing thing;
+  SceneThing thing;
   thing.name = jf::Text(json, "name");
   if (!IsRosName(thing.name)) {
     jf::Fail("name", json["name"], "a letter followed by letters, digits and underscores");
@@ -263,7 +263,7 @@ Result<std::vector<ThingWish>> ParseThings(std::string_view json, const Catalogu
 
 std::string EncodeThings(const ThingsFile& file) {
   Json json = {{"request", file.request}, {"things", Json::array()}};
-  for (const Thing& thing : file.things) json["things"].push_back(Encode(thing));
+  for (const SceneThing& thing : file.things) json["things"].push_back(Encode(thing));
   return jf::Dump(json);
 }
 

@@ -33,7 +33,7 @@ Result<std::vector<ThingWish>> ParseThings(std::string_view json, const Catalogu
 // The file of a bundle: what a request had, and what stands of all wishes.
 struct ThingsFile {
   std::string request;
-  std::vector<Thing> things;
+  std::vector<SceneThing> things;
 };
 std::string EncodeThings(const ThingsFile& file);
 // Errors: DATA_LOSS saying what is wrong.

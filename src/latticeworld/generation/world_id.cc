@@ -147,7 +147,7 @@ std::string ContentId(const SymbolicLayout& layout, const Scene& scene,
   digest.AddText(FieldsOf(scene.atmosphere));
   for (const AgentStart& agent : scene.agents) AddAgent(agent, &digest);
   for (const Element& element : scene.elements) AddElement(element, &digest);
-  for (const Thing& thing : scene.things) {
+  for (const SceneThing& thing : scene.things) {
     digest.AddText(thing.name);
     digest.AddText(thing.kind);
     digest.Add(thing.asset);

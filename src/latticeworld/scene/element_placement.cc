@@ -45,7 +45,7 @@ class Placer {
         seed_(seed),
         roads_(terrain_),
         elements_(scene.elements) {
-    for (const Thing& thing : scene.things) names_.insert(thing.name);
+    for (const SceneThing& thing : scene.things) names_.insert(thing.name);
   }
 
   std::vector<Element> Place() && {

@@ -42,7 +42,7 @@ void ThinToLimit(Placement* placement, std::vector<std::string>* warnings) {
 
 // A thing that was given the name of an agent gets another one.
 void GiveOwnNames(Scene* scene, std::vector<std::string>* warnings) {
-  for (Thing& thing : scene->things) {
+  for (SceneThing& thing : scene->things) {
     const bool taken =
         std::any_of(scene->agents.begin(), scene->agents.end(),
                     [&](const AgentStart& agent) { return agent.name == thing.name; });

@@ -47,8 +47,8 @@ struct Scene {
   AssetIndex index;  // over assets
   Atmosphere atmosphere;
   std::vector<AgentStart> agents;
-  std::vector<Element> elements;  // crates, gates, bridges ...; sorted by name
-  std::vector<Thing> things;      // that were asked for one by one, in the order of the wishes
+  std::vector<Element> elements;   // crates, gates, bridges ...; sorted by name
+  std::vector<SceneThing> things;  // that were asked for one by one, in the order of the wishes
 
   const GridGeometry& geometry() const { return terrain->geometry(); }
 };

@@ -9,7 +9,7 @@
 namespace latticeworld {
 
 // A single thing that was asked for and stands: an asset, or an element of the same name.
-struct Thing {
+struct SceneThing {
   std::string name;  // unique among things, elements and agents, legal as a ROS name: "bench_1"
   std::string kind;  // as the wish has it (layout/thing_kinds.h)
   int wish = 0;      // index into the request's list of wishes

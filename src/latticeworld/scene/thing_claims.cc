@@ -75,7 +75,7 @@ class Measurer {
  public:
   Measurer(const Scene& scene, const std::vector<ThingWish>& wishes)
       : scene_(scene), wishes_(wishes), land_(*scene.terrain), standing_(wishes.size()) {
-    for (const Thing& thing : scene.things) {
+    for (const SceneThing& thing : scene.things) {
       Standing& of = standing_[static_cast<std::size_t>(thing.wish)];
       of.places.push_back(thing.position);
       of.yaws_rad.push_back(thing.yaw_rad);
@@ -99,7 +99,7 @@ class Measurer {
   }
 
  private:
-  Footprint FootprintOfStanding(const Thing& thing) const {
+  Footprint FootprintOfStanding(const SceneThing& thing) const {
     if (thing.asset >= 0) return FootprintOfThing(scene_.assets[thing.asset]);
     for (const Element& element : scene_.elements) {
       if (element.name == thing.name) return FootprintOf(element);

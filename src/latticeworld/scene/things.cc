@@ -247,7 +247,7 @@ class Placer {
 
   void Add(int index, int count, MadeThing made) {
     const ThingWish& wish = wishes_[index];
-    Thing thing;
+    SceneThing thing;
     thing.kind = wish.kind;
     thing.wish = index;
     thing.name = count == 1 && !wish.name.empty()

@@ -13,8 +13,8 @@ namespace latticeworld {
 
 // Single things that stand, and why others do not.
 struct PlacedThings {
-  std::vector<Thing> things;      // in the order of the wishes
-  std::vector<Element> elements;  // those of the things that can be moved, named as they are
+  std::vector<SceneThing> things;  // in the order of the wishes
+  std::vector<Element> elements;   // those of the things that can be moved, named as they are
   std::vector<std::string> warnings;
 };
 
