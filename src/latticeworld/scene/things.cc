@@ -147,7 +147,8 @@ class Placer {
   // The best of the sites.
   Try Find(const ThingWish& wish, int index, int first, int count, const ThingSites& sites,
            RandomStream* random) {
-    const int tries = wish.position ? 1 : kTries;
+    // Long rows are tried less often.
+    const int tries = wish.position ? 1 : std::max(10, kTries * 10 / std::max(10, count));
     Try best;
     for (int i = 0; i < tries; ++i) {
       const std::vector<ThingSites::Slot> slots = sites.Draw(count, i, tries, random);
@@ -189,7 +190,7 @@ class Placer {
       return Flaw::kSteep;
     }
     for (const MadeThing& other : beside) {
-      if (GapBetween(footprint, other.footprint) < kApart_m) return Flaw::kOccupied;
+      if (Near(footprint, other.footprint, kApart_m)) return Flaw::kOccupied;
     }
     for (const std::vector<Footprint>& others : footprints_) {
       for (const Footprint& other : others) {

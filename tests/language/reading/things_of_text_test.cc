@@ -36,6 +36,7 @@ TEST(ThingsOfTextTest, ThingsStandByEachOther) {
   EXPECT_EQ(taken.things[3].kind, "lamp");
   EXPECT_EQ(taken.things[3].relation, ThingRelation::kAlong);
   EXPECT_EQ(taken.things[3].target.letter, 'R');
+  EXPECT_EQ(taken.things[3].spacing_m, 20.0);
 }
 
 TEST(ThingsOfTextTest, OrderlyThingsStandInGrids) {

@@ -100,7 +100,7 @@ class Taker {
       std::string noun;
       for (std::size_t i = 0; i < count; ++i) {
         const std::string_view word = WordAt(at_ + i);
-        if (word.empty()) break;
+        if (word.empty()) noun += "?";  // a pause is within no noun
         noun += (i > 0 ? " " : "") + (i + 1 == count ? Singular(word) : std::string(word));
       }
       const ThingKind* kind = FindThingKind(noun);
@@ -215,6 +215,9 @@ class Taker {
       things_.resize(things);
       return false;
     }
+    const std::size_t spaced_from = end;
+    TakeArrangement(&wish, &end);
+    if (end > spaced_from) parts.push_back({spaced_from, end});
     TakeZone(&wish, &end, &parts);
     wish.words = Words(begin, end);
     for (std::size_t i = things; i < things_.size(); ++i) things_[i].words = wish.words;
