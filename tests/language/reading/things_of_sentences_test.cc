@@ -40,6 +40,14 @@ TEST(ThingsOfSentencesTest, RelationsNameThingsAndLand) {
   EXPECT_EQ(things[4].distance_m, 20.0);
 }
 
+TEST(ThingsOfSentencesTest, WhatIsNewOnBothSidesIsMadeOnce) {
+  const std::vector<ThingWish> things = Read("A well is 20 m from a barn.");
+  ASSERT_EQ(things.size(), 2u);
+  EXPECT_EQ(things[0].kind, "barn");
+  EXPECT_EQ(things[1].target.wish, 0);
+  EXPECT_EQ(things[1].distance_m, 20.0);
+}
+
 TEST(ThingsOfSentencesTest, BarePluralsAndBridgesAreLand) {
   EXPECT_TRUE(Read("Trees are on both sides of the river. A bridge is over the river.").empty());
 }

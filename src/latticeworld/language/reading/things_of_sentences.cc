@@ -91,7 +91,7 @@ ThingTarget SentenceThings::TargetOf(const Phrase& thing, const std::string& wor
   return target;
 }
 
-bool SentenceThings::Relate(const Sentence& sentence, ThingWish wish, int index,
+bool SentenceThings::Relate(const Sentence& sentence, ThingWish wish, int index, int beside,
                             const std::string& words) {
   const std::string& form = sentence.form->name;
   const Phrase* to = sentence.whole.Find("y");
@@ -105,7 +105,7 @@ bool SentenceThings::Relate(const Sentence& sentence, ThingWish wish, int index,
     wishes_[static_cast<std::size_t>(index)] = wish;
     return true;
   }
-  const ThingTarget target = TargetOf(*to, words);
+  const ThingTarget target = beside >= 0 ? ThingTarget{'\0', beside} : TargetOf(*to, words);
   if (target.is_nothing()) return false;
   // A target that is said after what stands by it goes first.
   if (target.wish >= index) {
@@ -130,7 +130,7 @@ bool SentenceThings::Say(const Sentence& sentence, const std::string& words) {
   // What it stands by is a wish before it.
   const Phrase* by = sentence.whole.Find("y");
   if (by == nullptr) by = sentence.whole.Find("end");
-  if (by != nullptr && IsSaidSingly(*thing)) WishOf(*by, words);
+  const int beside = by != nullptr && IsSaidSingly(*thing) ? WishOf(*by, words) : -1;
   const int index = WishOf(*thing, words);
   if (index < 0) return false;
   ThingWish& wish = wishes_[static_cast<std::size_t>(index)];
@@ -156,7 +156,7 @@ bool SentenceThings::Say(const Sentence& sentence, const std::string& words) {
     }
     return true;
   }
-  if (!Relate(sentence, wish, index, words)) {
+  if (!Relate(sentence, wish, index, beside, words)) {
     warnings_.push_back("heard in part: " + Quote(words) + ": single things know no such form");
   }
   return true;

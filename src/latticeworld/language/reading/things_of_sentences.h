@@ -28,7 +28,9 @@ class SentenceThings {
   int WishOf(const Phrase& thing, const std::string& words);
   int Known(const std::string& kind) const;
   ThingTarget TargetOf(const Phrase& thing, const std::string& words);
-  bool Relate(const Sentence& sentence, ThingWish wish, int index, const std::string& words);
+  // beside: the wish that it is to stand by, where it was made for it; -1: what the words say.
+  bool Relate(const Sentence& sentence, ThingWish wish, int index, int beside,
+              const std::string& words);
 
   const Vocabulary vocabulary_;
   std::vector<ThingWish> wishes_;
