@@ -34,9 +34,9 @@ DecodeOptions BorderOptions(const GridGeometry& geometry) {
 }
 
 // Of land that is shaped around its water anyway.
-constexpr double kShapedBankSlope = 0.35;
+constexpr double kShapedBankSlope = 0.5;
 constexpr float kFordReach_cells = 4.0f;
-constexpr float kRoughSlope = 0.06f;  // where half of the undulation shows [m/m]
+constexpr float kRoughSlope = 0.08f;  // where half of the undulation shows [m/m]
 
 // Water, and what would be without a road over it.
 Grid<unsigned char> WetCells(const Grid<char>& letters, const Grid<Crossing>& crossing) {
