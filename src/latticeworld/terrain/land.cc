@@ -39,6 +39,7 @@ constexpr double kTalus = 0.56;
 // uplift is that of the land around, as far as so many cells of the layout.
 constexpr double kRegionalShare = 0.8;
 constexpr double kRegion_cells = 8.0;
+constexpr float kWildness = 3.0f;  // full where creep rounds less than two thirds
 // How much the summits of a world that is all mountain are brought together.
 constexpr double kAccordance = 0.3;
 constexpr double kMountainAccordance = 1.4;
@@ -95,11 +96,15 @@ Fields FieldsOf(const GridGeometry& lattice, const SmoothedMasks& masks, std::ui
   options.octaves = 3;
   const Grid<float> uneven = FractalNoise(lattice, options, StreamSeed(seed, "terrain/uplift"));
   fields.mountain_share = GrowWithSize(lattice, uneven, &fields.steepness_m);
+  Grid<float> smoothness = MixTrait(masks, &ClassTraits::smoothness);
+  GaussianBlur(0.8 * LatticeCellsPerLayoutCell(lattice), &smoothness);
   Grid<float> regional = fields.steepness_m;
   GaussianBlur(kRegion_cells * LatticeCellsPerLayoutCell(lattice), &regional);
   for (std::size_t i = 0; i < regional.size(); ++i) {
     float& steepness = fields.steepness_m.data()[i];
-    steepness += static_cast<float>(kRegionalShare) * (regional.data()[i] - steepness);
+    // Fields and villages lie where it is level.
+    const float wild = std::min(kWildness * (1.0f - smoothness.data()[i]), 1.0f);
+    steepness += static_cast<float>(kRegionalShare) * wild * (regional.data()[i] - steepness);
   }
   // Uneven rock turns rivers away from the lattice's eight directions.
   options.wavelength_m = 0.06 * lattice.size_m();
@@ -351,7 +356,8 @@ Result<ShapedLand> ShapeLand(const GridGeometry& lattice, const SmoothedMasks& m
   const Phase gullies = {n, 1.0, 2, 0.0, 1.3, 0.25, 2};
   for (const Phase& phase : {young, mature, gullies}) {
     Evolve(lattice, phase, base, fields, &land_m);
-    if (phase.cells == n / 2) LowerSummits(kAccordance + kMountainAccordance * fields.mountain_share, &land_m);
+    if (phase.cells == n / 2)
+      LowerSummits(kAccordance + kMountainAccordance * fields.mountain_share, &land_m);
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
   }
   Creep(lattice, masks, &land_m);
