@@ -37,11 +37,11 @@ constexpr double kNeighbourSlope = 0.25;
 constexpr double kTalus = 0.56;
 // A region rises as a whole, so that soft land among mountains is high too: this share of the
 // uplift is that of the land around, as far as so many cells of the layout.
-constexpr double kRegionalShare = 0.8;
+constexpr double kRegionalShare = 0.5;
 constexpr double kRegion_cells = 8.0;
 constexpr float kWildness = 3.0f;  // full where creep rounds less than two thirds
 // How much the summits of a world that is all mountain are brought together.
-constexpr double kAccordance = 0.3;
+constexpr double kAccordance = 0.5;
 constexpr double kMountainAccordance = 1.4;
 constexpr double kMaxCreep_m = 6.0;
 // Concavity of channels.

@@ -34,7 +34,7 @@ DecodeOptions BorderOptions(const GridGeometry& geometry) {
 }
 
 // Of land that is shaped around its water anyway.
-constexpr double kShapedBankSlope = 0.5;
+constexpr double kShapedBankSlope = 0.4;
 constexpr float kFordReach_cells = 4.0f;
 constexpr float kRoughSlope = 0.08f;  // where half of the undulation shows [m/m]
 
