@@ -34,7 +34,8 @@ constexpr double kMaxIncision_m = 0.5;
 // Between two waters of unlike level the land falls no steeper [m/m].
 constexpr double kNeighbourSlope = 0.25;
 
-constexpr double kTalus = 0.56;
+// What slides comes to rest a little below the talus.
+constexpr float kRest = 0.9f;
 // A region rises as a whole, so that soft land among mountains is high too: this share of the
 // uplift is that of the land around, as far as so many cells of the layout.
 constexpr double kRegionalShare = 0.5;
@@ -50,7 +51,7 @@ constexpr double kAreaExponent = 0.4;
 constexpr double kReachOfSize = 20.0;
 // A dry edge is cut off from land that goes on beyond it: it lies as much above the rivers as
 // channels of this steepness rise, less what soft land has.
-constexpr float kEdgeRise = 6.0f;
+constexpr float kEdgeRise = 3.0f;
 constexpr float kEdgeSoftness = 0.25f;
 
 // Stream power in units in which a cell of 1 m^2 at slope 1 erodes by its erodibility in a year.
@@ -60,7 +61,7 @@ struct Fields {
   Grid<float> steepness_m;
   Grid<float> erodibility;  // factor
   Grid<float> talus;
-  Grid<float> slide_slope;  // steepest that rock holds [m/m]
+  Grid<float> slide_slope;  // steepest that the ground holds [m/m]
   double mountain_share = 0.0;
   std::uint64_t gully_seed = 0;
 };
@@ -114,8 +115,9 @@ Fields FieldsOf(const GridGeometry& lattice, const SmoothedMasks& masks, std::ui
   for (float& value : fields.erodibility) value = std::exp(1.6f * value);
   options.wavelength_m = 0.08 * lattice.size_m();
   fields.slide_slope = FractalNoise(lattice, options, StreamSeed(seed, "terrain/slides"));
-  for (float& value : fields.slide_slope) {
-    value = static_cast<float>(kTalus) * (1.0f + 0.5f * value);
+  for (std::size_t i = 0; i < uneven.size(); ++i) {
+    float& value = fields.slide_slope.data()[i];
+    value = kRest * fields.talus.data()[i] * (1.0f + 0.5f * value);
   }
   return fields;
 }
