@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Generates worlds of three kinds (wild land, mountains, mixed land with a village, fields and a road) and several
-# seeds, and measures how much their land is like nature's (see `latticeworld measure --help`). Build
-# first: scripts/build.sh.
+# Generates worlds of three kinds (wild land, mountains, mixed land with a village, fields and a
+# road) and several seeds, and measures how much their land is like nature's (see `latticeworld
+# measure --help`). Build first: scripts/build.sh.
 # Usage: scripts/measure_realism.sh [--seeds N] [--kinds "wild mountains mixed"] [--size METRES]
 #          [--resolution METRES] [--keep DIR] [REAL ELEVATION...]
 # Further paths, as GeoTIFF or .hgt of real land, are measured by themselves for comparison. The

@@ -40,7 +40,7 @@ constexpr float kRest = 0.9f;
 // uplift is that of the land around, as far as so many cells of the layout.
 constexpr double kRegionalShare = 0.5;
 constexpr double kRegion_cells = 8.0;
-constexpr float kWildness = 3.0f;  // full where creep rounds less than two thirds
+constexpr float kWildness = 1.25f;
 // How much the summits of a world that is all mountain are brought together.
 constexpr double kAccordance = 0.5;
 constexpr double kMountainAccordance = 1.4;
