@@ -208,6 +208,7 @@ TEST_F(SplitRecordingTest, WhatIsOlderThanItsPartIsAtThePartsBeginning) {
   large.header.stamp = ros::Time(kStart_s + 30.0);  // no reason for the next part to begin then
   large.child_frame_id = std::string(2u << 20, 'x');
   recording_->Add(ToBag("/large", ros::Time(kStart_s + 5.0), large));
+  AddText("with which rosbag counts what is before it", kStart_s + 5.0);
   AddOdometry(kStart_s + 4.0, kStart_s + 5.0);
   AddOdometry(kStart_s + 6.0, kStart_s + 6.0);
   ASSERT_TRUE(recording_->End("stopped", nullptr).ok());
