@@ -1,21 +1,31 @@
-"""Whitebox Workflows reads an export --to geotiff, fills and routes it."""
+"""Whitebox Workflows reads an export --to geotiff, fills it and routes water over it."""
 # pypi: whitebox-workflows==2.0.6 numpy==2.4.6
 
 import importlib.metadata
 
+import numpy
 import whitebox_workflows
 
 from ground import Ground
-from peer import FOLDER, Peer, export
+from peer import Peer, export
 
 
 def main():
     peer = Peer("Whitebox Workflows", importlib.metadata.version("whitebox-workflows"),
-                "`--to geotiff`")
+                "`--to geotiff`", "tools of 1.x as in `env.fill_depressions(dem)` are now in "
+                "`env.hydrology`, by keyword alone")
     ground = Ground(export("heights", "heights"))
     box = whitebox_workflows.WbEnvironment()
     dem = box.read_raster(str(export("geotiff", "geotiff") / "elevation.tif"))
-    print([n for n in dir(dem) if not n.startswith('__')][:80], [n for n in dir(box) if 'flow' in n or 'fill' in n])
+    places = ground.places(1000, centers=True)
+    ground.check(peer, [dem.get_value(dem.get_row_from_y(y), dem.get_column_from_x(x))
+                        for x, y in places], places)
+    filled = box.hydrology.fill_depressions(dem=dem)
+    accumulation = box.hydrology.d8_flow_accum(dem=filled).to_numpy()
+    raised = filled.to_numpy() - dem.to_numpy() > 0.01
+    peer.check("water over the filled ground", numpy.nanmax(accumulation) > 1000,
+               f"{int(numpy.nanmax(accumulation))} of {accumulation.size} cells pass the largest "
+               f"outlet; {float(raised.mean()):.3f} of the land was filled")
     peer.finish()
 
 

@@ -269,13 +269,21 @@ Status WriteSingle(const World& world, const Request& request, const Progress& p
   return ReplaceFile(request.out, content).WithContext("--out");
 }
 
-// Whether a file has things that readers without EXT_mesh_gpu_instancing do not see.
-bool HasInstances(const World& world, const Request& request) {
-  if (request.format != "glb" || request.expand) return false;
+// What readers that know no instances leave out; empty where the export has none.
+std::string InstancesWarning(const World& world, const Request& request) {
+  const bool usd = request.format == "usd";
+  if ((request.format != "glb" && !usd) || request.expand) return "";
   const Scene& scene = *world.scene;
-  return !ChooseAssets(scene, request.region.value_or(WholeWorld(scene.geometry())),
-                       request.small_plants.value_or(WorldGlbOptions().small_plants))
-              .empty();
+  if (ChooseAssets(scene, request.region.value_or(WholeWorld(scene.geometry())),
+                   request.small_plants.value_or(true))
+          .empty()) {
+    return "";
+  }
+  return std::string("warning: ") + request.out.string() +
+         ": plants, stones and buildings are instances (" +
+         (usd ? "PointInstancer), of which newton shows one copy a model"
+              : "EXT_mesh_gpu_instancing), which Blender, trimesh, Open3D and newton do not read") +
+         ": --expand for them\n";
 }
 
 Status Export(const CLI::App& command) {
@@ -302,11 +310,7 @@ Status Export(const CLI::App& command) {
   LW_RETURN_IF_ERROR(status);
   std::cout << request.out.string() << ": " << world->id << " as " << request.format << ", "
             << bytes << " bytes\n";
-  if (HasInstances(*world, request)) {
-    std::cerr << "warning: " << request.out.string()
-              << ": plants, stones and buildings are instances (EXT_mesh_gpu_instancing), which "
-                 "Blender, trimesh, Open3D and newton do not read: --expand for them\n";
-  }
+  std::cerr << InstancesWarning(*world, request);
   return Status();
 }
 

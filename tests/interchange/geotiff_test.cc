@@ -40,6 +40,12 @@ class Raster {
     const char* text = GDALGetMetadataItem(dataset_, key, nullptr);
     return text == nullptr ? "" : text;
   }
+  double NoData() const {
+    int has = 0;
+    const double value = GDALGetRasterNoDataValue(GDALGetRasterBand(dataset_, 1), &has);
+    EXPECT_EQ(has, 1);
+    return value;
+  }
   // Of the pixel that covers a place.
   float At(WorldPoint point) const {
     float value = 0.0f;
@@ -70,6 +76,23 @@ class GeoTiffTest : public ::testing::Test {
     return *files;
   }
 };
+
+// pysheds 0.5 takes 0 where a file names no such value ("No `nodata` value detected. Defaulting to
+// 0."), and land at z = 0 is gone.
+TEST_F(GeoTiffTest, EveryLayerNamesAValueForNoDataThatNoCellHas) {
+  const auto files = Make(std::nullopt);
+  const GridGeometry& geometry = scene_.geometry();
+  for (const char* name : {"elevation.tif", "classes.tif", "traversability.tif"}) {
+    const Raster raster(files, name);
+    const double none = raster.NoData();
+    EXPECT_NE(none, 0.0) << name;
+    for (int row = 0; row < geometry.rows(); ++row) {
+      for (int col = 0; col < geometry.cols(); ++col)
+        ASSERT_NE(raster.At(geometry.CenterOf({row, col})), none) << name;
+    }
+  }
+  EXPECT_TRUE(std::isnan(Raster(files, "water.tif").NoData()));
+}
 
 TEST_F(GeoTiffTest, LayersAreThoseOfTheWorldAtEveryPlace) {
   const auto files = Make(GeoOrigin{47.0, 8.0, 431.5});

@@ -1,5 +1,6 @@
 #include "latticeworld/interchange/usd_land.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -31,6 +32,20 @@ ByClass TrianglesByClass(const Terrain& terrain, const SurfaceMesh& mesh) {
         static_cast<std::uint32_t>(i / 3));
   }
   return triangles;
+}
+
+// The classes that have triangles. Readers that know one friction a mesh (newton) take the first
+// subset's.
+std::vector<SurfaceClass> LargestFirst(const ByClass& triangles) {
+  std::vector<SurfaceClass> classes;
+  for (const auto& entry : EnumNames(SurfaceClass{})) {
+    if (!triangles[static_cast<std::size_t>(entry.value)].empty()) classes.push_back(entry.value);
+  }
+  std::stable_sort(classes.begin(), classes.end(), [&](SurfaceClass a, SurfaceClass b) {
+    return triangles[static_cast<std::size_t>(a)].size() >
+           triangles[static_cast<std::size_t>(b)].size();
+  });
+  return classes;
 }
 
 void AddPoints(const SurfaceMesh& mesh, UsdText* world) {
@@ -101,18 +116,17 @@ void AddUsdGround(const Scene& scene, const SurfaceLattice& lattice, UsdText* lo
   const ByClass triangles = TrianglesByClass(*scene.terrain, mesh);
   const SurfaceTable surfaces(scene, scene.atmosphere.ground());
   double sum = 0.0;
-  for (const auto& entry : EnumNames(SurfaceClass{})) {
-    const Triangles& of_class = triangles[static_cast<std::size_t>(entry.value)];
-    if (of_class.empty()) continue;
-    const std::string name = internal::PlainName(std::string(entry.name));
-    const double friction = surfaces.Of(entry.value).friction;
+  for (const SurfaceClass surface : LargestFirst(triangles)) {
+    const Triangles& of_class = triangles[static_cast<std::size_t>(surface)];
+    const std::string name = internal::PlainName(std::string(NameOf(surface)));
+    const double friction = surfaces.Of(surface).friction;
     sum += friction * static_cast<double>(of_class.size());
     AddFriction("friction_" + name, friction, looks);
     world->Open({"GeomSubset", name, {"MaterialBindingAPI", "SemanticsLabelsAPI:class"}});
     world->Value("uniform token elementType", "\"face\"");
     world->Value("uniform token familyName", "\"materialBind\"");
     world->Value("int[] indices", UsdArray(of_class));
-    world->Label(entry.name);
+    world->Label(NameOf(surface));
     world->Relation("material:binding:physics", {std::string(kLooks) + "friction_" + name});
     world->Close();
   }
