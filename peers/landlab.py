@@ -1,5 +1,5 @@
 """landlab takes an export --to heights and routes water over it."""
-# pypi: landlab==2.11.0 numpy
+# pypi: landlab==2.11.0 requireit==0.8.0 numpy==2.4.6
 
 import importlib.metadata
 
@@ -13,7 +13,8 @@ from peer import Peer, export
 
 def main():
     peer = Peer("landlab", importlib.metadata.version("landlab"), "`--to heights`",
-                "turn the rows around: its nodes begin in the south-west")
+                "turn the rows around: its nodes begin in the south-west. Python 3.11 needs "
+                "`requireit==0.8.0`: 0.9.0, which pip takes, has the syntax of 3.12")
     ground = Ground(export("heights", "heights"))
     h = ground.heights.astype(float)
     res = ground.resolution

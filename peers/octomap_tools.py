@@ -1,10 +1,6 @@
 """octomap's own tools read an export --to octomap."""
 # debian: octomap-tools
-# pypi: numpy==2.4.6
 
-import re
-
-from ground import Ground
 from peer import FOLDER, Peer, export, run
 
 
@@ -21,9 +17,6 @@ def main():
     same = back.exists() and back.read_bytes().split(b"data\n", 1)[1] == \
         path.read_bytes().split(b"data\n", 1)[1]
     peer.check("back to .bt", same, "the same bytes" if same else "other bytes")
-    says = run("compare_octrees", path, back).stdout
-    found = re.search(r"KL divergence: *([-\d.e]+)", says)
-    peer.check("compare_octrees", True, found.group(0) if found else says.strip()[-120:])
     peer.finish()
 
 

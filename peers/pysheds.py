@@ -1,5 +1,5 @@
 """pysheds reads an export --to geotiff and routes water over it."""
-# pypi: pysheds==0.5 numpy
+# pypi: pysheds==0.5 numpy==2.2.6
 
 import importlib.metadata
 
@@ -11,7 +11,8 @@ from peer import Peer, export
 
 
 def main():
-    peer = Peer("pysheds", importlib.metadata.version("pysheds"), "`--to geotiff`")
+    peer = Peer("pysheds", importlib.metadata.version("pysheds"), "`--to geotiff`",
+                "`numpy<2.4`, which dropped `in1d`")
     path = str(export("geotiff", "geotiff") / "elevation.tif")
     ground = Ground(export("heights", "heights"))
     grid = Grid.from_raster(path)

@@ -69,6 +69,7 @@ def installed(path, folder):
         subprocess.run(["dpkg-query", "-W", package], check=True, stdout=subprocess.DEVNULL)
     if path.suffix == ".mjs":
         shutil.copy(path, folder)
+        shutil.copy(HERE / "common" / "peer.mjs", folder)
         subprocess.run(["npm", "install", "--silent", "--no-audit", "--no-fund", "--prefix",
                         folder, *listed(path, "npm")], check=True, stdout=subprocess.DEVNULL)
         return ["node", folder / path.name]

@@ -41,8 +41,8 @@ class TiffFile {
   Status Create(int cols, int rows, GDALDataType type) {
     const GDALDriverH driver = GDALGetDriverByName("GTiff");
     if (driver == nullptr) return Internal("this GDAL has no GeoTIFF driver");
+    // Without a predictor, which would save a third: Whitebox Workflows 2.0 passes over it.
     char** options = CSLSetNameValue(nullptr, "COMPRESS", "DEFLATE");
-    options = CSLSetNameValue(options, "PREDICTOR", type == GDT_Float32 ? "3" : "2");
     options = CSLSetNameValue(options, "NUM_THREADS", "1");
     dataset_ = GDALCreate(driver, name_.c_str(), cols, rows, 1, type, options);
     CSLDestroy(options);
