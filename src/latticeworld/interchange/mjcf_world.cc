@@ -276,11 +276,8 @@ class MjcfBuilder {
 
   Status AddAssets() {
     const auto chosen = ChooseAssets(scene_, region_, options_.small_plants);
-    if (chosen.size() > kMostMjcfThings) {
-      return InvalidArgument(std::to_string(chosen.size()) + " things are too many, legal are " +
-                             std::to_string(kMostMjcfThings) +
-                             ": take a region, or no small plants");
-    }
+    if (chosen.size() > kMostMjcfThings)
+      return TooMany(chosen.size(), "things", kMostMjcfThings, options_.small_plants);
     const auto groups = GroupAssets(scene_, chosen);
     for (std::size_t i = 0; i < groups.size(); ++i) {
       LW_RETURN_IF_ERROR(Advance(0.4 + 0.6 * static_cast<double>(i) / groups.size()));

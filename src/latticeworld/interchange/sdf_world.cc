@@ -227,11 +227,8 @@ class SdfBuilder {
 
   Status AddAssets(SdfText* world) {
     const auto chosen = ChooseAssets(scene_, region_, options_.small_plants);
-    if (chosen.size() > kMostSdfThings) {
-      return InvalidArgument(std::to_string(chosen.size()) + " things are too many, legal are " +
-                             std::to_string(kMostSdfThings) +
-                             ": take a region, or no small plants");
-    }
+    if (chosen.size() > kMostSdfThings)
+      return TooMany(chosen.size(), "things", kMostSdfThings, options_.small_plants);
     std::set<std::string> meshes;
     const auto groups = GroupAssets(scene_, chosen);
     for (std::size_t i = 0; i < groups.size(); ++i) {

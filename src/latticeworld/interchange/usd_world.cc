@@ -157,11 +157,9 @@ class UsdBuilder {
       if (form != Collision::kNone)
         AddUsdSolid(asset, form, "asset_" + std::to_string(number) + "_solid", &solids_);
     }
-    if (prims > kMostUsdThings) {
-      return InvalidArgument(std::to_string(prims) + " things with prims of their own are too " +
-                             "many, legal are " + std::to_string(kMostUsdThings) +
-                             ": take a region, or no small plants");
-    }
+    if (prims > kMostUsdThings)
+      return TooMany(prims, "things with prims of their own", kMostUsdThings,
+                     options_.expand && options_.small_plants);
     const auto groups = GroupAssets(scene_, chosen);
     std::map<std::string, Instances> kinds;
     for (std::size_t i = 0; i < groups.size(); ++i) {

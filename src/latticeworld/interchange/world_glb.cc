@@ -178,11 +178,8 @@ class WorldGlbBuilder {
 
   Status AddAssets() {
     const auto chosen = ChooseAssets(scene_, region_, options_.small_plants);
-    if (options_.expand && chosen.size() > kMostNodes) {
-      return InvalidArgument(std::to_string(chosen.size()) +
-                             " things are too many to be expanded; legal are " +
-                             std::to_string(kMostNodes) + ": take a region, or no small plants");
-    }
+    if (options_.expand && chosen.size() > kMostNodes)
+      return TooMany(chosen.size(), "expanded things", kMostNodes, options_.small_plants);
     const auto groups = GroupAssets(scene_, chosen);
     std::vector<int> children;
     for (std::size_t i = 0; i < groups.size(); ++i) {
