@@ -16,16 +16,14 @@ def main():
     peer = Peer("gguf", importlib.metadata.version("gguf"), "`models/*.gguf`")
     for path in sorted(MODELS.glob("*.gguf")):
         reader = gguf.GGUFReader(path)
-        value = lambda key: reader.fields[key].contents()
+        fields = {key: field.contents() for key, field in reader.fields.items()}
         kinds = sorted({tensor.tensor_type.name for tensor in reader.tensors})
         weights = sum(int(tensor.n_elements) for tensor in reader.tensors)
         finite = all(numpy.isfinite(gguf.quants.dequantize(tensor.data, tensor.tensor_type)).all()
                      for tensor in reader.tensors)
-        tokens = value("tokenizer.ggml.tokens")
-        peer.check(path.name, finite and value("general.architecture") == "llama",
-                   f"{weights} weights as {', '.join(kinds)}, {len(tokens)} tokens, "
-                   f"{len(reader.fields)} fields, chat template "
-                   f"{'tokenizer.chat_template' in reader.fields}")
+        peer.check(path.name, finite, f"{fields['general.architecture']}, {weights} weights as "
+                   f"{', '.join(kinds)}, {len(fields.get('tokenizer.ggml.tokens', []))} tokens, chat "
+                   f"template: {'yes' if 'tokenizer.chat_template' in fields else 'no'}")
     peer.finish()
 
 

@@ -47,3 +47,10 @@ def episode():
     found = next(home.rglob("patrol.bag"))
     found.rename(bag)
     return bag
+
+
+def ros_says(command):
+    """What a program of ROS prints."""
+    text = f"source {SETUP} && {command}"
+    return subprocess.run(["bash", "-c", text], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          text=True, check=False).stdout
