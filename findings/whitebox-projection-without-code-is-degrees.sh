@@ -6,7 +6,8 @@
 # azimuthal projection around a site has no code, and its unit, the metre, stands in the file.
 # Observed: The raster is said to be in EPSG:4326, the geographic system that the projection is based on. Its cells of
 # 2 x 2 m are then 2 x 2 degrees: the smallest catchment is one of 10^10 square metres instead of 4. Nothing is said.
-# The same raster with an EPSG code, or with no system at all, has 4 square metres.
+# The same raster with an EPSG code, or with no system at all, has 4 square metres; so has one whose underlying
+# geographic system has no code either.
 # Since: 2.0.6 is the only version that was tried.
 set -euo pipefail
 export PATH=/usr/bin:/bin:$PATH
@@ -25,9 +26,16 @@ import whitebox_workflows
 rows, cols = numpy.indices((32, 32))
 plain = (100 + 0.1 * rows + 0.01 * cols).astype("float32")
 whitebox = whitebox_workflows.WbEnvironment()
+parameters = ('PARAMETER["latitude_of_origin",47],PARAMETER["central_meridian",8],'
+              'PARAMETER["false_easting",0],PARAMETER["false_northing",0],UNIT["metre",1]]')
+base = ('GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],PRIMEM["Greenwich",0],'
+        'UNIT["degree",0.0174532925199433],AUTHORITY["EPSG","4326"]]')
 systems = {"UTM by its code": "EPSG:32632",
-           "local transverse Mercator": "+proj=tmerc +lat_0=47 +lon_0=8 +datum=WGS84 +units=m",
-           "azimuthal equidistant": "+proj=aeqd +lat_0=47 +lon_0=8 +datum=WGS84 +units=m"}
+           "local transverse Mercator": f'PROJCS["site",{base},PROJECTION["Transverse_Mercator"],'
+                                        f'PARAMETER["scale_factor",1],{parameters}',
+           "equal area": f'PROJCS["site",{base},PROJECTION["Lambert_Azimuthal_Equal_Area"],'
+                         + parameters.replace("latitude_of_origin", "latitude_of_center").replace(
+                             "central_meridian", "longitude_of_center")}
 for name, system in systems.items():
     path = name.replace(" ", "_") + ".tif"
     with rasterio.open(path, "w", driver="GTiff", width=32, height=32, count=1, dtype="float32",
@@ -43,5 +51,5 @@ PY
 
 grep -q 'UTM by its code: GDAL says metre, Whitebox EPSG:32632, smallest catchment 4 square' seen.txt
 grep -qE 'local transverse Mercator: GDAL says metre, Whitebox EPSG:4326, smallest catchment [0-9.]+e\+10 square' seen.txt
-grep -qE 'azimuthal equidistant: GDAL says metre, Whitebox EPSG:4326, smallest catchment [0-9.]+e\+10 square' seen.txt
+grep -qE 'equal area: GDAL says metre, Whitebox EPSG:4326, smallest catchment [0-9.]+e\+10 square' seen.txt
 echo "The behaviour is as described."
