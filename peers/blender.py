@@ -40,8 +40,9 @@ def main():
             peer.check(name, options and found["assets"] == len(assets()),
                        f"{found['meshes']} meshes, {found['assets']} things with their numbers")
         else:
-            refusal = [line for line in said.stdout.splitlines() if "Error" in line or "xtension" in line]
-            peer.check(name, not options, "refused: " + refusal[0][:120])
+            lines = [line for line in said.stdout.splitlines() if line.strip()]
+            reason = [line for line in lines if "xtension" in line] or lines[-3:]
+            peer.check(name, not options, "refused: " + reason[-1].strip()[:120])
     points = [p for p in found["points"]
               if abs(p[0]) < ground.width / 2 and abs(p[1]) < ground.depth / 2][:1000]
     ground.check(peer, [p[2] for p in points], [p[:2] for p in points])
