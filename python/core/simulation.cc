@@ -270,7 +270,7 @@ std::string SpawnElement(PySimulation& self, const std::string& kind, double x_m
 void BindSimulation(nb::module_& module) {
   nb::class_<SimulatorSnapshot>(module, "Snapshot", "A simulation's state, to go back to.");
   nb::class_<PySimulation>(
-      module, "Simulation",
+      module, "Simulation", nb::is_weak_referenceable(),
       "A world that is stepped, and what its robots see. Same world, seed and calls: the same "
       "states and scans, bit for bit, as the service lockstep of world_server has them.")
       .def(nb::new_(&Create), nb::arg("world"), nb::kw_only(), nb::arg("seed") = 0,

@@ -126,7 +126,7 @@ const Grid<std::int8_t>& PyWorld::Occupancy() {
 
 void BindWorld(nb::module_& module) {
   module.attr("SURFACES") = nb::tuple(SurfaceNames());
-  nb::class_<PyWorld>(module, "World",
+  nb::class_<PyWorld>(module, "World", nb::is_weak_referenceable(),
                       "A generated world: immutable, shared, never copied.\n\n"
                       "Arrays are (rows, cols), row 0 north, column 0 west, values at the middles "
                       "of cells. They are read-only views of the world's own memory, and keep it "

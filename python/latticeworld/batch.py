@@ -5,6 +5,7 @@ import os
 import numpy as np
 
 from . import _core, memory
+from .errors import LatticeWorldError
 from .learning.episode import MAX_SPEED_MPS, MAX_YAW_RATE_RADPS, Episode
 from .local import LocalServer, view_of_row
 
@@ -116,8 +117,9 @@ class Batch:
 
     # What happens at every call.
 
-    def legal(self, actions):
-        """(worlds, robots, 2) finite numbers within the bounds. Raises ValueError, TypeError."""
+    def legal(self, actions, acting):
+        """(worlds, robots, 2) numbers within the bounds. acting: whose have to be finite; the others
+        are not looked at. Raises ValueError, TypeError."""
         values = np.asarray(actions)
         if values.dtype.kind not in "fiu":
             raise TypeError(f"actions are of {values.dtype}; legal are real numbers")
@@ -126,15 +128,13 @@ class Batch:
             raise ValueError(f"actions have the shape {values.shape}; legal is one pair a robot, "
                              f"(forward [m/s], yaw rate [rad/s]): {legal}")
         values = values.reshape(legal).astype(np.float64)
-        return np.clip(values, self.action_space.low, self.action_space.high)
-
-    def must_be_finite(self, actions, acting):
-        wrong = np.argwhere(acting & ~np.isfinite(actions).all(axis=-1))
+        wrong = np.argwhere(acting & ~np.isfinite(values).all(axis=-1))
         if wrong.size:
             world, robot = wrong[0]
             raise ValueError(f"the action of {self.robots[robot]} of world {world} is "
-                             f"{actions[world, robot]}; legal are two finite numbers: forward "
-                             "[m/s], yaw rate [rad/s]")
+                             f"{values[world, robot]}; legal are two finite numbers: forward [m/s], "
+                             "yaw rate [rad/s]")
+        return np.clip(values, self.action_space.low, self.action_space.high)
 
     def check(self, begins_all=False):
         """Raises RuntimeError where the batch cannot go on."""
@@ -216,7 +216,7 @@ class Batch:
                                      scans)
         wrong = [f"world {place}: {words}" for place, words in enumerate(answers) if words]
         if wrong:
-            raise RuntimeError("; ".join(wrong[:10]) + "; call reset()")
+            raise LatticeWorldError("; ".join(wrong[:10]) + "; call reset()")
         views = {}
         rows = self._rows.tolist()
         for place in np.flatnonzero(self._acting.any(axis=1)).tolist():

@@ -64,8 +64,7 @@ class LatticeWorldParallelVecEnv(ParallelEnv):
                 raise ValueError(f"the action of {agent} is {action!r}; legal are two finite "
                                  "numbers: forward [m/s], yaw rate [rad/s]")
             values[self._places[agent]], acting[self._places[agent]] = action, True
-        values = self.batch.legal(values)
-        self.batch.must_be_finite(values, acting)
+        values = self.batch.legal(values, acting)
         judged = self.batch.advance(np.zeros(len(self.batch), bool), self._rngs, values, acting)
         answers = {agent: judged[self._places[agent]] for agent in self.agents}
         observations = {agent: self._observation(agent) for agent in answers}

@@ -61,7 +61,6 @@ class LatticeWorldVectorEnv(gymnasium.vector.VectorEnv):
         self.batch.check()
         if not self._begun.all():
             raise RuntimeError("reset() comes before step()")
-        actions = self.batch.legal(actions)
         begin = np.zeros(self.num_envs, bool)
         if self.autoreset_mode == AutoresetMode.NEXT_STEP:
             begin = self._ended
@@ -69,7 +68,7 @@ class LatticeWorldVectorEnv(gymnasium.vector.VectorEnv):
             raise RuntimeError("the episodes of sub-environments "
                                f"{np.flatnonzero(self._ended).tolist()} have ended; reset them "
                                "first: reset(options={\"reset_mask\": ...})")
-        self.batch.must_be_finite(actions, ~begin[:, None])
+        actions = self.batch.legal(actions, ~begin[:, None])
         judged = self.batch.advance(begin, self._rngs, actions, ~begin[:, None])
         rewards = np.zeros(self.num_envs)
         terminations, truncations = np.zeros((2, self.num_envs), bool)
