@@ -11,7 +11,8 @@ build=${LATTICEWORLD_WHEEL_DIR:-$root/build/wheel}
 
 PATH="/usr/bin:$PATH" "$root/scripts/install_dependencies.sh"
 "$root/scripts/install_python_tools.sh" "$build/tools" "$python"
-export PATH="$build/tools/bin:$PATH"
+export PATH="$build/tools/bin:/usr/bin:$PATH"
+export CXX=${CXX:-/usr/bin/c++} CC=${CC:-/usr/bin/cc}  # the names by which other builds fill ccache
 rm -rf "$build/plain"
 python -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir "$build/plain" \
   -C build-dir="$build/cmake" -C cmake.define.LATTICEWORLD_PYTHON="$build/tools/bin/python" \

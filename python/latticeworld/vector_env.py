@@ -112,8 +112,10 @@ class LatticeWorldVectorEnv(gymnasium.vector.VectorEnv):
             infos[name] = np.where(of, rows[:, column], 0.0)
         infos.update({f"_{name}": of.copy() for name in list(infos)})
         robot = self.batch.robots[0]
+        for name, told_of in _by_name(told).items():
+            infos[name], infos[f"_{name}"] = _gathered(told_of, self.num_envs)
         for i in np.flatnonzero(of):
-            info = dict(told.get(i, {}))
+            info = {}
             events = self.batch.episodes[i].view(robot).events
             if events:
                 info["events"] = events
@@ -145,3 +147,28 @@ class LatticeWorldVectorEnv(gymnasium.vector.VectorEnv):
     def _must_be_open(self):
         if self.closed:
             raise ServerError("the environment is closed; make another one")
+
+
+def _by_name(told):
+    """{sub-environment: {name: value}} the other way round."""
+    found = {}
+    for i, info in told.items():
+        for name, value in info.items():
+            found.setdefault(name, {})[i] = value
+    return found
+
+
+def _gathered(told, count):
+    """(values, which are told), as Gymnasium has infos. told: {sub-environment: value}."""
+    places, values = list(told), list(told.values())
+    kinds = {type(value) for value in values}
+    plain = len(kinds) == 1 and kinds <= {bool, int, float}
+    array = np.zeros(count, kinds.pop()) if plain else np.full(count, None, object)
+    if plain:
+        array[places] = values
+    else:
+        for i, value in told.items():
+            array[i] = value
+    mask = np.zeros(count, bool)
+    mask[places] = True
+    return array, mask

@@ -87,6 +87,7 @@ std::uint64_t Arena::FirstScannedStep(std::uint64_t last) const {
 
 Status Arena::Sense(std::uint64_t first_scanned) {
   const SensedWorld world = Sensed(*simulator_->State(), *simulator_->options().species);
+  // One step before the rig is shown where robots come from.
   const bool matters = world.step >= first_scanned;
   if (!senses_) rig_->Restart(StreamSeed(simulator_->seed(), "sensors"));
   senses_ = true;
@@ -106,10 +107,11 @@ Status Arena::Sense(std::uint64_t first_scanned) {
 Status Arena::Go(int steps, bool senses, const std::function<Status()>& check) {
   const std::uint64_t last = simulator_->State()->episode_step + static_cast<std::uint64_t>(steps);
   const std::uint64_t first_scanned = senses ? FirstScannedStep(last) : 0;
+  std::uint64_t now = last - static_cast<std::uint64_t>(steps);
   for (int step = 0; step < steps; ++step) {
     if (check != nullptr && step > 0 && step % kStepsAtATime == 0) LW_RETURN_IF_ERROR(check());
     simulator_->Step();
-    if (senses) LW_RETURN_IF_ERROR(Sense(first_scanned));
+    if (senses && ++now + 1 >= first_scanned) LW_RETURN_IF_ERROR(Sense(first_scanned));
   }
   return Status();
 }
