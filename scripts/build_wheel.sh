@@ -7,7 +7,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 dist=${1:-$root/dist}
 python=${2:-python3}
-build=${LATTICEWORLD_WHEEL_DIR:-$root/build/wheel}
+build=${LATTICEWORLD_WHEEL_DIR:-$root/build-wheel}  # as deep as build/: ccache knows its files
 
 PATH="/usr/bin:$PATH" "$root/scripts/install_dependencies.sh"
 "$root/scripts/install_python_tools.sh" "$build/tools" "$python"
@@ -15,10 +15,10 @@ export PATH="$build/tools/bin:/usr/bin:$PATH"
 export CXX=${CXX:-/usr/bin/c++} CC=${CC:-/usr/bin/cc}  # the names by which other builds fill ccache
 rm -rf "$build/plain"
 python -m pip wheel --quiet --no-deps --no-build-isolation --wheel-dir "$build/plain" \
-  -C build-dir="$build/cmake" -C cmake.define.LATTICEWORLD_PYTHON="$build/tools/bin/python" \
+  -C build-dir="$build" -C cmake.define.LATTICEWORLD_PYTHON="$build/tools/bin/python" \
   "$root/python"
 mkdir -p "$dist"
-if auditwheel repair --strip --wheel-dir "$dist" "$build"/plain/*.whl; then
+if python -m auditwheel repair --strip --wheel-dir "$dist" "$build"/plain/*.whl; then
   ls -l "$dist"/*.whl
 else
   cp "$build"/plain/*.whl "$dist"
