@@ -59,8 +59,8 @@ class Arena {
   Arena(std::shared_ptr<const SensorSuite> scanner, std::unique_ptr<Simulator> simulator,
         std::unique_ptr<SensorRig> rig);
 
-  // The first step of those up to `last` at which a sweep is in progress that can be the last one of
-  // this call or the next; in steps of the episode. Before it nobody has to sense.
+  // The first step of those up to `last` at which a sweep is in progress that can be the last one
+  // of this call or the next; in steps of the episode. Before it nobody has to sense.
   std::uint64_t FirstScannedStep(std::uint64_t last) const;
   Status Go(int steps, bool senses, const std::function<Status()>& check);
   Status Sense(std::uint64_t first_scanned);
