@@ -6,7 +6,7 @@
 #   dev       liblatticeworld-dev     headers, libraries, find_package(latticeworld_core)
 include(CMakePackageConfigHelpers)
 
-set(latticeworld_core_dir ${CMAKE_INSTALL_LIBDIR}/cmake/latticeworld_core)
+set(latticeworld_core_dir lib/cmake/latticeworld_core)
 install(EXPORT latticeworld_core FILE latticeworld_core_targets.cmake NAMESPACE latticeworld::
         DESTINATION ${latticeworld_core_dir} COMPONENT dev)
 configure_package_config_file(cmake/latticeworld_core-config.cmake.in
@@ -27,6 +27,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_COMPONENTS_ALL messages world dev)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_STRIP_FILES ON)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/tidy.cmake)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_PACKAGE_NAME latticeworld)
@@ -39,8 +40,11 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_MESSAGES_PACKAGE_NAME ros-latticeworld-msgs)
 set(CPACK_DEBIAN_MESSAGES_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_MESSAGES_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_MESSAGES_PACKAGE_CONTROL_EXTRA
+    ${PROJECT_SOURCE_DIR}/cmake/debian/postinst ${PROJECT_SOURCE_DIR}/cmake/debian/prerm)
+set(CPACK_DEBIAN_MESSAGES_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_MESSAGES_PACKAGE_DEPENDS
-    "libroscpp-core-dev, python3-genpy, ros-actionlib-msgs, ros-geometry-msgs, ros-message-runtime, ros-sensor-msgs, ros-std-msgs")
+    "libroscpp-core-dev, python3:any, python3-genpy, ros-actionlib-msgs, ros-geometry-msgs, ros-message-runtime, ros-sensor-msgs, ros-std-msgs")
 set(CPACK_COMPONENT_MESSAGES_DESCRIPTION
     "messages, services and actions of LatticeWorld\n What programs need that talk to its nodes over ROS 1, in C++, Python and Lisp.")
 
@@ -61,11 +65,11 @@ set(CPACK_COMPONENT_DEV_DESCRIPTION
 # Every Debian package brings its licence and its history.
 find_program(GZIP_PROGRAM gzip REQUIRED)
 set(changelog ${CMAKE_BINARY_DIR}/changelog.gz)
-execute_process(COMMAND ${GZIP_PROGRAM} -9n --stdout ${PROJECT_SOURCE_DIR}/cmake/debian_changelog
+execute_process(COMMAND ${GZIP_PROGRAM} -9n --stdout ${PROJECT_SOURCE_DIR}/cmake/debian/changelog
                 OUTPUT_FILE ${changelog} COMMAND_ERROR_IS_FATAL ANY)
 foreach(component messages world dev)
   string(TOUPPER ${component} upper)
-  set(documents ${CMAKE_INSTALL_DATAROOTDIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
+  set(documents share/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
   install(FILES LICENSE DESTINATION ${documents} RENAME copyright COMPONENT ${component})
   install(FILES ${changelog} DESTINATION ${documents} COMPONENT ${component})
 endforeach()

@@ -15,7 +15,7 @@ function(latticeworld_library room)
   cmake_path(IS_PREFIX LATTICEWORLD_CORE_DIR ${CMAKE_CURRENT_SOURCE_DIR} is_core)
   if(is_core)
     install(TARGETS ${target} EXPORT latticeworld_core
-            ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/latticeworld COMPONENT dev
+            ARCHIVE DESTINATION lib/latticeworld_core COMPONENT dev
             INCLUDES DESTINATION include/latticeworld_core)
   endif()
 endfunction()

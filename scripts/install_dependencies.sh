@@ -62,7 +62,8 @@ done
 [ ${#missing[@]} -gt 0 ] || exit 0
 if [ -n "$say" ]; then
   echo "missing of ${groups[*]}: ${missing[*]}"
-  how_much "${missing[@]}"
+  amount=$(how_much "${missing[@]}")
+  echo "${amount:-how much that is shows after apt-get update}"
   exit 0
 fi
 

@@ -56,8 +56,8 @@ class Teller:
 def first_failure(log_lines):
     """The lines of the first step that failed: its name, its command and what it said."""
     begin = next((i for i, line in enumerate(log_lines) if line.startswith("FAILED: ")), None)
-    if begin is None:
-        return log_lines[-20:]
+    if begin is None:  # not a step: CMake, Ninja itself, or somebody who stopped it
+        return log_lines[-5:]
     end = next((i for i in range(begin + 1, len(log_lines))
                 if STATUS.match(log_lines[i]) or log_lines[i].startswith(("FAILED: ", "ninja: "))),
                len(log_lines))
@@ -84,7 +84,7 @@ def main():
     teller.end()
     if ninja.returncode != 0:
         print("\n".join(first_failure(lines)), file=sys.stderr)
-        print(f"this step failed; all that the build said is in {build / 'build.log'}",
+        print(f"the build stopped there; all that it said is in {build / 'build.log'}",
               file=sys.stderr)
     return ninja.returncode
 
