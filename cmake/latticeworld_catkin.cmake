@@ -28,7 +28,9 @@ function(latticeworld_compat package)
     list(PREPEND prefixes ${CMAKE_PREFIX_PATH})
     list(REMOVE_ITEM prefixes ${CATKIN_DEVEL_PREFIX} ${CMAKE_INSTALL_PREFIX})
     set(CMAKE_PREFIX_PATH ${prefixes})
-    list(REMOVE_ITEM CMAKE_SYSTEM_PREFIX_PATH ${CMAKE_INSTALL_PREFIX})
+    if(NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")  # there stands what the system has
+      list(REMOVE_ITEM CMAKE_SYSTEM_PREFIX_PATH ${CMAKE_INSTALL_PREFIX})
+    endif()
     find_package(${package} QUIET NO_CMAKE_ENVIRONMENT_PATH NO_SYSTEM_ENVIRONMENT_PATH)
     if(${package}_FOUND)
       message(STATUS "latticeworld: using ${package} in ${${package}_DIR}")
@@ -130,6 +132,7 @@ function(latticeworld_node name)
   install(TARGETS ${name} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 endfunction()
 
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME world)  # of all that is installed from here on
 catkin_install_python(PROGRAMS scripts/generate_world.py scripts/launch_stack.py
                       DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(FILES scripts/stack_bridge.py clients/latticeworld_stack/latticeworld_stack.py

@@ -1,13 +1,23 @@
+set(LATTICEWORLD_CORE_DIR ${PROJECT_SOURCE_DIR}/src/latticeworld)
+
 # latticeworld_library(<room> SOURCES ... [PUBLIC targets] [PRIVATE targets])
-# One static library a room, latticeworld_<room>, whose headers are included from src/.
+# One static library a room, latticeworld_<room>, whose headers are included from src/. Those of the
+# core are installed for other programs, as latticeworld::<room> (cmake/latticeworld_packages.cmake).
 function(latticeworld_library room)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target latticeworld_${room})
   add_library(${target} STATIC ${ARG_SOURCES})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
+  target_compile_features(${target} PUBLIC cxx_std_17)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow)
-  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${room})
+  cmake_path(IS_PREFIX LATTICEWORLD_CORE_DIR ${CMAKE_CURRENT_SOURCE_DIR} is_core)
+  if(is_core)
+    install(TARGETS ${target} EXPORT latticeworld_core
+            ARCHIVE DESTINATION lib/latticeworld_core COMPONENT dev
+            INCLUDES DESTINATION include/latticeworld_core)
+  endif()
 endfunction()
 
 # latticeworld_test(<room> SOURCES ... [LIBRARIES ...]) makes <room>_test, one CTest test a TEST().

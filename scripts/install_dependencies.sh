@@ -1,55 +1,72 @@
 #!/usr/bin/env bash
-# Installs from Debian's packages what is missing to build, test and run LatticeWorld.
-# Does nothing, and needs no rights, when all is there. Usage: scripts/install_dependencies.sh
+# Installs from Debian's packages what is missing of the groups in scripts/packages/, and says
+# before it begins what that is and how much. Does nothing, and needs no rights, when all is there.
+# Usage: scripts/install_dependencies.sh [--say] [GROUP ...]
+#   GROUP  world (what scripts/run.sh needs, and what is meant where none is given), page, tests,
+#          benchmarks, training, cluster
+#   --say  only says what is missing and, by the package lists that are there, how much it is
 set -euo pipefail
 export PATH="/usr/sbin:/usr/bin:/sbin:/bin:${PATH}"
 
-packages=(
-  # building
-  ca-certificates ccache clang-format cmake g++ ninja-build pkg-config
-  # the core
-  libbenchmark-dev libboost-dev libeigen3-dev libgtest-dev libode-dev liboctomap-dev libopencv-dev libssl-dev
-  libcli11-dev libcurl4-openssl-dev libembree-dev libgdal-dev libvalijson-dev libyaml-cpp-dev
-  nlohmann-json3-dev
-  zlib1g-dev
-  # testing against real peers
-  blender gdal-bin libsdformat-dev
-  octomap-tools openssl python3-numpy python3-onnx python3-pandas python3-venv python3-yaml
-  chromium
-  # training models
-  python3-pil python3-torch
-  # campaigns on a cluster of one machine
-  munge slurm-client slurmctld slurmd
-  # ROS: building
-  catkin ros-message-generation ros-message-runtime
-  libactionlib-dev libactionlib-msgs-dev libdiagnostic-msgs-dev libgeometry-msgs-dev
-  libmove-base-msgs-dev libnav-msgs-dev libros-rosgraph-msgs-dev librosbag-storage-dev
-  libroscpp-dev librostest-dev libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev
-  libtf2-dev libtf2-msgs-dev libtf2-ros-dev libtopic-tools-dev libvisualization-msgs-dev
-  ros-actionlib-msgs ros-diagnostic-msgs ros-geometry-msgs ros-move-base-msgs ros-nav-msgs
-  ros-rosgraph-msgs ros-sensor-msgs ros-std-msgs ros-std-srvs ros-tf2-msgs ros-visualization-msgs
-  # ROS: running
-  python3-actionlib python3-rosbag python3-roslaunch python3-rosmaster python3-rosmsg python3-rosnode
-  python3-rosparam python3-rospy python3-rosservice python3-rostest python3-rostopic
-  python3-diagnostic-msgs python3-geometry-msgs python3-move-base-msgs python3-nav-msgs
-  python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf2-msgs python3-tf2-ros
-  python3-visualization-msgs
-  rosbash
-  # ROS: what is seen, tested without a screen
-  libgl1-mesa-dri librviz-dev rviz xvfb
-)
+folder=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/packages
+say=
+[ "${1:-}" != --say ] || { say=yes; shift; }
+groups=("${@:-world}")
+
+# The packages of a group: words of its file, without comments.
+packages_of() {
+  [ -f "$folder/$1.txt" ] || {
+    echo "there is no group '$1': it is one of $(cd "$folder" && echo *.txt | sed 's/\.txt//g')" >&2
+    exit 2
+  }
+  sed 's/#.*//' "$folder/$1.txt"
+}
+
+is_there() {
+  case $1 in
+    # Node.js may well come from elsewhere than Debian, whose own packages would then conflict.
+    nodejs) command -v node ;;
+    npm) command -v npm ;;
+    *) [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null || true)" = installed ] ;;
+  esac >/dev/null
+}
+
+# "509 packages, 294 MB to fetch, 1,139 MB when unpacked", as apt-get counts it.
+how_much() {
+  LC_ALL=C apt-get install --assume-no --no-install-recommends "$@" 2>/dev/null |
+    sed -n -e 's/.* \([0-9]*\) newly installed.*/\1 packages/p' \
+      -e 's/^Need to get \(.*\) of archives.*/\1 to fetch/p' \
+      -e 's/^After this operation, \(.*\) of additional disk space.*/\1 when unpacked/p' |
+    paste --serial --delimiters=, | sed 's/,/, /g'
+}
+
+# Reads what apt-get says and tells a person how far it is, now and then.
+tell_how_far() {
+  local line fetched=0 unpacked=0 set_up=0
+  while IFS= read -r line; do
+    case $line in
+      Get:*) ((++fetched % 100)) || echo "  fetched $fetched" ;;
+      Unpacking*) ((++unpacked % 100)) || echo "  unpacked $unpacked" ;;
+      "Setting up"*) ((++set_up % 100)) || echo "  set up $set_up" ;;
+    esac
+  done
+}
 
 missing=()
-for package in "${packages[@]}"; do
-  state=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
-  [ "$state" = installed ] || missing+=("$package")
+for group in "${groups[@]}"; do
+  packages=$(packages_of "$group")
+  for package in $packages; do
+    is_there "$package" || missing+=("$package")
+  done
 done
-# Node may well come from elsewhere than Debian, whose own packages would then be in conflict.
-command -v node >/dev/null || missing+=(nodejs)
-command -v npm >/dev/null || missing+=(npm)
 [ ${#missing[@]} -gt 0 ] || exit 0
+if [ -n "$say" ]; then
+  echo "missing of ${groups[*]}: ${missing[*]}"
+  amount=$(how_much "${missing[@]}")
+  echo "${amount:-how much that is shows after apt-get update}"
+  exit 0
+fi
 
-echo "installing ${#missing[@]} Debian packages: ${missing[*]}"
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
   command -v sudo >/dev/null || {
@@ -58,6 +75,16 @@ if [ "$(id -u)" -ne 0 ]; then
   }
   as_root=(sudo)
 fi
-"${as_root[@]}" apt-get update
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get install --yes --no-install-recommends "${missing[@]}"
+echo "missing of ${groups[*]}: ${missing[*]}"
+echo "reading Debian's lists of packages (some 10 MB)"
+"${as_root[@]}" apt-get update --quiet=2
+echo "installing $(how_much "${missing[@]}")"
+log=$(mktemp "${TMPDIR:-/tmp}/latticeworld_install.XXXXXX.log")
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C \
+  apt-get install --yes --quiet --no-install-recommends -o Dpkg::Use-Pty=0 "${missing[@]}" 2>&1 |
+  tee "$log" | tell_how_far || {
+  tail -n 20 "$log"
+  echo "apt-get could not install them; all that it said is in $log"
+  exit 1
+} >&2
+rm "$log"

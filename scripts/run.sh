@@ -15,7 +15,7 @@ environment=${2:-"A sunny autumn afternoon. Nine sheep graze in the lower left, 
 
 seed=${3:-$([ $# -eq 0 ] && echo 37 || echo 0)}  # 37: the README's picture; 0: drawn
 
-"$root/scripts/build.sh"
+"$root/scripts/build.sh" --only world_server
 
 set +u  # catkin's setup files read variables that may be unset
 # shellcheck disable=SC1091

@@ -28,7 +28,7 @@ constexpr std::array<EnumName<BagCompression>, 3> EnumNames(BagCompression) {
 // A message of any type, and where it came from.
 struct BagMessage {
   std::string topic;
-  ros::Time time;  // under which it is kept
+  ros::Time time;  // under which it is kept; when it was heard, before that is decided
   topic_tools::ShapeShifter::ConstPtr message;
   boost::shared_ptr<ros::M_string> header;  // of its connection; null: made of the message
 

@@ -8,6 +8,7 @@
 
 #include "latticeworld/simulation/journaled_simulator.h"
 #include "latticeworld_ros/bag_message.h"
+#include "latticeworld_ros/bag_stamp.h"
 #include "latticeworld_ros/server_watch.h"
 
 namespace latticeworld {
@@ -24,6 +25,9 @@ constexpr std::chrono::seconds kFlushPeriod(1);
 // Messages of before the start are left out, but for latched ones; stamps of the clock lag a
 // little.
 const ros::Duration kLag(1.0);
+// Stamps that lie further ahead are of another clock, the wall's mostly. Those of one clock lie
+// ahead where the clock was heard later than they were, and of plans.
+const ros::Duration kFurthestAhead(60.0);
 
 }  // namespace
 
@@ -33,10 +37,11 @@ EpisodeRecording::EpisodeRecording(EpisodeRecordingOptions options)
 EpisodeRecording::~EpisodeRecording() { (void)End("the recorder was ended", nullptr); }
 
 void EpisodeRecording::Add(BagMessage message) {
+  const BagStamp stamp = StampOf(message);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (stop_ || !progress_.reason.empty()) return;
-    if (const std::uint64_t missing = gaps_.MissingBefore(message); missing > 0) {
+    if (const std::uint64_t missing = gaps_.MissingBefore(message, stamp); missing > 0) {
       progress_.dropped += missing;
       ROS_WARN_STREAM_THROTTLE(10.0, missing << " messages of " << message.topic
                                              << " were lost on the way to the recorder; a slower "
@@ -47,7 +52,7 @@ void EpisodeRecording::Add(BagMessage message) {
       return;
     }
     waiting_bytes_ += message.bytes();
-    waiting_.push_back(std::move(message));
+    waiting_.emplace_back(std::move(message), stamp.stamp);
   }
   changed_.notify_one();
 }
@@ -56,7 +61,7 @@ Status EpisodeRecording::Begin(latticeworld_msgs::EpisodeStart start,
                                latticeworld_msgs::WorldFiles world) {
   start_ = std::move(start);
   world_ = std::move(world);
-  last_time_ = std::max(start_.header.stamp, ros::TIME_MIN);
+  part_time_ = last_time_ = std::max(start_.header.stamp, ros::TIME_MIN);
   for (const JournalMessage& entry : start_.journal) journal_bytes_ += entry.call.size();
   last_call_ = start_.calls;
   const Status opened = OpenPart();
@@ -128,7 +133,7 @@ void EpisodeRecording::WantEnd(const std::string& reason, bool failed) {
 void EpisodeRecording::Run() {
   auto flush_due = std::chrono::steady_clock::now() + kFlushPeriod;
   for (;;) {
-    std::deque<BagMessage> messages;
+    decltype(waiting_) messages;
     {
       std::unique_lock<std::mutex> lock(mutex_);
       changed_.wait_until(lock, flush_due, [this] { return stop_ || !waiting_.empty(); });
@@ -136,8 +141,8 @@ void EpisodeRecording::Run() {
       messages.swap(waiting_);
       waiting_bytes_ = 0;
     }
-    for (const BagMessage& message : messages) {
-      if (!ended()) WriteOne(message);
+    for (auto& [message, stamp] : messages) {
+      if (!ended()) WriteOne(std::move(message), stamp);
     }
     if (std::chrono::steady_clock::now() < flush_due) continue;
     flush_due = std::chrono::steady_clock::now() + kFlushPeriod;
@@ -146,10 +151,11 @@ void EpisodeRecording::Run() {
   }
 }
 
-void EpisodeRecording::WriteOne(const BagMessage& message) {
+void EpisodeRecording::WriteOne(BagMessage message, const std::optional<ros::Time>& stamp) {
   if (message.topic == kClockTopic && !KeepClock(message)) return;
   if (!message.latched() && message.time + kLag < start_.header.stamp) return;
   if (!Keep(message)) return;
+  message.time = KeptTime(stamp, message.time);
   last_time_ = std::max(last_time_, message.time);
   if (message.latched()) {
     latched_[message.topic + " " + (*message.header)["callerid"]] = message;
@@ -168,10 +174,11 @@ void EpisodeRecording::WriteOne(const BagMessage& message) {
   if (options_.max_bytes != 0 && bytes > options_.max_bytes) {
     WantEnd("max_mb is reached", /*failed=*/false);
   }
-  if (options_.max_duration_s > 0.0 &&
-      message.time - start_.header.stamp >= ros::Duration(options_.max_duration_s)) {
-    WantEnd("max_duration is reached", /*failed=*/false);
-  }
+}
+
+ros::Time EpisodeRecording::KeptTime(const std::optional<ros::Time>& stamp, ros::Time heard) const {
+  const bool usable = stamp && *stamp <= std::max(heard, last_clock_) + kFurthestAhead;
+  return std::max(usable ? *stamp : heard, part_time_);
 }
 
 bool EpisodeRecording::KeepClock(const BagMessage& message) {
@@ -182,6 +189,10 @@ bool EpisodeRecording::KeepClock(const BagMessage& message) {
     return false;
   }
   last_clock_ = clock->clock;
+  if (options_.max_duration_s > 0.0 &&
+      last_clock_ >= start_.header.stamp + ros::Duration(options_.max_duration_s)) {
+    WantEnd("max_duration is reached", /*failed=*/false);
+  }
   return true;
 }
 
@@ -239,7 +250,8 @@ void EpisodeRecording::AddMissingCalls(const GetWorldBundle::Response& last) {
     std::uint64_t next = first;
     for (const JournalMessage& entry : last.journal) {
       if (entry.number != next || next > until) continue;
-      if (!file_->Write(ToBag(options_.topics.journal, last_time_, entry)).ok()) break;
+      const ros::Time time = KeptTime(entry.header.stamp, last_time_);
+      if (!file_->Write(ToBag(options_.topics.journal, time, entry)).ok()) break;
       ++next;
     }
     if (next <= until) still_missing.emplace_back(next, until);
@@ -268,11 +280,11 @@ Status EpisodeRecording::OpenPart() {
     const std::lock_guard<std::mutex> lock(mutex_);
     progress_.active_path = file_->active_path().string();
   }
-  LW_RETURN_IF_ERROR(file_->Write(ToBag(kEpisodeStartTopic, last_time_, start_, true)));
-  LW_RETURN_IF_ERROR(file_->Write(ToBag(kEpisodeWorldTopic, last_time_, world_, true)));
+  LW_RETURN_IF_ERROR(file_->Write(ToBag(kEpisodeStartTopic, part_time_, start_, true)));
+  LW_RETURN_IF_ERROR(file_->Write(ToBag(kEpisodeWorldTopic, part_time_, world_, true)));
   for (const auto& [publisher, message] : latched_) {
     BagMessage again = message;
-    again.time = last_time_;
+    again.time = part_time_;
     LW_RETURN_IF_ERROR(file_->Write(again));
   }
   LW_RETURN_IF_ERROR(file_->Flush());
@@ -286,6 +298,7 @@ Status EpisodeRecording::OpenPart() {
 Status EpisodeRecording::NextPart() {
   LW_RETURN_IF_ERROR(ClosePart());
   ++start_.part;
+  part_time_ = std::max(part_time_, last_clock_);
   return OpenPart();
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -54,7 +55,9 @@ struct EpisodeProgress {
 
 // One episode on its way into its bags: messages are gathered by the threads that hear them and
 // written by one of its own. Each file begins with what the episode began with, the world's files
-// and the last latched messages, so that it can be used alone.
+// and the last latched messages, so that it can be used alone. A message's time in the bag is its
+// stamp, and not when it came to be heard; that of what has no stamp, or one of another clock, is
+// when it was heard. What is older than its file is at the file's beginning.
 class EpisodeRecording {
  public:
   // Messages can be added from now on; none is written before Begin.
@@ -78,7 +81,9 @@ class EpisodeRecording {
 
  private:
   void Run();
-  void WriteOne(const BagMessage& message);
+  void WriteOne(BagMessage message, const std::optional<ros::Time>& stamp);
+  // Under which time a message is kept. heard: when it was.
+  ros::Time KeptTime(const std::optional<ros::Time>& stamp, ros::Time heard) const;
   // False: the message is of another simulation, or is known already.
   bool Keep(const BagMessage& message);
   // False: time has run backward, which that of one server never does.
@@ -100,11 +105,12 @@ class EpisodeRecording {
   const EpisodeRecordingOptions options_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<BagMessage> waiting_;   // guarded by mutex_
-  std::uint64_t waiting_bytes_ = 0;  // guarded by mutex_
-  bool stop_ = false;                // guarded by mutex_
-  EpisodeProgress progress_;         // guarded by mutex_
-  SequenceGaps gaps_;                // guarded by mutex_
+  // guarded by mutex_
+  std::deque<std::pair<BagMessage, std::optional<ros::Time>>> waiting_;  // and their stamps
+  std::uint64_t waiting_bytes_ = 0;                                      // guarded by mutex_
+  bool stop_ = false;                                                    // guarded by mutex_
+  EpisodeProgress progress_;                                             // guarded by mutex_
+  SequenceGaps gaps_;                                                    // guarded by mutex_
 
   // Of the writing thread, and of Begin and End while it does not run.
   latticeworld_msgs::EpisodeStart start_;
@@ -113,8 +119,9 @@ class EpisodeRecording {
   std::uint64_t finished_bytes_ = 0;
   std::uint64_t journal_bytes_ = 0;
   std::uint64_t last_call_ = 0;
-  ros::Time last_time_;
-  ros::Time last_clock_;
+  ros::Time part_time_;   // at which the file begins that is open
+  ros::Time last_time_;   // of all that is kept
+  ros::Time last_clock_;  // that was heard
   std::uint64_t last_hash_step_ = 0;
   std::vector<std::pair<std::uint64_t, std::uint64_t>> missing_;  // first and last call of each gap
   std::map<std::string, BagMessage> latched_;                     // by topic and publisher

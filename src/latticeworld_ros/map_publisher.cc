@@ -31,7 +31,8 @@ MapPublisher::MapPublisher(ros::NodeHandle node, CurrentWorld* current)
       markers_(Latched<visualization_msgs::MarkerArray>(&node, "world/markers")),
       octomap_full_(Latched<octomap_msgs::Octomap>(&node, "octomap_full")),
       octomap_binary_(Latched<octomap_msgs::Octomap>(&node, "octomap_binary")),
-      map_(Latched<nav_msgs::OccupancyGrid>(&node, "map")) {}
+      map_(Latched<nav_msgs::OccupancyGrid>(&node, "map")),
+      scan_map_(Latched<nav_msgs::OccupancyGrid>(&node, "world/scan_map")) {}
 
 void MapPublisher::Publish(std::shared_ptr<const PublishedWorld> next) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -53,6 +54,7 @@ void MapPublisher::PublishLocked(std::shared_ptr<const PublishedWorld> next) {
   PublishNew(layout_, messages.layout, &published_.layout);
   PublishNew(environment_, messages.environment, &published_.environment);
   PublishNew(map_, messages.map, &published_.map);
+  PublishNew(scan_map_, messages.scan_map, &published_.scan_map);
   PublishNew(octomap_binary_, messages.octomap_binary, &published_.octomap_binary);
   PublishNew(octomap_full_, messages.octomap_full, &published_.octomap_full);
   PublishNew(height_map_, messages.height_map, &published_.height_map);

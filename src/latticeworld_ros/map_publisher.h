@@ -32,7 +32,7 @@ class MapPublisher {
   CurrentWorld* const current_;
   std::mutex mutex_;  // one world is published at a time
   ros::Publisher info_, layout_, environment_, height_map_, height_image_, markers_, octomap_full_,
-      octomap_binary_, map_;
+      octomap_binary_, map_, scan_map_;
   WorldMessages published_;
 };
 

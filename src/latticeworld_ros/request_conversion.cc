@@ -18,6 +18,7 @@ GenerateWorldFields CopyFields(const Message& message) {
   GenerateWorldFields fields;
   fields.layout_instruction = message.layout_instruction;
   fields.environment_instruction = message.environment_instruction;
+  fields.things = message.things;
   fields.visual_kind = message.visual_kind;
   fields.visual = message.visual;
   fields.visual_path = message.visual_path;
@@ -143,6 +144,7 @@ Result<GenerationRequest> FromRos(GenerateWorldFields fields, const RequestDefau
   if (legal_visual) LW_RETURN_IF_ERROR(TakeVisual(fields, defaults, &request));
   request.layout_instruction = std::move(fields.layout_instruction);
   request.environment_instruction = std::move(fields.environment_instruction);
+  request.things = std::move(fields.things);
   request.vocabulary = std::move(fields.vocabulary);
   request.reader = fields.reader.empty() ? defaults.reader : std::move(fields.reader);
   request.generator = fields.generator.empty() ? defaults.generator : std::move(fields.generator);

@@ -21,6 +21,7 @@ namespace latticeworld {
 struct GenerateWorldFields {
   std::string layout_instruction;
   std::string environment_instruction;
+  std::string things;
   std::uint8_t visual_kind = 0;
   sensor_msgs::CompressedImage visual;
   std::string visual_path;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "latticeworld_ros/bag_file.h"
+#include "latticeworld_ros/bag_stamp.h"
 
 namespace latticeworld {
 
@@ -15,8 +16,8 @@ namespace latticeworld {
 // std_msgs/Header cannot be counted.
 class SequenceGaps {
  public:
-  // How many messages of its topic and publisher are missing before this one.
-  std::uint64_t MissingBefore(const BagMessage& message);
+  // How many messages of its topic and publisher are missing before this one. stamp: the message's.
+  std::uint64_t MissingBefore(const BagMessage& message, const BagStamp& stamp);
 
  private:
   std::map<std::pair<std::string, std::string>, std::uint32_t> last_;  // topic and publisher

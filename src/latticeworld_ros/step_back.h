@@ -4,8 +4,9 @@
 namespace latticeworld {
 
 // The calling thread, and those that it makes, step back behind the simulation's where there are
-// too few cores: a world or a map may take a little longer to make, the clock must not stall. A
-// wish: where the system refuses it, nothing happens.
+// too few cores, whatever priority the process was started with: a world or a map may take a little
+// longer to make, the clock must not stall. Calling it again changes nothing. A wish: where the
+// system refuses it, nothing happens.
 void StepBack();
 
 }  // namespace latticeworld

@@ -13,7 +13,7 @@
 namespace latticeworld {
 namespace {
 
-constexpr std::size_t kMostThings = 65535;
+constexpr std::size_t kMostRows = 65535;
 constexpr std::size_t kMostCloudPoints = 16384;
 constexpr std::size_t kMostPathPoints = 500;
 constexpr char kFallingNamespace[] = "trees";
@@ -63,7 +63,7 @@ std::uint8_t IntensityByte(float intensity) {
 
 StreamedState<AgentRow> Streamed(const latticeworld_msgs::AgentStates& message) {
   StreamedState<AgentRow> state;
-  const std::size_t count = std::min(message.agents.size(), kMostThings);
+  const std::size_t count = std::min(message.agents.size(), kMostRows);
   state.rows.reserve(count);
   state.things.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -81,7 +81,7 @@ StreamedState<AgentRow> Streamed(const latticeworld_msgs::AgentStates& message) 
 
 StreamedState<ElementRow> Streamed(const latticeworld_msgs::ElementStates& message) {
   StreamedState<ElementRow> state;
-  const std::size_t count = std::min(message.elements.size(), kMostThings);
+  const std::size_t count = std::min(message.elements.size(), kMostRows);
   for (std::size_t i = 0; i < count; ++i) {
     const latticeworld_msgs::ElementState& element = message.elements[i];
     state.rows.push_back({element.name, element.kind, FromVector(element.size)});

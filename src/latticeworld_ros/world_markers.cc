@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/exporting/bridge_colors.h"
 #include "latticeworld/meshes/mesh.h"
 #include "latticeworld_ros/geometry_conversion.h"
 #include "latticeworld_ros/marker_pieces.h"
@@ -244,6 +245,34 @@ void AddAssets(const Scene& scene, int max_assets, const SceneChanges& changes,
   }
 }
 
+std_msgs::ColorRGBA ColorOf(const Bridge& bridge, const BridgePart& part) {
+  const Rgb rgb = RgbOfBridge(bridge.kind, part.kind, part.kind == BridgePartKind::kDeck);
+  return Color(rgb.r / 255.0f, rgb.g / 255.0f, rgb.b / 255.0f);
+}
+
+void AddBridges(const Terrain& terrain, MarkerPieces* pieces) {
+  // Corners of the six sides, counter-clockwise seen from outside; bit 0: ahead, 1: left, 2: above.
+  constexpr int kSides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  for (const Bridge& bridge : terrain.bridges) {
+    for (const BridgePart& part : PartsOf(bridge, terrain.ground)) {
+      const double c = std::cos(part.yaw_rad), s = std::sin(part.yaw_rad);
+      const auto corner = [&](int i) {
+        const double u = (i & 1 ? 1.0 : -1.0) * part.half_length_m;
+        const double v = (i & 2 ? 1.0 : -1.0) * part.half_width_m;
+        return Point(part.middle.x_m + c * u - s * v, part.middle.y_m + s * u + c * v,
+                     i & 4 ? part.top_m : part.bottom_m);
+      };
+      pieces->MoveTo(part.middle);
+      const auto color = ColorOf(bridge, part);
+      for (const auto& side : kSides) {
+        pieces->Add(corner(side[0]), corner(side[1]), corner(side[2]), color);
+        pieces->Add(corner(side[0]), corner(side[2]), corner(side[3]), color);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 visualization_msgs::MarkerArray ToMarkers(const Scene& scene, const WorldMarkerOptions& options,
@@ -256,11 +285,13 @@ visualization_msgs::MarkerArray ToMarkers(const Scene& scene, const WorldMarkerO
 
   const double size_m = scene.geometry().size_m();
   MarkerPieces ground("ground", size_m), water("water", size_m);
+  MarkerPieces bridges("bridges", size_m);
   AssetPieces assets(size_m);
   AddGround(scene, std::min(options.terrain_cells, scene.geometry().rows()), &ground, &water);
+  AddBridges(*scene.terrain, &bridges);
   AddAssets(scene, options.max_assets, changes, &assets);
-  for (MarkerPieces* pieces :
-       {&ground, &water, &assets.trees, &assets.bushes, &assets.stones, &assets.buildings}) {
+  for (MarkerPieces* pieces : {&ground, &water, &bridges, &assets.trees, &assets.bushes,
+                               &assets.stones, &assets.buildings}) {
     for (visualization_msgs::Marker& marker : pieces->Take())
       array.markers.push_back(std::move(marker));
   }

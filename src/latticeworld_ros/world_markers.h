@@ -14,10 +14,10 @@ struct WorldMarkerOptions {
 };
 
 // What stands still, for rviz, in pieces of bounded size that are drawn or left out one by one
-// (MarkerPieces): namespaces ground, water, trees, bushes and stones (spindles), buildings (their
-// models' coarsest meshes), in natural colours of the season. Frame map, stamps left at zero. The
-// first marker deletes what was there before. changes: trees that fell are drawn where they lie,
-// what is gone is not drawn.
+// (MarkerPieces): namespaces ground, water, bridges, trees, bushes and stones (spindles), buildings
+// (their models' coarsest meshes), in natural colours of the season. Frame map, stamps left at
+// zero. The first marker deletes what was there before. changes: trees that fell are drawn where
+// they lie, what is gone is not drawn.
 visualization_msgs::MarkerArray ToMarkers(const Scene& scene, const WorldMarkerOptions& options,
                                           const SceneChanges& changes = {});
 

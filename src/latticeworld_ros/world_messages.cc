@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "latticeworld/mapping/octree.h"
+#include "latticeworld/mapping/scan_map.h"
 #include "latticeworld/mapping/traversability.h"
 #include "latticeworld/scene/scene_changes.h"
 #include "latticeworld_ros/grid_conversion.h"
@@ -102,6 +103,17 @@ Status BuildGridMaps(const Scene& scene, const WorldServerOptions& options,
   return progress.CheckCancelled();
 }
 
+boost::shared_ptr<nav_msgs::OccupancyGrid> MakeScanMap(const Scene& scene,
+                                                       const SceneChanges& changes, int threads) {
+  return boost::make_shared<nav_msgs::OccupancyGrid>(
+      ToOccupancyGrid(scene.geometry(), BuildScanMap(scene, kScanHeight_m, changes, threads)));
+}
+
+void SetStamp(ros::Time stamp, nav_msgs::OccupancyGrid* map) {
+  map->header.stamp = stamp;
+  map->info.map_load_time = stamp;
+}
+
 // All but the octomaps.
 Status BuildOthers(const World& world, const WorldServerOptions& options, const Progress& progress,
                    WorldMessages* messages) {
@@ -111,6 +123,7 @@ Status BuildOthers(const World& world, const WorldServerOptions& options, const 
   messages->layout = boost::make_shared<latticeworld_msgs::Layout>(ToLayout(world));
   messages->environment = boost::make_shared<latticeworld_msgs::Environment>(ToEnvironment(world));
   LW_RETURN_IF_ERROR(BuildGridMaps(scene, options, {}, kEveryCore, progress, messages));
+  messages->scan_map = MakeScanMap(scene, {}, kEveryCore);
   progress.Report(kStage, 0.7);
   messages->height_image =
       boost::make_shared<sensor_msgs::Image>(ToImage(scene.terrain->ground.height_m()));
@@ -156,13 +169,14 @@ Result<WorldMessages> RebuildMaps(const World& world, const WorldServerOptions& 
     messages.markers = boost::make_shared<visualization_msgs::MarkerArray>(
         ToMarkers(*world.scene, MarkerOptions(options), changes));
     SetStamp(stamp, messages.markers.get());
+    messages.scan_map = MakeScanMap(*world.scene, changes, kOneThread);
+    SetStamp(stamp, messages.scan_map.get());
     messages.octomap_full->header.stamp = stamp;
     messages.octomap_binary->header.stamp = stamp;
   }
   LW_RETURN_IF_ERROR(
       BuildGridMaps(*world.scene, options, changes, kOneThread, progress, &messages));
-  messages.map->header.stamp = stamp;
-  messages.map->info.map_load_time = stamp;
+  SetStamp(stamp, messages.map.get());
   messages.height_map->info.header.stamp = stamp;
   return messages;
 }
@@ -173,8 +187,8 @@ void SetStamp(ros::Time stamp, WorldMessages* messages) {
   messages->environment->header.stamp = stamp;
   messages->octomap_full->header.stamp = stamp;
   messages->octomap_binary->header.stamp = stamp;
-  messages->map->header.stamp = stamp;
-  messages->map->info.map_load_time = stamp;
+  SetStamp(stamp, messages->map.get());
+  SetStamp(stamp, messages->scan_map.get());
   messages->height_map->info.header.stamp = stamp;
   messages->height_image->header.stamp = stamp;
   SetStamp(stamp, messages->markers.get());

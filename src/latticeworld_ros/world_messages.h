@@ -30,6 +30,7 @@ struct WorldMessages {
   boost::shared_ptr<octomap_msgs::Octomap> octomap_full;
   boost::shared_ptr<octomap_msgs::Octomap> octomap_binary;
   boost::shared_ptr<nav_msgs::OccupancyGrid> map;
+  boost::shared_ptr<nav_msgs::OccupancyGrid> scan_map;
   boost::shared_ptr<grid_map_msgs::GridMap> height_map;
   boost::shared_ptr<sensor_msgs::Image> height_image;
   boost::shared_ptr<visualization_msgs::MarkerArray> markers;
@@ -49,9 +50,9 @@ struct ShownMaps {
 };
 
 // The messages of a world in which things fell, moved or went, or weather made another ground: map
-// and height map are made anew with that stamp, octomaps and markers where more than the ground is
-// different, and all others are the ones of before. Works on one thread, for the world runs
-// meanwhile. Errors: CANCELLED, INVALID_ARGUMENT.
+// and height map are made anew with that stamp, octomaps, scan map and markers where more than the
+// ground is different, and all others are the ones of before. Works on one thread, for the world
+// runs meanwhile. Errors: CANCELLED, INVALID_ARGUMENT.
 Result<WorldMessages> RebuildMaps(const World& world, const WorldServerOptions& options,
                                   const SceneChanges& changes, ros::Time stamp,
                                   const Progress& progress, const ShownMaps& before);

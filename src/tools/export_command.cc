@@ -27,6 +27,7 @@
 #include "latticeworld/interchange/mjcf_world.h"
 #include "latticeworld/interchange/point_cloud.h"
 #include "latticeworld/interchange/sdf_world.h"
+#include "latticeworld/interchange/usd_world.h"
 #include "latticeworld/interchange/world_glb.h"
 #include "latticeworld/mapping/octree.h"
 #include "latticeworld/mapping/traversability.h"
@@ -61,13 +62,13 @@ struct OptionUse {
 };
 const std::vector<OptionUse>& OptionUses() {
   static const std::vector<OptionUse> uses = {
-      {"--region", {"glb", "sdf", "mjcf", "geotiff", "heights", "ply", "las"}},
-      {"--expand", {"glb"}},
+      {"--region", {"glb", "usd", "sdf", "mjcf", "geotiff", "heights", "ply", "las"}},
+      {"--expand", {"glb", "usd"}},
       {"--no-agents", {"glb"}},
-      {"--ground-step", {"glb"}},
-      {"--texture", {"glb", "sdf", "mjcf"}},
-      {"--detail", {"glb", "sdf", "mjcf"}},
-      {"--plants", {"glb", "sdf", "mjcf", "ply", "las"}},
+      {"--ground-step", {"glb", "usd"}},
+      {"--texture", {"glb", "usd", "sdf", "mjcf"}},
+      {"--detail", {"glb", "usd", "sdf", "mjcf"}},
+      {"--plants", {"glb", "usd", "sdf", "mjcf", "ply", "las"}},
       {"--heightmap-size", {"sdf"}},
       {"--heightmap-bits", {"sdf"}},
       {"--spacing", {"ply", "las"}},
@@ -107,7 +108,8 @@ Result<Request> ReadRequest(const CLI::App& command) {
   ArgumentReader arguments(&command);
   Request request;
   request.format = arguments.Choice(
-      "--to", {"glb", "sdf", "mjcf", "geotiff", "heights", "map", "octomap", "ply", "las"}, "glb");
+      "--to", {"glb", "usd", "sdf", "mjcf", "geotiff", "heights", "map", "octomap", "ply", "las"},
+      "glb");
   request.out = *ValueOf(command, "--out");
   const auto number = [&](const char* option, std::optional<double>* value) {
     if (command.count(option) > 0) *value = arguments.Number(option, 0.0);
@@ -196,6 +198,18 @@ Result<std::vector<ExportFile>> Mjcf(const World& world, const Request& request,
   return MjcfFiles(*world.scene, world.id, world.geo, options, progress);
 }
 
+Result<std::vector<ExportFile>> Usd(const World& world, const Request& request,
+                                    const Progress& progress) {
+  UsdOptions options;
+  options.region = request.region;
+  options.ground_step_m = request.ground_step_m;
+  options.texture_px = request.texture_px.value_or(options.texture_px);
+  options.detail = request.detail.value_or(options.detail);
+  options.small_plants = request.small_plants.value_or(options.small_plants);
+  options.expand = request.expand;
+  return UsdFiles(*world.scene, world.id, world.geo, options, progress);
+}
+
 Result<std::vector<ExportFile>> Heights(const World& world, const Request& request,
                                         const Progress& progress) {
   HeightArraysOptions options;
@@ -221,6 +235,7 @@ Result<std::vector<ExportFile>> Folder(const World& world, const Request& reques
                                        const Progress& progress) {
   if (request.format == "sdf") return Sdf(world, request, progress);
   if (request.format == "mjcf") return Mjcf(world, request, progress);
+  if (request.format == "usd") return Usd(world, request, progress);
   if (request.format == "heights") return Heights(world, request, progress);
   if (request.format == "map") return Map(world, request.map_values.value_or(MapValues::kGraded));
   GeoTiffOptions options;
@@ -229,8 +244,8 @@ Result<std::vector<ExportFile>> Folder(const World& world, const Request& reques
 }
 
 bool IsFolder(const std::string& format) {
-  return format == "sdf" || format == "mjcf" || format == "heights" || format == "map" ||
-         format == "geotiff";
+  return format == "sdf" || format == "mjcf" || format == "usd" || format == "heights" ||
+         format == "map" || format == "geotiff";
 }
 
 Status WriteFolder(const World& world, const Request& request, const Progress& progress,
@@ -254,13 +269,21 @@ Status WriteSingle(const World& world, const Request& request, const Progress& p
   return ReplaceFile(request.out, content).WithContext("--out");
 }
 
-// Whether a file has things that readers without EXT_mesh_gpu_instancing do not see.
-bool HasInstances(const World& world, const Request& request) {
-  if (request.format != "glb" || request.expand) return false;
+// What readers that know no instances leave out; empty where the export has none.
+std::string InstancesWarning(const World& world, const Request& request) {
+  const bool usd = request.format == "usd";
+  if ((request.format != "glb" && !usd) || request.expand) return "";
   const Scene& scene = *world.scene;
-  return !ChooseAssets(scene, request.region.value_or(WholeWorld(scene.geometry())),
-                       request.small_plants.value_or(WorldGlbOptions().small_plants))
-              .empty();
+  if (ChooseAssets(scene, request.region.value_or(WholeWorld(scene.geometry())),
+                   request.small_plants.value_or(true))
+          .empty()) {
+    return "";
+  }
+  return std::string("warning: ") + request.out.string() +
+         ": plants, stones and buildings are instances (" +
+         (usd ? "PointInstancer), of which newton shows one copy a model"
+              : "EXT_mesh_gpu_instancing), which Blender, trimesh, Open3D and newton do not read") +
+         ": --expand for them\n";
 }
 
 Status Export(const CLI::App& command) {
@@ -287,11 +310,7 @@ Status Export(const CLI::App& command) {
   LW_RETURN_IF_ERROR(status);
   std::cout << request.out.string() << ": " << world->id << " as " << request.format << ", "
             << bytes << " bytes\n";
-  if (HasInstances(*world, request)) {
-    std::cerr << "warning: " << request.out.string()
-              << ": plants, stones and buildings are instances (EXT_mesh_gpu_instancing), which "
-                 "Blender, trimesh, Open3D and newton do not read: --expand for them\n";
-  }
+  std::cerr << InstancesWarning(*world, request);
   return Status();
 }
 
@@ -304,8 +323,9 @@ void AddExportCommand(CLI::App* app, int* exit_status) {
   command->get_option("DIR")->required();
   AddValueOption(
       command, "--to", "FORMAT",
-      "glb (glTF 2.0, one file), sdf (Gazebo, a folder), mjcf (MuJoCo, a folder), geotiff "
-      "(elevation, water, classes, traversability: a folder), heights (arrays of NumPy, "
+      "glb (glTF 2.0, one file), usd (Universal Scene Description, a folder), sdf (Gazebo, a "
+      "folder), mjcf (MuJoCo, a folder), geotiff (elevation, water, classes, traversability: a "
+      "folder), heights (arrays of NumPy, "
       "a folder), map (map_server, a folder), octomap (a .bt), ply, las (points, one "
       "file).");
   command->get_option("--to")->required();
@@ -314,14 +334,14 @@ void AddExportCommand(CLI::App* app, int* exit_status) {
   command->get_option("--out")->required();
   AddValueOption(command, "--region", "W,S,E,N",
                  "Only what stands there [m]: west, south, east, north [the whole world].");
-  command->add_flag("--expand", "glb: a node a thing, for readers that know no instances.");
+  command->add_flag("--expand", "glb, usd: a node a thing, for readers that know no instances.");
   command->add_flag("--no-agents", "glb: without the agents.");
   AddValueOption(command, "--ground-step", "M",
-                 "glb: between vertices of the ground, 0.05 to 100 [the world's resolution].");
+                 "glb, usd: between vertices of the ground, 0.05 to 100 [the world's resolution].");
   AddValueOption(command, "--texture", "PX",
-                 "glb, sdf, mjcf: the ground's colours, 16 to 8192 a side at most [2048].");
+                 "glb, usd, sdf, mjcf: the ground's colours, 16 to 8192 a side at most [2048].");
   AddValueOption(command, "--detail", "N",
-                 "glb, sdf, mjcf: of the meshes, 0 (finest) to 2 [glb: 1, others: 2].");
+                 "glb, usd, sdf, mjcf: of the meshes, 0 (finest) to 2 [glb, usd: 1, others: 2].");
   AddValueOption(command, "--plants", "WHICH",
                  "all, or large: no grass, flowers and crops [sdf, mjcf: large, others: all].");
   AddValueOption(command, "--heightmap-size", "N",

@@ -48,6 +48,8 @@ Status ReadVisualFile(const CLI::App& command, GenerationRequest* request) {
   return Status();
 }
 
+constexpr std::size_t kMaxThingsBytes = 1u << 20;
+
 Result<GenerationRequest> ReadRequest(const CLI::App& command) {
   GenerationRequest request;
   ArgumentReader arguments(&command);
@@ -82,6 +84,11 @@ Result<GenerationRequest> ReadRequest(const CLI::App& command) {
   request.generator = ValueOf(command, "--generator").value_or("");
   LW_ASSIGN_OR_RETURN(request.layout_instruction, TextOf(command, "--layout"));
   LW_ASSIGN_OR_RETURN(request.environment_instruction, TextOf(command, "--environment"));
+  if (const auto file = ValueOf(command, "--things")) {
+    auto things = ReadFile(*file, kMaxThingsBytes);
+    if (!things.ok()) return things.status().WithContext("--things");
+    request.things = *std::move(things);
+  }
   LW_RETURN_IF_ERROR(ReadVisualFile(command, &request));
   return request;
 }
@@ -177,6 +184,8 @@ void AddGenerateCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--at", "LAT,LON",
                  "Place in the elevation that becomes the world's centre, degrees (WGS 84) [the "
                  "middle of the data].");
+  AddValueOption(command, "--things", "FILE",
+                 "single things as JSON: kind, place or arrangement (docs/things.md)");
   AddValueOption(command, "--elevation-unit", "NAME",
                  "degrees or metres: of an ASCII grid, which names no coordinate system [judged by "
                  "its numbers].");

@@ -43,6 +43,10 @@ Result<LandOptions> ReadOptions(const CLI::App& command) {
 
 Status Measure(const CLI::App& command) {
   LW_ASSIGN_OR_RETURN(const LandOptions options, ReadOptions(command));
+  ArgumentReader arguments(&command);
+  const auto kind = *FromName<LandKind>(
+      arguments.Choice("--kind", {"any", "plain", "hills", "mountains"}, "any"));
+  LW_RETURN_IF_ERROR(arguments.status());
   const bool json = command.count("--json") > 0;
   std::vector<MeasuredLand> lands;
   for (const std::string& path : command.get_option("PATH")->results()) {
@@ -54,6 +58,7 @@ Status Measure(const CLI::App& command) {
     measured.path = path;
     measured.rows = land.height_m.rows();
     measured.cols = land.height_m.cols();
+    measured.kind = kind;
     measured.resolution_m = land.resolution_m;
     measured.measures = MeasureRealism(land.height_m, land.resolution_m, &land.water);
     lands.push_back(std::move(measured));
@@ -88,6 +93,9 @@ void AddMeasureCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--elevation-unit", "NAME",
                  "degrees or metres: of ASCII grids, which name no coordinate system [judged by "
                  "their numbers].");
+  AddValueOption(command, "--kind", "NAME",
+                 "any, plain, hills or mountains: how steep nature's are that it is held against "
+                 "[any].");
   command->add_flag("--json", "Answers as JSON, for programs.");
   command->callback([command, exit_status] {
     const Status status = Measure(*command);

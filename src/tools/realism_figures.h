@@ -1,12 +1,23 @@
 #ifndef LATTICEWORLD_TOOLS_REALISM_FIGURES_H_
 #define LATTICEWORLD_TOOLS_REALISM_FIGURES_H_
 
+#include <array>
 #include <string_view>
 #include <vector>
 
+#include "latticeworld/common/enum_names.h"
 #include "latticeworld/geomorphology/realism.h"
 
 namespace latticeworld::tools {
+
+// What a piece of land is said to be: how steep nature's are depends on it.
+enum class LandKind { kAny, kPlain, kHills, kMountains };
+constexpr auto EnumNames(LandKind) {
+  return std::array{EnumName<LandKind>{LandKind::kAny, "any"},
+                    EnumName<LandKind>{LandKind::kPlain, "plain"},
+                    EnumName<LandKind>{LandKind::kHills, "hills"},
+                    EnumName<LandKind>{LandKind::kMountains, "mountains"}};
+}
 
 // One measure as people read it, and what nature has.
 struct RealismFigure {
@@ -25,7 +36,7 @@ struct RealismFigure {
 };
 
 // The same measures in the same order for every land.
-std::vector<RealismFigure> FiguresOf(const RealismMeasures& measures);
+std::vector<RealismFigure> FiguresOf(const RealismMeasures& measures, LandKind kind);
 
 }  // namespace latticeworld::tools
 

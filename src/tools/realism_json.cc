@@ -35,7 +35,7 @@ Json ToJson(const MeasuredLand& land) {
                {"streams_of_order", m.streams_of_order},
                {"spectrum_min_m", m.spectrum_min_m},
                {"spectrum_max_m", m.spectrum_max_m}};
-  for (const RealismFigure& figure : FiguresOf(m)) {
+  for (const RealismFigure& figure : FiguresOf(m, land.kind)) {
     json["measures"][std::string(figure.key)] = ToJson(figure);
   }
   return json;
@@ -47,7 +47,7 @@ std::string LandsToJson(const std::vector<MeasuredLand>& lands) {
   Json json = {{"lands", Json::array()}};
   for (const MeasuredLand& land : lands) json["lands"].push_back(ToJson(land));
   const std::vector<FigureSummary> summaries = Summarize(lands);
-  const std::vector<RealismFigure> figures = FiguresOf(lands.front().measures);
+  const std::vector<RealismFigure> figures = FiguresOf(lands.front().measures, lands.front().kind);
   for (std::size_t i = 0; i < figures.size(); ++i) {
     Json summary = {{"mean", summaries[i].mean}, {"spread", summaries[i].spread}};
     if (figures[i].has_range()) {

@@ -4,13 +4,11 @@
 #include <cstddef>
 #include <limits>
 
-#include "tools/realism_figures.h"
-
 namespace latticeworld::tools {
 
 std::vector<FigureSummary> Summarize(const std::vector<MeasuredLand>& lands) {
   std::vector<std::vector<RealismFigure>> figures;
-  for (const MeasuredLand& land : lands) figures.push_back(FiguresOf(land.measures));
+  for (const MeasuredLand& land : lands) figures.push_back(FiguresOf(land.measures, land.kind));
   std::vector<FigureSummary> summaries(figures.front().size());
   for (std::size_t i = 0; i < summaries.size(); ++i) {
     int count = 0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "latticeworld/geomorphology/realism.h"
+#include "tools/realism_figures.h"
 
 namespace latticeworld::tools {
 
@@ -14,6 +15,7 @@ struct MeasuredLand {
   int rows = 0;
   int cols = 0;
   double resolution_m = 0.0;
+  LandKind kind = LandKind::kAny;
   RealismMeasures measures;
 };
 

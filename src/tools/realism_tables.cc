@@ -90,7 +90,7 @@ void PrintLand(const MeasuredLand& land, std::ostream* out) {
   *out << "\n"
        << Padded("measure", 40) << Right("value", 8) << Right("+-", 7) << "   "
        << Padded("nature", 15) << Padded("within", 8) << "source\n";
-  for (const RealismFigure& figure : FiguresOf(m)) {
+  for (const RealismFigure& figure : FiguresOf(m, land.kind)) {
     *out << Padded(std::string(figure.title), 40)
          << Right(Number(figure.estimate.value, figure.decimals), 8)
          << Right(Number(figure.estimate.standard_error, figure.decimals), 7) << "   "
@@ -107,7 +107,7 @@ void PrintLand(const MeasuredLand& land, std::ostream* out) {
 
 void PrintLands(const std::vector<MeasuredLand>& lands, std::ostream* out) {
   std::vector<std::vector<RealismFigure>> figures;
-  for (const MeasuredLand& land : lands) figures.push_back(FiguresOf(land.measures));
+  for (const MeasuredLand& land : lands) figures.push_back(FiguresOf(land.measures, land.kind));
   const std::vector<RealismFigure>& first = figures.front();
   const auto print = [&](const std::string& name, auto cell) {
     PrintLine(Name(name), first.size(), cell, out);

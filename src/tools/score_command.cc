@@ -72,7 +72,7 @@ Status ScoreBundle(const CLI::App& command, const std::string& directory) {
       const FidelityReport report,
       ReadAndAssess(language.readers.at(world->request.reader).get(),
                     world->request.layout_instruction, world->request.environment_instruction,
-                    world->layout, world->environment, world->scene->catalogue));
+                    world->request.things, world->layout, *world->scene));
   PrintReport(report, &std::cout);
   return Status();
 }

@@ -19,7 +19,7 @@ FLOORS = [
     ["mapping", "sensing"],
     ["exporting"],
     ["generation", "simulation", "interchange"],
-    ["navigation", "episode", "viewer", "dataset"],
+    ["navigation", "episode", "learning", "viewer", "dataset"],
     ["campaign"],
     ["latticeworld_ros"],
     ["nodes", "tools"],

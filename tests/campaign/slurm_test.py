@@ -125,7 +125,7 @@ class Cluster:
 class SlurmTest(unittest.TestCase):
     def setUp(self):
         missing = [name for name in NEEDED if shutil.which(name, path=PATH) is None]
-        self.assertEqual(missing, [], "scripts/install_dependencies.sh installs them")
+        self.assertEqual(missing, [], "scripts/install_dependencies.sh cluster installs them")
         self.temporary = tempfile.TemporaryDirectory()
         self.folder = pathlib.Path(self.temporary.name)
         (self.folder / "cluster").mkdir()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""docs/start.md: the commands that need no ROS work as they are shown, and the programs that it
-shows are those of examples/.
+"""docs/start.md and docs/tour.md: the commands that need no ROS work as they are shown, services that
+are called are there, and the programs that the start shows are those of examples/.
 
 Usage: start_page_test.py SOURCE_DIR LATTICEWORLD MAKE_WORLD STEP_WORLD
 """
@@ -19,21 +19,37 @@ import start_page
 SOURCE = pathlib.Path(sys.argv[1])
 PROGRAMS = [pathlib.Path(path).resolve() for path in sys.argv[2:]]
 PAGE = (SOURCE / "docs/start.md").read_text(encoding="utf-8")
+TOUR = (SOURCE / "docs/tour.md").read_text(encoding="utf-8")
+README = (SOURCE / "README.md").read_text(encoding="utf-8")
 
 
 class StartPageTest(unittest.TestCase):
     def test_the_commands_without_ros_work(self):
-        commands = [line for line in start_page.commands_of(PAGE)
+        commands = [line for page in (PAGE, TOUR) for line in start_page.commands_of(page)
                     if not start_page.needs_ros(line)]
-        self.assertGreater(len(commands), 3)
+        self.assertGreater(len(commands), 8)
         path = ":".join([*(str(program.parent) for program in PROGRAMS), os.environ["PATH"]])
         with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "docs").symlink_to(SOURCE / "docs")
             for command in commands:
                 done = subprocess.run(["bash", "-euo", "pipefail", "-c", command], cwd=folder,
                                       env={**os.environ, "PATH": path}, text=True,
                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                       timeout=120)
                 self.assertEqual(0, done.returncode, f"{command}\n{done.stdout}")
+
+    def test_services_and_programs_of_ros_that_are_shown_are_there(self):
+        interfaces = (SOURCE / "docs/interfaces.md").read_text(encoding="utf-8")
+        nodes = (SOURCE / "src/nodes/CMakeLists.txt").read_text(encoding="utf-8")
+        commands = [line for page in (TOUR, README) for line in start_page.commands_of(page)
+                    if start_page.needs_ros(line)]
+        self.assertGreater(len(commands), 20)
+        for command in commands:
+            words = shlex.split(command)
+            if words[:2] == ["rosservice", "call"]:
+                self.assertIn(words[2].lstrip("/"), interfaces, command)
+            if words[:2] == ["rosrun", "latticeworld"]:
+                self.assertIn(f"latticeworld_node({words[2]} ", nodes, command)
 
     def test_every_example_is_shown_whole(self):
         shown = start_page.blocks_of(PAGE, "cpp") + start_page.blocks_of(PAGE, "python")

@@ -170,11 +170,11 @@ TEST_F(BundleTest, TrustsNoManifestBecauseItsDigestIsRight) {
 }
 
 TEST_F(BundleTest, IsRefusedWhenItsFormatIsAnother) {
-  Rewrite(bundle_ / "world.json", "{\"format_version\": 7}");
+  Rewrite(bundle_ / "world.json", "{\"format_version\": 8}");
   const auto loaded = LoadBundle(bundle_);
   ASSERT_FALSE(loaded.ok());
   EXPECT_EQ(loaded.status().code(), StatusCode::kFailedPrecondition);
-  EXPECT_NE(loaded.status().message().find("version 7"), std::string::npos);
+  EXPECT_NE(loaded.status().message().find("version 8"), std::string::npos);
 }
 
 TEST_F(BundleTest, NeverReplacesWhatIsThere) {

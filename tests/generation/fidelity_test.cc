@@ -7,6 +7,7 @@
 #include "generation/test_world.h"
 #include "latticeworld/generation/fidelity_json.h"
 #include "latticeworld/generation/replies_json.h"
+#include "latticeworld/language/reading/relief_reading.h"
 
 namespace latticeworld {
 namespace {
@@ -74,6 +75,29 @@ TEST(FidelityTest, MeasuresPlacesThatTheLayoutNames) {
   };
   EXPECT_TRUE(holds(Region::kLowerRight));
   EXPECT_FALSE(holds(Region::kUpperLeft));
+}
+
+TEST(FidelityTest, MeasuresTheLandsFormOnTheFinishedGround) {
+  const std::string words = "A hill in the center. The hill is 25 m high.";
+  LayoutReading reading;
+  reading.sentences = {"A hill in the center", "The hill is 25 m high"};
+  ReadRelief(words, &reading);
+  ASSERT_EQ(reading.plan.reliefs.size(), 1u);
+  const SymbolicLayout layout = Uniform('G');
+  TerrainRequest request;
+  request.geometry = GridGeometry::FromCells(256, 190.0);
+  request.layout = &layout;
+  request.seed = 3;
+  const auto satisfied = [&](const std::vector<ReliefWish>& laid) {
+    request.reliefs = laid;
+    FidelityReport report;
+    AssessReliefFidelity(reading, layout, BuildTerrain(request, Progress()).value(), &report);
+    EXPECT_EQ(report.claims.size(), 2u);
+    EXPECT_EQ(report.claims.back().words, "The hill is 25 m high");
+    return report.satisfied();
+  };
+  EXPECT_EQ(satisfied(reading.plan.reliefs), 2);
+  EXPECT_EQ(satisfied({}), 0);
 }
 
 TEST(FidelityTest, WarnsOfEveryMissAndOfWhatWasNotUnderstood) {

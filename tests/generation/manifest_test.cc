@@ -111,13 +111,13 @@ TEST(ManifestTest, IsRefusedWhereverItIsCut) {
 }
 
 TEST(ManifestTest, NamesBothVersionsOfAnotherFormat) {
-  for (const std::string& content : {Forged("\"format_version\": 6", "\"format_version\": 9"),
+  for (const std::string& content : {Forged("\"format_version\": 7", "\"format_version\": 9"),
                                      std::string("{\"format_version\": 9, \"what\": \"ever\"}")}) {
     const auto decoded = DecodeManifest(content);
     ASSERT_FALSE(decoded.ok());
     EXPECT_EQ(decoded.status().code(), StatusCode::kFailedPrecondition);
     EXPECT_NE(decoded.status().message().find("version 9"), std::string::npos);
-    EXPECT_NE(decoded.status().message().find("versions 5 to 6"), std::string::npos);
+    EXPECT_NE(decoded.status().message().find("versions 5 to 7"), std::string::npos);
   }
 }
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Exports a world and has programs of others read it: gltf-validator, Blender, libsdformat, GDAL,
-NumPy, laspy and plyfile. scripts/install_dependencies.sh and the build install them; laspy and
-plyfile come with LATTICEWORLD_TEST_PYPI."""
+NumPy, laspy, plyfile and USD. scripts/install_dependencies.sh and the build install them; laspy,
+plyfile and usd-core come with LATTICEWORLD_TEST_PYPI."""
 
+import csv
 import importlib.util
 import json
 import os
@@ -15,6 +16,7 @@ import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 PROGRAM = ""
+USD = importlib.util.find_spec("pxr")
 PYPI = all(importlib.util.find_spec(name) for name in ("laspy", "plyfile"))
 
 
@@ -106,6 +108,36 @@ class ExportReadersTest(unittest.TestCase):
             self.assertAlmostEqual(layers["heights"][row, col], float(read.split()[-1]), delta=1e-4)
         self.assertEqual(about["lowest"], layers["heights"].min())
         self.assertTrue((layers["water"][~numpy.isnan(layers["water"])] > about["lowest"]).all())
+
+    @unittest.skipUnless(USD, "no usd-core")
+    def test_usd_finds_no_fault_and_every_thing_at_its_place(self):
+        from pxr import Usd, UsdGeom, UsdPhysics, UsdValidation
+        with open(self.path / "world" / "assets.csv", encoding="utf-8") as file:
+            assets = list(csv.DictReader(file))
+        stages = [Usd.Stage.Open(str(self.export("usd", name, *options) / "world.usda"))
+                  for name, options in (("usd", ()), ("usd_expanded", ("--expand",)),
+                                        ("usd_region", ("--region=-20,-10,5,20",)))]
+        validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+        for stage in stages:
+            faults = UsdValidation.ValidationContext(validators).Validate(stage)
+            self.assertEqual([fault.GetMessage() for fault in faults], [])
+            self.assertEqual(UsdGeom.GetStageMetersPerUnit(stage), 1.0)
+            self.assertEqual(UsdGeom.GetStageUpAxis(stage), "Z")
+            self.assertTrue(stage.GetPrimAtPath("/World/ground").HasAPI(UsdPhysics.CollisionAPI))
+        now = Usd.TimeCode.Default()
+        places = {}
+        for prim in stages[0].GetPrimAtPath("/World/assets").GetChildren():
+            instancer = UsdGeom.PointInstancer(prim)
+            for number, matrix in zip(instancer.GetIdsAttr().Get(),
+                                      instancer.ComputeInstanceTransformsAtTime(now, now)):
+                places[number] = matrix.ExtractTranslation()
+        self.assertEqual(sorted(places), list(range(len(assets))))
+        for number, asset in enumerate(assets):
+            for i, name in enumerate(("x_m", "y_m", "z_m")):
+                self.assertAlmostEqual(places[number][i], float(asset[name]), delta=1e-4)
+        things = stages[1].GetPrimAtPath("/World/assets").GetChildren()
+        self.assertEqual(len(things), len(assets))
+        self.assertTrue(all(thing.IsInstance() for thing in things))
 
     @unittest.skipUnless(PYPI, "no laspy and plyfile")
     def test_laspy_and_plyfile_read_the_same_points(self):

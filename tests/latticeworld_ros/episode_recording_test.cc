@@ -1,10 +1,12 @@
 #include "latticeworld_ros/episode_recording.h"
 
 #include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
 #include <rosbag/view.h>
 #include <rosgraph_msgs/Clock.h>
 #include <std_msgs/String.h>
 #include <stdlib.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -27,10 +29,9 @@ constexpr double kStart_s = 100.0;
 
 class EpisodeRecordingTest : public testing::Test {
  protected:
-  EpisodeRecordingTest() {
+  explicit EpisodeRecordingTest(EpisodeRecordingOptions options = {}) {
     std::string name = (fs::temp_directory_path() / "episode-recording-XXXXXX").string();
     folder_ = mkdtemp(name.data());
-    EpisodeRecordingOptions options;
     options.directory = folder_;
     options.name = "a";
     recording_ = std::make_unique<EpisodeRecording>(options);
@@ -52,6 +53,11 @@ class EpisodeRecordingTest : public testing::Test {
     message.data = text;
     recording_->Add(ToBag("/text", ros::Time(time_s), message, /*latched=*/true));
   }
+  void AddOdometry(double stamp_s, double heard_s, bool latched = false) {
+    nav_msgs::Odometry odometry;
+    odometry.header.stamp = ros::Time(stamp_s);
+    recording_->Add(ToBag("/robot/odom", ros::Time(heard_s), odometry, latched));
+  }
   void AddHash(std::uint64_t run, std::uint64_t step, double time_s) {
     StateHash hash;
     hash.world_id = "meadow";
@@ -61,14 +67,23 @@ class EpisodeRecordingTest : public testing::Test {
   }
   // Every message of a type; the recording has ended.
   template <typename Message>
-  std::vector<Message> Recorded() const {
-    rosbag::Bag bag((folder_ / "a.bag").string());
+  std::vector<Message> Recorded(const std::string& file = "a.bag") const {
+    rosbag::Bag bag((folder_ / file).string());
     rosbag::View view(bag);
     std::vector<Message> messages;
     for (const rosbag::MessageInstance& one : view) {
       if (const auto message = one.instantiate<Message>()) messages.push_back(*message);
     }
     return messages;
+  }
+  // Under which times those of a type are kept [s].
+  template <typename Message>
+  std::vector<double> Times(const std::string& file = "a.bag") const {
+    rosbag::Bag bag((folder_ / file).string());
+    rosbag::View view(bag, rosbag::TypeQuery(ros::message_traits::DataType<Message>::value()));
+    std::vector<double> times_s;
+    for (const rosbag::MessageInstance& one : view) times_s.push_back(one.getTime().toSec());
+    return times_s;
   }
   std::string Reason() const { return Recorded<EpisodeEnd>().at(0).reason; }
 
@@ -115,6 +130,91 @@ TEST_F(EpisodeRecordingTest, RunsThatFallAreAnotherServers) {
   ASSERT_TRUE(recording_->End("stopped", nullptr).ok());
   EXPECT_NE(Reason().find("another world_server"), std::string::npos) << Reason();
   EXPECT_EQ(Recorded<StateHash>().size(), 1u);
+}
+
+using Seconds = std::vector<double>;
+
+TEST_F(EpisodeRecordingTest, TheTimeOfAMessageIsItsStampWheneverItIsHeard) {
+  AddOdometry(kStart_s + 0.5, kStart_s + 3.7);   // it waited in a queue
+  AddOdometry(kStart_s + 9.0, kStart_s + 3.75);  // the clock waited
+  AddClock(kStart_s + 3.5);
+  tf2_msgs::TFMessage tf;
+  tf.transforms.resize(2);
+  tf.transforms[0].header.stamp = ros::Time(kStart_s + 0.25);
+  tf.transforms[1].header.stamp = ros::Time(kStart_s + 0.75);
+  recording_->Add(ToBag("/tf", ros::Time(kStart_s + 4.0), tf));
+  ASSERT_TRUE(recording_->End("stopped", nullptr).ok());
+  EXPECT_EQ(Times<nav_msgs::Odometry>(), (Seconds{kStart_s + 0.5, kStart_s + 9.0}));
+  EXPECT_EQ(Times<tf2_msgs::TFMessage>(), Seconds{kStart_s + 0.25});
+  EXPECT_EQ(Times<rosgraph_msgs::Clock>(), Seconds{kStart_s + 3.5});
+  EXPECT_EQ(Times<EpisodeEnd>(), Seconds{kStart_s + 9.0}) << "the end is the last";
+}
+
+TEST_F(EpisodeRecordingTest, TheTimeOfWhatHasNoStampOrOneOfAnotherClockIsThatOfHearing) {
+  AddText("no header", kStart_s + 1.0);
+  AddOdometry(0.0, kStart_s + 2.0);
+  AddOdometry(1.8e9, kStart_s + 3.0);  // of the wall
+  recording_->Add(ToBag("/tf", ros::Time(kStart_s + 4.0), tf2_msgs::TFMessage()));
+  ASSERT_TRUE(recording_->End("stopped", nullptr).ok());
+  EXPECT_EQ(Times<std_msgs::String>(), Seconds{kStart_s + 1.0});
+  EXPECT_EQ(Times<nav_msgs::Odometry>(), (Seconds{kStart_s + 2.0, kStart_s + 3.0}));
+  EXPECT_EQ(Times<tf2_msgs::TFMessage>(), Seconds{kStart_s + 4.0});
+}
+
+TEST_F(EpisodeRecordingTest, WhatIsOlderThanTheEpisodeIsAtItsBeginningWithItsStamp) {
+  AddOdometry(kStart_s - 60.0, kStart_s + 2.0, /*latched=*/true);
+  AddOdometry(kStart_s - 60.0, kStart_s + 2.0);
+  ASSERT_TRUE(recording_->End("stopped", nullptr).ok());
+  EXPECT_EQ(Times<nav_msgs::Odometry>(), (Seconds{kStart_s, kStart_s}));
+  EXPECT_EQ(Recorded<nav_msgs::Odometry>().at(0).header.stamp, ros::Time(kStart_s - 60.0));
+}
+
+class ShortRecordingTest : public EpisodeRecordingTest {
+ protected:
+  static EpisodeRecordingOptions Short() {
+    EpisodeRecordingOptions options;
+    options.max_duration_s = 5.0;
+    return options;
+  }
+  ShortRecordingTest() : EpisodeRecordingTest(Short()) {}
+};
+
+TEST_F(ShortRecordingTest, EndsByTheClockAndByNoStampAhead) {
+  AddClock(kStart_s + 4.9);
+  AddOdometry(kStart_s + 20.0, kStart_s + 20.0);  // a plan, say
+  AddText("before the end", kStart_s + 4.9);
+  AddClock(kStart_s + 5.0);
+  AddText("after it", kStart_s + 5.1);
+  ASSERT_TRUE(recording_->End("stopped", nullptr).ok());
+  EXPECT_NE(Reason().find("max_duration"), std::string::npos) << Reason();
+  ASSERT_EQ(Recorded<std_msgs::String>().size(), 1u);
+  EXPECT_EQ(Recorded<std_msgs::String>()[0].data, "before the end");
+}
+
+class SplitRecordingTest : public EpisodeRecordingTest {
+ protected:
+  static EpisodeRecordingOptions Split() {
+    EpisodeRecordingOptions options;
+    options.compression = BagCompression::kNone;
+    options.split_bytes = 1u << 20;
+    return options;
+  }
+  SplitRecordingTest() : EpisodeRecordingTest(Split()) {}
+};
+
+TEST_F(SplitRecordingTest, WhatIsOlderThanItsPartIsAtThePartsBeginning) {
+  AddClock(kStart_s + 5.0);
+  nav_msgs::Odometry large;
+  large.header.stamp = ros::Time(kStart_s + 30.0);  // no reason for the next part to begin then
+  large.child_frame_id = std::string(2u << 20, 'x');
+  recording_->Add(ToBag("/large", ros::Time(kStart_s + 5.0), large));
+  AddText("with which rosbag counts what is before it", kStart_s + 5.0);
+  AddOdometry(kStart_s + 4.0, kStart_s + 5.0);
+  AddOdometry(kStart_s + 6.0, kStart_s + 6.0);
+  ASSERT_TRUE(recording_->End("stopped", nullptr).ok());
+  EXPECT_EQ(Times<nav_msgs::Odometry>("a.part0.bag"), Seconds{kStart_s + 30.0});
+  EXPECT_EQ(Times<EpisodeStart>("a.part1.bag"), Seconds{kStart_s + 5.0});
+  EXPECT_EQ(Times<nav_msgs::Odometry>("a.part1.bag"), (Seconds{kStart_s + 5.0, kStart_s + 6.0}));
 }
 
 TEST_F(EpisodeRecordingTest, TheLastCallsOfAnotherWorldAreNoneOfTheEpisodes) {

@@ -1,14 +1,19 @@
 #include "latticeworld_ros/map_follower.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
 #include <thread>
+
+#include "latticeworld_ros/step_back.h"
 
 namespace latticeworld {
 namespace {
@@ -76,7 +81,8 @@ std::set<int> ThreadsThatStepBack() {
   std::set<int> threads;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task")) {
     const int thread = std::stoi(entry.path().filename().string());
-    if (getpriority(PRIO_PROCESS, static_cast<id_t>(thread)) > own) threads.insert(thread);
+    const bool nicer = getpriority(PRIO_PROCESS, static_cast<id_t>(thread)) > own;
+    if (nicer || sched_getscheduler(thread) == SCHED_IDLE) threads.insert(thread);
   }
   return threads;
 }
@@ -90,6 +96,25 @@ TEST(MapFollowerTest, StepsBackBehindTheSimulation) {
     ASSERT_LT(std::chrono::steady_clock::now(), deadline);
     std::this_thread::yield();
   }
+}
+
+// Niceness and policy of the calling thread.
+std::array<int, 2> Standing() {
+  return {getpriority(PRIO_PROCESS, static_cast<id_t>(gettid())), sched_getscheduler(0)};
+}
+
+TEST(StepBackTest, GoesNoFurtherBackWhenCalledAgainAndLeavesTheFirstThreadWhereItIs) {
+  const std::array<int, 2> first = Standing();
+  std::array<int, 2> once{}, twice{};
+  std::thread([&once, &twice] {
+    StepBack();
+    once = Standing();
+    StepBack();
+    twice = Standing();
+  }).join();
+  EXPECT_NE(once, first);
+  EXPECT_EQ(twice, once);
+  EXPECT_EQ(Standing(), first);
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ namespace {
 std::uint64_t Missing(SequenceGaps* gaps, const std::string& topic, std::uint32_t sequence) {
   nav_msgs::Odometry odometry;
   odometry.header.seq = sequence;
-  return gaps->MissingBefore(ToBag(topic, ros::Time(1.0), odometry));
+  const BagMessage message = ToBag(topic, ros::Time(1.0), odometry);
+  return gaps->MissingBefore(message, StampOf(message));
 }
 
 TEST(SequenceGapsTest, NumbersThatAreLeftOutAreMessagesThatWereLost) {
@@ -39,7 +40,8 @@ TEST(SequenceGapsTest, WhatHasNoHeaderIsNotCounted) {
   rosgraph_msgs::Clock clock;
   for (const double time_s : {1.0, 5.0, 2.0}) {
     clock.clock = ros::Time(time_s);
-    EXPECT_EQ(gaps.MissingBefore(ToBag("/clock", clock.clock, clock)), 0u);
+    const BagMessage message = ToBag("/clock", clock.clock, clock);
+    EXPECT_EQ(gaps.MissingBefore(message, StampOf(message)), 0u);
   }
 }
 

@@ -55,9 +55,10 @@ TEST(WorldMessagesTest, ATreeThatFallsMakesNewMapsAndLeavesTheRestAsItIs) {
   EXPECT_NE(after.octomap_binary->data, before.octomap_binary->data);
   EXPECT_NE(after.octomap_full->data, before.octomap_full->data);
   EXPECT_NE(after.map->data, before.map->data);
+  EXPECT_NE(after.scan_map->data, before.scan_map->data);
   for (const ros::Time stamp :
        {after.octomap_binary->header.stamp, after.octomap_full->header.stamp,
-        after.map->header.stamp, after.height_map->info.header.stamp})
+        after.map->header.stamp, after.scan_map->header.stamp, after.height_map->info.header.stamp})
     EXPECT_EQ(stamp, ros::Time(2, 0));
   EXPECT_EQ(after.info, before.info);
   EXPECT_EQ(after.layout, before.layout);
@@ -91,6 +92,7 @@ TEST(WorldMessagesTest, WeatherMakesOnlyTheMapsAnewThatSayWhereARobotCanGo) {
   EXPECT_EQ(after.octomap_full, before.octomap_full);
   EXPECT_EQ(after.octomap_binary, before.octomap_binary);
   EXPECT_EQ(after.markers, before.markers);
+  EXPECT_EQ(after.scan_map, before.scan_map);
 }
 
 TEST(WorldMessagesTest, RefusesChangesOfAssetsThatAreNotThere) {

@@ -12,12 +12,12 @@ TEST(CrossingsTest, ANarrowRiverIsFordedAndAWideLakeIsNot) {
   Fill(&layout, {0, 5}, {31, 5}, 'W');
   Fill(&layout, {10, 15}, {22, 26}, 'W');
   Fill(&layout, {16, 0}, {16, 31}, 'R');
-  const Grid<Crossing> crossings = CrossingsOf(layout);
+  const Grid<Crossing> crossings = CrossingsOf(layout, true);
   for (int row = 0; row < 32; ++row) {
     for (int col = 0; col < 32; ++col) {
       Crossing expected = Crossing::kNone;
       if (row == 16 && col == 5) expected = Crossing::kFord;
-      if (row == 16 && col >= 15 && col <= 26) expected = Crossing::kCauseway;
+      if (row == 16 && col >= 15 && col <= 26) expected = Crossing::kBridge;
       EXPECT_EQ(crossings(row, col), expected) << row << ", " << col;
     }
   }
@@ -27,13 +27,35 @@ TEST(CrossingsTest, ARoadAlongAShoreCrossesNothing) {
   SymbolicLayout layout = Uniform(Vocabulary::kSuburb, 'G');
   Fill(&layout, {0, 10}, {31, 14}, 'W');
   Fill(&layout, {0, 9}, {31, 9}, 'R');
-  for (const Crossing crossing : CrossingsOf(layout)) EXPECT_EQ(crossing, Crossing::kNone);
+  for (const Crossing crossing : CrossingsOf(layout, true)) EXPECT_EQ(crossing, Crossing::kNone);
 }
 
 TEST(CrossingsTest, RockIsNoRoad) {
   SymbolicLayout layout = Uniform(Vocabulary::kWild, 'W');
   Fill(&layout, {16, 0}, {16, 31}, 'R');
-  for (const Crossing crossing : CrossingsOf(layout)) EXPECT_EQ(crossing, Crossing::kNone);
+  for (const Crossing crossing : CrossingsOf(layout, true)) EXPECT_EQ(crossing, Crossing::kNone);
+}
+
+TEST(CrossingsTest, WithoutFordsAllWaterIsBridged) {
+  SymbolicLayout layout = Uniform(Vocabulary::kSuburb, 'G');
+  Fill(&layout, {0, 5}, {31, 5}, 'W');
+  Fill(&layout, {16, 0}, {16, 31}, 'R');
+  const Grid<Crossing> crossings = CrossingsOf(layout, false);
+  for (int col = 0; col < kLayoutSize; ++col) {
+    EXPECT_EQ(crossings(16, col), col == 5 ? Crossing::kBridge : Crossing::kNone) << col;
+  }
+}
+
+TEST(CrossingsTest, RoadAndRiverThatCrossInACornerAreFound) {
+  SymbolicLayout layout = Uniform(Vocabulary::kSuburb, 'G');
+  for (int i = 0; i < kLayoutSize; ++i) layout.cells(i, i) = 'R';
+  layout.cells(10, 11) = layout.cells(11, 10) = 'W';
+  const Grid<unsigned char> corners = CornerCrossingsOf(layout);
+  for (int row = 0; row < corners.rows(); ++row) {
+    for (int col = 0; col < corners.cols(); ++col) {
+      EXPECT_EQ(corners(row, col), row == 11 && col == 11 ? 1 : 0) << row << ", " << col;
+    }
+  }
 }
 
 }  // namespace

@@ -120,6 +120,7 @@ TEST(MeshTest, KeepsToItsBudgetOfTriangles) {
       default:
         break;
     }
+    if (model.shape == Shape::kParts) budget = {800, 600, 400};
     EXPECT_LE(mesh.triangles.size(), budget[static_cast<std::size_t>(detail)]);
   });
 }
@@ -129,8 +130,8 @@ TEST(MeshTest, TheSameIsTheSameAndVariationsDiffer) {
     for (int detail = 0; detail < kMeshDetails; ++detail) {
       const Mesh first = BuildMesh(model, 0.7, detail, 0);
       EXPECT_TRUE(SameBytes(first, BuildMesh(model, 0.7, detail, 0))) << model.name;
-      // Blocks of a few triangles are all the same.
-      if (model.kind == AssetKind::kBuilding && detail > 0) continue;
+      // Blocks of a few triangles are all the same, and so is what is put together from parts.
+      if (model.kind == AssetKind::kBuilding && (detail > 0 || !model.is_house())) continue;
       for (int variation = 1; variation < kMeshVariations; ++variation) {
         EXPECT_FALSE(SameBytes(first, BuildMesh(model, 0.7, detail, variation)))
             << model.name << ", detail " << detail << ", variation " << variation;
@@ -291,7 +292,7 @@ int SignedCrossings(const Mesh& mesh, const Eigen::Vector3f& from,
 TEST(MeshTest, HousesAndStonesAreClosedAndFaceOutwards) {
   // From the middle each ray upwards or sideways leaves through one surface more than it enters.
   for (const AssetModel& model : Catalogue::BuiltIn()->models()) {
-    if (model.kind != AssetKind::kBuilding && model.kind != AssetKind::kStone) continue;
+    if (!model.is_house() && model.kind != AssetKind::kStone) continue;
     for (int detail = 0; detail < kMeshDetails; ++detail) {
       for (int variation = 0; variation < kMeshVariations; ++variation) {
         const Mesh mesh = BuildMesh(model, 1.0, detail, variation);
@@ -358,7 +359,7 @@ TEST(MeshTest, BlocksHaveTheirStoreysAndDoorsFaceTheFront) {
     EXPECT_EQ(window_levels(), static_cast<std::size_t>(storeys));
   }
   for (const AssetModel& building : Catalogue::BuiltIn()->models()) {
-    if (building.kind != AssetKind::kBuilding) continue;
+    if (!building.is_house()) continue;
     const Mesh mesh = BuildMesh(building, 1.0, 0, 0);
     EXPECT_GT(Count(mesh, MeshPart::kDoor), 0u) << building.name;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

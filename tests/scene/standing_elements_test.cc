@@ -90,6 +90,7 @@ TEST(StandingElementsTest, WhatIsLowIsInNobodysWayAndBridgesAreWays) {
 
 TEST(StandingElementsTest, WithoutAListTheyAreWhereTheSceneHasThem) {
   Scene scene;
+  scene.terrain = std::make_shared<const Terrain>();
   scene.elements = {UsualElement(ElementKind::kCrate), UsualElement(ElementKind::kBridge)};
   SceneChanges changes;
   EXPECT_EQ(*ElementsIn(scene, changes), StandingAtBegin(scene.elements));
@@ -113,7 +114,8 @@ TEST(StandingElementsTest, NamesEveryIllegalNumber) {
   elements.decks[0].carries_kg = -1.0;
   elements.decks[0].footprint.yaw_rad = INFINITY;
   EXPECT_EQ(Validate(elements).size(), 5u);
-  elements.blocks.assign(kMaxElements, ElementBlock());
+  constexpr int kMostPartsOfBridges = 20000;
+  elements.blocks.assign(kMaxElements + kMostPartsOfBridges, ElementBlock());
   elements.decks.assign(1, ElementDeck());
   EXPECT_EQ(Validate(elements).size(), 1u);
 }

@@ -8,7 +8,9 @@
 
 #include "latticeworld/geomorphology/distance.h"
 #include "latticeworld/mapping/traversability.h"
+#include "latticeworld/scene/footprint.h"
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/scene/standing_elements.h"
 #include "terrain_building.h"
 
 namespace latticeworld {
@@ -76,44 +78,63 @@ TEST(RoadsTest, AGentlerLimitMakesGentlerRoads) {
             0.055);
 }
 
-// The cells that can be reached over free road from the road at the west edge.
-Grid<unsigned char> ReachedByRoad(const Terrain& terrain) {
+// How many cells at the east edge can be reached from the road at the west edge over free road and
+// bridges.
+int ReachedAtTheOtherEnd(const Terrain& terrain) {
   Scene scene;
   scene.terrain = std::make_shared<const Terrain>(terrain);
   const Grid<std::int8_t> occupancy = BuildOccupancy(scene, RobotLimits());
-  const Grid<unsigned char> road = RoadCells(terrain);
+  Grid<unsigned char> way = RoadCells(terrain);
+  const StandingElements standing = StandingAtBegin(scene);
+  for (int r = 0; r < kCells; ++r) {
+    for (int c = 0; c < kCells; ++c) {
+      for (const ElementDeck& deck : standing.decks) {
+        if (GapTo(deck.footprint, terrain.geometry().CenterOf({r, c})) <= 0.0) way(r, c) = 1;
+      }
+    }
+  }
   Grid<unsigned char> reached(kCells, kCells, 0);
   std::vector<CellIndex> queue;
   for (int r = 0; r < kCells; ++r) queue.push_back({r, 0});
+  int at_the_other_end = 0;
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const CellIndex cell = queue[next];
-    if (!reached.Contains(cell) || reached[cell] || !road[cell] || occupancy[cell] >= 50) continue;
+    if (!reached.Contains(cell) || reached[cell] || !way[cell] || occupancy[cell] >= 50) continue;
     reached[cell] = 1;
+    at_the_other_end += cell.col == kCells - 1;
     for (const CellIndex near :
          {CellIndex{cell.row - 1, cell.col}, CellIndex{cell.row + 1, cell.col},
           CellIndex{cell.row, cell.col - 1}, CellIndex{cell.row, cell.col + 1}}) {
       queue.push_back(near);
     }
   }
-  return reached;
+  return at_the_other_end;
 }
 
-TEST(RoadsTest, ARiverIsForded) {
+Terrain BuildWithFords(const SymbolicLayout& layout, int seed, const Relief* relief) {
+  TerrainRequest request;
+  request.geometry = GridGeometry::FromCells(kCells, kSize_m);
+  request.layout = &layout;
+  request.relief = relief;
+  request.seed = seed;
+  request.options.fords = true;
+  return BuildTerrain(request, Progress()).value();
+}
+
+TEST(RoadsTest, ARiverIsFordedWhereTheOptionsSaySo) {
   const Relief relief = Valley();
   for (int seed = 1; seed <= kSeeds; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const bool given = seed % 4 == 0;
-    const Terrain terrain = Build(Crossing(1 + seed % 2), GridGeometry::FromCells(kCells, kSize_m),
-                                  seed, given ? &relief : nullptr);
+    const Terrain terrain = BuildWithFords(Crossing(1 + seed % 2), seed, given ? &relief : nullptr);
+    EXPECT_TRUE(terrain.bridges.empty());
     int ford = 0;
     double deepest_m = 0.0;
     for (int r = 0; r < kCells; ++r) {
-      double level = 1e9;
       bool wet = false;
       for (int c = 0; c < kCells; ++c) {
         if (!IsWet(terrain, r, c)) continue;
         wet = true;
-        level = std::min<double>(level, terrain.water_level_m(r, c));
         if (terrain.surface(r, c) != SurfaceClass::kRoad) continue;
         ++ford;
         deepest_m = std::max<double>(deepest_m,
@@ -125,30 +146,33 @@ TEST(RoadsTest, ARiverIsForded) {
     EXPECT_GT(deepest_m, 0.05);
     EXPECT_LE(deepest_m, 0.151);
     // The robot that maps are made for drives through.
-    const Grid<unsigned char> reached = ReachedByRoad(terrain);
-    int at_the_other_end = 0;
-    for (int r = 0; r < kCells; ++r) at_the_other_end += reached(r, kCells - 1);
-    EXPECT_GT(at_the_other_end, 5);
+    EXPECT_GT(ReachedAtTheOtherEnd(terrain), 5);
   }
 }
 
-TEST(RoadsTest, AWideLakeIsCrossedOnADamAndStaysOneLake) {
+TEST(RoadsTest, ARiverIsBridgedAndTheRobotDrivesOver) {
+  const Relief relief = Valley();
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const bool given = seed % 4 == 0;
+    const Terrain terrain = Build(Crossing(1 + seed % 3), GridGeometry::FromCells(kCells, kSize_m),
+                                  seed, given ? &relief : nullptr);
+    EXPECT_EQ(terrain.bridges.size(), 1u);
+    EXPECT_GT(ReachedAtTheOtherEnd(terrain), 5);
+  }
+}
+
+TEST(RoadsTest, AWideLakeIsBridgedAndStaysOneLake) {
   SymbolicLayout layout = testing_layouts::Filled(Vocabulary::kSuburb, 'G');
   testing_layouts::PaintDisc('W', 16, 16, 7.5, &layout);
   for (int c = 0; c < kLayoutSize; ++c) layout.cells(16, c) = 'R';
   for (int seed = 1; seed <= kSeeds; ++seed) {
     const Terrain terrain = Build(layout, GridGeometry::FromCells(kCells, kSize_m), seed);
-    int wet_road = 0;
-    for (std::size_t i = 0; i < terrain.surface.size(); ++i) {
-      wet_road += terrain.surface.data()[i] == SurfaceClass::kRoad &&
-                  !std::isnan(terrain.water_level_m.data()[i]);
+    for (int r = 13 * 16; r < 20 * 16; ++r) {
+      ASSERT_TRUE(IsWet(terrain, r, 256)) << "seed " << seed << ", row " << r;
+      EXPECT_EQ(terrain.water_level_m(r, 256), terrain.water_level_m(13 * 16, 256));
     }
-    EXPECT_EQ(wet_road, 0) << "seed " << seed;
-    EXPECT_EQ(terrain.water_level_m(13 * 16, 256), terrain.water_level_m(20 * 16, 256));
-    const Grid<unsigned char> reached = ReachedByRoad(terrain);
-    int at_the_other_end = 0;
-    for (int r = 0; r < kCells; ++r) at_the_other_end += reached(r, kCells - 1);
-    EXPECT_GT(at_the_other_end, 5) << "seed " << seed;
+    EXPECT_GT(ReachedAtTheOtherEnd(terrain), 5) << "seed " << seed;
   }
 }
 

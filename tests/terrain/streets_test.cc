@@ -120,7 +120,11 @@ TEST_F(StreetsOfCountriesTest, RoadsAreConnectedAsTheLayoutConnectsThem) {
     const SymbolicLayout layout = Country(seed);
     SCOPED_TRACE(testing::Message() << "seed " << seed << "\n" << ToText(layout));
     const Terrain& terrain = CountryOf(seed);
-    const Grid<unsigned char> road = RoadCells(terrain);
+    Grid<unsigned char> road = RoadCells(terrain);
+    const Grid<unsigned char> deck = AtDecks(terrain, terrain.geometry().resolution_m());
+    for (std::size_t i = 0; i < road.size(); ++i) {
+      if (deck.data()[i] != 0) road.data()[i] = 1;
+    }
     const internal::Components pieces = internal::ComponentsOf(road);
     for (int r = 0; r < kLayoutSize; ++r) {
       for (int c = 0; c < kLayoutSize; ++c) {

@@ -52,13 +52,39 @@ inline bool IsWet(const Terrain& terrain, int r, int c) {
   return !std::isnan(terrain.water_level_m(r, c));
 }
 
+// 1 on and below the decks of bridges, and as far around them as asked.
+inline Grid<unsigned char> AtDecks(const Terrain& terrain, double around_m) {
+  const GridGeometry& geometry = terrain.geometry();
+  Grid<unsigned char> at(geometry.rows(), geometry.cols(), 0);
+  for (const Bridge& bridge : terrain.bridges) {
+    for (const BridgePart& part : PartsOf(bridge, terrain.ground)) {
+      if (part.kind != BridgePartKind::kDeck) continue;
+      const double cosine = std::cos(part.yaw_rad), sine = std::sin(part.yaw_rad);
+      for (int r = 0; r < at.rows(); ++r) {
+        for (int c = 0; c < at.cols(); ++c) {
+          const WorldPoint point = geometry.CenterOf({r, c});
+          const double dx = point.x_m - part.middle.x_m, dy = point.y_m - part.middle.y_m;
+          if (std::abs(cosine * dx + sine * dy) <= part.half_length_m + around_m &&
+              std::abs(cosine * dy - sine * dx) <= part.half_width_m + around_m) {
+            at(r, c) = 1;
+          }
+        }
+      }
+    }
+  }
+  return at;
+}
+
+// Abutments, whose faces are steep, are left out.
 inline std::vector<double> SlopesOfClass_deg(const Terrain& terrain, SurfaceClass surface) {
   const Grid<float> slope =
       GradientMagnitude(terrain.ground.height_m(), terrain.geometry().resolution_m());
+  constexpr double kAbutment_m = 6.0;
+  const Grid<unsigned char> abutment = AtDecks(terrain, kAbutment_m);
   std::vector<double> slopes;
   for (int r = 0; r < slope.rows(); ++r) {
     for (int c = 0; c < slope.cols(); ++c) {
-      if (terrain.surface(r, c) == surface) {
+      if (terrain.surface(r, c) == surface && abutment(r, c) == 0) {
         slopes.push_back(std::atan(slope(r, c)) * 180.0 / M_PI);
       }
     }

@@ -31,8 +31,8 @@ TEST_F(CatalogueCommandTest, CountsTheMethodsTable) {
   ExpectWords(run.out, {"asset type     seasonal  material  models  continuous",
                         "grass                 3         4       8  density\n",
                         "forest               18         4       6  density, rotation\n",
-                        "architecture          4         3       8  density, rotation, scale\n",
-                        "total                49        37      36\n",
+                        "architecture          4         3      21  density, rotation, scale\n",
+                        "total                49        37      49\n",
                         "  material: poppy, daisy, lavender, heather\n",
                         "  models: oak, birch, maple, pine, spruce, fruit tree\n"});
 }
@@ -41,7 +41,7 @@ TEST_F(CatalogueCommandTest, SaysWhatFilesAdd) {
   Write("cornflower.json", kCornflower);
   const ProgramRun run = RunProgram({"catalogue", PathOf("cornflower.json")});
   EXPECT_EQ(run.exit_status, 0) << run.err;
-  ExpectWords(run.out, {"total                49        38      37\n",
+  ExpectWords(run.out, {"total                49        38      50\n",
                         "added to flower\n  material: cornflower\n  models: cornflower\n"});
 }
 
@@ -53,7 +53,7 @@ TEST_F(CatalogueCommandTest, SaysWhatFilesReplace) {
   Write("poppy.json", poppy);
   const ProgramRun run = RunProgram({"catalogue", PathOf("poppy.json")});
   EXPECT_EQ(run.exit_status, 0) << run.err;
-  ExpectWords(run.out, {"total                49        37      36\n",
+  ExpectWords(run.out, {"total                49        37      49\n",
                         "replaced in flower by poppy.json\n  material: poppy\n  models: poppy\n"});
 }
 

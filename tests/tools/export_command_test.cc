@@ -37,7 +37,7 @@ TEST_F(ExportCommandTest, EveryFormatIsWrittenAndTheSameTwice) {
     ASSERT_EQ(Export(format, "a").exit_status, 0);
     EXPECT_EQ(Read("a"), once) << format;
   }
-  for (const std::string format : {"sdf", "mjcf", "geotiff", "heights", "map"}) {
+  for (const std::string format : {"usd", "sdf", "mjcf", "geotiff", "heights", "map"}) {
     ASSERT_EQ(Export(format, format).exit_status, 0);
     EXPECT_TRUE(std::filesystem::is_directory(PathOf(format)));
   }
@@ -75,6 +75,9 @@ TEST_F(ExportCommandTest, WhatCannotBeExportedIsNamedAndNothingIsWritten) {
       {"sdf", "a", {"--heightmap-size", "100"}, 2, {"100", "2^n + 1"}},
       {"mjcf", "a", {"--heightmap-size", "129"}, 2, {"--heightmap-size", "sdf"}},
       {"mjcf", "a", {"--region=-50,0,10,10"}, 2, {"-50,0,10,10", "-16 to 16"}},
+      {"usd", "a", {"--region=-50,0,10,10"}, 2, {"-50,0,10,10", "-16 to 16"}},
+      {"usd", "a", {"--ground-step", "0"}, 2, {"ground_step_m", "0.05"}},
+      {"usd", "a", {"--no-agents"}, 2, {"--no-agents", "glb"}},
       {"heights", "a", {"--region=-50,0,10,10"}, 2, {"-50,0,10,10", "-16 to 16"}},
       {"heights", "a", {"--detail", "1"}, 2, {"--detail", "mjcf"}},
       {"las", "a", {"--spacing", "1e-9"}, 2, {"spacing_m", "0.02"}},
@@ -96,7 +99,11 @@ TEST_F(ExportCommandTest, AFileWithInstancesWarnsOfReadersThatLeaveThemOut) {
   ASSERT_EQ(instances.exit_status, 0) << instances.err;
   for (const char* word : {"warning: ", "trimesh", "Open3D", "newton", "Blender", "--expand"})
     EXPECT_NE(instances.err.find(word), std::string::npos) << word << " | " << instances.err;
-  for (const ProgramRun& run : {Export("glb", "b", {"--expand"}), Export("las", "c")}) {
+  const ProgramRun usd = Export("usd", "d");
+  for (const char* word : {"warning: ", "PointInstancer", "newton", "--expand"})
+    EXPECT_NE(usd.err.find(word), std::string::npos) << word << " | " << usd.err;
+  for (const ProgramRun& run :
+       {Export("glb", "b", {"--expand"}), Export("las", "c"), Export("usd", "e", {"--expand"})}) {
     ASSERT_EQ(run.exit_status, 0) << run.err;
     EXPECT_EQ(run.err.find("warning"), std::string::npos) << run.err;
   }

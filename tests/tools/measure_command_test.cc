@@ -102,7 +102,7 @@ TEST_F(MeasureCommandTest, PrintsOneLandWithNaturesRanges) {
   EXPECT_EQ(run.exit_status, 0) << run.err;
   for (const char* words :
        {"hills.asc", "70 x 65 cells of 10.0 m", "100.0 % of it dry", "hypsometric integral",
-        "0.35 to 0.60", "0.40 to 0.60", "0.50 to 0.60", "3.00 to 5.00", "-4.00 to -3.40",
+        "0.35 to 0.65", "0.30 to 0.60", "0.45 to 0.62", "3.00 to 5.00", "-4.20 to -3.00",
         "Strahler 1952", "Hack 1957", "Flint 1974", "Horton 1945", "Turcotte 1997", "within"}) {
     EXPECT_NE(run.out.find(words), std::string::npos) << words << " | " << run.out;
   }
@@ -125,6 +125,26 @@ TEST_F(MeasureCommandTest, PutsSeveralLandsSideBySide) {
   EXPECT_NEAR(all["summary"]["mean_slope_deg"]["mean"], 0.5 * (low + high), 1e-9);
   EXPECT_NEAR(all["summary"]["mean_slope_deg"]["spread"], (high - low) / std::sqrt(2.0), 1e-9);
   EXPECT_EQ(all["summary"]["mean_slope_deg"]["within"], 2);
+}
+
+TEST_F(MeasureCommandTest, HoldsTheMedianSlopeAgainstLandOfTheKindThatItIsSaidToBe) {
+  Write("steep.asc", HillsAsc(30.0));
+  Write("level.asc", HillsAsc(0.5));
+  const auto within = [this](const std::string& file, const std::string& kind) {
+    const ProgramRun run = RunProgram({"measure", PathOf(file), "--json", "--kind", kind});
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    const Json land = Json::parse(run.out)["lands"][0];
+    return land["measures"]["median_slope_deg"]["within"].get<bool>();
+  };
+  EXPECT_TRUE(within("level.asc", "plain"));
+  EXPECT_FALSE(within("level.asc", "hills"));
+  EXPECT_FALSE(within("level.asc", "mountains"));
+  EXPECT_FALSE(within("steep.asc", "plain"));
+  EXPECT_FALSE(within("steep.asc", "hills"));
+  EXPECT_TRUE(within("steep.asc", "mountains"));
+  EXPECT_TRUE(within("steep.asc", "any") && within("level.asc", "any"));
+  ExpectFailure(2, {"measure", PathOf("level.asc"), "--kind", "ocean"},
+                {"--kind", "any, plain, hills, mountains"});
 }
 
 TEST_F(MeasureCommandTest, MeasuresTheSameEveryTime) {

@@ -3,12 +3,12 @@
 import gymnasium
 
 from .episode import Episode, EpisodeOptions
-from .server import Server
 from .task import GoalTask
 
 
 class LatticeWorldEnv(gymnasium.Env):
-    """A controllable robot of a running world_server, which stays paused meanwhile.
+    """A controllable robot of a running world_server, which stays paused meanwhile, or of a world in
+    this process.
 
     Action: (forward [m/s], yaw rate [rad/s]), held for steps_per_action fixed steps. Observation:
     a dict of "velocity" (forward [m/s], yaw rate [rad/s]), "scan" (nearest return of each sector
@@ -27,7 +27,10 @@ class LatticeWorldEnv(gymnasium.Env):
         self.robot = robot
         self.task = task if task is not None else GoalTask()
         self._owns_server = server is None
-        self._server = server if server is not None else Server()
+        if server is None:
+            from .server import Server  # needs ROS
+            server = Server()
+        self._server = server
         self._episode = Episode(self._server, {robot: self.task}, episode_options)
         self.action_space = self._episode.action_space()
         self.observation_space = self._episode.observation_space(robot)

@@ -5,7 +5,8 @@ import dataclasses
 import numpy as np
 from gymnasium import spaces
 
-from .view import View, view_of
+from .errors import ServerError
+from .view import View
 
 MAX_SPEED_MPS = 100.0  # bounds of what is observed, not of what robots can do
 MAX_YAW_RATE_RADPS = 100.0
@@ -44,8 +45,8 @@ class Episode:
     """Robots, each with a task. Every random choice is drawn from the generator of begin()."""
 
     def __init__(self, server, tasks, options, spawn=None):
-        """tasks: {robot: Task}. spawn: {robot: fields of latticeworld/SpawnAgent}: those that are
-        made after every reset; the others are in the world's start state."""
+        """tasks: {robot: Task}. spawn: {robot: fields of the server's spawn()}: those that are made
+        after every reset; the others are in the world's start state."""
         self.server, self.tasks, self.options = server, tasks, options
         self._spawn = dict(spawn or {})
         self._views = {}
@@ -64,61 +65,69 @@ class Episode:
         space.update(self.tasks[robot].spaces(self.server))
         return spaces.Dict(space)
 
+    # One episode of one world. Where many are advanced side by side their parts are called instead.
+
     def begin(self, rng):
         """({robot: observation}, {robot: info})."""
-        self._actions = 0
-        self.server.reset(int(rng.integers(1, 2**31)))
-        for name, fields in self._spawn.items():
-            self.server.spawn(name, **fields)
-        self._views = {}
-        state_hash = self._advance({robot: (0.0, 0.0) for robot in self.tasks},
-                                   self.options.settle_steps)
-        for robot, task in self.tasks.items():
-            task.begin(self._views[robot], rng, self.server)
-        return ({robot: self._observation(robot) for robot in self.tasks},
-                {robot: self._info(robot, state_hash) for robot in self.tasks})
+        self.server.reset(self.draw_seed(rng))
+        self.spawn()
+        views, state_hash = self.server.advance({robot: (0.0, 0.0) for robot in self.tasks},
+                                                self.options.settle_steps, self.options)
+        self.begun(views, rng)
+        return ({robot: self.observation(robot) for robot in self.tasks},
+                {robot: self.info(robot, state_hash) for robot in self.tasks})
 
     def advance(self, actions):
         """actions: {robot: (forward [m/s], yaw rate [rad/s])}. Answers observations, rewards,
         terminations, whether the episode is truncated, infos; by robot, but for the fourth."""
         if not self._views:
             raise RuntimeError("reset() comes before step()")
-        before = dict(self._views)
-        state_hash = self._advance({robot: self._legal(robot, action)
-                                    for robot, action in actions.items()},
-                                   self.options.steps_per_action)
-        self._actions += 1
+        velocities = {robot: self._legal(robot, action) for robot, action in actions.items()}
+        views, state_hash = self.server.advance(velocities, self.options.steps_per_action,
+                                                self.options)
         observations, rewards, terminations, infos = {}, {}, {}, {}
-        for robot in actions:
-            reward, ended, info = self.tasks[robot].judge(before[robot], self._views[robot])
-            observations[robot] = self._observation(robot)
-            rewards[robot], terminations[robot] = float(reward), bool(ended)
-            infos[robot] = {**self._info(robot, state_hash), **info}
-        return (observations, rewards, terminations,
-                self._actions >= self.options.max_actions, infos)
+        judged, truncated = self.judged(actions, views)
+        for robot, (reward, ended, info) in judged.items():
+            observations[robot] = self.observation(robot)
+            rewards[robot], terminations[robot] = reward, ended
+            infos[robot] = {**self.info(robot, state_hash), **info}
+        return observations, rewards, terminations, truncated, infos
 
-    def _legal(self, robot, action):
-        values = np.asarray(action, dtype=np.float64)
-        if values.shape != (2,) or not np.isfinite(values).all():
-            raise ValueError(f"the action of {robot} is {action!r}; legal are two finite numbers: "
-                             "forward [m/s], yaw rate [rad/s]")
-        space = self.action_space()
-        return np.clip(values, space.low, space.high)
+    def draw_seed(self, rng):
+        """That the world is reset to."""
+        self._views = {}
+        return int(rng.integers(1, 2**31))
 
-    def _advance(self, velocities, steps):
-        """The state's hash, where it is wanted."""
-        answer = self.server.lockstep(velocities, steps, scan=self.options.sectors > 0,
-                                      state_hash=self.options.state_hash)
-        there = {observation.state.name: observation for observation in answer.observations}
-        for robot in velocities:
-            if robot in there:
-                self._views[robot] = view_of(there[robot], answer.events, self.options.sectors,
-                                             self.options.max_range_m)
-            else:  # it was taken out of the world meanwhile
-                self._views[robot] = dataclasses.replace(self._views[robot], alive=False)
-        return answer.state_hash
+    def spawn(self):
+        for name, fields in self._spawn.items():
+            self.server.spawn(name, **fields)
 
-    def _observation(self, robot):
+    def begun(self, views, rng):
+        """views: {robot: View} once the robots have settled."""
+        missing = sorted(set(self.tasks) - set(views))
+        if missing:
+            raise ServerError(f"no longer in the world once it has settled: {', '.join(missing)}")
+        self._actions = 0
+        self._views = dict(views)
+        for robot, task in self.tasks.items():
+            task.begin(views[robot], rng, self.server)
+
+    def judged(self, robots, views):
+        """({robot: (reward, whether it ends, info of the task)}, whether the episode is truncated)
+        of those that acted. views: {robot: View} of those that are still there."""
+        self._actions += 1
+        judged = {}
+        for robot in robots:
+            before = self._views[robot]
+            after = views.get(robot)
+            if after is None:  # it was taken out of the world meanwhile
+                after = dataclasses.replace(before, alive=False)
+            self._views[robot] = after
+            reward, ended, info = self.tasks[robot].judge(before, after)
+            judged[robot] = (float(reward), bool(ended), info)
+        return judged, self._actions >= self.options.max_actions
+
+    def observation(self, robot):
         view: View = self._views[robot]
         limits = (MAX_SPEED_MPS, MAX_YAW_RATE_RADPS)
         observation = {"velocity": np.clip(np.array([view.forward_mps, view.yaw_rate_radps],
@@ -129,10 +138,21 @@ class Episode:
         observation.update(self.tasks[robot].observe(view))
         return observation
 
-    def _info(self, robot, state_hash):
+    def view(self, robot):
+        return self._views[robot]
+
+    def info(self, robot, state_hash=""):
         view = self._views[robot]
         info = {"position_m": (view.x_m, view.y_m), "yaw_rad": view.yaw_rad, "alive": view.alive,
                 "health": view.health, "contact_n": view.contact_n, "events": view.events}
         if self.options.state_hash:
             info["state_hash"] = state_hash
         return info
+
+    def _legal(self, robot, action):
+        values = np.asarray(action, dtype=np.float64)
+        if values.shape != (2,) or not np.isfinite(values).all():
+            raise ValueError(f"the action of {robot} is {action!r}; legal are two finite numbers: "
+                             "forward [m/s], yaw rate [rad/s]")
+        space = self.action_space()
+        return np.clip(values, space.low, space.high)

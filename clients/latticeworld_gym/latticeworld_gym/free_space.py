@@ -12,6 +12,7 @@ class FreeSpace:
     """
 
     OCCUPIED = 50  # of 100; unknown is -1
+    NEAR = 4  # cells around a robot that lead on in any case
 
     def __init__(self, grid, clearance_m):
         info = grid.info
@@ -32,7 +33,9 @@ class FreeSpace:
         row, column = self._cell_of(x_m, y_m)
         reachable = self._reachable(row, column, int(np.ceil(2.0 * most_m / self._cell_m)))
         # What is let in around the robot leads on, and is no goal.
-        cells = np.array([cell for cell in reachable if self._free[cell]] or [(row, column)])
+        cells = reachable[self._free[reachable[:, 0], reachable[:, 1]]]
+        if len(cells) == 0:
+            cells = np.array([(row, column)])
         places = self._origin + (cells[:, ::-1] + 0.5) * self._cell_m
         distances_m = np.hypot(places[:, 0] - x_m, places[:, 1] - y_m)
         legal = np.flatnonzero((distances_m >= least_m) & (distances_m <= most_m))
@@ -48,14 +51,15 @@ class FreeSpace:
         return int(np.clip(row, 0, rows - 1)), int(np.clip(column, 0, columns - 1))
 
     def _reachable(self, row, column, reach):
-        """Cells (row, column), sorted, linked with that one by sides; it counts as free itself."""
+        """Cells (row, column), sorted, linked with that one by sides; it counts as free itself.
+        (n, 2) integers."""
         rows, columns = self._free.shape
         low_row, high_row = max(0, row - reach), min(rows, row + reach + 1)
         low_column, high_column = max(0, column - reach), min(columns, column + reach + 1)
         # The robot may stand nearer to something than the clearance: its surroundings are let in.
         seen = {(row, column)}
         waiting = deque(seen)
-        near = 4
+        near = self.NEAR
         while waiting:
             r, c = waiting.popleft()
             for next_cell in ((r - 1, c), (r + 1, c), (r, c - 1), (r, c + 1)):
@@ -68,7 +72,7 @@ class FreeSpace:
                 if self._free[next_cell] or is_near:
                     seen.add(next_cell)
                     waiting.append(next_cell)
-        return sorted(seen)
+        return np.array(sorted(seen))
 
 
 def _shrunk(free, cells):

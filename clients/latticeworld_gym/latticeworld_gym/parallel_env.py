@@ -4,7 +4,6 @@ from gymnasium.utils import seeding
 from pettingzoo import ParallelEnv
 
 from .episode import Episode, EpisodeOptions
-from .server import Server
 from .task import GoalTask
 
 
@@ -33,7 +32,10 @@ class LatticeWorldParallelEnv(ParallelEnv):
                              f"{', '.join(self.possible_agents)}")
         self.agents = []
         self._owns_server = server is None
-        self._server = server if server is not None else Server()
+        if server is None:
+            from .server import Server  # needs ROS
+            server = Server()
+        self._server = server
         tasks = {robot: task(robot) if task is not None else GoalTask()
                  for robot in self.possible_agents}
         self._episode = Episode(self._server, tasks, episode_options, spawn)

@@ -11,6 +11,10 @@ from latticeworld.msg import AgentCommand, Status
 from latticeworld.srv import (GetWorld, Lockstep, LockstepRequest, LockstepResponse, ResetWorld,
                               SpawnAgent)
 
+from .errors import ServerError
+from .free_space import FreeSpace
+from .view import view_of
+
 
 class NumpyResponse(LockstepResponse):
     """Its arrays of numbers are numpy's, which are read far quicker than tuples."""
@@ -28,10 +32,6 @@ SERVICES = {"lockstep": NumpyLockstep, "reset_world": ResetWorld, "get_world": G
             "spawn_agent": SpawnAgent, "static_map": GetMap, "pause": Trigger, "unpause": Trigger}
 HOW_TO_START = ('start one with: roslaunch latticeworld world.launch generate:="Flat grassland '
                 'everywhere." environment:="A wheeled robot waits in the center."')
-
-
-class ServerError(RuntimeError):
-    """There is no server, or it refused a call; the text says what was wrong."""
 
 
 class Server:
@@ -85,6 +85,16 @@ class Server:
                           observe=list(observe), strikes=list(strikes), hash=state_hash,
                           episode=self._episode)
 
+    def advance(self, velocities, steps, options):
+        """What an Episode asks for: ({robot: View} of those that are in the world, the state's hash
+        where options.state_hash). velocities: as of lockstep(); options: EpisodeOptions."""
+        answer = self.lockstep(velocities, steps, scan=options.sectors > 0,
+                               state_hash=options.state_hash)
+        views = {observation.state.name: view_of(observation, answer.events, options.sectors,
+                                                 options.max_range_m)
+                 for observation in answer.observations}
+        return views, answer.state_hash
+
     def spawn(self, name, **fields):
         """A controllable agent; fields: of latticeworld/SpawnAgent."""
         fields.setdefault("controllable", True)
@@ -93,6 +103,10 @@ class Server:
     def occupancy(self):
         """nav_msgs/OccupancyGrid of the world, frame map."""
         return self._call("static_map").map
+
+    def free_space(self, clearance_m):
+        """The places that are so far away from all that is not free."""
+        return FreeSpace(self.occupancy(), clearance_m)
 
     def close(self):
         """Lets time run again if it ran before. Can be called again."""

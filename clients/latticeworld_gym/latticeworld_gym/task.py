@@ -5,14 +5,13 @@ import math
 import numpy as np
 from gymnasium import spaces
 
-from .free_space import FreeSpace
-
 
 class Task:
     """What users replace. One task serves one robot; it keeps what belongs to the episode."""
 
     def spaces(self, server):
-        """What the task adds to the robot's observation: {name: gymnasium space}."""
+        """What the task adds to the robot's observation: {name: gymnasium space}. server: the world,
+        with size_m, world_id, occupancy() and free_space()."""
         raise NotImplementedError
 
     def begin(self, view, rng, server):
@@ -62,7 +61,7 @@ class GoalTask(Task):
         if self._is_fixed:
             return
         if self._world_id != server.world_id:
-            self._space = FreeSpace(server.occupancy(), self.clearance_m)
+            self._space = server.free_space(self.clearance_m)
             self._world_id = server.world_id
         self.goal = self._space.draw(view.x_m, view.y_m, *self.distance_m, rng)
 

@@ -17,6 +17,8 @@ std::shared_ptr<const Catalogue> ReadBuiltIn() {
     const std::string name = std::string(type.name) + ".json";
     files.push_back({name, std::string(CatalogueData(name))});
   }
+  // Last, so that the models of the types keep their indices.
+  files.push_back({"things.json", std::string(CatalogueData("things.json"))});
   auto catalogue = CatalogueReader::Read(nullptr, files);
   LW_CHECK(catalogue.ok(), catalogue.status().ToString());
   return *catalogue;

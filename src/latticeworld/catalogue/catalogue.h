@@ -80,9 +80,10 @@ enum class Shape : std::uint8_t {
   kRowHouse,
   kBarn,
   kFlatBlock,
-  kTower
+  kTower,
+  kParts  // put together from the model's parts
 };
-constexpr std::array<EnumName<Shape>, 18> EnumNames(Shape) {
+constexpr std::array<EnumName<Shape>, 19> EnumNames(Shape) {
   return {{{Shape::kBroadleafTree, "broadleaf_tree"},
            {Shape::kConiferTree, "conifer_tree"},
            {Shape::kBush, "bush"},
@@ -100,8 +101,41 @@ constexpr std::array<EnumName<Shape>, 18> EnumNames(Shape) {
            {Shape::kRowHouse, "row_house"},
            {Shape::kBarn, "barn"},
            {Shape::kFlatBlock, "flat_block"},
-           {Shape::kTower, "tower"}}};
+           {Shape::kTower, "tower"},
+           {Shape::kParts, "parts"}}};
 }
+
+// A simple body of a model of Shape::kParts.
+enum class PartForm : std::uint8_t {
+  kBox,
+  kCylinder,  // upright
+  kCone,      // upright, its point above
+  kRoller,    // a cylinder that lies across the model's front
+  kGable      // a roof whose ridge lies across the model's front
+};
+constexpr std::array<EnumName<PartForm>, 5> EnumNames(PartForm) {
+  return {{{PartForm::kBox, "box"},
+           {PartForm::kCylinder, "cylinder"},
+           {PartForm::kCone, "cone"},
+           {PartForm::kRoller, "roller"},
+           {PartForm::kGable, "gable"}}};
+}
+enum class PartLook : std::uint8_t { kMaterial, kRoof, kWood, kStone, kLeaves, kGlass, kTrim };
+constexpr std::array<EnumName<PartLook>, 7> EnumNames(PartLook) {
+  return {{{PartLook::kMaterial, "material"},  // the colour of the model's material
+           {PartLook::kRoof, "roof"},
+           {PartLook::kWood, "wood"},
+           {PartLook::kStone, "stone"},
+           {PartLook::kLeaves, "leaves"},
+           {PartLook::kGlass, "glass"},
+           {PartLook::kTrim, "trim"}}};
+}
+struct ModelPart {
+  PartForm form = PartForm::kBox;
+  PartLook look = PartLook::kMaterial;
+  std::array<double, 3> base_m{};  // middle of its base: towards the front, to the left, up
+  std::array<double, 3> size_m{};  // its whole extents along these
+};
 
 // What bodies bump into.
 enum class Collision : std::uint8_t {
@@ -167,7 +201,11 @@ struct AssetModel {
   // Where it may stand, by vocabulary and letter, as in densities; empty: wherever its kind does,
   // "-": nowhere.
   std::string letters_suburb, letters_wild;
-  Wood wood;  // trees and bushes only
+  Wood wood;                     // trees and bushes only
+  std::vector<ModelPart> parts;  // Shape::kParts only, at the model's mean size
+
+  // A building that people live or work in: no well, bench or fence.
+  bool is_house() const { return kind == AssetKind::kBuilding && shape != Shape::kParts; }
 };
 
 // How many of a kind stand on a hectare of a class at density 1.

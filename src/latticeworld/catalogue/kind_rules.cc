@@ -19,8 +19,8 @@ std::vector<Shape> ShapesOf(AssetKind kind) {
     case AssetKind::kStone:
       return {Shape::kBoulder, Shape::kSlab};
     case AssetKind::kBuilding:
-      return {Shape::kGabledHouse, Shape::kRowHouse, Shape::kBarn, Shape::kFlatBlock,
-              Shape::kTower};
+      return {Shape::kGabledHouse, Shape::kRowHouse, Shape::kBarn,
+              Shape::kFlatBlock,   Shape::kTower,    Shape::kParts};
     case AssetKind::kDeadBranch:
       return {Shape::kBranch};
     case AssetKind::kGrassTuft:
@@ -80,6 +80,16 @@ void CheckModelKind(const AssetModel& model, const std::string& pointer,
                                ", not " + Quote(NameOf(model.collision)),
                            Quote(NameOf(model.collision))});
   }
+}
+
+void CheckModelParts(const AssetModel& model, const std::string& pointer,
+                     std::vector<Violation>* violations) {
+  const bool needs = model.shape == Shape::kParts;
+  if (needs == !model.parts.empty()) return;
+  violations->push_back(
+      {needs ? "missing_key" : "unknown_key", pointer + "/parts",
+       needs ? "is missing; the shape parts needs it" : "only the shape parts has parts",
+       needs ? "" : Quote("parts")});
 }
 
 void CheckModelKey(const ModelKey& key, AssetKind kind, bool is_given, const std::string& pointer,

@@ -17,6 +17,10 @@ std::string KindsOf(AssetType type);
 void CheckModelKind(const AssetModel& model, const std::string& pointer,
                     std::vector<Violation>* violations);
 
+// Adds a violation where the shape needs parts and there are none, or has none and there are.
+void CheckModelParts(const AssetModel& model, const std::string& pointer,
+                     std::vector<Violation>* violations);
+
 // A key of a model that only some kinds have.
 struct ModelKey {
   const char* name;

@@ -1,5 +1,6 @@
 #include "latticeworld/catalogue/type_file.h"
 
+#include <array>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -70,6 +71,19 @@ Wood ReadWood(const Json& json) {
 template <typename Enum>
 Enum ReadName(const Json& json) {
   return *FromName<Enum>(json.get<std::string>());
+}
+
+std::vector<ModelPart> ReadParts(const Json& json) {
+  std::vector<ModelPart> parts;
+  for (const Json& from : json) {
+    ModelPart part;
+    part.form = ReadName<PartForm>(from.at("form"));
+    part.look = ReadName<PartLook>(from.at("look"));
+    part.base_m = from.at("base_m").get<std::array<double, 3>>();
+    part.size_m = from.at("size_m").get<std::array<double, 3>>();
+    parts.push_back(part);
+  }
+  return parts;
 }
 
 // Whether a value that has such a violation still is what its key asks for.
@@ -220,7 +234,9 @@ class TypeFileReader {
     CheckLetters(model.letters_suburb, "suburb", pointer + "/letters/suburb", violations_);
     CheckLetters(model.letters_wild, "wild", pointer + "/letters/wild", violations_);
     model.wood = ReadWood(json);
+    if (json.contains("parts")) model.parts = ReadParts(json.at("parts"));
     CheckModelKind(model, pointer, violations_);
+    CheckModelParts(model, pointer, violations_);
     for (const ModelKey& key : kModelKeys) {
       CheckModelKey(key, model.kind, json.contains(key.name), pointer, violations_);
     }

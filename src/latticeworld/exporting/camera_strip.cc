@@ -117,6 +117,9 @@ SurfaceLook CameraStrip::LookAt(const RayHit& hit, const Vector3f& point_m,
       look = LookOfElement(element.kind, view_.style, hit, in_element_m, footprint_m);
       break;
     }
+    case RayTarget::kBridge:
+      look = view_.materials.BridgeAt(hit, point_m, footprint_m);
+      break;
     default:
       look = view_.materials.Ground(point_m, std::max(footprint_m, kFinest_m));
       break;

@@ -6,6 +6,7 @@
 #include "latticeworld/common/parallel.h"
 #include "latticeworld/exporting/asset_looks.h"
 #include "latticeworld/exporting/body_looks.h"
+#include "latticeworld/exporting/bridge_looks.h"
 #include "latticeworld/exporting/ground_colors.h"
 #include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/exporting/ray_noise.h"
@@ -187,6 +188,18 @@ void RayMaterials::SetWindow(const Asset& asset, const Vector3f& point_m, const 
   const Light lamp =
       LightOf(WindowLight(scene_.environment.coarse.artistic_style, UnitHash(window, 2, 342)));
   look->emission = lamp * (cyberpunk ? 1.6f : 0.75f + 0.5f * UnitHash(window, 3, 343));
+}
+
+SurfaceLook RayMaterials::BridgeAt(const RayHit& hit, const Vector3f& point_m,
+                                   float footprint_m) const {
+  SurfaceLook look =
+      LookOfBridge(scene_.terrain->bridges[hit.index], scene_.environment.coarse.artistic_style,
+                   hit, point_m, footprint_m);
+  const float lies = std::clamp(2.2f * (hit.normal.z() - 0.25f), 0.0f, 1.0f);
+  // Decks are driven on, as roads are.
+  const bool deck = hit.part == static_cast<std::uint8_t>(BridgePartKind::kDeck);
+  look.albedo = Blend(look.albedo, kSnow, (deck ? 0.5f : 0.95f) * snow_ * lies);
+  return look;
 }
 
 SurfaceLook RayMaterials::AssetAt(const RayHit& hit, const Vector3f& point_m,

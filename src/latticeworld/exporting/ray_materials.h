@@ -40,6 +40,8 @@ class RayMaterials {
   // Where a ray met an asset or an agent.
   SurfaceLook AssetAt(const RayHit& hit, const Eigen::Vector3f& point_m, float footprint_m) const;
   SurfaceLook AgentAt(const RayHit& hit) const;
+  // Or a bridge.
+  SurfaceLook BridgeAt(const RayHit& hit, const Eigen::Vector3f& point_m, float footprint_m) const;
   // The earth below the ground's edge, so far below it. block_m: how deep the block is.
   SurfaceLook EarthAt(const Eigen::Vector3f& point_m, const Eigen::Vector3f& normal, float below_m,
                       float block_m) const;

@@ -67,6 +67,8 @@ SurfaceLook RayShader::LookAt(const WorldHit& hit, float footprint_m) const {
       return materials_.AssetAt(hit.hit, hit.point_m, footprint_m);
     case RayTarget::kAgent:
       return materials_.AgentAt(hit.hit);
+    case RayTarget::kBridge:
+      return materials_.BridgeAt(hit.hit, hit.point_m, footprint_m);
     default:
       break;
   }

@@ -41,6 +41,9 @@ RayWorld::RayWorld(const Scene& scene, const RayScene& rays, Surroundings surrou
     if (level_m > highest_m_) highest_m_ = level_m;  // not where NaN
   for (const Asset& asset : scene.assets)
     highest_m_ = std::max(highest_m_, asset.z_m + 1.5f * asset.height_m);
+  for (const Bridge& bridge : scene.terrain->bridges) {
+    highest_m_ = std::max(highest_m_, static_cast<float>(bridge.deck_z_m + bridge.railing_m));
+  }
   highest_m_ += kLawn_m;
 }
 

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "latticeworld/exporting/asset_looks.h"
+#include "latticeworld/exporting/bridge_looks.h"
 #include "latticeworld/exporting/ground_shading.h"
+#include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/scene/scene.h"
 
 namespace latticeworld {
@@ -24,6 +26,23 @@ class MapPainter {
 
   Eigen::Vector2f PixelOf(float x_m, float y_m) const {
     return Eigen::Vector2f(x_m + half_size_m_, half_size_m_ - y_m) * px_per_m_;
+  }
+
+  // Decks, and railings as lines along them.
+  void PaintBridges() {
+    const ArtisticStyle style = scene_.environment.coarse.artistic_style;
+    for (const Bridge& bridge : scene_.terrain->bridges) {
+      const std::vector<BridgePart> parts = PartsOf(bridge, scene_.terrain->ground);
+      const Color deck = InStyle(style, ColorOfBridge(bridge.kind, BridgePartKind::kDeck, true));
+      const Color lit = Times(deck, Shade(light_, Eigen::Vector3f::UnitZ(), 1.0f));
+      // The rim first, so that it stays beside all pieces of a deck.
+      for (const float rim_m : {0.5f, 0.0f}) {
+        for (const BridgePart& part : parts) {
+          if (part.kind == BridgePartKind::kDeck)
+            PaintBox(part, rim_m, rim_m > 0.0f ? lit * 0.45f : lit);
+        }
+      }
+    }
   }
 
   void Paint(std::size_t index) {
@@ -50,6 +69,19 @@ class MapPainter {
   }
 
  private:
+  // Seen from above, wider by rim_m on both sides.
+  void PaintBox(const BridgePart& part, float rim_m, const Color& color) {
+    const Eigen::Vector2f along(std::cos(part.yaw_rad), std::sin(part.yaw_rad));
+    const Eigen::Vector2f across(-along.y(), along.x());
+    const auto corner = [&](float l, float w) {
+      const Eigen::Vector2f at = Eigen::Vector2f(part.middle.x_m, part.middle.y_m) +
+                                 along * (l * static_cast<float>(part.half_length_m)) +
+                                 across * (w * (static_cast<float>(part.half_width_m) + rim_m));
+      return PixelOf(at.x(), at.y());
+    };
+    FillPolygon({corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)}, color, &bgr_);
+  }
+
   void PaintPlant(const Asset& asset, const PlantLook& look) {
     Ball ball = BallOf(asset);
     ball.color = look.leaf;
@@ -143,6 +175,7 @@ cv::Mat PaintTopView(const Scene& scene, const GroundMaterials& materials, const
              side_px < ground.cols ? cv::INTER_AREA : cv::INTER_CUBIC);
 
   MapPainter painter(scene, light, side_px, map);
+  painter.PaintBridges();
   for (const std::size_t asset : ByTop(scene.assets)) painter.Paint(asset);
   if (agents) {
     const float radius = std::max(1.5f, 0.0062f * sheet.width);

@@ -42,7 +42,7 @@ ViewScout::ViewScout(const Scene& scene)
       lowest_m_(scene.terrain->ground.min_m()) {
   for (const Asset& asset : scene.assets) {
     const CellIndex bucket = buckets_.CellAt(asset.position());
-    if (asset.kind == AssetKind::kBuilding) houses_[bucket] += 1.0f;
+    if (scene.catalogue->models()[asset.model].is_house()) houses_[bucket] += 1.0f;
     if (asset.kind == AssetKind::kTree) trees_[bucket] += 1.0f;
     if (asset.kind == AssetKind::kBush) trees_[bucket] += 0.25f;
   }

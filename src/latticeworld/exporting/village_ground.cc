@@ -102,7 +102,7 @@ cv::Mat YardsAroundHouses(const Scene& scene) {
   cv::Mat yards = cv::Mat::zeros(geometry.rows(), geometry.cols(), CV_32FC1);
   bool any = false;
   for (const Asset& asset : scene.assets) {
-    if (asset.kind != AssetKind::kBuilding) continue;
+    if (!scene.catalogue->models()[asset.model].is_house()) continue;
     any = true;
     const double yard_m = asset.half_width_m >= kWideFrom_m ? kWorkYard_m : kYard_m;
     FillBeside(asset, geometry, -asset.half_length_m - yard_m, asset.half_length_m + yard_m,

@@ -20,8 +20,8 @@ namespace latticeworld {
 // read back   layout.txt, environment.json, fidelity.json (claims of the words, measured),
 //             replies.json (what a language model answered), assets.csv, agents.json,
 //             elements.json, terrain.bin (every grid of the terrain, see terrain_file.h); where
-//             there are any, visual (the request's picture) and catalogue.json (what a user added
-//             to the catalogue)
+//             there are any, bridges.json (of roads), things.json (single things), visual (the
+//             request's picture) and catalogue.json (what a user added to the catalogue)
 // others'     height.png, water.png (16 bit), weights/<letter>.png (8 bit), map.pgm and map.yaml
 //             (map_server), world.bt (OctoMap), preview.png; loading checks their digests only
 //

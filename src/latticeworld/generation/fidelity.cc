@@ -5,8 +5,11 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/environment/environment_claims.h"
+#include "latticeworld/generation/things_json.h"
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
+#include "latticeworld/language/reading/relief_reading.h"
 #include "latticeworld/layout/claims.h"
+#include "latticeworld/terrain/relief_claims.h"
 
 namespace latticeworld {
 namespace {
@@ -43,6 +46,19 @@ FidelityReport AssessLayoutFidelity(const LayoutReading& reading, const Symbolic
   return report;
 }
 
+void AssessReliefFidelity(const LayoutReading& reading, const SymbolicLayout& layout,
+                          const Terrain& terrain, FidelityReport* report) {
+  std::vector<ClaimOutcome> outcomes;
+  for (ReliefMeasure& measure : MeasureReliefs(reading.plan.reliefs, layout, terrain)) {
+    outcomes.push_back({InstructionPart::kLayout, std::move(measure.kind), std::move(measure.words),
+                        measure.holds, measure.distance, std::move(measure.explanation)});
+  }
+  const auto behind_layout = std::find_if(
+      report->claims.begin(), report->claims.end(),
+      [](const ClaimOutcome& claim) { return claim.part == InstructionPart::kEnvironment; });
+  report->claims.insert(behind_layout, outcomes.begin(), outcomes.end());
+}
+
 ClaimOutcome OutcomeOf(const EnvironmentClaim& claim, const EnvironmentConfig& environment) {
   return OutcomeOf(InstructionPart::kEnvironment, claim, Measure(claim, environment));
 }
@@ -68,24 +84,73 @@ FidelityReport AssessFidelity(const LayoutReading& layout_reading,
   return report;
 }
 
+namespace {
+
+struct Readings {
+  LayoutReading layout;
+  EnvironmentReading environment;
+};
+
+Result<Readings> ReadBoth(InstructionReader* reader, std::string_view layout_instruction,
+                          std::string_view environment_instruction, const SymbolicLayout& layout,
+                          std::shared_ptr<const Catalogue> catalogue) {
+  std::vector<ModelReply> replies;
+  LayoutRequest layout_request;
+  layout_request.instruction = layout_instruction;
+  layout_request.vocabulary = layout.vocabulary;
+  Readings readings;
+  LW_ASSIGN_OR_RETURN(readings.layout, reader->ReadLayout(layout_request, Progress(), &replies));
+  ReadRelief(layout_instruction, &readings.layout);
+  EnvironmentRequest environment_request;
+  environment_request.instruction = environment_instruction;
+  environment_request.layout = &layout;
+  environment_request.catalogue = std::move(catalogue);
+  LW_ASSIGN_OR_RETURN(readings.environment,
+                      reader->ReadEnvironment(environment_request, Progress(), &replies));
+  return readings;
+}
+
+}  // namespace
+
 Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view layout_instruction,
                                      std::string_view environment_instruction,
                                      const SymbolicLayout& layout,
                                      const EnvironmentConfig& environment,
                                      std::shared_ptr<const Catalogue> catalogue) {
-  std::vector<ModelReply> replies;
-  LayoutRequest layout_request;
-  layout_request.instruction = layout_instruction;
-  layout_request.vocabulary = layout.vocabulary;
-  LW_ASSIGN_OR_RETURN(const LayoutReading layout_reading,
-                      reader->ReadLayout(layout_request, Progress(), &replies));
-  EnvironmentRequest environment_request;
-  environment_request.instruction = environment_instruction;
-  environment_request.layout = &layout;
-  environment_request.catalogue = std::move(catalogue);
-  LW_ASSIGN_OR_RETURN(const EnvironmentReading environment_reading,
-                      reader->ReadEnvironment(environment_request, Progress(), &replies));
-  return AssessFidelity(layout_reading, environment_reading, layout, environment);
+  LW_ASSIGN_OR_RETURN(
+      const Readings readings,
+      ReadBoth(reader, layout_instruction, environment_instruction, layout, std::move(catalogue)));
+  return AssessFidelity(readings.layout, readings.environment, layout, environment);
+}
+
+Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view layout_instruction,
+                                     std::string_view environment_instruction,
+                                     std::string_view things, const SymbolicLayout& layout,
+                                     const Scene& scene) {
+  LW_ASSIGN_OR_RETURN(
+      Readings readings,
+      ReadBoth(reader, layout_instruction, environment_instruction, layout, scene.catalogue));
+  FidelityReport report =
+      AssessFidelity(readings.layout, readings.environment, layout, scene.environment);
+  AddTerrainType(readings.environment, &readings.layout);
+  AssessReliefFidelity(readings.layout, layout, *scene.terrain, &report);
+  LW_ASSIGN_OR_RETURN(
+      const std::vector<ThingWish> wishes,
+      WishedThings(things, readings.layout.plan, *scene.catalogue, layout.vocabulary));
+  AddThings(MeasureThings(scene, wishes), &report);
+  return report;
+}
+
+void AddThings(const std::vector<ThingOutcome>& things, FidelityReport* report) {
+  const auto of_layout = [](const ClaimOutcome& claim) {
+    return claim.part == InstructionPart::kLayout;
+  };
+  auto at = std::find_if_not(report->claims.begin(), report->claims.end(), of_layout);
+  for (const ThingOutcome& thing : things) {
+    at = report->claims.insert(at, {InstructionPart::kLayout, thing.kind, thing.words, thing.holds,
+                                    thing.distance, thing.explanation});
+    ++at;
+  }
 }
 
 std::vector<std::string> WarningsOf(const FidelityReport& report,

@@ -10,6 +10,8 @@
 #include "latticeworld/environment/environment_config.h"
 #include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/layout/symbolic_layout.h"
+#include "latticeworld/scene/thing_claims.h"
+#include "latticeworld/terrain/terrain.h"
 
 namespace latticeworld {
 
@@ -22,7 +24,8 @@ constexpr std::array<EnumName<InstructionPart>, 2> EnumNames(InstructionPart) {
 // One claim of an instruction, measured.
 struct ClaimOutcome {
   InstructionPart part = InstructionPart::kLayout;
-  std::string kind;   // "present", "course", ... of ClaimKind or EnvironmentClaimKind
+  std::string kind;   // "present", "course", ... of ClaimKind or EnvironmentClaimKind;
+                      // "relief_form", ... of ReliefMeasure
   std::string words;  // of the instruction
   bool satisfied = false;
   double distance = 0.0;    // how far the world is from the claim: 0 when satisfied, up to 1
@@ -49,11 +52,19 @@ FidelityReport AssessFidelity(const LayoutReading& layout_reading,
                               const EnvironmentReading& environment_reading,
                               const SymbolicLayout& layout, const EnvironmentConfig& environment);
 
+// Adds what the layout reading says of the land's form, measured on the finished ground, behind the
+// layout's claims.
+void AssessReliefFidelity(const LayoutReading& reading, const SymbolicLayout& layout,
+                          const Terrain& terrain, FidelityReport* report);
+
 // One claim on an environment, measured.
 ClaimOutcome OutcomeOf(const EnvironmentClaim& claim, const EnvironmentConfig& environment);
 
 // The same of a layout alone.
 FidelityReport AssessLayoutFidelity(const LayoutReading& reading, const SymbolicLayout& layout);
+
+// Adds the claims of single things, which stand once there is a scene, after those of the layout.
+void AddThings(const std::vector<ThingOutcome>& things, FidelityReport* report);
 
 // Reads both instructions first. Errors: the reader's.
 Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view layout_instruction,
@@ -61,6 +72,12 @@ Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view
                                      const SymbolicLayout& layout,
                                      const EnvironmentConfig& environment,
                                      std::shared_ptr<const Catalogue> catalogue);
+// The same with what they say of the land's form and of single things, and with the things of a
+// request (things_json.h), measured on the scene.
+Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view layout_instruction,
+                                     std::string_view environment_instruction,
+                                     std::string_view things, const SymbolicLayout& layout,
+                                     const Scene& scene);
 
 // A line a claim that is not satisfied, one for the words that were not understood and one for what
 // a second reading asks for in vain, leaving out what one of the warnings so far quotes already.

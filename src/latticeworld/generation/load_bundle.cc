@@ -9,6 +9,7 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/generation/agents_json.h"
 #include "latticeworld/generation/assets_csv.h"
+#include "latticeworld/generation/bridges_json.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/bundle_files.h"
 #include "latticeworld/generation/catalogue_json.h"
@@ -16,6 +17,7 @@
 #include "latticeworld/generation/fidelity_json.h"
 #include "latticeworld/generation/replies_json.h"
 #include "latticeworld/generation/terrain_file.h"
+#include "latticeworld/generation/things_json.h"
 #include "latticeworld/generation/visual.h"
 #include "latticeworld/generation/world_id.h"
 
@@ -46,7 +48,9 @@ Status CheckFileList(const Manifest& manifest) {
   for (const LayoutClass& entry : ClassesOf(*FromName<Vocabulary>(manifest.request.vocabulary))) {
     legal.insert(WeightFile(entry.letter));  // only for classes that occur
   }
+  legal.insert(kThingsFile);     // only where there are any
   legal.insert(kCatalogueFile);  // only where a user added to it
+  legal.insert(kBridgesFile);    // only where roads have any
   for (const BundleFile& file : manifest.files) {
     if (legal.erase(file.name) == 0) {
       return DataLoss("lists " + Quote(file.name) + ", which no bundle has or which it has twice");
@@ -78,7 +82,7 @@ Result<std::string> ReadVerified(const fs::path& directory, const BundleFile& fi
 // The files that a world is read back from. The others are checked and forgotten.
 struct Contents {
   std::string layout, environment, fidelity, replies, catalogue, terrain, assets, agents, elements,
-      visual;
+      bridges, things, visual;
 
   std::string* Find(std::string_view name) {
     if (name == kLayoutFile) return &layout;
@@ -90,6 +94,8 @@ struct Contents {
     if (name == kAssetsFile) return &assets;
     if (name == kAgentsFile) return &agents;
     if (name == kElementsFile) return &elements;
+    if (name == kBridgesFile) return &bridges;
+    if (name == kThingsFile) return &things;
     if (name == kVisualFile) return &visual;
     return nullptr;
   }
@@ -111,14 +117,28 @@ Result<std::shared_ptr<const Catalogue>> ParseCatalogue(const Contents& contents
   return catalogue;
 }
 
-Result<std::shared_ptr<const Scene>> ParseScene(const Contents& contents, const Manifest& manifest,
-                                                std::shared_ptr<const Catalogue> catalogue,
-                                                EnvironmentConfig environment) {
+// Gives the scene its things; the request's as they were written.
+Result<std::string> ParseThingsFile(const Contents& contents, Scene* scene) {
+  if (contents.things.empty()) return std::string();
+  auto file = DecodeThings(contents.things, scene->geometry(), scene->assets.size());
+  if (!file.ok()) return Damaged(kThingsFile, file.status());
+  scene->things = std::move(file->things);
+  return std::move(file->request);
+}
+
+Result<std::shared_ptr<Scene>> ParseScene(const Contents& contents, const Manifest& manifest,
+                                          std::shared_ptr<const Catalogue> catalogue,
+                                          EnvironmentConfig environment) {
   LW_ASSIGN_OR_RETURN(const GridGeometry geometry,
                       GridGeometry::Create(manifest.request.size_m, manifest.request.resolution_m));
   auto terrain =
       DecodeTerrain(contents.terrain, geometry, *FromName<Vocabulary>(manifest.request.vocabulary));
   if (!terrain.ok()) return Damaged(kTerrainFile, terrain.status());
+  if (!contents.bridges.empty()) {
+    auto bridges = DecodeBridges(contents.bridges, geometry);
+    if (!bridges.ok()) return Damaged(kBridgesFile, bridges.status());
+    terrain->bridges = *std::move(bridges);
+  }
   auto assets = DecodeAssets(contents.assets, geometry, *catalogue);
   if (!assets.ok()) return Damaged(kAssetsFile, assets.status());
   auto agents = DecodeAgents(contents.agents, geometry);
@@ -135,7 +155,7 @@ Result<std::shared_ptr<const Scene>> ParseScene(const Contents& contents, const 
   scene->atmosphere = manifest.atmosphere;
   scene->agents = *std::move(agents);
   scene->elements = *std::move(elements);
-  return std::shared_ptr<const Scene>(std::move(scene));
+  return scene;
 }
 
 Result<std::shared_ptr<const World>> Load(const fs::path& directory) {
@@ -155,6 +175,8 @@ Result<std::shared_ptr<const World>> Load(const fs::path& directory) {
   if (!replies.ok()) return Damaged(kRepliesFile, replies.status());
   LW_ASSIGN_OR_RETURN(auto scene, ParseScene(contents, manifest, catalogue, *environment));
 
+  LW_ASSIGN_OR_RETURN(const std::string request_things, ParseThingsFile(contents, scene.get()));
+
   const std::string id = ContentId(*layout, *scene, manifest.geo);
   if (id != manifest.world_id) {
     return DataLoss(std::string(kManifestFile) + ": names " + Quote(manifest.world_id) +
@@ -163,6 +185,7 @@ Result<std::shared_ptr<const World>> Load(const fs::path& directory) {
   auto world = std::make_shared<World>();
   world->id = id;
   world->request = std::move(manifest.request);
+  world->request.things = request_things;
   world->request.visual = std::move(contents.visual);
   world->layout = *std::move(layout);
   world->environment = *std::move(environment);

@@ -14,7 +14,7 @@
 
 namespace latticeworld {
 
-inline constexpr int kBundleFormatVersion = 6;
+inline constexpr int kBundleFormatVersion = 7;
 inline constexpr int kOldestBundleFormatVersion = 5;  // that is read
 
 // One file of a bundle besides the manifest itself.

@@ -10,6 +10,7 @@
 #include "latticeworld/exporting/picture.h"
 #include "latticeworld/generation/agents_json.h"
 #include "latticeworld/generation/assets_csv.h"
+#include "latticeworld/generation/bridges_json.h"
 #include "latticeworld/generation/bundle.h"
 #include "latticeworld/generation/bundle_files.h"
 #include "latticeworld/generation/catalogue_json.h"
@@ -18,6 +19,7 @@
 #include "latticeworld/generation/raster_files.h"
 #include "latticeworld/generation/replies_json.h"
 #include "latticeworld/generation/terrain_file.h"
+#include "latticeworld/generation/things_json.h"
 #include "latticeworld/mapping/octree.h"
 #include "latticeworld/mapping/traversability.h"
 
@@ -62,6 +64,13 @@ Status AddSources(const World& world, BundleWriter* writer) {
   LW_RETURN_IF_ERROR(writer->Add(kAssetsFile, EncodeAssets(world.scene->assets, catalogue)));
   LW_RETURN_IF_ERROR(writer->Add(kAgentsFile, EncodeAgents(world.scene->agents)));
   LW_RETURN_IF_ERROR(writer->Add(kElementsFile, EncodeElements(world.scene->elements)));
+  if (!world.scene->terrain->bridges.empty()) {
+    LW_RETURN_IF_ERROR(writer->Add(kBridgesFile, EncodeBridges(world.scene->terrain->bridges)));
+  }
+  if (!world.request.things.empty() || !world.scene->things.empty()) {
+    const ThingsFile things = {world.request.things, world.scene->things};
+    LW_RETURN_IF_ERROR(writer->Add(kThingsFile, EncodeThings(things)));
+  }
   if (!catalogue.added_files().empty()) {
     LW_RETURN_IF_ERROR(writer->Add(kCatalogueFile, EncodeCatalogue(catalogue)));
   }

@@ -37,6 +37,7 @@ inline constexpr std::size_t kMaxVisualBytes = 256u << 20;
 struct GenerationRequest {
   std::string layout_instruction;       // x_L; may be empty only with a visual instruction
   std::string environment_instruction;  // x_C; may be empty
+  std::string things;                   // single things as JSON (things_of_json.h); "": none
   VisualKind visual_kind = VisualKind::kNone;
   std::string visual;             // bytes of the picture or file, at most kMaxVisualBytes
   std::string visual_name;        // the file's own; only SRTM elevation needs it ("N40W106.hgt")

@@ -12,8 +12,12 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/generation/fords.h"
+#include "latticeworld/generation/things_json.h"
 #include "latticeworld/generation/visual.h"
 #include "latticeworld/generation/world_id.h"
+#include "latticeworld/language/reading/relief_reading.h"
+#include "latticeworld/terrain/relief_claims.h"
 
 namespace latticeworld {
 namespace {
@@ -124,6 +128,7 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
     layout_request.seed = StreamSeed(request.seed, "layout");
     LW_ASSIGN_OR_RETURN(layout_reading,
                         reader->ReadLayout(layout_request, progress, &world->replies));
+    ReadRelief(request.layout_instruction, &layout_reading);
     layout_request.reading = &layout_reading;
     return generator->layout->Generate(layout_request, progress, &world->replies);
   }));
@@ -150,28 +155,39 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
   add_warnings(std::move(environment.warnings));
   world->fidelity =
       AssessFidelity(layout_reading, environment_reading, world->layout, world->environment);
-  add_warnings(WarningsOf(world->fidelity, world->warnings));
+  AddTerrainType(environment_reading, &layout_reading);
+  if (relief) add_warnings(ReliefLeftAlone(layout_reading.plan.reliefs));
+  LW_ASSIGN_OR_RETURN(
+      const std::vector<ThingWish> things,
+      WishedThings(request.things, layout_reading.plan, *catalogue, world->layout.vocabulary));
 
   LW_ASSIGN_OR_RETURN(Terrain terrain, stages.Run("terrain", [&] {
     TerrainRequest terrain_request;
     terrain_request.geometry = geometry;
     terrain_request.layout = &world->layout;
     terrain_request.relief = relief_pointer;
+    if (!relief) terrain_request.reliefs = layout_reading.plan.reliefs;
     terrain_request.seed = StreamSeed(request.seed, "terrain");
+    terrain_request.options.fords = AsksForFords(request.layout_instruction);
     return BuildTerrain(terrain_request, progress);
   }));
+
+  AssessReliefFidelity(layout_reading, world->layout, terrain, &world->fidelity);
 
   LW_ASSIGN_OR_RETURN(SceneAnswer scene, stages.Run("scene", [&] {
     SceneRequest scene_request;
     scene_request.terrain = std::make_shared<const Terrain>(std::move(terrain));
     scene_request.catalogue = catalogue;
     scene_request.environment = world->environment;
+    scene_request.things = things;
     if (world->geo) scene_request.latitude_deg = world->geo->latitude_deg;
     scene_request.seed = StreamSeed(request.seed, "scene");
     return BuildScene(scene_request, progress);
   }));
   world->scene = std::move(scene.scene);
   add_warnings(std::move(scene.warnings));
+  AddThings(MeasureThings(*world->scene, things), &world->fidelity);
+  add_warnings(WarningsOf(world->fidelity, world->warnings));
 
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   world->request = std::move(request);
@@ -217,6 +233,13 @@ Status WorldGenerator::Validate(const GenerationRequest& request) const {
                           "is " + Quote(request.vocabulary) + "; legal are " +
                               LegalNames<Vocabulary>() + ", or none to let the text decide",
                           request.vocabulary});
+  }
+  // The text of a request without a vocabulary may choose either.
+  if (const auto things = ParseThings(
+          request.things, *catalogue_,
+          FromName<Vocabulary>(request.vocabulary).value_or(ResolveVocabulary(request)));
+      !things.ok()) {
+    Append(things.status(), "things", &violations);
   }
   CheckName("reader", request.reader, reader_names(), language_.default_reader, &violations);
   CheckName("generator", request.generator, generator_names(), language_.default_generator,

@@ -1,8 +1,10 @@
 #include "latticeworld/generation/world_id.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "latticeworld/common/digest.h"
 
@@ -36,6 +38,19 @@ void AddGrid(const Grid<T>& grid, Digest* digest) {
   digest->AddBytes(grid.data(), grid.size() * sizeof(T));
 }
 
+void AddBridge(const Bridge& bridge, Digest* digest) {
+  digest->Add(bridge.kind);
+  for (const WorldPoint point : bridge.line) {
+    digest->Add(point.x_m);
+    digest->Add(point.y_m);
+  }
+  for (const double number : {bridge.width_m, bridge.deck_z_m, bridge.thickness_m,
+                              bridge.water_level_m, bridge.railing_m, bridge.load_kg}) {
+    digest->Add(number);
+  }
+  for (const double along_m : bridge.supports_m) digest->Add(along_m);
+}
+
 void AddTerrain(const Terrain& terrain, Digest* digest) {
   digest->Add(terrain.geometry().resolution_m());
   AddGrid(terrain.ground.height_m(), digest);
@@ -45,6 +60,22 @@ void AddTerrain(const Terrain& terrain, Digest* digest) {
     digest->Add(entry.letter);
     AddGrid(entry.weight.levels(), digest);
   }
+  for (const Bridge& bridge : terrain.bridges) AddBridge(bridge, digest);
+}
+
+// A model's index as it was before there were models of single things (Shape::kParts), which count
+// from the end: worlds that hold none, with models of a user's too, keep their identities.
+std::uint8_t ModelNumber(std::uint8_t model) {
+  static const std::pair<int, int> things = [] {
+    const std::vector<AssetModel>& models = Catalogue::BuiltIn()->models();
+    const auto found = std::find_if(models.begin(), models.end(), [](const AssetModel& each) {
+      return each.shape == Shape::kParts;
+    });
+    return std::pair(static_cast<int>(found - models.begin()), static_cast<int>(models.size()));
+  }();
+  const auto [first, end] = things;
+  if (model < first) return model;
+  return static_cast<std::uint8_t>(model < end ? 255 - (model - first) : model - (end - first));
 }
 
 std::string FieldsOf(const std::vector<Asset>& assets) {
@@ -53,7 +84,7 @@ std::string FieldsOf(const std::vector<Asset>& assets) {
     fields.Add(asset.kind);
     fields.Add(asset.season_variant);
     fields.Add(asset.material);
-    fields.Add(asset.model);
+    fields.Add(ModelNumber(asset.model));
     fields.Add(asset.x_m);
     fields.Add(asset.y_m);
     fields.Add(asset.z_m);
@@ -130,6 +161,11 @@ std::string ContentId(const SymbolicLayout& layout, const Scene& scene,
   digest.AddText(FieldsOf(scene.atmosphere));
   for (const AgentStart& agent : scene.agents) AddAgent(agent, &digest);
   for (const Element& element : scene.elements) AddElement(element, &digest);
+  for (const SceneThing& thing : scene.things) {
+    digest.AddText(thing.name);
+    digest.AddText(thing.kind);
+    digest.Add(thing.asset);
+  }
   if (geo) {
     digest.Add(geo->latitude_deg);
     digest.Add(geo->longitude_deg);

@@ -27,7 +27,7 @@ struct RealismMeasures {
   double mean_slope_rad = 0.0;
 
   // Hypsometry (Strahler 1952) of the dry cells: share of the area above relative height 0, 0.1 ..
-  // 1, and the integral of that curve, which is the relative mean height; nature 0.35 to 0.6.
+  // 1, and the integral of that curve, which is the relative mean height; nature 0.35 to 0.65.
   std::array<double, 11> hypsometric_curve{};
   double hypsometric_integral = 0.0;
 
@@ -37,9 +37,9 @@ struct RealismMeasures {
   // Channels are dry cells that drain at least this area; streams by Strahler's order 1, 2, ...
   double channel_area_m2 = 0.0;
   std::vector<int> streams_of_order;
-  // Concavity index theta of channel slope ~ area^-theta (Flint 1974); nature 0.4 to 0.6.
+  // Concavity index theta of channel slope ~ area^-theta (Flint 1974); nature 0.3 to 0.6.
   RealismEstimate concavity;
-  // Longest upstream length ~ area^h (Hack 1957); nature 0.5 to 0.6.
+  // Longest upstream length ~ area^h (Hack 1957); nature 0.45 to 0.62.
   RealismEstimate hack_exponent;
   // Streams of one order to those of the next (Horton 1945), the mean weighted by the streams that
   // take part (Strahler 1953); nature 3 to 5.
@@ -48,7 +48,7 @@ struct RealismMeasures {
   // Exponents of the power spectral density against wave number: mean of the west-east and of the
   // north-south profiles, and radial mean of the surface's; wavelengths from spectrum_min_m to
   // spectrum_max_m. Nature: profiles about -2, steeper below the length of a hillslope (Perron,
-  // Kirchner and Dietrich 2008); surfaces -3.4 to -4. An isotropic surface's is its profiles' - 1.
+  // Kirchner and Dietrich 2008); surfaces -3 to -4.2. An isotropic surface's is its profiles' - 1.
   RealismEstimate profile_spectrum_slope;
   RealismEstimate surface_spectrum_slope;
   double spectrum_min_m = 0.0;

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "latticeworld/exporting/body_looks.h"
+#include "latticeworld/exporting/bridge_looks.h"
+#include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/scene/elements.h"
 #include "latticeworld/sensing/agent_body.h"
 #include "latticeworld/sensing/element_body.h"
@@ -81,6 +83,24 @@ int AddElement(ElementKind kind, ArtisticStyle style, GlbDocument* document) {
   primitive.indices = document->AddIndices(corners, vertices.size());
   primitive.material = AddPlain(name + (kind == ElementKind::kLooseStone ? "/stone" : "/bark"),
                                 look.albedo, document);
+  return document->AddMesh(name, {primitive});
+}
+
+int AddBridgePart(BridgeKind kind, BridgePartKind part, ArtisticStyle style,
+                  GlbDocument* document) {
+  constexpr std::array<const char*, 4> kNames = {"deck", "railing", "pier", "arch"};
+  const std::string name =
+      "bridge/" + std::string(NameOf(kind)) + "/" + kNames[static_cast<std::size_t>(part)];
+  const ElementMesh mesh = BuildElement(ElementForm::kBox);
+  const auto vertices = Placed(mesh.vertices, Eigen::Affine3d::Identity());
+  std::vector<std::uint32_t> corners;
+  for (const auto& triangle : mesh.triangles)
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  const Color color = ColorOfBridge(kind, part, part == BridgePartKind::kDeck);
+  GlbPrimitive primitive;
+  primitive.positions = document->AddPositions(vertices);
+  primitive.indices = document->AddIndices(corners, vertices.size());
+  primitive.material = AddPlain(name, LightOf(InStyle(style, color)), document);
   return document->AddMesh(name, {primitive});
 }
 

@@ -6,6 +6,7 @@
 #include "latticeworld/environment/attributes.h"
 #include "latticeworld/interchange/glb_document.h"
 #include "latticeworld/scene/element.h"
+#include "latticeworld/terrain/bridge.h"
 
 namespace latticeworld {
 
@@ -18,6 +19,10 @@ int AddBody(const Species& species, ArtisticStyle style, GlbDocument* document);
 // An element of that kind and of size 1 in its own frame (scene/element.h), so that scaling it by
 // an element's size gives the element; gives the number of the mesh "element/<kind>".
 int AddElement(ElementKind kind, ArtisticStyle style, GlbDocument* document);
+
+// A part of a bridge of that kind as a box of size 1 around the origin; gives the number of the
+// mesh "bridge/<kind>/<part>".
+int AddBridgePart(BridgeKind kind, BridgePartKind part, ArtisticStyle style, GlbDocument* document);
 
 }  // namespace latticeworld
 

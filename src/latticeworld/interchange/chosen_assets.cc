@@ -54,6 +54,12 @@ std::vector<std::uint32_t> ChooseAssets(const Scene& scene, const ExportRegion& 
   return chosen;
 }
 
+Status TooMany(std::size_t given, const std::string& things, std::size_t legal, bool small_plants) {
+  return InvalidArgument(std::to_string(given) + " " + things + " are too many; legal are " +
+                         std::to_string(legal) + ": take a region" +
+                         (small_plants ? ", or no small plants" : ""));
+}
+
 std::vector<LookGroup> GroupAssets(const Scene& scene, const std::vector<std::uint32_t>& assets) {
   std::map<std::pair<std::string, std::string>, std::vector<std::uint32_t>> members;
   for (const std::uint32_t number : assets) {

@@ -1,11 +1,13 @@
 #ifndef LATTICEWORLD_INTERCHANGE_CHOSEN_ASSETS_H_
 #define LATTICEWORLD_INTERCHANGE_CHOSEN_ASSETS_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "latticeworld/catalogue/asset_kind.h"
+#include "latticeworld/common/status.h"
 #include "latticeworld/interchange/export_region.h"
 
 namespace latticeworld {
@@ -17,6 +19,9 @@ bool IsSmallPlant(AssetKind kind);  // grass, reed, flowers, crops
 // Numbers of the scene's assets in a region, in order.
 std::vector<std::uint32_t> ChooseAssets(const Scene& scene, const ExportRegion& region,
                                         bool small_plants);
+
+// INVALID_ARGUMENT that says what helps. things: "things"; small_plants: whether there are some.
+Status TooMany(std::size_t given, const std::string& things, std::size_t legal, bool small_plants);
 
 // Things of one mesh and one look.
 struct LookGroup {

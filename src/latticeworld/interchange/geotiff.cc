@@ -20,6 +20,11 @@ namespace {
 
 constexpr char kStage[] = "geotiff";
 
+// Named although every cell has a value: readers that find none (pysheds) take 0 for it, which is a
+// height, grass, and closed ground.
+constexpr double kNoHeight_m = -9999.0, kNoTraversability = -1.0;
+constexpr double kNoClass = 255.0;
+
 // One file that GDAL writes in memory.
 class TiffFile {
  public:
@@ -36,8 +41,8 @@ class TiffFile {
   Status Create(int cols, int rows, GDALDataType type) {
     const GDALDriverH driver = GDALGetDriverByName("GTiff");
     if (driver == nullptr) return Internal("this GDAL has no GeoTIFF driver");
+    // Without a predictor, which would save a third: Whitebox Workflows 2.0 passes over it.
     char** options = CSLSetNameValue(nullptr, "COMPRESS", "DEFLATE");
-    options = CSLSetNameValue(options, "PREDICTOR", type == GDT_Float32 ? "3" : "2");
     options = CSLSetNameValue(options, "NUM_THREADS", "1");
     dataset_ = GDALCreate(driver, name_.c_str(), cols, rows, 1, type, options);
     CSLDestroy(options);
@@ -140,6 +145,7 @@ Result<std::vector<ExportFile>> GeoTiffFiles(const Scene& scene,
       ExportFile elevation,
       Layer("elevation.tif", terrain.ground.height_m(), GDT_Float32, frame, [&](TiffFile* file) {
         file->SetUnit("m");
+        file->SetNoData(kNoHeight_m);
         if (origin) file->Describe("ZERO_ALTITUDE_M", std::to_string(origin->altitude_m));
       }));
   files.push_back(std::move(elevation));
@@ -157,6 +163,7 @@ Result<std::vector<ExportFile>> GeoTiffFiles(const Scene& scene,
                  [](SurfaceClass surface) { return static_cast<std::uint8_t>(surface); });
   LW_ASSIGN_OR_RETURN(
       ExportFile surface, Layer("classes.tif", classes, GDT_Byte, frame, [](TiffFile* file) {
+        file->SetNoData(kNoClass);
         for (const auto& entry : EnumNames(SurfaceClass())) {
           const std::string key = "CLASS_" + std::to_string(static_cast<int>(entry.value));
           file->Describe(key.c_str(), std::string(entry.name));
@@ -164,9 +171,10 @@ Result<std::vector<ExportFile>> GeoTiffFiles(const Scene& scene,
       }));
   files.push_back(std::move(surface));
   LW_RETURN_IF_ERROR(advance(0.75));
-  LW_ASSIGN_OR_RETURN(ExportFile traversability,
-                      Layer("traversability.tif", BuildTraversability(scene, RobotLimits()),
-                            GDT_Float32, frame, [](TiffFile*) {}));
+  LW_ASSIGN_OR_RETURN(
+      ExportFile traversability,
+      Layer("traversability.tif", BuildTraversability(scene, RobotLimits()), GDT_Float32, frame,
+            [](TiffFile* file) { file->SetNoData(kNoTraversability); }));
   files.push_back(std::move(traversability));
   LW_RETURN_IF_ERROR(advance(1.0));
   return files;

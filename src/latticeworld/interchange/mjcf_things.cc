@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "latticeworld/interchange/bridge_colors.h"
 #include "latticeworld/interchange/mjcf_text.h"
 #include "latticeworld/scene/asset.h"
 #include "latticeworld/scene/element.h"
+#include "latticeworld/terrain/bridge.h"
 
 namespace latticeworld {
 namespace {
@@ -65,6 +67,22 @@ void AddMjcfElement(const Element& element, const Eigen::Vector3d& place_m, Mjcf
   geom.emplace_back("mass", MjcfNumbers({element.mass_kg}));
   world->Leaf("geom", geom);
   world->Close("body");
+}
+
+void AddMjcfBridge(const Bridge& bridge, const std::vector<BridgePart>& parts,
+                   const std::string& name, const Eigen::Vector3d& origin_m, MjcfText* world) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const BridgePart& part = parts[i];
+    const Eigen::Vector3d middle_m =
+        Eigen::Vector3d(part.middle.x_m, part.middle.y_m, part.middle_z_m()) - origin_m;
+    world->Leaf("geom", {{"class", "element"},
+                         {"name", name + "_" + std::to_string(i)},
+                         {"type", "box"},
+                         {"size", MjcfNumbers(0.5 * part.size_m())},
+                         {"rgba", ExportedColorOf(bridge.kind, part.kind)},
+                         {"pos", MjcfNumbers(middle_m)},
+                         {"quat", MjcfYaw(part.yaw_rad)}});
+  }
 }
 
 }  // namespace latticeworld

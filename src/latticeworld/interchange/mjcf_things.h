@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 #include "latticeworld/catalogue/catalogue.h"
 
@@ -10,6 +11,8 @@ namespace latticeworld {
 
 class MjcfText;
 struct Asset;
+struct Bridge;
+struct BridgePart;
 struct Element;
 
 // A <geom> of that name with what bodies bump into; base_m: where the asset stands.
@@ -19,6 +22,10 @@ void AddMjcfCollision(const Asset& asset, Collision form, const Eigen::Vector3d&
 // An element at a place: crates and loose stones are bodies that can be moved, others are geoms of
 // the world.
 void AddMjcfElement(const Element& element, const Eigen::Vector3d& place_m, MjcfText* world);
+
+// The parts of a bridge of a road as geoms of the world. origin_m: the world's in the frame map.
+void AddMjcfBridge(const Bridge& bridge, const std::vector<BridgePart>& parts,
+                   const std::string& name, const Eigen::Vector3d& origin_m, MjcfText* world);
 
 }  // namespace latticeworld
 

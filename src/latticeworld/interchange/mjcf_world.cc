@@ -88,6 +88,7 @@ class MjcfBuilder {
     LW_RETURN_IF_ERROR(AddWater());
     LW_RETURN_IF_ERROR(AddAssets());
     AddElements();
+    AddBridges();
     AddStarts();
     MjcfText model;
     model.Open("mujoco", {{"model", name}});
@@ -276,11 +277,8 @@ class MjcfBuilder {
 
   Status AddAssets() {
     const auto chosen = ChooseAssets(scene_, region_, options_.small_plants);
-    if (chosen.size() > kMostMjcfThings) {
-      return InvalidArgument(std::to_string(chosen.size()) + " things are too many, legal are " +
-                             std::to_string(kMostMjcfThings) +
-                             ": take a region, or no small plants");
-    }
+    if (chosen.size() > kMostMjcfThings)
+      return TooMany(chosen.size(), "things", kMostMjcfThings, options_.small_plants);
     const auto groups = GroupAssets(scene_, chosen);
     for (std::size_t i = 0; i < groups.size(); ++i) {
       LW_RETURN_IF_ERROR(Advance(0.4 + 0.6 * static_cast<double>(i) / groups.size()));
@@ -348,6 +346,16 @@ class MjcfBuilder {
         AddMjcfElement(element, Local(element.position.x_m, element.position.y_m, element.z_m),
                        &body_);
       }
+    }
+  }
+
+  void AddBridges() {
+    const std::vector<Bridge>& bridges = scene_.terrain->bridges;
+    for (std::size_t i = 0; i < bridges.size(); ++i) {
+      const Bridge& bridge = bridges[i];
+      if (!region_.Holds(PlaceOn(bridge, 0.5 * bridge.length_m()).point)) continue;
+      AddMjcfBridge(bridge, PartsOf(bridge, scene_.terrain->ground),
+                    "road_bridge_" + std::to_string(i + 1), -Local(0.0, 0.0, 0.0), &body_);
     }
   }
 

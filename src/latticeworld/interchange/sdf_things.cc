@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "latticeworld/interchange/bridge_colors.h"
 #include "latticeworld/interchange/sdf_text.h"
 #include "latticeworld/scene/asset.h"
 #include "latticeworld/scene/element.h"
+#include "latticeworld/terrain/bridge.h"
 
 namespace latticeworld {
 namespace {
@@ -81,6 +83,38 @@ void AddSdfElement(const Element& element, const Eigen::Vector3d& place_m, SdfTe
       world->Close("material");
     }
     world->Close(role);
+  }
+  world->Close("link");
+  world->Close("model");
+}
+
+void AddSdfBridge(const Bridge& bridge, const std::vector<BridgePart>& parts,
+                  const std::string& name, const Eigen::Vector3d& origin_m, SdfText* world) {
+  world->Open("model", name);
+  world->Leaf("static", "true");
+  world->Open("link", "link");
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const BridgePart& part = parts[i];
+    const Eigen::Vector3d middle_m =
+        Eigen::Vector3d(part.middle.x_m, part.middle.y_m, part.middle_z_m()) - origin_m;
+    const Eigen::Vector3d size = part.size_m();
+    for (const char* role : {"collision", "visual"}) {
+      world->Open(role, std::string(role) + "_" + std::to_string(i));
+      world->Pose(middle_m, part.yaw_rad);
+      world->Open("geometry");
+      world->Open("box");
+      world->Numbers("size", {size.x(), size.y(), size.z()});
+      world->Close("box");
+      world->Close("geometry");
+      if (std::string(role) == "visual") {
+        const std::string color = ExportedColorOf(bridge.kind, part.kind);
+        world->Open("material");
+        world->Leaf("ambient", color);
+        world->Leaf("diffuse", color);
+        world->Close("material");
+      }
+      world->Close(role);
+    }
   }
   world->Close("link");
   world->Close("model");

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 #include "latticeworld/catalogue/catalogue.h"
 
@@ -10,6 +11,8 @@ namespace latticeworld {
 
 class SdfText;
 struct Asset;
+struct Bridge;
+struct BridgePart;
 struct Element;
 
 // A <collision> of that name with what bodies bump into; base_m: where the asset stands.
@@ -18,6 +21,10 @@ void AddSdfCollision(const Asset& asset, Collision form, const Eigen::Vector3d& 
 
 // A <model> of an element at a place: crates and loose stones can be moved, others are static.
 void AddSdfElement(const Element& element, const Eigen::Vector3d& place_m, SdfText* world);
+
+// A static <model> of a bridge of a road. origin_m: the world's in the frame map.
+void AddSdfBridge(const Bridge& bridge, const std::vector<BridgePart>& parts,
+                  const std::string& name, const Eigen::Vector3d& origin_m, SdfText* world);
 
 }  // namespace latticeworld
 

@@ -66,6 +66,7 @@ class SdfBuilder {
     LW_RETURN_IF_ERROR(AddWater(&world));
     LW_RETURN_IF_ERROR(AddAssets(&world));
     AddElements(&world);
+    AddBridges(&world);
     world.Close("world");
     files_.insert(files_.begin(), {"world.sdf", world.Take()});
     return std::move(files_);
@@ -227,11 +228,8 @@ class SdfBuilder {
 
   Status AddAssets(SdfText* world) {
     const auto chosen = ChooseAssets(scene_, region_, options_.small_plants);
-    if (chosen.size() > kMostSdfThings) {
-      return InvalidArgument(std::to_string(chosen.size()) + " things are too many, legal are " +
-                             std::to_string(kMostSdfThings) +
-                             ": take a region, or no small plants");
-    }
+    if (chosen.size() > kMostSdfThings)
+      return TooMany(chosen.size(), "things", kMostSdfThings, options_.small_plants);
     std::set<std::string> meshes;
     const auto groups = GroupAssets(scene_, chosen);
     for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -283,6 +281,16 @@ class SdfBuilder {
         AddSdfElement(element, Local(element.position.x_m, element.position.y_m, element.z_m),
                       world);
       }
+    }
+  }
+
+  void AddBridges(SdfText* world) {
+    const std::vector<Bridge>& bridges = scene_.terrain->bridges;
+    for (std::size_t i = 0; i < bridges.size(); ++i) {
+      const Bridge& bridge = bridges[i];
+      if (!region_.Holds(PlaceOn(bridge, 0.5 * bridge.length_m()).point)) continue;
+      AddSdfBridge(bridge, PartsOf(bridge, scene_.terrain->ground),
+                   "road_bridge_" + std::to_string(i + 1), -Local(0.0, 0.0, 0.0), world);
     }
   }
 

@@ -53,6 +53,7 @@ class WorldGlbBuilder {
     AddSunlight();
     LW_RETURN_IF_ERROR(AddAssets());
     AddElements();
+    AddBridges();
     if (options_.agents) AddAgents();
     LW_RETURN_IF_ERROR(Advance(0.9));
     return document_.Finish(roots_, "world");
@@ -178,11 +179,8 @@ class WorldGlbBuilder {
 
   Status AddAssets() {
     const auto chosen = ChooseAssets(scene_, region_, options_.small_plants);
-    if (options_.expand && chosen.size() > kMostNodes) {
-      return InvalidArgument(std::to_string(chosen.size()) +
-                             " things are too many to be expanded; legal are " +
-                             std::to_string(kMostNodes) + ": take a region, or no small plants");
-    }
+    if (options_.expand && chosen.size() > kMostNodes)
+      return TooMany(chosen.size(), "expanded things", kMostNodes, options_.small_plants);
     const auto groups = GroupAssets(scene_, chosen);
     std::vector<int> children;
     for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -222,6 +220,35 @@ class WorldGlbBuilder {
       children.push_back(document_.AddNode(node));
     }
     AddParent("elements", std::move(children));
+  }
+
+  void AddBridges() {
+    std::map<std::pair<BridgeKind, BridgePartKind>, int> meshes;
+    std::vector<int> children;
+    const std::vector<Bridge>& bridges = scene_.terrain->bridges;
+    for (std::size_t i = 0; i < bridges.size(); ++i) {
+      const Bridge& bridge = bridges[i];
+      for (const BridgePart& part : PartsOf(bridge, scene_.terrain->ground)) {
+        if (!region_.Holds(part.middle)) continue;
+        auto found = meshes.find({bridge.kind, part.kind});
+        if (found == meshes.end()) {
+          const int mesh = AddBridgePart(bridge.kind, part.kind,
+                                         scene_.environment.coarse.artistic_style, &document_);
+          found = meshes.emplace(std::make_pair(bridge.kind, part.kind), mesh).first;
+        }
+        GlbNode node;
+        node.name = "road_bridge_" + std::to_string(i + 1);
+        node.extras = {"bridge", std::string(NameOf(bridge.kind)), {}};
+        node.mesh = found->second;
+        node.translation_m =
+            YUp(Eigen::Vector3d(part.middle.x_m, part.middle.y_m, part.middle_z_m()).cast<float>());
+        node.rotation = Turned(part.yaw_rad);
+        const Eigen::Vector3f size = part.size_m().cast<float>();
+        node.scale = Eigen::Vector3f(size.x(), size.z(), size.y());
+        children.push_back(document_.AddNode(node));
+      }
+    }
+    if (!children.empty()) AddParent("bridges", std::move(children));
   }
 
   void AddAgents() {

@@ -35,7 +35,7 @@ struct Stretched {
 // The letter of each world cell: the layout at a place displaced by noise with features of the size
 // of a layout cell and of half of it.
 Stretched Stretch(const SymbolicLayout& layout, const GridGeometry& geometry, double displacement_m,
-                  std::uint64_t seed) {
+                  bool fords, std::uint64_t seed) {
   const double layout_cell_m = geometry.size_m() / kLayoutSize;
   const double displacement = displacement_m / layout_cell_m;
   const NoiseOptions border{layout_cell_m, 2, 0.5};
@@ -48,7 +48,7 @@ Stretched Stretch(const SymbolicLayout& layout, const GridGeometry& geometry, do
       FractalNoise(geometry, meander, StreamSeed(seed, "layout/meander/south"));
   const double bend = displacement > 0.0 ? kMeander_cells : 0.0;
 
-  const LetterField field(layout);
+  const LetterField field(layout, fords);
   const int rows = geometry.rows(), cols = geometry.cols();
   Stretched result{Grid<char>(rows, cols), Grid<Crossing>(rows, cols), Grid<float>(rows, cols),
                    Grid<float>(rows, cols)};
@@ -126,7 +126,8 @@ DecodedLayout DecodeLayoutWithLines(const SymbolicLayout& layout, const GridGeom
                                     const DecodeOptions& options, std::uint64_t seed) {
   const double blend_width_m =
       options.blend_width_m > 0.0 ? options.blend_width_m : 0.5 * geometry.size_m() / kLayoutSize;
-  Stretched stretched = Stretch(layout, geometry, options.noise_amplitude * blend_width_m, seed);
+  Stretched stretched =
+      Stretch(layout, geometry, options.noise_amplitude * blend_width_m, options.fords, seed);
   // A straight border blurred by this does 99 % of its change within the blend width.
   const double sigma_cells = 0.2 * blend_width_m / geometry.resolution_m();
 

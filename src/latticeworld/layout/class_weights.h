@@ -29,6 +29,7 @@ struct ClassWeights {
 struct DecodeOptions {
   double blend_width_m = 0.0;    // width of a blended border; 0: half a layout cell. [0, size / 8]
   double noise_amplitude = 0.5;  // border displacement in blend widths, [0, 1]
+  bool fords = false;            // roads ford narrow rivers; else below roads over water is water
 };
 
 // Psi_L (Duan et al.): binary mask per class, stretched to the grid by nearest neighbour, borders
@@ -56,7 +57,7 @@ ClassWeights ToWeights(const SmoothedMasks& masks);
 // Psi_L, and what a terrain has to know of rivers and roads. All grids are (rows x cols).
 struct DecodedLayout {
   SmoothedMasks masks;
-  Grid<Crossing> crossing;          // where water would run if there were no road
+  Grid<Crossing> crossing;          // of roads, where they meet water
   Grid<float> to_road_center_rows;  // from near a road to its centre line [cells]; 0 far from roads
   Grid<float> to_road_center_cols;  // and within areas of road
 };

@@ -8,7 +8,7 @@
 namespace latticeworld {
 namespace {
 
-constexpr int kWidestRoad_cells = 2;  // that water is taken to run on under
+constexpr int kWidestRoad_cells = 3;  // that water is taken to run on under
 constexpr int kWidestFord_cells = 3;
 constexpr int kLongestFord_cells = 6;  // of a road that crosses a river at a slant
 
@@ -37,8 +37,8 @@ int WidthOf(const SymbolicLayout& layout, CellIndex cell, int d_row, int d_col) 
   return width;
 }
 
-// A piece of road over water is a ford or a dam as a whole: a dam where it is long, or mostly over
-// what is wide.
+// A piece of road over water is a ford or a bridge as a whole: a bridge where it is long, or mostly
+// over what is wide.
 void DecideByPiece(Grid<Crossing>* crossings) {
   Grid<unsigned char> seen(crossings->rows(), crossings->cols(), 0);
   for (int row = 0; row < crossings->rows(); ++row) {
@@ -49,7 +49,7 @@ void DecideByPiece(Grid<Crossing>* crossings) {
       int wide = 0;
       for (std::size_t next = 0; next < piece.size(); ++next) {
         const CellIndex cell = piece[next];
-        wide += (*crossings)[cell] == Crossing::kCauseway;
+        wide += (*crossings)[cell] == Crossing::kBridge;
         for (int r = cell.row - 1; r <= cell.row + 1; ++r) {
           for (int c = cell.col - 1; c <= cell.col + 1; ++c) {
             if (!crossings->Contains({r, c}) || seen(r, c) != 0) continue;
@@ -60,9 +60,125 @@ void DecideByPiece(Grid<Crossing>* crossings) {
         }
       }
       const int cells = static_cast<int>(piece.size());
-      const bool dam = cells > kLongestFord_cells || 2 * wide > cells;
+      const bool bridge = cells > kLongestFord_cells || 2 * wide > cells;
       for (const CellIndex cell : piece) {
-        (*crossings)[cell] = dam ? Crossing::kCauseway : Crossing::kFord;
+        (*crossings)[cell] = bridge ? Crossing::kBridge : Crossing::kFord;
+      }
+    }
+  }
+}
+
+// The pieces of water that hang together, also below roads.
+class Waters {
+ public:
+  Waters(const SymbolicLayout& layout, const Grid<Crossing>& crossings)
+      : layout_(layout),
+        crossings_(crossings),
+        piece_(layout.cells.rows(), layout.cells.cols(), -1) {
+    for (int row = 0; row < piece_.rows(); ++row) {
+      for (int col = 0; col < piece_.cols(); ++col) Spread({row, col});
+    }
+  }
+  // -1: dry.
+  int Of(CellIndex cell) const {
+    int piece = piece_.Contains(cell) ? piece_[cell] : -1;
+    while (piece >= 0 && joined_[piece] != piece) piece = joined_[piece];
+    return piece;
+  }
+  void Join(CellIndex a, CellIndex b) {
+    const int first = std::min(Of(a), Of(b)), second = std::max(Of(a), Of(b));
+    joined_[second] = first;
+  }
+
+ private:
+  bool IsWet(CellIndex cell) const {
+    return layout_.cells[cell] == 'W' || crossings_[cell] != Crossing::kNone;
+  }
+  void Spread(CellIndex begin) {
+    if (!IsWet(begin) || piece_[begin] >= 0) return;
+    const int piece = static_cast<int>(joined_.size());
+    joined_.push_back(piece);
+    piece_[begin] = piece;
+    std::vector<CellIndex> cells = {begin};
+    for (std::size_t next = 0; next < cells.size(); ++next) {
+      for (int k = 0; k < 9; ++k) {
+        const CellIndex near{cells[next].row + k / 3 - 1, cells[next].col + k % 3 - 1};
+        if (!piece_.Contains(near) || !IsWet(near) || piece_[near] >= 0) continue;
+        piece_[near] = piece;
+        cells.push_back(near);
+      }
+    }
+  }
+
+  const SymbolicLayout& layout_;
+  const Grid<Crossing>& crossings_;
+  Grid<int> piece_;
+  std::vector<int> joined_;  // of each piece, the one that it became part of
+};
+
+// Whether road lies between both ends of a way, so that nobody gets from one to the other beside it
+// without crossing that; as far as a few cells around show.
+bool IsParted(const SymbolicLayout& layout, const std::vector<CellIndex>& way) {
+  constexpr int kAround = 3;
+  const CellIndex from = way.front(), to = way.back();
+  const int row_begin = std::max(0, std::min(from.row, to.row) - kAround);
+  const int row_end = std::min(layout.cells.rows() - 1, std::max(from.row, to.row) + kAround);
+  const int col_begin = std::max(0, std::min(from.col, to.col) - kAround);
+  const int col_end = std::min(layout.cells.cols() - 1, std::max(from.col, to.col) + kAround);
+  Grid<unsigned char> seen(layout.cells.rows(), layout.cells.cols(), 0);
+  std::vector<CellIndex> cells = {from};
+  seen[from] = 1;
+  // Roads are closed at their corners.
+  constexpr int kSteps[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+  for (std::size_t next = 0; next < cells.size(); ++next) {
+    if (cells[next] == to) return false;
+    for (const auto& step : kSteps) {
+      const CellIndex near{cells[next].row + step[0], cells[next].col + step[1]};
+      if (near.row < row_begin || near.row > row_end || near.col < col_begin ||
+          near.col > col_end || seen[near] != 0 || layout.cells[near] == 'R') {
+        continue;
+      }
+      seen[near] = 1;
+      cells.push_back(near);
+    }
+  }
+  return true;
+}
+
+// Joins two pieces of water by a way that goes on over so many more cells of road, if there is one.
+bool JoinOver(const SymbolicLayout& layout, int road_cells, Crossing crossing, Waters* waters,
+              std::vector<CellIndex>* way, Grid<Crossing>* crossings) {
+  const CellIndex last = way->back();
+  for (int k = 0; k < 9; ++k) {
+    const CellIndex next{last.row + k / 3 - 1, last.col + k % 3 - 1};
+    if (next == last || !crossings->Contains(next)) continue;
+    way->push_back(next);
+    if (road_cells > 0) {
+      if (layout.cells[next] == 'R' && waters->Of(next) < 0 &&
+          JoinOver(layout, road_cells - 1, crossing, waters, way, crossings)) {
+        return true;
+      }
+    } else if (waters->Of(next) >= 0 && waters->Of(next) != waters->Of(way->front()) &&
+               IsParted(layout, *way)) {
+      for (std::size_t i = 1; i + 1 < way->size(); ++i) (*crossings)[(*way)[i]] = crossing;
+      waters->Join(way->front(), next);
+      return true;
+    }
+    way->pop_back();
+  }
+  return false;
+}
+
+// Rivers that cross a road at a slant between the four directions: what is still parted by a road
+// hangs together below it.
+void JoinParted(const SymbolicLayout& layout, Crossing crossing, Grid<Crossing>* crossings) {
+  Waters waters(layout, *crossings);
+  for (int road_cells = 1; road_cells <= kWidestRoad_cells; ++road_cells) {
+    for (int row = 0; row < crossings->rows(); ++row) {
+      for (int col = 0; col < crossings->cols(); ++col) {
+        std::vector<CellIndex> way = {{row, col}};
+        if (layout.cells(row, col) != 'W') continue;
+        while (JoinOver(layout, road_cells, crossing, &waters, &way, crossings)) way.resize(1);
       }
     }
   }
@@ -70,7 +186,7 @@ void DecideByPiece(Grid<Crossing>* crossings) {
 
 }  // namespace
 
-Grid<Crossing> CrossingsOf(const SymbolicLayout& layout) {
+Grid<Crossing> CrossingsOf(const SymbolicLayout& layout, bool fords) {
   Grid<Crossing> crossings(layout.cells.rows(), layout.cells.cols(), Crossing::kNone);
   if (layout.vocabulary != Vocabulary::kSuburb) return crossings;
   constexpr int kDirections[4][2] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
@@ -89,16 +205,33 @@ Grid<Crossing> CrossingsOf(const SymbolicLayout& layout) {
         const int width = std::min(WidthOf(layout, ahead, -step[1], step[0]),
                                    WidthOf(layout, behind, -step[1], step[0]));
         // What is narrow one way is narrow.
-        if (width <= kWidestFord_cells) {
+        if (fords && width <= kWidestFord_cells) {
           crossings(row, col) = Crossing::kFord;
         } else if (crossings(row, col) == Crossing::kNone) {
-          crossings(row, col) = Crossing::kCauseway;
+          crossings(row, col) = Crossing::kBridge;
         }
       }
     }
   }
+  JoinParted(layout, fords ? Crossing::kFord : Crossing::kBridge, &crossings);
   DecideByPiece(&crossings);
   return crossings;
+}
+
+Grid<unsigned char> CornerCrossingsOf(const SymbolicLayout& layout) {
+  const int rows = layout.cells.rows(), cols = layout.cells.cols();
+  Grid<unsigned char> corners(rows + 1, cols + 1, 0);
+  if (layout.vocabulary != Vocabulary::kSuburb) return corners;
+  for (int row = 1; row < rows; ++row) {
+    for (int col = 1; col < cols; ++col) {
+      const char a = layout.cells(row - 1, col - 1), b = layout.cells(row - 1, col);
+      const char c = layout.cells(row, col - 1), d = layout.cells(row, col);
+      const bool falls = a == 'R' && d == 'R' && b == 'W' && c == 'W';
+      const bool rises = a == 'W' && d == 'W' && b == 'R' && c == 'R';
+      corners(row, col) = falls || rises ? 1 : 0;
+    }
+  }
+  return corners;
 }
 
 }  // namespace latticeworld

@@ -10,13 +10,18 @@ namespace latticeworld {
 // How a road gets over water.
 enum class Crossing : std::uint8_t {
   kNone,
-  kFord,      // the river is narrow and runs on over the road
-  kCauseway,  // the water is wide, and the road lies on a dam; both sides have one level
+  kFord,   // the river runs on over the road
+  kBridge  // the road leads over the water, which runs on below
 };
 
-// The road cells of a layout that have water on two opposite sides, at most two road cells apart.
-// Rivers up to three cells wide are forded. Wild layouts have no roads.
-Grid<Crossing> CrossingsOf(const SymbolicLayout& layout);
+// The road cells of a layout that have water on two opposite sides, at most three road cells apart.
+// fords: rivers up to three cells wide are forded; all other water is bridged. Wild layouts have no
+// roads.
+Grid<Crossing> CrossingsOf(const SymbolicLayout& layout, bool fords);
+
+// Where road and water cross in a corner of four cells, so that no cell is of both: 1 at the
+// north-west corner of each such cell to the south-east; (rows + 1) x (cols + 1).
+Grid<unsigned char> CornerCrossingsOf(const SymbolicLayout& layout);
 
 }  // namespace latticeworld
 

@@ -85,17 +85,20 @@ LayoutPoint LineShape::ToCenterLine(LayoutPoint place) const {
   return {nearest.point.u - inside.u, nearest.point.v - inside.v};
 }
 
-LetterField::LetterField(const SymbolicLayout& layout)
+LetterField::LetterField(const SymbolicLayout& layout, bool fords)
     : layout_(layout),
       roads_(layout.vocabulary == Vocabulary::kSuburb),
-      crossings_(CrossingsOf(layout)),
+      fords_(fords),
+      crossings_(CrossingsOf(layout, fords)),
+      corners_(CornerCrossingsOf(layout)),
       water_(WaterMask(layout, crossings_), kRiverHalfWidth),
       road_(RoadMask(layout), kRoadHalfWidth) {}
 
 LetterField::Answer LetterField::At(const Places& places) const {
   const bool water = water_.Contains(places.water, places.shore);
   if (road_.Contains(places.road, places.road)) {
-    return {'R', water ? CrossingNear(places.road) : Crossing::kNone};
+    const Crossing crossing = water ? CrossingNear(places.road) : Crossing::kNone;
+    return {crossing == Crossing::kBridge ? 'W' : 'R', crossing};
   }
   if (water) return {'W', Crossing::kNone};
   return {GroundAt(places.ground), Crossing::kNone};
@@ -104,14 +107,20 @@ LetterField::Answer LetterField::At(const Places& places) const {
 Crossing LetterField::CrossingNear(LayoutPoint place) const {
   const int row = static_cast<int>(std::floor(place.v)),
             col = static_cast<int>(std::floor(place.u));
-  bool causeway = false;
+  bool any = false;
   for (int r = row - 1; r <= row + 1; ++r) {
     for (int c = col - 1; c <= col + 1; ++c) {
-      causeway = causeway || crossings_.Clamped(r, c) == Crossing::kCauseway;
+      const Crossing crossing = crossings_.Clamped(r, c);
+      if (crossing == Crossing::kBridge) return crossing;
+      any = any || crossing == Crossing::kFord;
     }
   }
-  // Where river and road cross in a corner of cells, no cell is of both.
-  return causeway ? Crossing::kCauseway : Crossing::kFord;
+  for (int r = row; r <= row + 1; ++r) {
+    for (int c = col; c <= col + 1; ++c) any = any || corners_.Clamped(r, c) != 0;
+  }
+  // A road that runs beside water crosses none.
+  if (!any) return Crossing::kNone;
+  return fords_ ? Crossing::kFord : Crossing::kBridge;
 }
 
 char LetterField::GroundAt(LayoutPoint place) const {

@@ -32,7 +32,7 @@ class LineShape {
 // of their banks.
 class LetterField {
  public:
-  explicit LetterField(const SymbolicLayout& layout);
+  LetterField(const SymbolicLayout& layout, bool fords);
 
   // The places that a point of the world has in the layout: borders, rivers and roads are displaced
   // differently.
@@ -44,7 +44,7 @@ class LetterField {
   };
   struct Answer {
     char letter = '\0';
-    Crossing crossing = Crossing::kNone;  // on roads
+    Crossing crossing = Crossing::kNone;  // on fords and below bridges, which are water
   };
   Answer At(const Places& places) const;
 
@@ -56,7 +56,9 @@ class LetterField {
 
   const SymbolicLayout& layout_;
   bool roads_;  // the vocabulary has them
+  bool fords_;
   Grid<Crossing> crossings_;
+  Grid<unsigned char> corners_;  // see CornerCrossingsOf
   LineShape water_;
   LineShape road_;
 };

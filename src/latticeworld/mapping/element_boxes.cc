@@ -46,8 +46,11 @@ DeckEffect EffectOf(const ElementDeck& deck, const RobotLimits& limits, double c
   const double across_m = std::abs(-sine * dx + cosine * dy);
   const double beside_m = across_m - footprint.half_width_m;
   if (along_m > 0.5 * cell_m || beside_m > limits.radius_m) return DeckEffect::kNone;
-  const bool bears =
-      deck.carries_kg >= limits.mass_kg && footprint.half_width_m >= 0.5 * limits.radius_m;
+  // Who is not carried goes below where there is room.
+  const bool carries = deck.carries_kg >= limits.mass_kg;
+  if (!carries && limits.clearance_m > 0.0 && deck.bottom_m - ground_m >= limits.clearance_m)
+    return DeckEffect::kNone;
+  const bool bears = carries && footprint.half_width_m >= 0.5 * limits.radius_m;
   // Cells that the middle line crosses have their centres within half of their shadow on the
   // line's normal.
   const double strip_m = 0.5 * cell_m * (std::abs(cosine) + std::abs(sine));

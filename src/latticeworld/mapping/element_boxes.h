@@ -28,7 +28,8 @@ enum class DeckEffect { kNone, kCarries, kBlocks };
 // the middle, as wide as the cells need to touch each other; and half a cell beyond the deck's
 // ends, where the slope of the ground is still that of the bank below the deck. Beside that the
 // deck blocks, but where the body can step onto it; and everywhere where it does not bear the body
-// or is less wide than half of it. ground_m: at the point.
+// or is less wide than half of it. Where it does not carry the body's mass and hangs at least its
+// clearance above the ground, the body's way is the one below. ground_m: at the point.
 DeckEffect EffectOf(const ElementDeck& deck, const RobotLimits& limits, double cell_m,
                     WorldPoint point, double ground_m);
 

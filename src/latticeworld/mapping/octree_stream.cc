@@ -62,6 +62,7 @@ std::vector<std::pair<BoxNumbers, MappedAsset>> BoxesOf(const StandingElements& 
                      mapped});
   };
   for (const ElementBlock& block : elements.blocks) add(BoxOf(block, 0.5 * voxel_m));
+  for (const ElementBlock& block : elements.below) add(BoxOf(block, 0.5 * voxel_m));
   for (const ElementDeck& deck : elements.decks) add(BoxOf(deck, 0.5 * voxel_m));
   std::sort(boxes.begin(), boxes.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });

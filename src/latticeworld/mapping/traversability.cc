@@ -32,6 +32,8 @@ Grid<T> BuildMap(const Scene& scene, const RobotLimits& limits, const SceneChang
   std::vector<MappedAsset> assets = AssetsToMap(scene, changes);
   const double least_half_m = LeastHalfOf(limits, scene.geometry().resolution_m());
   for (const ElementBlock& block : elements->blocks) assets.push_back(BoxOf(block, least_half_m));
+  std::vector<MappedAsset> below;
+  for (const ElementBlock& block : elements->below) below.push_back(BoxOf(block, least_half_m));
   const int rows = scene.geometry().rows(), cols = scene.geometry().cols();
   Grid<T> map(rows, cols);
   ParallelFor(rows, threads, [&](int begin, int end) {
@@ -41,14 +43,15 @@ Grid<T> BuildMap(const Scene& scene, const RobotLimits& limits, const SceneChang
       T* values = map.row(row);
       for (int col = 0; col < cols; ++col) values[col] = value_of(effort[col]);
     }
+    const auto block = [&](int row, int col) { map(row, col) = blocked; };
+    for (const MappedAsset& pier : below) blocks.ForEachBlocked(pier, begin, end, block);
     for (const ElementDeck& deck : elements->decks) {
       ForEachCellOf(deck, scene.terrain->ground, limits, {begin, end, 0, cols},
                     [&](int row, int col, DeckEffect effect) {
                       map(row, col) = effect == DeckEffect::kCarries ? value_of(0.0f) : blocked;
                     });
     }
-    for (const MappedAsset& asset : assets)
-      blocks.ForEachBlocked(asset, begin, end, [&](int row, int col) { map(row, col) = blocked; });
+    for (const MappedAsset& asset : assets) blocks.ForEachBlocked(asset, begin, end, block);
   });
   return map;
 }

@@ -38,16 +38,6 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
   }
 
   const std::shared_ptr<const StandingElements> elements = ElementsIn(scene_, changes);
-  for (const ElementDeck& deck : elements->decks) {
-    ForEachCellOf(
-        deck, scene_.terrain->ground, limits_, window,
-        [&](int row, int col, DeckEffect effect) {
-          values[(row - window.row_begin) * cols + (col - window.col_begin)] =
-              effect == DeckEffect::kCarries ? TraversabilityOf(0.0f) : 0.0f;
-        },
-        coarse_);
-  }
-
   const AssetBlocks blocks(scene_.terrain->ground, limits_);
   const auto block = [&](const MappedAsset& asset) {
     blocks.ForEachBlocked(asset, window.row_begin, window.row_end, [&](int row, int col) {
@@ -62,6 +52,24 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
                           0.5 * (north_west.y_m + south_east.y_m)};
   const double around_m =
       0.5 * std::hypot(window.rows(), window.cols()) * geometry.resolution_m() + limits_.radius_m;
+  const double least_half_m = LeastHalfOf(limits_, geometry.resolution_m());
+  const auto block_near = [&](const ElementBlock& one) {
+    const double reach_m = one.footprint.radius_m() + geometry.resolution_m() + around_m;
+    if (std::abs(one.footprint.centre.x_m - middle.x_m) < reach_m &&
+        std::abs(one.footprint.centre.y_m - middle.y_m) < reach_m)
+      block(BoxOf(one, least_half_m));
+  };
+  for (const ElementBlock& pier : elements->below) block_near(pier);
+  for (const ElementDeck& deck : elements->decks) {
+    ForEachCellOf(
+        deck, scene_.terrain->ground, limits_, window,
+        [&](int row, int col, DeckEffect effect) {
+          values[(row - window.row_begin) * cols + (col - window.col_begin)] =
+              effect == DeckEffect::kCarries ? TraversabilityOf(0.0f) : 0.0f;
+        },
+        coarse_);
+  }
+
   scene_.index.ForEachNear(middle, around_m, [&](std::uint32_t asset) {
     if (!changes.empty() && !changes.Stands(asset)) return;
     MappedAsset standing;
@@ -75,13 +83,7 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
         std::abs(lying.asset.y_m - middle.y_m) < reach_m)
       block(lying);
   }
-  const double least_half_m = LeastHalfOf(limits_, geometry.resolution_m());
-  for (const ElementBlock& one : elements->blocks) {
-    const double reach_m = one.footprint.radius_m() + geometry.resolution_m() + around_m;
-    if (std::abs(one.footprint.centre.x_m - middle.x_m) < reach_m &&
-        std::abs(one.footprint.centre.y_m - middle.y_m) < reach_m)
-      block(BoxOf(one, least_half_m));
-  }
+  for (const ElementBlock& one : elements->blocks) block_near(one);
 }
 
 }  // namespace latticeworld

@@ -34,6 +34,9 @@ VoxelPlan::VoxelPlan(const Scene& scene, const OctreeOptions& options, const Sce
   for (const ElementBlock& block : elements->blocks) {
     assets_.push_back(BoxOf(block, 0.5 * voxel_m_));
   }
+  for (const ElementBlock& block : elements->below) {
+    assets_.push_back(BoxOf(block, 0.5 * voxel_m_));
+  }
   for (const ElementDeck& deck : elements->decks) assets_.push_back(BoxOf(deck, 0.5 * voxel_m_));
   if (!box_.empty()) {
     first_tile_x_ = box_.x_low >> kTileLevel;

@@ -66,6 +66,8 @@ void BuildShape(ShapeInput input, MeshBuilder* builder) {
       return BuildFlatBlock(std::move(input), builder);
     case Shape::kTower:
       return BuildTower(std::move(input), builder);
+    case Shape::kParts:
+      return BuildParts(std::move(input), builder);
   }
 }
 

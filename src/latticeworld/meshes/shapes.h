@@ -34,6 +34,7 @@ void BuildRowHouse(ShapeInput input, MeshBuilder* builder);
 void BuildBarn(ShapeInput input, MeshBuilder* builder);
 void BuildFlatBlock(ShapeInput input, MeshBuilder* builder);
 void BuildTower(ShapeInput input, MeshBuilder* builder);
+void BuildParts(ShapeInput input, MeshBuilder* builder);
 
 }  // namespace latticeworld
 

@@ -22,12 +22,12 @@ constexpr int kGoalsPerTask = 40;
 constexpr double kLeastRadius_m = 0.01;  // of a body that is put somewhere
 
 // What a difficulty is made of, by name.
-struct Measure {
+struct DifficultyMeasure {
   const char* name;
   const DifficultyRange TaskWishes::*wanted;
   double (*of)(const TaskDifficulty&);
 };
-constexpr std::array<Measure, 5> kMeasures = {
+constexpr std::array<DifficultyMeasure, 5> kMeasures = {
     {{"length_m", &TaskWishes::length_m, [](const TaskDifficulty& d) { return d.length_m; }},
      {"climb_m", &TaskWishes::climb_m, [](const TaskDifficulty& d) { return d.climb_m; }},
      {"density", &TaskWishes::density, [](const TaskDifficulty& d) { return d.density; }},
@@ -195,7 +195,7 @@ Status Validate(const TaskWishes& wishes) {
   if (wishes.count < 1 || wishes.count > 1000) add("count", "must be from 1 to 1000", wishes.count);
   if (!(wishes.goal_radius_m > 0.0 && wishes.goal_radius_m <= 100.0))
     add("goal_radius_m", "must be above 0 and at most 100", wishes.goal_radius_m);
-  for (const Measure& measure : kMeasures) {
+  for (const DifficultyMeasure& measure : kMeasures) {
     const DifficultyRange& range = wishes.*measure.wanted;
     if (!(range.low >= 0.0) || !std::isfinite(range.low))
       add(measure.name, "must begin at a finite number of at least 0", range.low);

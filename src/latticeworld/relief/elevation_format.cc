@@ -1,7 +1,6 @@
 #include "latticeworld/relief/elevation_format.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstddef>
 #include <optional>
@@ -19,21 +18,24 @@ constexpr char kLegal[] =
 
 // Tiles of two bytes a sample, with the edges on both sides. Beyond 50 degrees of latitude those of
 // 1 arc second have samples every 2 arc seconds from west to east.
-struct SrtmTile {
-  std::size_t cols;
-  std::size_t rows;
+struct SrtmSize {
+  int cols;
+  int rows;
   std::string_view spacing;
-  std::size_t bytes() const { return 2 * cols * rows; }
+  std::size_t bytes() const { return std::size_t{2} * cols * rows; }
 };
-constexpr SrtmTile kSrtmTiles[] = {
+constexpr SrtmSize kSrtmSizes[] = {
     {3601, 3601, "1 arc second"},
     {1201, 1201, "3 arc seconds"},
-    {1801, 3601, "2 x 1 arc seconds, beyond 50 degrees north or south"}};
-constexpr SrtmTile kHalfSecondTile = {7201, 7201, "half an arc second"};
+    {1801, 3601, "2 x 1 arc seconds, beyond 50 degrees north or south"},
+    {7201, 7201, "half an arc second"}};
 
-bool IsSrtmSize(std::size_t bytes) {
-  return std::any_of(std::begin(kSrtmTiles), std::end(kSrtmTiles),
-                     [bytes](const SrtmTile& tile) { return tile.bytes() == bytes; });
+// nullptr: no tile has that size.
+const SrtmSize* SrtmSizeOf(std::size_t bytes) {
+  const auto* const size =
+      std::find_if(std::begin(kSrtmSizes), std::end(kSrtmSizes),
+                   [bytes](const SrtmSize& one) { return one.bytes() == bytes; });
+  return size == std::end(kSrtmSizes) ? nullptr : size;
 }
 
 bool IsTiff(std::string_view bytes) {
@@ -79,41 +81,43 @@ std::string_view BaseName(std::string_view name) {
   return slash == std::string_view::npos ? name : name.substr(slash + 1);
 }
 
-// "N40W106", when the name says so.
-std::optional<std::string> TileOf(std::string_view name) {
-  std::string tile(BaseName(name).substr(0, 7));
-  for (char& c : tile) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  const auto digits = [&tile](std::size_t at, std::size_t count, int most) {
+// The corner of "N40W106...", when the name says so; without a size.
+std::optional<SrtmTile> CornerOf(std::string_view name) {
+  const std::string tile = ToLowerAscii(BaseName(name).substr(0, 7));
+  // -1: no such number.
+  const auto number = [&tile](std::size_t at, std::size_t count, int most) {
     int value = 0;
     for (std::size_t i = at; i < at + count; ++i) {
-      if (std::isdigit(static_cast<unsigned char>(tile[i])) == 0) return false;
+      if (std::isdigit(static_cast<unsigned char>(tile[i])) == 0) return -1;
       value = 10 * value + (tile[i] - '0');
     }
-    return value <= most;
+    return value <= most ? value : -1;
   };
-  const bool legal = tile.size() == 7 && (tile[0] == 'N' || tile[0] == 'S') &&
-                     (tile[3] == 'E' || tile[3] == 'W') && digits(1, 2, 90) && digits(4, 3, 180);
-  if (!legal) return std::nullopt;
-  return tile;
+  const bool letters =
+      tile.size() == 7 && (tile[0] == 'n' || tile[0] == 's') && (tile[3] == 'e' || tile[3] == 'w');
+  if (!letters) return std::nullopt;
+  const int latitude_deg = number(1, 2, 90), longitude_deg = number(4, 3, 180);
+  if (latitude_deg < 0 || longitude_deg < 0) return std::nullopt;
+  SrtmTile corner;
+  corner.south_deg = tile[0] == 'n' ? latitude_deg : -latitude_deg;
+  corner.west_deg = tile[3] == 'e' ? longitude_deg : -longitude_deg;
+  return corner;
 }
 
 Result<ElevationFile> RecognizeSrtm(std::string_view bytes, std::string_view name) {
-  const auto tile = TileOf(name);
+  std::optional<SrtmTile> tile = CornerOf(name);
   if (!tile) {
     return InvalidArgument("the SRTM elevation is called " + Quote(BaseName(name)) +
                            ", which does not say where it lies; legal are names like "
                            "\"N40W106.hgt\", the latitude and longitude of its south-west corner");
   }
-  if (IsSrtmSize(bytes.size())) {
-    return ElevationFile{ElevationFormat::kSrtm, "SRTMHGT", *tile + ".hgt"};
-  }
-  if (bytes.size() == kHalfSecondTile.bytes()) {
-    return InvalidArgument(
-        "the SRTM elevation has 7201 x 7201 samples, half an arc second apart, which "
-        "GDAL does not read as .hgt; make a GeoTIFF of it");
+  if (const SrtmSize* const size = SrtmSizeOf(bytes.size())) {
+    tile->cols = size->cols;
+    tile->rows = size->rows;
+    return ElevationFile{ElevationFormat::kSrtm, *tile};
   }
   std::string legal;
-  for (const SrtmTile& known : kSrtmTiles) {
+  for (const SrtmSize& known : kSrtmSizes) {
     legal += (legal.empty() ? "" : ", ") + std::to_string(known.bytes()) + " (" +
              std::to_string(known.cols) + " x " + std::to_string(known.rows) + " samples, " +
              std::string(known.spacing) + ")";
@@ -126,10 +130,12 @@ Result<ElevationFile> RecognizeSrtm(std::string_view bytes, std::string_view nam
 }  // namespace
 
 Result<ElevationFile> RecognizeElevation(std::string_view bytes, std::string_view name) {
-  if (IsTiff(bytes)) return ElevationFile{ElevationFormat::kGeoTiff, "GTiff", "data.tif"};
-  if (IsArcAscii(bytes)) return ElevationFile{ElevationFormat::kArcAscii, "AAIGrid", "data.asc"};
+  if (IsTiff(bytes)) return ElevationFile{ElevationFormat::kGeoTiff, {}};
+  if (IsArcAscii(bytes)) return ElevationFile{ElevationFormat::kArcAscii, {}};
   const bool srtm_name = EndsWith(ToLowerAscii(name), ".hgt");
-  if (!bytes.empty() && (srtm_name || IsSrtmSize(bytes.size()))) return RecognizeSrtm(bytes, name);
+  if (!bytes.empty() && (srtm_name || SrtmSizeOf(bytes.size()) != nullptr)) {
+    return RecognizeSrtm(bytes, name);
+  }
   return InvalidArgument("the elevation " + Describe(bytes) + kLegal);
 }
 

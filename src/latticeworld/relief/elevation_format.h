@@ -20,10 +20,18 @@ inline constexpr float kUsualNoData = -9999.0f;
 
 enum class ElevationFormat : std::uint8_t { kGeoTiff, kArcAscii, kSrtm };
 
+// One degree by one degree: whole metres of two bytes, the greater first, row by row from the
+// north. The outermost samples stand on the tile's edges.
+struct SrtmTile {
+  int south_deg = 0;  // of its south-west corner; north and east are positive
+  int west_deg = 0;
+  int cols = 0;
+  int rows = 0;
+};
+
 struct ElevationFile {
   ElevationFormat format = ElevationFormat::kGeoTiff;
-  std::string driver;     // GDAL's name of it
-  std::string file_name;  // one that GDAL's driver knows its format by: "N40W106.hgt"
+  SrtmTile tile;  // of an SRTM tile
 };
 
 // What the bytes are, before GDAL sees them. name: the file's own, with or without directories;

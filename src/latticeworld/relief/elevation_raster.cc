@@ -151,9 +151,9 @@ std::string JudgedWarning(const GridNumbers& grid, bool degrees) {
 }  // namespace
 
 // The file in GDAL's memory file system, opened. Its name there holds its own address, so that no
-// other that is open has it.
+// other that is open has it. An SRTM tile is a raster in memory without a file.
 struct ElevationRaster::File {
-  std::string name;
+  std::string name;  // empty: there is no file
   ElevationFormat format = ElevationFormat::kGeoTiff;
   bool in_memory = false;
   GDALDatasetH dataset = nullptr;
@@ -172,6 +172,8 @@ struct ElevationRaster::File {
   }
 
   Status Open(std::string_view bytes, const ElevationFile& file);
+  Status Decode(std::string_view bytes);
+  Status CopyTile(std::string_view bytes, const SrtmTile& tile);
   Status CheckBands();
   Status CheckBlocks() const;
   Status ReadHeightUnit();
@@ -180,8 +182,18 @@ struct ElevationRaster::File {
 
 Status ElevationRaster::File::Open(std::string_view bytes, const ElevationFile& file) {
   format = file.format;
-  name = "/vsimem/latticeworld-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + "/" +
-         file.file_name;
+  LW_RETURN_IF_ERROR(format == ElevationFormat::kSrtm ? CopyTile(bytes, file.tile) : Decode(bytes));
+  LW_RETURN_IF_ERROR(CheckDataSize(GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset)));
+  LW_RETURN_IF_ERROR(CheckBands());
+  LW_RETURN_IF_ERROR(CheckBlocks());
+  LW_RETURN_IF_ERROR(ReadReference());
+  return ReadHeightUnit();
+}
+
+Status ElevationRaster::File::Decode(std::string_view bytes) {
+  const bool ascii_grid = format == ElevationFormat::kArcAscii;
+  name = "/vsimem/latticeworld-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) +
+         (ascii_grid ? "/data.asc" : "/data.tif");
   const GdalErrors errors;
   // GDAL only reads it; its interface has no const buffer.
   auto* data = reinterpret_cast<GByte*>(const_cast<char*>(bytes.data()));
@@ -190,21 +202,46 @@ Status ElevationRaster::File::Open(std::string_view bytes, const ElevationFile& 
   in_memory = true;
   VSIFCloseL(memory);
 
-  const char* const drivers[] = {file.driver.c_str(), nullptr};
+  const char* const drivers[] = {ascii_grid ? "AAIGrid" : "GTiff", nullptr};
   const char* const no_siblings[] = {nullptr};
   // Else GDAL looks at some numbers only to find out what kind they are.
   const char* const any_numbers[] = {"DATATYPE=Float64", nullptr};
   dataset = GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers,
-                       format == ElevationFormat::kArcAscii ? any_numbers : nullptr, no_siblings);
-  if (dataset == nullptr) {
-    return InvalidArgument("the elevation cannot be read, it is cut off or damaged" +
-                           errors.Last(name));
+                       ascii_grid ? any_numbers : nullptr, no_siblings);
+  if (dataset != nullptr) return Status();
+  return InvalidArgument("the elevation cannot be read, it is cut off or damaged" +
+                         errors.Last(name));
+}
+
+// Not left to GDAL, whose versions know different sizes of tiles (3.6.2 none of half an arc
+// second).
+Status ElevationRaster::File::CopyTile(std::string_view bytes, const SrtmTile& tile) {
+  constexpr double kVoid = -32768.0;
+  const GdalErrors errors;
+  dataset = GDALCreate(GDALGetDriverByName("MEM"), "", tile.cols, tile.rows, 1, GDT_Int16, nullptr);
+  if (dataset == nullptr) return ResourceExhausted("no room for the elevation" + errors.Last(""));
+  GDALRasterBandH heights = GDALGetRasterBand(dataset, 1);
+  std::vector<std::int16_t> row(tile.cols);
+  const auto* next = reinterpret_cast<const unsigned char*>(bytes.data());
+  for (int r = 0; r < tile.rows; ++r) {
+    for (std::int16_t& height_m : row) {
+      height_m = static_cast<std::int16_t>(next[0] << 8 | next[1]);
+      next += 2;
+    }
+    if (GDALRasterIO(heights, GF_Write, 0, r, tile.cols, 1, row.data(), tile.cols, 1, GDT_Int16, 0,
+                     0) != CE_None) {
+      return Internal("cannot keep the elevation in memory" + errors.Last(""));
+    }
   }
-  LW_RETURN_IF_ERROR(CheckDataSize(GDALGetRasterXSize(dataset), GDALGetRasterYSize(dataset)));
-  LW_RETURN_IF_ERROR(CheckBands());
-  LW_RETURN_IF_ERROR(CheckBlocks());
-  LW_RETURN_IF_ERROR(ReadReference());
-  return ReadHeightUnit();
+  GDALSetRasterNoDataValue(heights, kVoid);
+  const double width_deg = 1.0 / (tile.cols - 1), height_deg = 1.0 / (tile.rows - 1);
+  double transform[] = {tile.west_deg - 0.5 * width_deg,       width_deg, 0.0,
+                        tile.south_deg + 1 + 0.5 * height_deg, 0.0,       -height_deg};
+  GDALSetGeoTransform(dataset, transform);
+  OGRSpatialReferenceH wgs84 = OSRNewSpatialReference(nullptr);
+  if (OSRSetWellKnownGeogCS(wgs84, "WGS84") == OGRERR_NONE) GDALSetSpatialRef(dataset, wgs84);
+  OSRDestroySpatialReference(wgs84);
+  return Status();
 }
 
 Status ElevationRaster::File::CheckBands() {

@@ -30,7 +30,7 @@ struct DataWindow {
   int block_rows = 1;
 };
 
-// Samples of elevation in a file that GDAL reads.
+// Samples of elevation, through GDAL.
 class ElevationRaster {
  public:
   // bytes: outlive the raster. unit: of an ASCII grid, which names no coordinate system; judged by

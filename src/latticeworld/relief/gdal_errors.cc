@@ -26,7 +26,7 @@ void PrepareGdal() {
   std::call_once(once, [] {
     GDALRegister_GTiff();
     GDALRegister_AAIGrid();
-    GDALRegister_SRTMHGT();
+    GDALRegister_MEM();
     OSRSetPROJEnableNetwork(0);
   });
 }

@@ -101,6 +101,8 @@ std::vector<AgentStart> PlaceAgents(const Scene& scene, std::uint64_t seed,
                                     std::vector<std::string>* warnings) {
   std::vector<AgentStart> agents;
   std::vector<WorldPoint> taken;
+  // Single things that can be moved stand already.
+  for (const Element& element : scene.elements) taken.push_back(element.position);
   Names names;
   const auto add = [&](AgentCategory category, AgentState state, WorldPoint position,
                        RandomStream* random) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "latticeworld/scene/footbridges.h"
 #include "latticeworld/scene/placement.h"
 #include "latticeworld/scene/road_finder.h"
+#include "latticeworld/scene/standing_elements.h"
 
 namespace latticeworld {
 namespace {
@@ -39,7 +41,14 @@ constexpr double kFarthestRoad_m = 20.0;
 class Placer {
  public:
   Placer(const Scene& scene, std::uint64_t seed)
-      : scene_(scene), terrain_(*scene.terrain), seed_(seed), roads_(terrain_) {}
+      : scene_(scene),
+        terrain_(*scene.terrain),
+        seed_(seed),
+        roads_(terrain_),
+        elements_(scene.elements) {
+    AddBridges(terrain_, &road_bridges_);
+    for (const SceneThing& thing : scene.things) names_.insert(thing.name);
+  }
 
   std::vector<Element> Place() && {
     PlaceBridges();
@@ -54,12 +63,22 @@ class Placer {
 
  private:
   double area_km2() const { return std::pow(scene_.geometry().size_m() / 1000.0, 2); }
+  bool IsHouse(const Asset& asset) const {
+    return scene_.catalogue->models()[asset.model].is_house();
+  }
   WorldPoint Anywhere(RandomStream* random) const {
     const double half_m = scene_.geometry().half_size_m();
     return {random->Uniform(-half_m, half_m), random->Uniform(-half_m, half_m)};
   }
 
   // Whether it would be wholly in the world and clear of solids, agents and other elements.
+  // Of those of roads.
+  bool IsClearOfBridges(const Footprint& footprint) const {
+    return std::none_of(
+        road_bridges_.decks.begin(), road_bridges_.decks.end(),
+        [&](const ElementDeck& deck) { return GapBetween(footprint, deck.footprint) < kApart_m; });
+  }
+
   bool IsClear(const Element& element) const {
     if (elements_.size() >= static_cast<std::size_t>(kMost)) return false;
     const Footprint footprint = FootprintOf(element);
@@ -82,7 +101,7 @@ class Placer {
       if (!clear) break;
       clear = GapBetween(footprint, FootprintOf(other)) >= kApart_m;
     }
-    return clear;
+    return clear && IsClearOfBridges(footprint);
   }
   // And on ground that is dry, no road and no steeper.
   bool IsOnLand(const Element& element, double steepest_deg) const {
@@ -94,7 +113,9 @@ class Placer {
   void Add(Element element) {
     std::string name(NameOf(element.kind));
     std::replace(name.begin(), name.end(), ' ', '_');
-    element.name = name + "_" + std::to_string(++count_[element.kind]);
+    do {
+      element.name = name + "_" + std::to_string(++count_[element.kind]);
+    } while (names_.count(element.name) > 0);
     element.z_m = GroundUnder(terrain_, element);
     elements_.push_back(std::move(element));
   }
@@ -110,7 +131,7 @@ class Placer {
   void PlaceGates() {
     RandomStream random(seed_, "scene/elements/gates");
     for (const Asset& house : scene_.assets) {
-      if (house.kind != AssetKind::kBuilding || !random.Chance(kWithGate)) continue;
+      if (!IsHouse(house) || !random.Chance(kWithGate)) continue;
       const Footprint front = FootprintOf(house);
       const WorldPoint door = front.At(front.half_length_m + 0.5, 0.0);
       const std::optional<RoadFinder::Road> road = roads_.Nearest(door);
@@ -141,7 +162,7 @@ class Placer {
   void PlaceCrates() {
     RandomStream random(seed_, "scene/elements/crates");
     for (const Asset& house : scene_.assets) {
-      if (house.kind != AssetKind::kBuilding || !random.Chance(kWithCrates)) continue;
+      if (!IsHouse(house) || !random.Chance(kWithCrates)) continue;
       const Footprint walls = FootprintOf(house);
       const int count = random.UniformInt(1, kMostCratesOfHouse);
       const double side = random.Chance(0.5) ? 1.0 : -1.0;
@@ -212,7 +233,9 @@ class Placer {
   const Terrain& terrain_;
   const std::uint64_t seed_;
   const RoadFinder roads_;
+  StandingElements road_bridges_;
   std::map<ElementKind, int> count_;
+  std::set<std::string> names_;  // of things
   std::vector<Element> elements_;
 };
 

@@ -31,11 +31,12 @@ Footprint FootprintOf(const Element& element);
 // higher one of the banks at its ends, a gate's panel with the highest ground below it.
 double GroundUnder(const Terrain& terrain, const Element& element);
 
-// The scene's elements: crates beside houses, loose stones on gentle ground, above all on rock and
-// barren land, rows of posts along roads, gates with their two posts between houses and streets,
-// and footbridges over narrow waters, most of them near roads. Some tens on a square kilometre;
-// nothing overlaps anything solid or stands nearer than 4 m to where an agent begins. Draws from
-// streams of its own of the seed. Sorted by name.
+// The scene's elements: those of its single things, which it has already, crates beside houses,
+// loose stones on gentle ground, above all on rock and barren land, rows of posts along roads,
+// gates with their two posts between houses and streets, and footbridges over narrow waters, most
+// of them near roads. Some tens on a square kilometre; nothing overlaps anything solid or stands
+// nearer than 4 m to where an agent begins. Draws from streams of its own of the seed. Sorted by
+// name.
 std::vector<Element> PlaceElements(const Scene& scene, std::uint64_t seed);
 
 }  // namespace latticeworld

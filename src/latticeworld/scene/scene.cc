@@ -1,5 +1,6 @@
 #include "latticeworld/scene/scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "latticeworld/scene/elements.h"
 #include "latticeworld/scene/fields.h"
 #include "latticeworld/scene/placement.h"
+#include "latticeworld/scene/things.h"
 
 namespace latticeworld {
 namespace {
@@ -36,6 +38,23 @@ void ThinToLimit(Placement* placement, std::vector<std::string>* warnings) {
       100.0 * placement->thinning[AssetKind::kGrassTuft],
       100.0 * placement->thinning[AssetKind::kTree], kMaxAssets);
   warnings->push_back(text);
+}
+
+// A thing that was given the name of an agent gets another one.
+void GiveOwnNames(Scene* scene, std::vector<std::string>* warnings) {
+  for (SceneThing& thing : scene->things) {
+    const bool taken =
+        std::any_of(scene->agents.begin(), scene->agents.end(),
+                    [&](const AgentStart& agent) { return agent.name == thing.name; });
+    if (!taken) continue;
+    const std::string name = thing.name + "_thing";
+    warnings->push_back("the thing " + thing.name + " is called " + name +
+                        ": an agent has its name");
+    for (Element& element : scene->elements) {
+      if (element.name == thing.name) element.name = name;
+    }
+    thing.name = name;
+  }
 }
 
 }  // namespace
@@ -71,7 +90,15 @@ Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& prog
     progress.Report("scene", done / kStages);
     return progress.CheckCancelled();
   };
-  for (const auto place : {PlaceBuildings, PlaceOrchards, PlaceTrees, PlaceStones}) {
+  PlaceBuildings(&placement);
+  LW_RETURN_IF_ERROR(step());
+  if (!request.things.empty()) {
+    PlacedThings placed = PlaceThings(request.things, &placement);
+    scene->things = std::move(placed.things);
+    scene->elements = std::move(placed.elements);
+    for (std::string& warning : placed.warnings) answer.warnings.push_back(std::move(warning));
+  }
+  for (const auto place : {PlaceOrchards, PlaceTrees, PlaceStones}) {
     place(&placement);
     LW_RETURN_IF_ERROR(step());
   }
@@ -94,6 +121,7 @@ Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& prog
                               " assets: a world holds at most " + std::to_string(kMaxAssets));
   }
   scene->agents = PlaceAgents(*scene, request.seed, &answer.warnings);
+  GiveOwnNames(scene.get(), &answer.warnings);
   scene->elements = PlaceElements(*scene, request.seed);
   LW_RETURN_IF_ERROR(step());
   answer.scene = std::move(scene);

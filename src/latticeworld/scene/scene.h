@@ -10,10 +10,12 @@
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
 #include "latticeworld/environment/environment_config.h"
+#include "latticeworld/layout/thing_wish.h"
 #include "latticeworld/scene/asset.h"
 #include "latticeworld/scene/asset_index.h"
 #include "latticeworld/scene/atmosphere.h"
 #include "latticeworld/scene/element.h"
+#include "latticeworld/scene/thing.h"
 #include "latticeworld/terrain/terrain.h"
 
 namespace latticeworld {
@@ -45,7 +47,8 @@ struct Scene {
   AssetIndex index;  // over assets
   Atmosphere atmosphere;
   std::vector<AgentStart> agents;
-  std::vector<Element> elements;  // crates, gates, bridges ...; sorted by name
+  std::vector<Element> elements;   // crates, gates, bridges ...; sorted by name
+  std::vector<SceneThing> things;  // that were asked for one by one, in the order of the wishes
 
   const GridGeometry& geometry() const { return terrain->geometry(); }
 };
@@ -54,6 +57,7 @@ struct SceneRequest {
   std::shared_ptr<const Terrain> terrain;
   std::shared_ptr<const Catalogue> catalogue = Catalogue::BuiltIn();
   EnvironmentConfig environment;
+  std::vector<ThingWish> things;
   double latitude_deg = kUsualLatitude_deg;  // where the sun stands; [-90, 90]
   std::uint64_t seed = 0;
   int threads = 0;  // 0: as many as cores; the scene is the same with any
@@ -73,7 +77,8 @@ struct SceneAnswer {
 };
 
 // Psi_C: places assets, agents and elements by class weights, density and rules (densities.h has
-// the numbers a hectare, placement.h and elements.h the rules). Nothing solid overlaps, and nothing
+// the numbers a hectare, placement.h and elements.h the rules), and what is asked for one by one
+// (things.h). Nothing solid overlaps, and nothing
 // stands in water, on a road or outside. Every stage draws from its own stream of the seed: the
 // same request gives the same bytes. Reports the stage "scene". Errors: CANCELLED.
 Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& progress);

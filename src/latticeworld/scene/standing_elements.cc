@@ -16,8 +16,10 @@ namespace {
 
 // No place of any world is farther from its centre [m].
 constexpr double kFarthest_m = 1e5;
-// No element is longer than that [m].
-constexpr double kLongest_m = 50.0;
+// No element and no part of a bridge is longer than that [m].
+constexpr double kLongest_m = 500.0;
+// Nor has any world more: roads of 32 x 32 cells take some hundreds of bridges at most.
+constexpr std::size_t kMaxBridgeParts = 20000;
 
 bool IsSame(const Footprint& a, const Footprint& b) {
   return a.centre.x_m == b.centre.x_m && a.centre.y_m == b.centre.y_m && a.yaw_rad == b.yaw_rad &&
@@ -62,7 +64,7 @@ bool operator==(const ElementDeck& a, const ElementDeck& b) {
 }
 
 bool operator==(const StandingElements& a, const StandingElements& b) {
-  return a.blocks == b.blocks && a.decks == b.decks;
+  return a.blocks == b.blocks && a.decks == b.decks && a.below == b.below;
 }
 
 ElementBlock BoxAround(const Element& element, const Eigen::Vector3d& position_m,
@@ -104,18 +106,47 @@ StandingElements StandingAtBegin(const std::vector<Element>& elements) {
   return standing;
 }
 
+StandingElements StandingAtBegin(const Scene& scene) {
+  StandingElements standing = StandingAtBegin(scene.elements);
+  AddBridges(*scene.terrain, &standing);
+  return standing;
+}
+
+void AddBridges(const Terrain& terrain, StandingElements* standing) {
+  for (const Bridge& bridge : terrain.bridges) {
+    for (const BridgePart& part : PartsOf(bridge, terrain.ground)) {
+      const Footprint footprint = {part.middle, part.yaw_rad, part.half_length_m,
+                                   part.half_width_m};
+      switch (part.kind) {
+        case BridgePartKind::kDeck:
+          standing->decks.push_back({footprint, part.bottom_m, part.top_m, bridge.load_kg});
+          break;
+        case BridgePartKind::kRailing:
+          standing->blocks.push_back({footprint, part.bottom_m, part.top_m});
+          break;
+        case BridgePartKind::kPier:
+        case BridgePartKind::kArch:
+          standing->below.push_back({footprint, part.bottom_m, part.top_m});
+          break;
+      }
+    }
+  }
+}
+
 std::shared_ptr<const StandingElements> ElementsIn(const Scene& scene,
                                                    const SceneChanges& changes) {
   if (changes.elements != nullptr) return changes.elements;
-  return std::make_shared<const StandingElements>(StandingAtBegin(scene.elements));
+  return std::make_shared<const StandingElements>(StandingAtBegin(scene));
 }
 
 std::vector<Violation> Validate(const StandingElements& elements) {
   std::vector<Violation> violations;
-  const std::size_t count = elements.blocks.size() + elements.decks.size();
-  if (count > static_cast<std::size_t>(kMaxElements)) {
+  const std::size_t count = elements.blocks.size() + elements.decks.size() + elements.below.size();
+  if (count > kMaxElements + kMaxBridgeParts) {
     violations.push_back({"too_many", "elements",
-                          "a world holds at most " + std::to_string(kMaxElements) + " elements",
+                          "a world holds at most " + std::to_string(kMaxElements) +
+                              " elements and " + std::to_string(kMaxBridgeParts) +
+                              " parts of bridges",
                           std::to_string(count)});
   }
   const auto check = [&violations](const std::string& field, const Footprint& footprint,
@@ -137,6 +168,10 @@ std::vector<Violation> Validate(const StandingElements& elements) {
   for (std::size_t i = 0; i < elements.blocks.size(); ++i) {
     const ElementBlock& block = elements.blocks[i];
     check("elements/blocks/" + std::to_string(i), block.footprint, block.bottom_m, block.top_m);
+  }
+  for (std::size_t i = 0; i < elements.below.size(); ++i) {
+    const ElementBlock& block = elements.below[i];
+    check("elements/below/" + std::to_string(i), block.footprint, block.bottom_m, block.top_m);
   }
   for (std::size_t i = 0; i < elements.decks.size(); ++i) {
     const ElementDeck& deck = elements.decks[i];

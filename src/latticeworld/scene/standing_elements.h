@@ -15,6 +15,7 @@ namespace latticeworld {
 
 struct Scene;
 struct SceneChanges;
+struct Terrain;
 
 // What rises less than this above its place is walked and driven over, and is in nobody's way.
 inline constexpr double kLowestBlock_m = 0.1;
@@ -26,7 +27,7 @@ struct ElementBlock {
 };
 bool operator==(const ElementBlock& a, const ElementBlock& b);
 
-// A bridge as a way over what is below it.
+// A bridge as a way over what is below it: of the elements, or a piece of one that a road takes.
 struct ElementDeck {
   Footprint footprint;
   double bottom_m = 0.0, top_m = 0.0;  // map frame; bodies stand on the top
@@ -34,11 +35,12 @@ struct ElementDeck {
 };
 bool operator==(const ElementDeck& a, const ElementDeck& b);
 
-// The elements of a world as maps, lines of sight and paths know them, in the order of their names.
-// Bridges that broke and posts that did are in neither list.
+// The elements of a world as maps, lines of sight and paths know them, in the order of their names,
+// and after them the bridges of its roads. Bridges that broke and posts that did are in no list.
 struct StandingElements {
-  std::vector<ElementBlock> blocks;
+  std::vector<ElementBlock> blocks;  // railings too
   std::vector<ElementDeck> decks;
+  std::vector<ElementBlock> below;  // what holds up decks: piers and arches
 };
 bool operator==(const StandingElements& a, const StandingElements& b);
 
@@ -54,6 +56,10 @@ ElementDeck DeckOf(const Element& bridge);
 
 // Those elements where they begin.
 StandingElements StandingAtBegin(const std::vector<Element>& elements);
+// The scene's, and its bridges.
+StandingElements StandingAtBegin(const Scene& scene);
+// The bridges of its roads alone.
+void AddBridges(const Terrain& terrain, StandingElements* standing);
 // The elements after the changes, never null.
 std::shared_ptr<const StandingElements> ElementsIn(const Scene& scene, const SceneChanges& changes);
 

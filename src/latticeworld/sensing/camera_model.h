@@ -57,7 +57,8 @@ enum class SensedClass : std::uint8_t {
   kStone,
   kBuilding,
   kAgent,
-  kElement
+  kElement,
+  kBridge  // of roads; footbridges are elements
 };
 
 }  // namespace latticeworld

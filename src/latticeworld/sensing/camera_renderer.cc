@@ -23,6 +23,7 @@ constexpr double kLeastContrast = 0.05;
 
 constexpr std::uint32_t kAgentInstances = 0x40000000u;
 constexpr std::uint32_t kElementInstances = 0x60000000u;
+constexpr std::uint32_t kBridgeInstances = 0x20000000u;
 constexpr std::uint32_t kInstanceHash = 0x1fffffffu;
 
 std::uint32_t HashOf(std::string_view name) {
@@ -57,6 +58,8 @@ SensedClass ClassOf(const Scene& scene, const Ray& ray, const RayHit& hit) {
       return SensedClass::kAgent;
     case RayTarget::kElement:
       return SensedClass::kElement;
+    case RayTarget::kBridge:
+      return SensedClass::kBridge;
     case RayTarget::kAsset:
       return ClassOf(scene.assets[hit.index].kind);
     case RayTarget::kGround: {
@@ -70,6 +73,7 @@ SensedClass ClassOf(const Scene& scene, const Ray& ray, const RayHit& hit) {
 
 std::uint32_t InstanceOf(const SensedWorld& world, const RayHit& hit) {
   if (hit.target == RayTarget::kAsset) return AssetInstance(hit.index);
+  if (hit.target == RayTarget::kBridge) return kBridgeInstances | hit.index;
   if (hit.target == RayTarget::kAgent) return AgentInstance(world.agents[hit.index].name);
   if (hit.target == RayTarget::kElement) return ElementInstance(world.elements[hit.index].name);
   return 0;

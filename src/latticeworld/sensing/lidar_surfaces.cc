@@ -124,6 +124,8 @@ float LidarSurfaces::Reflectance(const Ray& ray, const RayHit& hit,
     }
     case RayTarget::kElement:
       return world.elements[hit.index].kind == ElementKind::kLooseStone ? kStone : kWood;
+    case RayTarget::kBridge:
+      return scene_->terrain->bridges[hit.index].kind == BridgeKind::kPlank ? kWood : kStone;
     case RayTarget::kWater:
     case RayTarget::kNothing:
       break;

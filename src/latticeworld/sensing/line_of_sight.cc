@@ -137,10 +137,10 @@ bool AnyAssetHides(const Scene& scene, const SceneChanges& changes, const Segmen
   return false;
 }
 
-bool AnyElementHides(const StandingElements& elements, const Segment& segment) {
+bool AnyBlockHides(const std::vector<ElementBlock>& blocks, const Segment& segment) {
   const Eigen::Vector3d end = segment.At(1.0);
   const Eigen::Vector3d low = segment.start.cwiseMin(end), high = segment.start.cwiseMax(end);
-  for (const ElementBlock& block : elements.blocks) {
+  for (const ElementBlock& block : blocks) {
     const WorldPoint middle = block.footprint.centre;
     if (block.top_m <= low.z() || block.bottom_m >= high.z()) continue;
     const double reach_m = block.footprint.half_length_m + block.footprint.half_width_m;
@@ -158,6 +158,11 @@ bool AnyElementHides(const StandingElements& elements, const Segment& segment) {
   return false;
 }
 
+// Railings and decks are seen past, as footbridges are.
+bool AnyElementHides(const StandingElements& elements, const Segment& segment) {
+  return AnyBlockHides(elements.blocks, segment) || AnyBlockHides(elements.below, segment);
+}
+
 }  // namespace
 
 bool HasLineOfSight(const Scene& scene, const SceneChanges& changes, const Eigen::Vector3d& from,
@@ -167,7 +172,7 @@ bool HasLineOfSight(const Scene& scene, const SceneChanges& changes, const Eigen
   const bool swap = key(to) < key(from);
   const Segment segment = {swap ? to : from, swap ? from - to : to - from};
   if (changes.elements != nullptr ? AnyElementHides(*changes.elements, segment)
-                                  : AnyElementHides(StandingAtBegin(scene.elements), segment)) {
+                                  : AnyElementHides(StandingAtBegin(scene), segment)) {
     return false;
   }
   return !AnyAssetHides(scene, changes, segment) && !GroundHides(scene.terrain->ground, segment);

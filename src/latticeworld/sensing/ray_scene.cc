@@ -6,6 +6,7 @@
 #include "latticeworld/geometry/height_field.h"
 #include "latticeworld/meshes/mesh.h"
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/sensing/bridge_shapes.h"
 #include "latticeworld/sensing/embree_handles.h"
 #include "latticeworld/sensing/ray_packet.h"
 #include "latticeworld/sensing/scene_instances.h"
@@ -50,6 +51,7 @@ struct RayScene::Parts {
   EmbreeDevice device;
   std::unique_ptr<MeshInstances> assets, agents;  // null: none
   EmbreeScene solid, water, bodies;               // the latter two null: none
+  BridgeShapes bridges;
 };
 
 RayScene::RayScene(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -96,6 +98,7 @@ Result<RayScene> RayScene::Create(const Scene& scene, const RaySceneOptions& opt
     rtcAttachGeometry(parts->water.get(), water.get());
     rtcCommitScene(parts->water.get());
   }
+  parts->bridges = BridgeShapes(device, *scene.terrain);
   if (options.agents && !scene.agents.empty()) {
     LW_ASSIGN_OR_RETURN(parts->agents, AgentInstances(device, scene));
     parts->bodies = NewScene(device);
@@ -128,6 +131,13 @@ RayHit RayScene::Trace(const Ray& ray, RaySights sights) const {
     }
     result.normal = {embree.hit.Ng_x, embree.hit.Ng_y, embree.hit.Ng_z};
   }
+  if ((sights & kSeesSolid) != 0 && parts_->bridges.scene() != nullptr &&
+      Intersect(parts_->bridges.scene(), &embree)) {
+    met = true;
+    result = RayHit();
+    parts_->bridges.Describe(embree.hit.primID, &result);
+    result.normal = {embree.hit.Ng_x, embree.hit.Ng_y, embree.hit.Ng_z};
+  }
   if ((sights & kSeesWater) != 0 && parts_->water && Intersect(parts_->water.get(), &embree)) {
     met = true;
     result = RayHit();
@@ -148,6 +158,8 @@ RayHit RayScene::Trace(const Ray& ray, RaySights sights) const {
 
 bool RayScene::IsBlocked(const Ray& ray, RaySights sights) const {
   return ((sights & kSeesSolid) != 0 && Occludes(parts_->solid.get(), ray)) ||
+         ((sights & kSeesSolid) != 0 && parts_->bridges.scene() != nullptr &&
+          Occludes(parts_->bridges.scene(), ray)) ||
          ((sights & kSeesWater) != 0 && parts_->water && Occludes(parts_->water.get(), ray)) ||
          ((sights & kSeesAgents) != 0 && parts_->bodies && Occludes(parts_->bodies.get(), ray));
 }

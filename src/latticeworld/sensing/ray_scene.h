@@ -19,9 +19,18 @@ struct Scene;
 struct SceneChanges;
 
 // What a ray met.
-enum class RayTarget : std::uint8_t { kNothing, kGround, kWater, kAsset, kAgent, kElement };
+enum class RayTarget : std::uint8_t {
+  kNothing,
+  kGround,
+  kWater,
+  kAsset,
+  kAgent,
+  kElement,
+  kBridge
+};
 
-// Which of them a ray can meet; solid is the ground and the assets on it.
+// Which of them a ray can meet; solid is the ground, and the assets and
+// bridges on it.
 using RaySights = unsigned;
 inline constexpr RaySights kSeesSolid = 1u;
 inline constexpr RaySights kSeesWater = 2u;
@@ -39,8 +48,8 @@ struct Ray {
 struct RayHit {
   float distance_m = std::numeric_limits<float>::infinity();
   RayTarget target = RayTarget::kNothing;
-  std::uint8_t part = 0;    // kAsset: MeshPart, kAgent: BodyPart
-  std::uint32_t index = 0;  // of the asset or the agent in its list
+  std::uint8_t part = 0;    // kAsset: MeshPart, kAgent: BodyPart, kBridge: BridgePartKind
+  std::uint32_t index = 0;  // of the asset, the agent or the bridge in its list
   // Of the triangle, unit, on the side that the ray comes from.
   Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();
 };
@@ -66,7 +75,8 @@ int MeshVariationOf(const Asset& asset);
 
 // A world as ray sensors meet it, in Embree (Wald et al. 2014): the one triangulation of
 // HeightField, with the same diagonals, out to the world's edge; the surface of its water; the
-// meshes of its assets, of which each is kept once and met in many places; and bodies of agents.
+// meshes of its assets, of which each is kept once and met in many places; its bridges; and bodies
+// of agents.
 // Rays may be shot from several threads.
 class RayScene {
  public:

@@ -1,6 +1,7 @@
 // The lidar of a rig: collects the columns of its revolutions from step to step.
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -24,6 +25,10 @@ class RigLidar final : public RigSensor {
         key_(key) {}
 
   bool IsCollecting() const override { return true; }
+  bool Forget() override {
+    sweep_.reset();
+    return true;
+  }
 
   Status Step(const RigStep& step, const SensorWish& wish,
               std::vector<SensorFrame>* frames) override {
@@ -77,6 +82,7 @@ class RigLidar final : public RigSensor {
     const double begin_s = static_cast<double>(number_) / spec_->rate_hz;
     const Motion motion = MotionOf(step);
     std::vector<ColumnPose> poses;
+    poses.reserve(static_cast<std::size_t>(caster_.columns() - next_column_));
     for (; next_column_ < caster_.columns(); ++next_column_) {
       const double fire_s = begin_s + caster_.FireTime(next_column_);
       if (fire_s > now_s + kTolerance_s) break;
@@ -98,9 +104,35 @@ class RigLidar final : public RigSensor {
     return Status();
   }
 
+  // Quaternion's slerp, whose angle is taken once for all columns; the same bits.
+  class Turning {
+   public:
+    Turning(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) : from_(from), to_(to) {
+      const double dot = from.dot(to);
+      const double size = std::abs(dot);
+      is_reversed_ = dot < 0.0;
+      is_little_ = size >= 1.0 - std::numeric_limits<double>::epsilon();
+      if (is_little_) return;
+      angle_rad_ = std::acos(size);
+      sine_ = std::sin(angle_rad_);
+    }
+
+    Eigen::Quaterniond At(double share) const {
+      const double begun = is_little_ ? 1.0 - share : std::sin((1.0 - share) * angle_rad_) / sine_;
+      double ended = is_little_ ? share : std::sin(share * angle_rad_) / sine_;
+      if (is_reversed_) ended = -ended;
+      return Eigen::Quaterniond(begun * from_.coeffs() + ended * to_.coeffs());
+    }
+
+   private:
+    Eigen::Quaterniond from_, to_;
+    bool is_reversed_, is_little_;
+    double angle_rad_ = 0.0, sine_ = 1.0;
+  };
+
   // From the step before to this one, evenly.
   struct Motion {
-    Eigen::Quaterniond from, to;  // map_from_base
+    Turning turning;  // map_from_base
     Eigen::Vector3d from_m, to_m;
     Eigen::Vector3d turn_radps;  // map
     double step_s;
@@ -108,20 +140,17 @@ class RigLidar final : public RigSensor {
   static Motion MotionOf(const RigStep& step) {
     const Eigen::Isometry3d& to = step.agent->map_from_base;
     const Eigen::Isometry3d& from = step.before == nullptr ? to : step.before->map_from_base;
-    Motion motion = {Eigen::Quaterniond(from.linear()),
-                     Eigen::Quaterniond(to.linear()),
-                     from.translation(),
-                     to.translation(),
-                     Eigen::Vector3d::Zero(),
-                     step.step_s};
-    const Eigen::AngleAxisd turn(motion.to * motion.from.conjugate());
+    const Eigen::Quaterniond begin(from.linear()), end(to.linear());
+    Motion motion = {Turning(begin, end), from.translation(), to.translation(),
+                     Eigen::Vector3d::Zero(), step.step_s};
+    const Eigen::AngleAxisd turn(end * begin.conjugate());
     motion.turn_radps = std::remainder(turn.angle(), 2.0 * M_PI) / step.step_s * turn.axis();
     return motion;
   }
   // share: of the step, 0 its begin, 1 its end.
   ColumnPose PoseAt(const Motion& motion, int column, double share) const {
     Eigen::Isometry3d map_from_base;
-    map_from_base.linear() = motion.from.slerp(share, motion.to).toRotationMatrix();
+    map_from_base.linear() = motion.turning.At(share).toRotationMatrix();
     map_from_base.translation() = motion.from_m + share * (motion.to_m - motion.from_m);
     const Eigen::Isometry3d map_from_sensor = map_from_base * base_from_sensor_;
     const Eigen::Vector3d arm_m = map_from_base.linear() * base_from_sensor_.translation();

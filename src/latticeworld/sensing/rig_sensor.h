@@ -45,6 +45,8 @@ class RigSensor {
                       std::vector<SensorFrame>* frames) = 0;
   // Whether readings are of what lies between them, so that no step must be missed.
   virtual bool IsCollecting() const = 0;
+  // As if it had just been made for an agent of the same height; false: it has to be.
+  virtual bool Forget() { return false; }
 };
 
 // seed: of the rig.

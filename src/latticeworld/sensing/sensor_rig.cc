@@ -38,7 +38,7 @@ class SensorRigImpl final : public SensorRig {
 
   Result<std::vector<SensorFrame>> Step(const SensedWorld& world, double step_s,
                                         const Wanted& wanted) override {
-    if (last_step_ && world.step != *last_step_ + 1) robots_.clear();
+    if (last_step_ && world.step != *last_step_ + 1) ForgetRobots(world);
     last_step_ = world.step;
     const std::map<std::string, std::uint32_t> indices = Meet(world);
     shared_.BeginStep(world, EyesIn(world, indices));
@@ -82,6 +82,23 @@ class SensorRigImpl final : public SensorRig {
   }
 
  private:
+  // After a gap robots are as new; their sensors are kept where that is the same.
+  void ForgetRobots(const SensedWorld& world) {
+    std::map<std::string, Robot> kept;
+    for (const SensedAgent& agent : world.agents) {
+      const auto robot = robots_.find(agent.name);
+      if (robot == robots_.end() || !robot->second.before) continue;
+      if (robot->second.before->height_m != agent.height_m) continue;
+      std::vector<MountedSensor>& sensors = robot->second.sensors;
+      const bool forgets =
+          std::all_of(sensors.begin(), sensors.end(),
+                      [](const MountedSensor& mounted) { return mounted.sensor->Forget(); });
+      if (!forgets) continue;
+      robot->second.before.reset();
+      kept.insert(robots_.extract(robot));
+    }
+    robots_ = std::move(kept);
+  }
   // Robots that came get their sensors, those that went lose them. Indices into the world's agents.
   std::map<std::string, std::uint32_t> Meet(const SensedWorld& world) {
     std::map<std::string, std::uint32_t> indices;

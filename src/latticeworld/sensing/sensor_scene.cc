@@ -8,6 +8,7 @@
 
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/sensing/asset_tiles.h"
+#include "latticeworld/sensing/bridge_shapes.h"
 #include "latticeworld/sensing/moving_things.h"
 #include "latticeworld/sensing/sensed_world.h"
 #include "latticeworld/sensing/surface_geometry.h"
@@ -38,6 +39,7 @@ struct SensorScene::Parts {
   std::shared_ptr<const Scene> scene;
   EmbreeDevice device;
   EmbreeScene ground, water;  // the latter null: none
+  BridgeShapes bridges;
   std::unique_ptr<AssetTiles> tiles;
   std::unique_ptr<MovingThings> moving;
 
@@ -67,6 +69,7 @@ Result<SensorScene> SensorScene::Create(std::shared_ptr<const Scene> scene,
   parts->ground = SceneOf(device, GroundGeometry(device, terrain.ground));
   if (const EmbreeGeometry water = WaterGeometry(device, terrain))
     parts->water = SceneOf(device, water);
+  parts->bridges = BridgeShapes(device, terrain);
   LW_RETURN_IF_ERROR(EmbreeStatus(device));
   LW_ASSIGN_OR_RETURN(parts->moving, MovingThings::Create(device));
   progress.Report("ray scene", 1.0);
@@ -116,6 +119,11 @@ void SensorScene::Parts::Trace(RaySights sights, std::uint32_t except_agent, int
     }
     packet->Trace(ground.get(), &context);
     describe([](int, RayHit* hit) { hit->target = RayTarget::kGround; });
+    if (bridges.scene() != nullptr) {
+      packet->Trace(bridges.scene(), &context);
+      describe(
+          [&](int lane, RayHit* hit) { bridges.Describe(packet->rays.hit.primID[lane], hit); });
+    }
   }
   if ((sights & kSeesWater) != 0 && water != nullptr) {
     packet->Trace(water.get(), &context);
@@ -167,7 +175,9 @@ bool SensorScene::IsBlocked(const Ray& ray, RaySights sights, std::uint32_t exce
   const RTCRay embree = ToEmbree(ray, sights);
   if ((sights & kSeesSolid) != 0 &&
       (IsOccluded(parts_->ground.get(), &context, embree) ||
-       (!parts_->tiles->empty() && IsOccluded(parts_->tiles->scene(), &context, embree))))
+       (!parts_->tiles->empty() && IsOccluded(parts_->tiles->scene(), &context, embree)) ||
+       (parts_->bridges.scene() != nullptr &&
+        IsOccluded(parts_->bridges.scene(), &context, embree))))
     return true;
   if ((sights & kSeesWater) != 0 && parts_->water != nullptr &&
       IsOccluded(parts_->water.get(), &context, embree))

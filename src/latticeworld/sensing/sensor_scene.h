@@ -32,10 +32,10 @@ struct SensorSceneOptions {
   double medium_within_m = 24.0;
 };
 
-// A running world as sensors meet it, in Embree: the still part (ground, water, standing assets)
-// once, and a small scene of its own for what moves (agents, elements, felled trees), which is made
-// anew every step. Elements and felled trees are solid; the latter are hits of their asset. Update
-// and Focus by one thread, while no other traces; rays from as many as wanted.
+// A running world as sensors meet it, in Embree: the still part (ground, water, bridges, standing
+// assets) once, and a small scene of its own for what moves (agents, elements, felled trees), which
+// is made anew every step. Elements and felled trees are solid; the latter are hits of their asset.
+// Update and Focus by one thread, while no other traces; rays from as many as wanted.
 class SensorScene {
  public:
   // About 130 MiB for the ground of a kilometre at 0.5 m. Reports the stage "ray scene". Errors: as

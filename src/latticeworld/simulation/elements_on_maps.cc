@@ -72,7 +72,8 @@ void Elements::ListStanding() {
       standing->decks.push_back(DeckOf(running.element));
     }
   }
-  is_as_begun_ = *standing == StandingAtBegin(scene_.elements);
+  AddBridges(*scene_.terrain, standing.get());
+  is_as_begun_ = *standing == StandingAtBegin(scene_);
   standing_ = std::move(standing);
 }
 

@@ -6,6 +6,7 @@
 
 #include "latticeworld/simulation/agents/locomotion.h"
 #include "latticeworld/simulation/agents/thinking.h"
+#include "latticeworld/simulation/bridge_bodies.h"
 #include "latticeworld/simulation/ode/ode_world.h"
 
 namespace latticeworld {
@@ -50,6 +51,7 @@ void SimulatorImpl::Reset(std::uint64_t seed) {
   physics_->SetJudge(this);
   felling_.emplace(*scene_, physics_.get());
   elements_.emplace(*scene_, physics_.get());
+  AddBridgeBodies(*scene_->terrain, physics_.get());
   ListChanges();
   paths_.Update(changes_);
   const bool other_weather = weather_.has_value() && weather_->HasChanged();

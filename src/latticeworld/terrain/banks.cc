@@ -102,6 +102,15 @@ void Banks::Clamp(const Grid<unsigned char>& mask, Grid<float>* values_m) const 
   }
 }
 
+void Banks::Raise(const Grid<unsigned char>& mask, Grid<float>* values_m) const {
+  if (!any_) return;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask.data()[i] == 0 || water_.wet.data()[i] != 0) continue;
+    float& value = values_m->data()[i];
+    value = std::max(value, lowest_m_.data()[i]);
+  }
+}
+
 void Banks::Dig(const Grid<float>* most_depth_m, Grid<float>* land_m) const {
   if (!any_) return;
   Grid<float> to_shore = DistanceTo(false, water_.wet);
@@ -117,7 +126,6 @@ void Banks::Dig(const Grid<float>* most_depth_m, Grid<float>* land_m) const {
   const auto lake_depth_m = static_cast<float>(std::max(kMaxLakeDepth_m, 0.003 * size_m_) -
                                                static_cast<double>(river_depth_m));
   for (const std::int32_t cell : water_.bodies.cells) {
-    if (most_depth_m != nullptr && std::isnan(most_depth_m->data()[cell])) continue;
     const float distance_m =
         std::max(to_shore.data()[cell] - 0.5f, 0.0f) * static_cast<float>(cell_m_);
     const float t = std::min(distance_m / bank_m, 1.0f);

@@ -23,9 +23,11 @@ class Banks {
   // Keeps values [m] of the masked dry cells between the highest and the lowest that land near
   // water may be.
   void Clamp(const Grid<unsigned char>& mask, Grid<float>* values_m) const;
+  // Keeps them above the lowest alone.
+  void Raise(const Grid<unsigned char>& mask, Grid<float>* values_m) const;
   // Digs the beds [m] below the water: rivers evenly deep along their middles, so that their beds
   // fall as they do, lakes deeper the farther from their shore. most_depth_m: of each cell, or
-  // null; NaN: the cell is left alone.
+  // null.
   void Dig(const Grid<float>* most_depth_m, Grid<float>* land_m) const;
 
   // The level of the nearest water [m], everywhere; 0 in a world without water.

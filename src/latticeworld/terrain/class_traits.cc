@@ -9,21 +9,21 @@ namespace latticeworld::internal {
 ClassTraits TraitsOf(Vocabulary vocabulary, char letter) {
   switch (SurfaceOf(vocabulary, letter)) {
     case SurfaceClass::kGrass:
-      return {0.50f, 0.35f, 0.90f, 0.35f, 0.003f};
+      return {0.42f, 0.35f, 0.70f, 0.35f, 0.003f};
     case SurfaceClass::kForestFloor:
-      return {0.90f, 0.45f, 0.75f, 0.80f, 0.006f};
+      return {0.75f, 0.42f, 0.60f, 0.80f, 0.006f};
     case SurfaceClass::kFarmland:
-      return {0.20f, 0.15f, 1.00f, 0.06f, 0.002f};
+      return {0.16f, 0.15f, 1.00f, 0.06f, 0.002f};
     case SurfaceClass::kBarren:
-      return {0.70f, 0.40f, 0.75f, 0.50f, 0.004f};
+      return {0.70f, 0.40f, 0.60f, 0.50f, 0.004f};
     case SurfaceClass::kRoad:
       return {0.20f, 0.20f, 1.00f, 0.00f, 0.003f};
     case SurfaceClass::kBuilding:
-      return {0.15f, 0.15f, 1.00f, 0.00f, 0.002f};
+      return {0.10f, 0.15f, 1.00f, 0.00f, 0.002f};
     case SurfaceClass::kRock:
-      return {4.50f, 0.58f, 0.10f, 1.00f, 0.030f};
+      return {5.00f, 0.62f, 0.10f, 1.00f, 0.030f};
     case SurfaceClass::kSnow:
-      return {6.50f, 0.55f, 0.15f, 0.80f, 0.040f};
+      return {6.50f, 0.60f, 0.15f, 0.80f, 0.040f};
     case SurfaceClass::kWaterBed:
       return {0.10f, 0.20f, 1.00f, 0.00f, 0.002f};
   }

@@ -8,8 +8,8 @@ namespace latticeworld::internal {
 
 // How the land of a class is shaped. Lengths are for a world of 512 m.
 struct ClassTraits {
-  // Uplift over erodibility [m]: the steady state of stream power with m = 0.5 has the slope
-  // steepness / sqrt(drainage area).
+  // Uplift over erodibility [m]: in the steady state of stream power the slope of a channel that
+  // drains A, a 400th of the world, is steepness / sqrt(A).
   float steepness_m = 0.0f;
   float talus = 0.3f;         // steepest slope before it slides [m/m]
   float smoothness = 1.0f;    // how much creep rounds the land, in [0, 1]

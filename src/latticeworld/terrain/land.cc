@@ -15,6 +15,7 @@
 #include "latticeworld/terrain/class_traits.h"
 #include "latticeworld/terrain/cones.h"
 #include "latticeworld/terrain/lattice.h"
+#include "latticeworld/terrain/uplands.h"
 #include "latticeworld/terrain/water_level.h"
 
 namespace latticeworld::internal {
@@ -33,7 +34,25 @@ constexpr double kMaxIncision_m = 0.5;
 // Between two waters of unlike level the land falls no steeper [m/m].
 constexpr double kNeighbourSlope = 0.25;
 
-constexpr double kTalus = 0.62;
+// What slides comes to rest a little below the talus.
+constexpr float kRest = 0.9f;
+// A region rises as a whole, so that soft land among mountains is high too: this share of the
+// uplift is that of the land around, as far as so many cells of the layout.
+constexpr double kRegionalShare = 0.5;
+constexpr double kRegion_cells = 8.0;
+constexpr float kWildness = 1.25f;
+// How much the summits of a world that is all mountain are brought together.
+constexpr double kAccordance = 0.5;
+constexpr double kMountainAccordance = 1.4;
+constexpr double kMaxCreep_m = 6.0;
+// Concavity of channels.
+constexpr double kAreaExponent = 0.4;
+// Steepness is a slope where channels drain a square of this share of the world's side.
+constexpr double kReachOfSize = 20.0;
+// A dry edge is cut off from land that goes on beyond it: it lies as much above the rivers as
+// channels of this steepness rise, less what soft land has.
+constexpr float kEdgeRise = 3.0f;
+constexpr float kEdgeSoftness = 0.25f;
 
 // Stream power in units in which a cell of 1 m^2 at slope 1 erodes by its erodibility in a year.
 constexpr double kErodibility_per_yr = 1e-5;
@@ -42,26 +61,51 @@ struct Fields {
   Grid<float> steepness_m;
   Grid<float> erodibility;  // factor
   Grid<float> talus;
-  Grid<float> slide_slope;  // steepest that rock holds [m/m]
+  Grid<float> slide_slope;  // steepest that the ground holds [m/m]
+  double mountain_share = 0.0;
+  std::uint64_t gully_seed = 0;
 };
 
-Fields FieldsOf(const GridGeometry& lattice, const SmoothedMasks& masks, std::uint64_t seed) {
-  Fields fields{MixTrait(masks, &ClassTraits::steepness_m), Grid<float>(),
-                MixTrait(masks, &ClassTraits::talus), Grid<float>()};
-  // Scarps would stand where uplift changes at once.
-  GaussianBlur(0.8 * LatticeCellsPerLayoutCell(lattice), &fields.steepness_m);
+// Steepness from that of a world of kTraitSize_m, and how much of the world is mountain.
+double GrowWithSize(const GridGeometry& lattice, const Grid<float>& uneven,
+                    Grid<float>* steepness_m) {
   const double growth = lattice.size_m() / kTraitSize_m;
   const auto hard = static_cast<float>(growth);
   const auto soft = static_cast<float>(std::min(growth, kMostSoftGrowth));
+  double mountains = 0.0;
+  for (std::size_t i = 0; i < uneven.size(); ++i) {
+    float& steepness = steepness_m->data()[i];
+    const float mountain =
+        std::clamp((steepness - 0.9f) / static_cast<float>(kSoftSteepness_m), 0.0f, 1.0f);
+    steepness *= (soft + mountain * (hard - soft)) * (1.0f + 0.2f * uneven.data()[i]);
+    mountains += mountain;
+  }
+  return mountains / uneven.size();
+}
+
+Fields FieldsOf(const GridGeometry& lattice, const SmoothedMasks& masks, std::uint64_t seed) {
+  Fields fields{MixTrait(masks, &ClassTraits::steepness_m),
+                Grid<float>(),
+                MixTrait(masks, &ClassTraits::talus),
+                Grid<float>(),
+                0.0,
+                StreamSeed(seed, "terrain/gullies")};
+  // Scarps would stand where uplift changes at once.
+  GaussianBlur(0.8 * LatticeCellsPerLayoutCell(lattice), &fields.steepness_m);
   NoiseOptions options;
   options.wavelength_m = 0.2 * lattice.size_m();
   options.octaves = 3;
   const Grid<float> uneven = FractalNoise(lattice, options, StreamSeed(seed, "terrain/uplift"));
-  for (std::size_t i = 0; i < uneven.size(); ++i) {
+  fields.mountain_share = GrowWithSize(lattice, uneven, &fields.steepness_m);
+  Grid<float> smoothness = MixTrait(masks, &ClassTraits::smoothness);
+  GaussianBlur(0.8 * LatticeCellsPerLayoutCell(lattice), &smoothness);
+  Grid<float> regional = fields.steepness_m;
+  GaussianBlur(kRegion_cells * LatticeCellsPerLayoutCell(lattice), &regional);
+  for (std::size_t i = 0; i < regional.size(); ++i) {
     float& steepness = fields.steepness_m.data()[i];
-    const float mountain =
-        std::clamp((steepness - 0.9f) / static_cast<float>(kSoftSteepness_m), 0.0f, 1.0f);
-    steepness *= (soft + mountain * (hard - soft)) * (1.0f + 0.8f * uneven.data()[i]);
+    // Fields and villages lie where it is level.
+    const float wild = std::min(kWildness * (1.0f - smoothness.data()[i]), 1.0f);
+    steepness += static_cast<float>(kRegionalShare) * wild * (regional.data()[i] - steepness);
   }
   // Uneven rock turns rivers away from the lattice's eight directions.
   options.wavelength_m = 0.06 * lattice.size_m();
@@ -71,8 +115,9 @@ Fields FieldsOf(const GridGeometry& lattice, const SmoothedMasks& masks, std::ui
   for (float& value : fields.erodibility) value = std::exp(1.6f * value);
   options.wavelength_m = 0.08 * lattice.size_m();
   fields.slide_slope = FractalNoise(lattice, options, StreamSeed(seed, "terrain/slides"));
-  for (float& value : fields.slide_slope) {
-    value = static_cast<float>(kTalus) * (1.0f + 0.5f * value);
+  for (std::size_t i = 0; i < uneven.size(); ++i) {
+    float& value = fields.slide_slope.data()[i];
+    value = kRest * fields.talus.data()[i] * (1.0f + 0.5f * value);
   }
   return fields;
 }
@@ -113,7 +158,8 @@ void AddEdgeOutlets(const Grid<float>& hills_m, const Grid<float>& level_m, Base
   }
 }
 
-BaseLevel BaseLevelOf(const Grid<float>& hills_m, const Grid<float>& level_m) {
+BaseLevel BaseLevelOf(const Grid<float>& hills_m, const Grid<float>& level_m,
+                      const ReliefForms& forms) {
   const int n = hills_m.rows();
   BaseLevel base{Grid<unsigned char>(n, n, 0), Grid<float>(n, n, 0.0f)};
   bool any = false;
@@ -124,6 +170,7 @@ BaseLevel BaseLevelOf(const Grid<float>& hills_m, const Grid<float>& level_m) {
     base.height_m.data()[i] = level_m.data()[i];
   }
   AddEdgeOutlets(hills_m, level_m, &base);
+  forms.OpenEdges(hills_m, &base.outlet, &base.height_m);
   if (!any && std::find(base.outlet.begin(), base.outlet.end(), 1) == base.outlet.end()) {
     const auto lowest = std::min_element(hills_m.begin(), hills_m.end()) - hills_m.begin();
     base.outlet.data()[lowest] = 1;
@@ -149,9 +196,28 @@ BaseLevel Coarser(const BaseLevel& base, int cells) {
   return coarse;
 }
 
+// Where the water of a dry edge leaves: hills, and higher where the land is.
+Grid<float> EdgeHeight(const GridGeometry& lattice, const Fields& fields,
+                       const Grid<float>& hills_m) {
+  Grid<float> height_m = fields.steepness_m;
+  GaussianBlur(2.0 * LatticeCellsPerLayoutCell(lattice), &height_m);
+  const auto soft = kEdgeSoftness * static_cast<float>(lattice.size_m() / kTraitSize_m);
+  for (std::size_t i = 0; i < height_m.size(); ++i) {
+    float& height = height_m.data()[i];
+    height = hills_m.data()[i] + kEdgeRise * std::max(height - soft, 0.0f);
+  }
+  return height_m;
+}
+
+// A time of the land's history. Long ones come to an end that the land before is forgotten in;
+// short ones leave high ground as it was, between the valleys that cut into it.
 struct Phase {
   int cells;
+  double pace;  // of a step: 1 erodes channels of 1 m^2 at slope 1 by 1 m
   int fluvial_steps;
+  double creep;      // of a step: diffusivity * time / cell^2
+  double slide;      // steepest slope in that of rock
+  double roughness;  // of what water finds on the slopes, in their slope
   int thermal_iterations;
 };
 
@@ -168,16 +234,21 @@ void Evolve(const GridGeometry& lattice, const Phase& phase, const BaseLevel& ba
   Grid<float> uplift = Resample(fields.steepness_m, n, n);
   for (float& value : uplift) value *= static_cast<float>(kErodibility_per_yr);
   const Grid<float> erodibility = Resample(fields.erodibility, n, n);
+  if (phase.roughness > 0.0) {
+    RoughenSlopes(GridGeometry::FromCells(n, lattice.size_m()), phase.roughness, fields.gully_seed,
+                  land_m);
+  }
   FluvialOptions fluvial;
   fluvial.steps = phase.fluvial_steps;
-  fluvial.time_step_yr = 1.0 / kErodibility_per_yr;
-  fluvial.erodibility = kErodibility_per_yr;
-  if (fluvial.steps > 0) {
-    ErodeFluvially(cell_m, fluvial, &own.outlet, &uplift, &erodibility, 0, land_m);
-  }
+  fluvial.time_step_yr = phase.pace / kErodibility_per_yr;
+  fluvial.area_exponent = kAreaExponent;
+  fluvial.erodibility =
+      kErodibility_per_yr * std::pow(lattice.size_m() / kReachOfSize, 1.0 - 2.0 * kAreaExponent);
+  fluvial.diffusivity_m2_per_yr = phase.creep * cell_m * cell_m / fluvial.time_step_yr;
+  ErodeFluvially(cell_m, fluvial, &own.outlet, &uplift, &erodibility, 0, land_m);
   // What stands steeper than the talus above its valley has slid away.
   Grid<float> slide = Resample(fields.slide_slope, n, n);
-  for (float& value : slide) value *= static_cast<float>(cell_m);
+  for (float& value : slide) value *= static_cast<float>(phase.slide * cell_m);
   LimitSlope(slide, land_m);
   if (phase.thermal_iterations > 0) {
     const Grid<float> talus = Resample(fields.talus, n, n);
@@ -190,13 +261,14 @@ void Evolve(const GridGeometry& lattice, const Phase& phase, const BaseLevel& ba
   }
 }
 
-// Creep rounds soft land, and everywhere a little what the lattice's eight directions left.
-void Creep(const GridGeometry& lattice, const SmoothedMasks& masks, Grid<float>* land_m) {
+// Creep rounds soft land, as far as it has come since rain last cut it.
+void Creep(const GridGeometry& lattice, const SmoothedMasks& masks, const ReliefForms& forms,
+           Grid<float>* land_m) {
   const double layout_cell = LatticeCellsPerLayoutCell(lattice);
-  const Grid<float> smoothness = MixTrait(masks, &ClassTraits::smoothness);
+  Grid<float> smoothness = MixTrait(masks, &ClassTraits::smoothness);
+  forms.Roughen(&smoothness);
   Grid<float> wide = *land_m;
-  GaussianBlur(0.05 * layout_cell, land_m);
-  GaussianBlur(0.35 * layout_cell, &wide);
+  GaussianBlur(std::min(0.35 * layout_cell, kMaxCreep_m / lattice.resolution_m()), &wide);
   for (std::size_t i = 0; i < wide.size(); ++i) {
     land_m->data()[i] += smoothness.data()[i] * (wide.data()[i] - land_m->data()[i]);
   }
@@ -244,14 +316,15 @@ void SmoothSteps(double step_m, Grid<float>* land) {
 }  // namespace
 
 Result<ShapedLand> ShapeLand(const GridGeometry& lattice, const SmoothedMasks& masks,
-                             const WaterBodies& water, std::uint64_t seed,
+                             const WaterBodies& water, const ReliefForms& forms, std::uint64_t seed,
                              const Progress& progress) {
   const int n = lattice.rows();
   const double size_m = lattice.size_m();
   const double incision_m = std::min(kMaxIncision_m, kIncisionOfSize * size_m);
   const Grid<float> hills_m =
       ProceduralRelief(lattice, std::min(kHillsOfSize * size_m, kMaxHills_m), seed);
-  const Fields fields = FieldsOf(lattice, masks, seed);
+  Fields fields = FieldsOf(lattice, masks, seed);
+  forms.Raise(&fields.steepness_m, &fields.slide_slope, &fields.talus);
 
   // Rivers leave the world where the land is softest and lowest.
   Grid<float> prior_m = fields.steepness_m;
@@ -274,31 +347,39 @@ Result<ShapedLand> ShapeLand(const GridGeometry& lattice, const SmoothedMasks& m
   Grid<float> land_m = FractalNoise(lattice, rough, StreamSeed(seed, "terrain/first_land"));
   for (std::size_t i = 0; i < land_m.size(); ++i) {
     land_m.data()[i] =
-        hills_m.data()[i] + fields.steepness_m.data()[i] * (3.0f + 6.0f * land_m.data()[i]);
+        hills_m.data()[i] + fields.steepness_m.data()[i] * (8.0f + 3.0f * land_m.data()[i]);
   }
-  Evolve(lattice, {coarse, 12, 0}, BaseLevelOf(hills_m, levels.Levels()), fields, &land_m);
+  const Grid<float> edge_m = EdgeHeight(lattice, fields, hills_m);
+  const Phase young = {coarse, 0.2, 4, 0.3, 1.0, 0.0, 0};
+  Evolve(lattice, young, BaseLevelOf(edge_m, levels.Levels(), forms), fields, &land_m);
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   levels.SetClosedBases(Resample(land_m, n, n), incision_m);
   levels.Reconcile(kNeighbourSlope * lattice.resolution_m());
   ShapedLand result;
   result.water_level_m = levels.Levels();
 
-  const BaseLevel base = BaseLevelOf(hills_m, result.water_level_m);
-  for (const Phase& phase : {Phase{coarse, 4, 0}, Phase{n / 2, 3, 6}, Phase{n, 1, 8}}) {
+  const BaseLevel base = BaseLevelOf(edge_m, result.water_level_m, forms);
+  const Phase mature = {n / 2, 0.3, 3, 0.0, 1.2, 0.45, 6};
+  const Phase gullies = {n, 1.0, 2, 0.0, 1.3, 0.25, 2};
+  for (const Phase& phase : {young, mature, gullies}) {
     Evolve(lattice, phase, base, fields, &land_m);
+    if (phase.cells == n / 2)
+      LowerSummits(kAccordance + kMountainAccordance * fields.mountain_share, &land_m);
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
   }
-  Creep(lattice, masks, &land_m);
+  Creep(lattice, masks, forms, &land_m);
+  forms.Lay(result.water_level_m, &land_m);
   result.height_m = std::move(land_m);
   return result;
 }
 
 void FillHollows(double cell_m, const WaterBodies& water, const Grid<float>& level_m,
-                 Grid<float>* land_m) {
+                 const Grid<unsigned char>& hollow, Grid<float>* land_m) {
   constexpr double kLeastFall = 0.004;  // [m/m]
   const int n = land_m->rows();
   Grid<unsigned char> outlet = water.wet;
   for (const std::int32_t cell : EdgeCells(n)) outlet.data()[cell] = 1;
+  for (std::size_t i = 0; i < outlet.size(); ++i) outlet.data()[i] |= hollow.data()[i];
   Grid<float> surface = *land_m;
   for (std::size_t i = 0; i < surface.size(); ++i) {
     if (water.wet.data()[i] != 0) surface.data()[i] = level_m.data()[i];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "latticeworld/layout/symbolic_layout.h"
 
@@ -12,6 +13,25 @@ constexpr int kLatticeCells = 512;
 // Small worlds hold less, and are asked for often.
 constexpr int kSmallLatticeCells = 256;
 constexpr double kSmallWorld_m = 200.0;
+
+// Solves (x_(i-1) + 4 x_i + x_(i+1)) / 6 = v_i in place: a sweep there and one back, each with the
+// root of z^2 + 4 z + 1 that decays.
+void FilterLine(int cells, std::ptrdiff_t step, float* values) {
+  constexpr float kRoot = -0.26794919f;  // sqrt(3) - 2
+  constexpr int kReach = 16;             // its powers vanish beyond
+  float start = 0.0f, power = 1.0f;
+  for (int i = 0; i < std::min(cells, kReach); ++i, power *= kRoot) {
+    start += power * values[i * step];
+  }
+  values[0] = start;
+  for (int i = 1; i < cells; ++i) values[i * step] += kRoot * values[(i - 1) * step];
+  float* last = values + (cells - 1) * step;
+  *last = kRoot / (kRoot * kRoot - 1.0f) * (*last + kRoot * *(last - step));
+  for (int i = cells - 2; i >= 0; --i) {
+    values[i * step] = kRoot * (values[(i + 1) * step] - values[i * step]);
+  }
+  for (int i = 0; i < cells; ++i) values[i * step] *= 6.0f;
+}
 
 }  // namespace
 
@@ -80,6 +100,13 @@ void RowSampler::Row(int row, std::vector<float>* scratch, float* values) const 
     values[c] = (taps.weight[0] * first[0] + taps.weight[1] * first[1]) +
                 (taps.weight[2] * first[2] + taps.weight[3] * first[3]);
   }
+}
+
+Grid<float> SplineCoefficients(Grid<float> values) {
+  const int rows = values.rows(), cols = values.cols();
+  for (int r = 0; r < rows; ++r) FilterLine(cols, 1, values.row(r));
+  for (int c = 0; c < cols; ++c) FilterLine(rows, cols, values.data() + c);
+  return values;
 }
 
 }  // namespace latticeworld::internal

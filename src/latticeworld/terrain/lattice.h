@@ -46,6 +46,11 @@ class RowSampler {
   std::vector<Taps> cols_;
 };
 
+// The coefficients of the cubic B-spline that goes through the values (Unser, Aldroubi and Eden
+// 1993, "B-spline signal processing"): RowSampler's smooth kernel reads the values back from them,
+// where it would round them off. Mirrored at the edges; at least two cells a side.
+Grid<float> SplineCoefficients(Grid<float> values);
+
 }  // namespace latticeworld::internal
 
 #endif  // LATTICEWORLD_TERRAIN_LATTICE_H_

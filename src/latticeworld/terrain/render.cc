@@ -65,8 +65,20 @@ NoiseOptions UndulationOptions(const GridGeometry& geometry) {
   NoiseOptions options;
   options.wavelength_m = std::min(30.0, geometry.size_m() / 16.0);
   options.octaves = 5;
-  options.gain = 0.42;
+  options.gain = 0.57;  // as rough land is: amplitudes fall as wavelengths to the power of 0.8
   return options;
+}
+
+// What the smooth kernel reads the land from: where it is rough it goes through the plan's heights,
+// where it is built or held by a shore it stays between them.
+Grid<float> HeightSource(const LandPlan& plan, int cells) {
+  Grid<float> source = plan.height_m;
+  if (cells < source.rows()) return source;
+  const Grid<float> through = SplineCoefficients(plan.height_m);
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    source.data()[i] += plan.detail.data()[i] * (through.data()[i] - source.data()[i]);
+  }
+  return source;
 }
 
 }  // namespace
@@ -110,7 +122,8 @@ Result<Terrain> Render(const GridGeometry& geometry, const LandPlan& plan, std::
   for (const SmoothedMask& entry : plan.masks.classes) {
     weight_fields.push_back(std::make_unique<Field>(entry.weight, cells));
   }
-  const Field height_field(plan.height_m, cells), detail_field(plan.detail, cells);
+  const Grid<float> height_source = HeightSource(plan, cells);
+  const Field height_field(height_source, cells), detail_field(plan.detail, cells);
   const Field fordable_field(plan.fordable, cells);
   std::unique_ptr<Field> given_field, lowest_field;
   if (!plan.lowest_m.empty()) lowest_field = std::make_unique<Field>(plan.lowest_m, cells);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <utility>
 
 #include "latticeworld/common/check.h"
@@ -12,9 +12,13 @@
 #include "latticeworld/geomorphology/slope.h"
 #include "latticeworld/terrain/banks.h"
 #include "latticeworld/terrain/benches.h"
+#include "latticeworld/terrain/bridges.h"
+#include "latticeworld/terrain/climbing_ways.h"
 #include "latticeworld/terrain/cover.h"
 #include "latticeworld/terrain/land.h"
 #include "latticeworld/terrain/lattice.h"
+#include "latticeworld/terrain/relief_forms.h"
+#include "latticeworld/terrain/relief_places.h"
 #include "latticeworld/terrain/render.h"
 #include "latticeworld/terrain/roads.h"
 #include "latticeworld/terrain/streets.h"
@@ -25,24 +29,27 @@ namespace latticeworld {
 namespace {
 
 // Borders wide and ragged enough that the squares of the layout do not show in the land.
-DecodeOptions BorderOptions(const GridGeometry& geometry) {
+DecodeOptions BorderOptions(const GridGeometry& geometry, bool fords) {
   constexpr double kBlendWidth_cells = 0.6;
+  constexpr double kShallow_m = 0.3;  // rivers that are forded by any road
   DecodeOptions options;
   options.blend_width_m = kBlendWidth_cells * geometry.size_m() / kLayoutSize;
   options.noise_amplitude = 1.0;
+  options.fords = fords || internal::RiverDepth_m(geometry.size_m()) <= kShallow_m;
   return options;
 }
 
 // Of land that is shaped around its water anyway.
-constexpr double kShapedBankSlope = 0.35;
+constexpr double kShapedBankSlope = 0.4;
 constexpr float kFordReach_cells = 4.0f;
-constexpr float kRoughSlope = 0.06f;  // where half of the undulation shows [m/m]
+constexpr double kClimbShare = 0.65;  // of the most that roads slope by: what bends are laid for
+constexpr float kRoughSlope = 0.08f;  // where half of the undulation shows [m/m]
 
-// Water, and what would be without a road over it.
+// Water, that over fords included.
 Grid<unsigned char> WetCells(const Grid<char>& letters, const Grid<Crossing>& crossing) {
   Grid<unsigned char> wet = internal::MaskOf('W', letters);
   for (std::size_t i = 0; i < wet.size(); ++i) {
-    if (letters.data()[i] == 'R' && crossing.data()[i] != Crossing::kNone) wet.data()[i] = 1;
+    if (letters.data()[i] == 'R' && crossing.data()[i] == Crossing::kFord) wet.data()[i] = 1;
   }
   return wet;
 }
@@ -55,12 +62,30 @@ Grid<unsigned char> FordCells(const Grid<char>& letters, const Grid<Crossing>& c
   return ford;
 }
 
+// Roads, buildings and fields: what relief keeps away from.
+Grid<unsigned char> BuiltCells(const Grid<char>& letters, Vocabulary vocabulary) {
+  Grid<unsigned char> built(letters.rows(), letters.cols(), 0);
+  if (vocabulary != Vocabulary::kSuburb) return built;
+  for (std::size_t i = 0; i < built.size(); ++i) {
+    const char letter = letters.data()[i];
+    built.data()[i] = letter == 'R' || letter == 'B' || letter == 'A' ? 1 : 0;
+  }
+  return built;
+}
+
+// Where no way goes that climbs: water and buildings.
+Grid<unsigned char> BlockedCells(const Grid<char>& letters, const Grid<unsigned char>& wet) {
+  Grid<unsigned char> blocked = wet;
+  for (std::size_t i = 0; i < blocked.size(); ++i) {
+    if (letters.data()[i] == 'B') blocked.data()[i] = 1;
+  }
+  return blocked;
+}
+
 // How deep water may be on and beside roads [m]: fords are shallow and lead into the water gently,
-// and the bed falls away from a road no steeper than an embankment. NaN: a dam, which no bed is dug
-// into.
+// and the bed falls away from a road no steeper than an embankment.
 Grid<float> DepthNearRoads(const GridGeometry& lattice, const Grid<unsigned char>& road,
-                           const Grid<Crossing>& crossing, const Grid<unsigned char>& wet,
-                           double ford_depth_m) {
+                           const Grid<unsigned char>& wet, double ford_depth_m) {
   constexpr float kBedSlope = 0.4f;
   constexpr float kFordSlope = 0.08f;
   const auto cell_m = static_cast<float>(lattice.resolution_m());
@@ -71,13 +96,27 @@ Grid<float> DepthNearRoads(const GridGeometry& lattice, const Grid<unsigned char
     float& depth = depth_m.data()[i];
     if (road.data()[i] == 0) {
       depth = ford_m + kBedSlope * std::max(depth - 1.0f, 0.0f) * cell_m;
-    } else if (crossing.data()[i] == Crossing::kCauseway) {
-      depth = std::numeric_limits<float>::quiet_NaN();
     } else {
       depth = std::min(ford_m, kFordSlope * std::max(to_shore.data()[i] - 0.5f, 0.0f) * cell_m);
     }
   }
   return depth_m;
+}
+
+// The mask without what lies so near bridges that roads climb to them there.
+Grid<unsigned char> WithoutRamps(const GridGeometry& lattice, const std::vector<Bridge>& bridges,
+                                 Grid<unsigned char> mask) {
+  constexpr double kRamp_cells = 1.5;  // layout cells
+  if (bridges.empty()) return mask;
+  const Grid<std::int32_t> of = internal::CellsOfBridges(lattice, bridges, 0.0);
+  Grid<unsigned char> below(of.rows(), of.cols());
+  for (std::size_t i = 0; i < of.size(); ++i) below.data()[i] = of.data()[i] >= 0 ? 1 : 0;
+  const Grid<float> to_bridge = DistanceTo(true, below);
+  const auto reach = static_cast<float>(kRamp_cells * internal::LatticeCellsPerLayoutCell(lattice));
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (to_bridge.data()[i] < reach) mask.data()[i] = 0;
+  }
+  return mask;
 }
 
 }  // namespace
@@ -115,14 +154,19 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
   LW_RETURN_IF_ERROR(advance(0.0));
   const GridGeometry lattice = internal::LatticeOf(request.geometry);
   const int n = lattice.rows();
-  DecodedLayout lines =
-      DecodeLayoutWithLines(*request.layout, lattice, BorderOptions(lattice), request.seed);
+  DecodedLayout lines = DecodeLayoutWithLines(
+      *request.layout, lattice, BorderOptions(lattice, request.options.fords), request.seed);
   const Grid<char> letters = internal::DominantLetters(lines.masks);
   const bool has_relief = request.relief != nullptr;
   const internal::WaterBodies water = internal::FindWaterBodies(
       WetCells(letters, lines.crossing), internal::LatticeCellsPerLayoutCell(lattice), !has_relief);
   LW_RETURN_IF_ERROR(advance(0.1));
 
+  const std::vector<ReliefWish> no_words;
+  const internal::ReliefForms forms(internal::PlaceReliefs(has_relief ? no_words : request.reliefs,
+                                                           *request.layout, lattice.size_m()),
+                                    lattice, BuiltCells(letters, lines.masks.vocabulary), water,
+                                    request.seed);
   internal::LandPlan plan;
   Grid<float> level_m;
   if (has_relief) {
@@ -131,8 +175,9 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
     plan.given_m = plan.height_m;
     level_m = internal::GradedLevels(lattice, water, plan.height_m, internal::GradedRule());
   } else {
-    LW_ASSIGN_OR_RETURN(internal::ShapedLand land,
-                        internal::ShapeLand(lattice, lines.masks, water, request.seed, progress));
+    LW_ASSIGN_OR_RETURN(
+        internal::ShapedLand land,
+        internal::ShapeLand(lattice, lines.masks, water, forms, request.seed, progress));
     plan.height_m = std::move(land.height_m);
     level_m = std::move(land.water_level_m);
   }
@@ -143,9 +188,12 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
                                   ? request.options.max_bank_slope
                                   : std::min(kShapedBankSlope, request.options.max_bank_slope));
   banks.Shape(&plan.height_m);
-  if (!has_relief) internal::FillHollows(lattice.resolution_m(), water, level_m, &plan.height_m);
+  if (!has_relief) {
+    internal::FillHollows(lattice.resolution_m(), water, level_m, forms.Hollows(), &plan.height_m);
+  }
   Grid<float> shaped(n, n, 0.0f);
   std::vector<internal::Street> streets;
+  std::vector<Bridge> bridges;
   if (lines.masks.vocabulary == Vocabulary::kSuburb) {
     for (const SmoothedMask& entry : lines.masks.classes) {
       if (entry.letter == 'A') internal::TerraceFields(lattice, entry.weight, &plan.height_m);
@@ -156,20 +204,28 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
     if (std::find(letters.begin(), letters.end(), 'B') != letters.end()) {
       const internal::StreetGround ground = {lattice, &letters, &water.wet, &plan.height_m, &lines};
       streets = internal::LayOutStreets(ground, internal::StreetRule(), request.seed);
-      internal::MarkStreets(lattice, streets, water.wet, &paved, &lines);
     }
+    for (internal::Street& way :
+         internal::ClimbingWays(request.reliefs, forms.pieces(), lattice,
+                                {plan.height_m, road, BlockedCells(letters, water.wet)},
+                                kClimbShare * request.options.max_road_slope)) {
+      streets.push_back(std::move(way));
+    }
+    if (!streets.empty()) internal::MarkStreets(lattice, streets, water.wet, &paved, &lines);
     const double ford_depth_m =
         std::min(request.options.ford_depth_m, internal::RiverDepth_m(lattice.size_m()));
-    const Grid<float> depth_m =
-        DepthNearRoads(lattice, road, lines.crossing, water.wet, ford_depth_m);
+    const Grid<float> depth_m = DepthNearRoads(lattice, road, water.wet, ford_depth_m);
+    bridges = internal::PlanBridges({lattice, letters, lines, water, banks});
     internal::RoadRule rule;
     rule.max_slope = request.options.max_road_slope;
     rule.embankment_slope = request.options.embankment_slope;
-    internal::GradeRoads(lattice, paved, lines, banks, depth_m, rule, &plan.height_m, &shaped);
-    // What was built must not open a shore.
+    internal::GradeRoads(lattice, paved, lines, banks, depth_m, rule, &bridges, &plan.height_m,
+                         &shaped);
+    // What was built must not open a shore, nor bury it but where a road climbs to a bridge.
     Grid<unsigned char> beside_roads = road;
     for (unsigned char& cell : beside_roads) cell = cell == 0 ? 1 : 0;
-    banks.Clamp(beside_roads, &plan.height_m);
+    banks.Raise(beside_roads, &plan.height_m);
+    banks.Clamp(WithoutRamps(lattice, bridges, std::move(beside_roads)), &plan.height_m);
     banks.Dig(&depth_m, &plan.height_m);
   } else {
     banks.Dig(nullptr, &plan.height_m);
@@ -199,6 +255,7 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
   LW_ASSIGN_OR_RETURN(Terrain terrain, internal::Render(request.geometry, plan, request.seed,
                                                         request.threads, progress));
   internal::PaveStreets(streets, &terrain);
+  terrain.bridges = std::move(bridges);
   LW_RETURN_IF_ERROR(advance(1.0));
   return terrain;
 }

@@ -10,18 +10,21 @@
 #include "latticeworld/geometry/grid_geometry.h"
 #include "latticeworld/geometry/height_field.h"
 #include "latticeworld/layout/class_weights.h"
+#include "latticeworld/layout/relief_wish.h"
 #include "latticeworld/layout/symbolic_layout.h"
 #include "latticeworld/relief/relief.h"
+#include "latticeworld/terrain/bridge.h"
 #include "latticeworld/terrain/surface.h"
 
 namespace latticeworld {
 
 // The ground of a world. Immutable once built; every grid has ground.geometry().
 struct Terrain {
-  HeightField ground;          // solid surface [m]; below water: the bed
-  Grid<float> water_level_m;   // surface of the water [m], NaN: dry
-  Grid<SurfaceClass> surface;  // what the ground is made of
-  ClassWeights weights;        // Psi_L
+  HeightField ground;           // solid surface [m]; below water: the bed
+  Grid<float> water_level_m;    // surface of the water [m], NaN: dry
+  Grid<SurfaceClass> surface;   // what the ground is made of
+  ClassWeights weights;         // Psi_L
+  std::vector<Bridge> bridges;  // of roads over water
 
   const GridGeometry& geometry() const { return ground.geometry(); }
   // Depth of water above the ground at the point [m], 0 where dry.
@@ -36,6 +39,7 @@ struct TerrainOptions {
                                   // up to twice as steep
   double max_bank_slope = 0.6;    // of the land beside water, [0.1, 1]
   double ford_depth_m = 0.12;     // of water over a ford, [0.02, 0.14]
+  bool fords = false;             // roads ford all narrow rivers, not only those that are shallow
 };
 std::vector<Violation> Validate(const TerrainOptions& options);
 
@@ -43,6 +47,7 @@ struct TerrainRequest {
   GridGeometry geometry;
   const SymbolicLayout* layout = nullptr;  // never null
   const Relief* relief = nullptr;          // variable-height scene; null: gentle procedural relief
+  std::vector<ReliefWish> reliefs;         // only without a relief: given land stays as it is
   std::uint64_t seed = 0;
   TerrainOptions options;
   int threads = 0;  // 0: as many as cores; the terrain is the same with any
@@ -52,8 +57,10 @@ struct TerrainRequest {
 // layout's water as base level: gentle where its classes are, ridges and valleys in rock and snow.
 // With one it stays as given but for what is built into it. Either way rivers fall along their
 // course into lakes, the sea or over the world's edge, still water is level and held by its shores,
-// roads keep to their slope and ford narrow rivers, building land and fields on slopes lie in level
-// steps. Errors: INVALID_ARGUMENT (options), CANCELLED.
+// roads keep to their slope, building land and fields on slopes lie in level steps. Roads cross
+// water on bridges, and the water runs on below; they ford rivers that are up to three layout cells
+// wide where these are shallow, no deeper than 0.3 m in their middle, or where the options say so.
+// Errors: INVALID_ARGUMENT (options), CANCELLED.
 Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& progress);
 
 }  // namespace latticeworld

@@ -15,7 +15,7 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kFarthest_m = 1e7;
 constexpr std::size_t kHeaderBytes = 18;
 constexpr std::size_t kKeyEntryBytes = 22;
-constexpr std::size_t kMostThings = 65535;
+constexpr std::size_t kMostRows = 65535;
 
 // Bits of a delta entry's mask.
 constexpr unsigned kBehaviourBit = 64, kHealthBit = 128;
@@ -119,7 +119,7 @@ std::uint8_t OpeningByte(double opening_rad) {
 
 StreamFrame StateEncoder::Encode(double time_s, std::uint32_t table_version,
                                  const std::vector<StreamedThing>& things, bool key) {
-  LW_CHECK(things.size() <= kMostThings, "a table of the stream has at most 65535 entries");
+  LW_CHECK(things.size() <= kMostRows, "a table of the stream has at most 65535 entries");
   StreamFrame frame;
   if (key || key_number_ == 0 || table_version != table_version_ ||
       things.size() != key_things_.size()) {

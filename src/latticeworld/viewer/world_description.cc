@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "latticeworld/catalogue/catalogue.h"
+#include "latticeworld/exporting/bridge_looks.h"
+#include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/generation/world.h"
 #include "latticeworld/scene/element.h"
 #include "latticeworld/simulation/world_state.h"
@@ -88,6 +90,31 @@ Json ElementKindsJson() {
   return list;
 }
 
+// The bridges of roads, as boxes: [x, y, z of the middle, yaw, length, width, height, red, green,
+// blue].
+Json BridgesJson(const Scene& scene) {
+  Json list = Json::array();
+  const ArtisticStyle style = scene.environment.coarse.artistic_style;
+  for (const Bridge& bridge : scene.terrain->bridges) {
+    Json boxes = Json::array();
+    for (const BridgePart& part : PartsOf(bridge, scene.terrain->ground)) {
+      const bool deck = part.kind == BridgePartKind::kDeck;
+      const Color bgr = InStyle(style, ColorOfBridge(bridge.kind, part.kind, deck));
+      const Eigen::Vector3d size_m = part.size_m();
+      boxes.push_back({part.middle.x_m, part.middle.y_m, part.middle_z_m(), part.yaw_rad,
+                       size_m.x(), size_m.y(), size_m.z(), bgr[2], bgr[1], bgr[0]});
+    }
+    list.push_back({{"kind", NameOf(bridge.kind)},
+                    {"length_m", bridge.length_m()},
+                    {"width_m", bridge.width_m},
+                    {"deck_z_m", bridge.deck_z_m},
+                    {"clearance_m", bridge.clearance_m()},
+                    {"load_kg", bridge.load_kg},
+                    {"boxes", std::move(boxes)}});
+  }
+  return list;
+}
+
 Json AssetsJson(const AssetTable& assets) {
   Json groups = Json::array();
   for (const AssetGroup& group : assets.groups) {
@@ -147,6 +174,7 @@ std::string DescribeWorld(const World& world, const SpeciesCatalogue& species, b
   json["atmosphere"] = AtmosphereJson(world.scene->atmosphere);
   json["species"] = SpeciesJson(species);
   json["elements"] = ElementKindsJson();
+  json["bridges"] = BridgesJson(*world.scene);
   json["assets"] = AssetsJson(assets);
   json["height"] = HeightJson(height);
   json["texture"] = {{"rows", texture.rows}, {"cols", texture.cols}};

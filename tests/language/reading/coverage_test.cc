@@ -59,9 +59,9 @@ TEST(CoverageTest, PartsOfSharesAreNoNumbersOfThings) {
 
 TEST(CoverageTest, WhatIsLostIsToldOnce) {
   TextCoverage coverage;
-  coverage.lost = {"zorblax", "three"};
+  coverage.lost = {"zorblax", "three", "six"};
   std::vector<std::string> not_understood = {"a zorblax"};
-  AddLost(coverage, &not_understood);
+  AddLost(coverage, {"six lakes"}, &not_understood);
   EXPECT_EQ(not_understood, (std::vector<std::string>{"a zorblax", "three"}));
 }
 

@@ -151,6 +151,7 @@ TEST(SentencesOfClaimsTest, EveryKindOfEnvironmentClaimIsSaidAndReadBack) {
       "Building heading: 90 degrees",
       "Snow slope: 30 degrees",
       "12 sheep grazing in the south-west",
+      "3 sheep in the south",
       "At least 2 robotic dogs",
       "No goblins",
       "15 agents in all",

@@ -4,6 +4,7 @@ import * as THREE from 'three';
 import { clamp } from '../protocol/payloads.js';
 import { Atmosphere } from './atmosphere.js';
 import { Bodies } from './bodies.js';
+import { Bridges } from './bridges.js';
 import { Cameras } from './cameras.js';
 import { FelledTrees } from './felled_trees.js';
 import { Labels } from './labels.js';
@@ -83,8 +84,9 @@ export class Viewer extends EventTarget {
     this.world = world;
     this.terrain = new Terrain(world, shared, { anisotropy });
     this.water = new Water(world, shared);
+    this.bridges = new Bridges(world.description);
     this.paths = new PathLayer((x, y) => world.height.at(x, y));
-    for (const part of [this.terrain, this.water, this.paths]) this.scene.add(part.group ?? part.mesh);
+    for (const part of [this.terrain, this.water, this.bridges, this.paths]) this.scene.add(part.group ?? part.mesh);
     const { description } = world;
     this.#fill({ ...world, description: { ...description, assets: { ...description.assets, groups: [] } } }, nothing);
     this.setWeather(world.description.atmosphere);
@@ -128,8 +130,8 @@ export class Viewer extends EventTarget {
     this.cameras.set('orbit');
     this.paths.clear();
     this.#empty();
-    for (const part of [this.terrain, this.water, this.paths]) this.scene.remove(part.group ?? part.mesh);
-    for (const part of [this.terrain, this.water]) part.dispose();
+    for (const part of [this.terrain, this.water, this.bridges, this.paths]) this.scene.remove(part.group ?? part.mesh);
+    for (const part of [this.terrain, this.water, this.bridges]) part.dispose();
     this.lidar.set(null);
     this.world = null;
   }

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/relief_wish.h"
+#include "latticeworld/layout/thing_wish.h"
 #include "latticeworld/layout/vocabulary.h"
 #include "latticeworld/layout/zone.h"
 
@@ -62,6 +64,8 @@ struct PlannedFeature {
 
   bool supposed = false;  // no words speak of it, and nothing is claimed of it: it stands only for
                           // what others need, the pool around an island in a river
+  std::string noun;       // that names it, in the singular: "snow mountain"
+  bool plural = false;    // the words had it in the plural
   std::string words;
 };
 
@@ -114,8 +118,10 @@ struct LayoutPlan {
   std::vector<PlannedRelation> relations;
   std::vector<PlannedOrder> orders;
   std::vector<PlannedAbsence> absences;
-  char background = '\0';     // what nothing else takes; always a letter of the vocabulary
-  std::vector<Claim> claims;  // what the layout is measured by
+  std::vector<ReliefWish> reliefs;  // of the land's form, whatever lies on it (relief_reading.h)
+  std::vector<ThingWish> things;    // single ones; they take no land
+  char background = '\0';           // what nothing else takes; always a letter of the vocabulary
+  std::vector<Claim> claims;        // what the layout is measured by
   std::vector<std::string> not_understood;  // words, as they stand in the instruction
   std::vector<std::string> warnings;        // each quotes the words it is about
 };

@@ -24,6 +24,7 @@ class ControlledReader final : public InstructionReader {
                                    std::vector<ModelReply>* /*replies*/) override {
     LayoutReading reading;
     reading.sentences = SplitSentences(request.instruction);
+    reading.of_sentences = true;
     reading.plan = LayoutOfSentences(reading.sentences, request.vocabulary);
     reading.coverage =
         CoverageOf(request.instruction, Readable(reading.sentences, SentenceKind::kLayout),

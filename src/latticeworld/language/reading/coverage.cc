@@ -42,12 +42,15 @@ TextCoverage CoverageOf(std::string_view text, const std::vector<std::string>& s
   return coverage;
 }
 
-void AddLost(const TextCoverage& coverage, std::vector<std::string>* not_understood) {
+void AddLost(const TextCoverage& coverage, const std::vector<std::string>& quotes,
+             std::vector<std::string>* not_understood) {
+  const auto holds = [](const std::vector<std::string>& texts, const std::string& words) {
+    return std::any_of(texts.begin(), texts.end(), [&words](const std::string& text) {
+      return text.find(words) != std::string::npos;
+    });
+  };
   for (const std::string& words : coverage.lost) {
-    const bool told = std::any_of(
-        not_understood->begin(), not_understood->end(),
-        [&words](const std::string& known) { return known.find(words) != std::string::npos; });
-    if (!told) not_understood->push_back(words);
+    if (!holds(quotes, words) && !holds(*not_understood, words)) not_understood->push_back(words);
   }
 }
 

@@ -20,8 +20,9 @@ TextCoverage CoverageOf(std::string_view text, const std::vector<std::string>& s
                         SentenceKind kind, Vocabulary vocabulary);
 
 // Adds the known words that no sentence carries to those that were not understood, where these do
-// not hold them already.
-void AddLost(const TextCoverage& coverage, std::vector<std::string>* not_understood);
+// not hold them already. What a claim quotes was heard, though nothing that is measured came of it.
+void AddLost(const TextCoverage& coverage, const std::vector<std::string>& quotes,
+             std::vector<std::string>* not_understood);
 
 // The piece of a text, between two pauses, that says most of a sentence; the sentence itself where
 // none says anything of it.

@@ -1,14 +1,16 @@
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <string_view>
 #include <utility>
 
+#include "latticeworld/catalogue/catalogue.h"
+#include "latticeworld/language/grounded/environment/claims_of_heard.h"
+#include "latticeworld/language/reading/environment_of_sentences.h"
 #include "latticeworld/language/reading/sentence_assets.h"
-#include "latticeworld/language/reading/sentence_places.h"
 #include "latticeworld/language/reading/sentences_of_claims.h"
 #include "latticeworld/language/sentences/sentence.h"
 #include "latticeworld/language/sentences/sentence_writer.h"
-#include "latticeworld/layout/zone.h"
 
 namespace latticeworld {
 namespace {
@@ -94,7 +96,26 @@ std::string SayParameter(const EnvironmentClaim& claim) {
   return "";
 }
 
-// Where any of several places will do, no place is said.
+// The place whose agents may be in these regions; empty: no place of the small language is that.
+std::string PlaceOfRegions(std::vector<Region> regions) {
+  static const std::map<std::vector<Region>, std::string> places = [] {
+    std::map<std::vector<Region>, std::string> all;
+    for (const std::string_view list : {"side", "exact"}) {
+      for (const std::string& name : SentenceWords(list)) {
+        const auto heard =
+            EnvironmentOfSentences({"1 agent in the " + name}, *Catalogue::BuiltIn());
+        std::vector<Region> held = ClaimsOf(heard, nullptr).front().positions;
+        std::sort(held.begin(), held.end());
+        all.emplace(std::move(held), "the " + name);
+      }
+    }
+    return all;
+  }();
+  std::sort(regions.begin(), regions.end());
+  const auto found = places.find(regions);
+  return found == places.end() ? std::string() : found->second;
+}
+
 std::string SayAgents(const EnvironmentClaim& claim) {
   std::vector<Filling> fillings = {
       {"count", CountInWords(claim.least_quantity, claim.most_quantity)},
@@ -104,9 +125,9 @@ std::string SayAgents(const EnvironmentClaim& claim) {
     for (const AgentState state : claim.states) states.emplace_back(NameOf(state));
     fillings.emplace_back("states", AnyOf(states));
   }
-  const bool placed = claim.positions.size() == 1 && claim.positions.front() != Region::kAnywhere;
-  if (placed) fillings.emplace_back("place", PlaceName(ZoneOf(claim.positions.front())));
-  return WriteOne(placed ? "group_zone" : "group", fillings);
+  const std::string place = PlaceOfRegions(claim.positions);
+  if (!place.empty()) fillings.emplace_back("place", place);
+  return WriteOne(place.empty() ? "group" : "group_zone", fillings);
 }
 
 std::string Say(const EnvironmentClaim& claim) {

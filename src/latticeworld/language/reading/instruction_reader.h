@@ -19,9 +19,9 @@ namespace latticeworld {
 // What was read in a layout instruction. A text is read once in a request: who draws the layout and
 // the fidelity report use the same reading.
 struct LayoutReading {
-  std::vector<std::string>
-      sentences;    // of the small language; of rules: what they read, said in it
-  LayoutPlan plan;  // with its claims, its warnings and what was not understood
+  std::vector<std::string> sentences;  // of the small language
+  bool of_sentences = false;  // the plan was made of them; false: they say what rules have read
+  LayoutPlan plan;            // with its claims, its warnings and what was not understood
   TextCoverage coverage;
   // Of a token of the sentences, in the mean, natural, where a model said them and tells it; 0:
   // none.

@@ -12,8 +12,10 @@
 #include "latticeworld/language/grounded/reading/discourse.h"
 #include "latticeworld/language/grounded/reading/frame.h"
 #include "latticeworld/language/grounded/reading/settle_plan.h"
+#include "latticeworld/language/reading/relief_words.h"
 #include "latticeworld/language/reading/sentence_places.h"
 #include "latticeworld/language/reading/sentence_things.h"
+#include "latticeworld/language/reading/things_of_sentences.h"
 #include "latticeworld/language/sentences/sentence.h"
 #include "latticeworld/language/tokens.h"
 
@@ -73,10 +75,16 @@ class SentencePlanner {
     return zone == nullptr ? std::vector<Zone>() : ZonesOf(*zone);
   }
 
+  static bool IsRelief(const Phrase& thing) {
+    const Phrase* noun = thing.slot == "noun" ? &thing : thing.Find("noun");
+    return ReliefOfNoun(noun->text).has_value();
+  }
+
   // The features of a thing that is spoken of, new ones where none is known.
   std::vector<int> Things(const Phrase& thing, Reference bare = Reference::kUnplaced) {
     NounPhrase phrase = NounOf(thing);
     if (phrase.noun == nullptr) {
+      if (IsRelief(thing)) return {};  // relief_reading.h
       d_.plan().warnings.push_back("no land is known by the noun of " + Quote(thing.text));
       return {};
     }
@@ -487,19 +495,22 @@ class SentencePlanner {
 LayoutPlan LayoutOfSentences(const std::vector<std::string>& sentences, Vocabulary vocabulary) {
   const std::string text = Join(sentences, ". ");
   SentencePlanner planner(text, vocabulary);
+  SentenceThings things(vocabulary);
   std::vector<std::string> not_understood;
   std::size_t begin = 0;
   for (const std::string& words : sentences) {
     const std::optional<Sentence> sentence = ReadSentence(words, SentenceKind::kLayout);
-    if (sentence.has_value()) {
-      planner.Say(*sentence, begin, begin + words.size());
-    } else {
+    if (!sentence.has_value()) {
       not_understood.push_back(words);
+    } else if (!things.Say(*sentence, words)) {
+      planner.Say(*sentence, begin, begin + words.size());
     }
     begin += words.size() + 2;
   }
   LayoutPlan plan = planner.Finish();
   plan.not_understood = std::move(not_understood);
+  plan.things = things.wishes();
+  plan.warnings.insert(plan.warnings.end(), things.warnings().begin(), things.warnings().end());
   return plan;
 }
 

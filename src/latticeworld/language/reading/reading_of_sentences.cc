@@ -41,11 +41,12 @@ class Quotes {
 LayoutReading ReadingOfSentences(const LayoutRequest& request, std::vector<std::string> sentences) {
   LayoutReading reading;
   reading.sentences = std::move(sentences);
+  reading.of_sentences = true;
   reading.plan = LayoutOfSentences(reading.sentences, request.vocabulary);
   WarnOfOtherLanguage(request.instruction, &reading.plan.warnings);
   reading.coverage =
       CoverageOf(request.instruction, reading.sentences, SentenceKind::kLayout, request.vocabulary);
-  AddLost(reading.coverage, &reading.plan.not_understood);
+  AddLost(reading.coverage, {}, &reading.plan.not_understood);
   const Quotes quotes(request.instruction, reading.sentences, SentenceKind::kLayout,
                       request.vocabulary);
   for (Claim& claim : reading.plan.claims) quotes.Quote(&claim.words);
@@ -61,7 +62,7 @@ EnvironmentReading ReadingOfSentences(const EnvironmentRequest& request,
   const Vocabulary vocabulary = request.layout->vocabulary;
   reading.coverage =
       CoverageOf(request.instruction, reading.sentences, SentenceKind::kEnvironment, vocabulary);
-  AddLost(reading.coverage, &reading.heard.not_understood);
+  AddLost(reading.coverage, {}, &reading.heard.not_understood);
   const Quotes quotes(request.instruction, reading.sentences, SentenceKind::kEnvironment,
                       vocabulary);
   for (HeardCoarse& coarse : reading.heard.coarse) quotes.Quote(&coarse.words);

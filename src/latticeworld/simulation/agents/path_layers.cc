@@ -147,8 +147,11 @@ void PathLayers::FillInWater(const BodyClass& body, int row, int col, PathLayer:
           scene_.terrain->WaterDepthAt(point) < body.wade_depth_m)
         return false;
     }
-    for (const ElementBlock& block : changes_.elements->blocks) {
-      if (GapTo(block.footprint, center) < beside_m) return false;
+    const double surface_m = scene_.terrain->water_level_m[scene_.geometry().CellAt(center)];
+    for (const auto* const blocks : {&changes_.elements->blocks, &changes_.elements->below}) {
+      for (const ElementBlock& block : *blocks) {
+        if (block.bottom_m < surface_m && GapTo(block.footprint, center) < beside_m) return false;
+      }
     }
     bool clear = true;
     scene_.index.ForEachNear(center, beside_m, [&](std::uint32_t asset) {

@@ -16,7 +16,7 @@ namespace latticeworld {
 std::unique_ptr<PhysicsWorld> MakeOdeWorld(std::shared_ptr<const Scene> scene, int threads = 1);
 
 // How long the last step of a world that MakeOdeWorld made looked for contacts, all threads taken
-// together; 0 for another.
+// together; 0 for another. Steps are timed from the first time on that this is asked.
 std::chrono::nanoseconds CollisionTime(const PhysicsWorld& world);
 
 }  // namespace latticeworld

@@ -29,12 +29,12 @@ void OdeWorld::ForEachGroup(const Do& one) {
 
 void OdeWorld::Step(double step_s, std::uint64_t solver_seed) {
   LW_CHECK(step_s > 0.0 && std::isfinite(step_s), "a step takes some time");
-  const auto begin = std::chrono::steady_clock::now();
+  const Clock::time_point begin = Now();
   contacts_.clear();
   TouchBodies();
   Regroup();
   GatherGroups();
-  collision_time_ = std::chrono::steady_clock::now() - begin;
+  collision_time_ = Now() - begin;
   const auto step = [&](IslandGroup* group) { group->Step(step_s, solver_seed, &contacts_); };
   // At once while all of it is in the cache, where nobody is to be asked.
   ForEachGroup([&](IslandGroup* group) {
@@ -64,7 +64,7 @@ void OdeWorld::GatherGroups() {
 }
 
 void OdeWorld::FindContacts(IslandGroup* group, double step_s) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Clock::time_point begin = Now();
   for (OdeBody* body : group->members()) {
     if (body->stands()) continue;
     body->BeginStep(step_s);
@@ -72,7 +72,7 @@ void OdeWorld::FindContacts(IslandGroup* group, double step_s) {
     if (body->ball_radius_m() >= 0.0) TouchAssetsOf(group, &bodies_[IndexOf(body->id())]);
     TouchBoundaryOf(group, body, step_s);
   }
-  group->search_time = std::chrono::steady_clock::now() - begin;
+  group->search_time = Now() - begin;
 }
 
 bool OdeWorld::AskJudge() {

@@ -119,6 +119,8 @@ int Discourse::Create(const NounPhrase& phrase, std::size_t begin, std::size_t e
   }
   feature.form = FormOf(phrase.noun->shape);
   feature.cells = std::max(1, phrase.noun->cells);
+  feature.noun = phrase.noun->phrase;
+  feature.plural = phrase.plural;
   // "five separate farms, spread out": the homesteads.
   const bool homestead = letter == 'A' && plan_.vocabulary == Vocabulary::kSuburb &&
                          EndsWith(phrase.noun->phrase, "farm") &&

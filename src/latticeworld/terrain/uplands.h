@@ -1,0 +1,25 @@
+#ifndef LATTICEWORLD_TERRAIN_UPLANDS_H_
+#define LATTICEWORLD_TERRAIN_UPLANDS_H_
+
+#include <cstdint>
+
+#include "latticeworld/geometry/grid.h"
+#include "latticeworld/geometry/grid_geometry.h"
+
+namespace latticeworld::internal {
+
+// What landscape evolution alone leaves out of the land [m], on the lattice or a coarser one.
+
+// Hollows and knobs from 16 cells down to 4, in proportion to the slope, so that water on a plane
+// slope gathers in gullies. share: their steepness over that of the land.
+void RoughenSlopes(const GridGeometry& lattice, double share, std::uint64_t seed,
+                   Grid<float>* land_m);
+
+// Brings the summits of a range to about one height, as nature's are (Brozovic, Burbank and Meigs
+// 1997, "Climatic limits on landscape development in the northwestern Himalaya"): what is higher is
+// lowered more, to 1 / (1 + strength) of its height at the highest. Flow keeps its ways.
+void LowerSummits(double strength, Grid<float>* land_m);
+
+}  // namespace latticeworld::internal
+
+#endif  // LATTICEWORLD_TERRAIN_UPLANDS_H_

@@ -1,0 +1,132 @@
+"""latticeworld.World: worlds and views of their grids."""
+
+import gc
+import json
+import signal
+import threading
+import weakref
+
+import numpy as np
+import pytest
+from conftest import ENVIRONMENT, LAYOUT
+
+import latticeworld as lw
+
+
+def test_the_same_request_gives_the_same_world(world):
+    again = lw.World.generate(LAYOUT, ENVIRONMENT, seed=3, size_m=64.0)
+    other = lw.World.generate(LAYOUT, ENVIRONMENT, seed=4, size_m=64.0)
+    assert again.id == world.id and again.seed == 3
+    assert np.array_equal(again.heights, world.heights)
+    assert other.id != world.id
+
+
+def test_grids_are_views_of_the_worlds_own_memory(world):
+    for name, dtype in (("heights", np.float32), ("water_level", np.float32),
+                        ("surface", np.uint8), ("occupancy", np.int8)):
+        view = getattr(world, name)
+        assert view.shape == (128, 128) and view.dtype == dtype
+        assert np.shares_memory(view, getattr(world, name)), f"{name} was copied"
+        with pytest.raises(ValueError, match="read-only"):
+            view[0, 0] = 1
+    assert 0 <= world.surface.max() < len(lw.SURFACES)
+
+
+def test_a_view_keeps_its_world_alive():
+    world = lw.World.generate(LAYOUT, ENVIRONMENT, seed=9, size_m=64.0)
+    expected = world.heights.copy()
+    heights = world.heights
+    del world
+    gc.collect()
+    lw.World.generate(LAYOUT, ENVIRONMENT, seed=10, size_m=64.0)  # would take the memory
+    assert np.array_equal(heights, expected)
+
+
+def test_heights_are_those_of_the_ground(world):
+    half_m, cell_m = 0.5 * world.size_m, world.resolution_m
+    for row, column in ((0, 0), (5, 100), (127, 64)):
+        x, y = -half_m + (column + 0.5) * cell_m, half_m - (row + 0.5) * cell_m
+        assert world.height_at(x, y) == pytest.approx(world.heights[row, column], abs=1e-5)
+    with pytest.raises(ValueError, match="no place of the world.*within half its size"):
+        world.height_at(1000.0, 0.0)
+
+
+def test_a_bundle_gives_the_same_world_back(world, tmp_path):
+    world.save(tmp_path / "bundle")
+    again = lw.World.load(tmp_path / "bundle")
+    assert again.id == world.id
+    assert np.array_equal(again.heights, world.heights)
+    assert again.layout == world.layout and len(again.layout.split()) == 32
+    assert json.loads(again.environment_json)["coarse"]["season"] == "summer"
+    with pytest.raises(lw.LatticeWorldError, match="exist"):
+        world.save(tmp_path / "bundle")
+
+
+def test_a_bundle_that_is_not_there_is_said(tmp_path):
+    with pytest.raises(lw.NotFound, match="nowhere"):
+        lw.World.load(tmp_path / "nowhere")
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(lw.LatticeWorldError):
+        lw.World.load(tmp_path / "empty")
+
+
+def test_worlds_that_cannot_be_made_say_all_that_is_wrong():
+    with pytest.raises(ValueError, match="(?s)layout_instruction.*size"):
+        lw.World.generate("", "", size_m=-3.0)
+    with pytest.raises(ValueError, match="vocabulary"):
+        lw.World.generate("Grass.", vocabulary="lunar")
+    with pytest.raises(TypeError, match="incompatible function arguments"):
+        lw.World.generate(42)
+    with pytest.raises(lw.LatticeWorldError, match="missing.png"):
+        lw.World.generate("Hills.", height_map="/nowhere/missing.png")
+
+
+def test_what_a_listener_raises_ends_the_generation():
+    class Enough(Exception):
+        pass
+
+    def listen(stage, fraction):
+        heard.append((stage, fraction))
+        if stage == "terrain":
+            raise Enough
+
+    heard = []
+    with pytest.raises(Enough):
+        lw.World.generate(LAYOUT, ENVIRONMENT, seed=1, size_m=64.0, progress=listen)
+    assert heard and heard[-1][0] == "terrain"
+
+
+def test_ctrl_c_ends_a_generation(world):
+    def interrupt(stage, fraction):
+        if stage == "terrain":
+            signal.raise_signal(signal.SIGINT)
+
+    with pytest.raises(KeyboardInterrupt):
+        lw.World.generate(LAYOUT, ENVIRONMENT, seed=1, size_m=256.0, progress=interrupt)
+    assert lw.World.generate(LAYOUT, ENVIRONMENT, seed=3, size_m=64.0).id == world.id
+
+
+def test_pythons_other_threads_go_on_while_a_world_is_made():
+    made = threading.Event()
+    turns = 0
+
+    def make():
+        lw.World.generate(LAYOUT, ENVIRONMENT, seed=2, size_m=256.0)
+        made.set()
+
+    thread = threading.Thread(target=make)
+    thread.start()
+    while not made.is_set():
+        turns += 1
+    thread.join()
+    assert turns > 1
+
+
+def test_worlds_that_nobody_holds_are_gone():
+    world = lw.World.generate(LAYOUT, ENVIRONMENT, seed=9, size_m=64.0)
+    simulation = lw.Simulation(world)
+    heights = world.heights
+    watch = weakref.ref(simulation)
+    del world, simulation, heights
+    gc.collect()
+    assert watch() is None
