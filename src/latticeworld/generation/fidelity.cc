@@ -133,6 +133,7 @@ Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view
   FidelityReport report =
       AssessFidelity(readings.layout, readings.environment, layout, scene.environment);
   AddTerrainType(readings.environment, &readings.layout);
+  LeaveToTheirClass(&readings.layout.plan);
   AssessReliefFidelity(readings.layout, layout, *scene.terrain, &report);
   LW_ASSIGN_OR_RETURN(
       const std::vector<ThingWish> wishes,

@@ -156,6 +156,7 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
   world->fidelity =
       AssessFidelity(layout_reading, environment_reading, world->layout, world->environment);
   AddTerrainType(environment_reading, &layout_reading);
+  LeaveToTheirClass(&layout_reading.plan);
   if (relief) add_warnings(ReliefLeftAlone(layout_reading.plan.reliefs));
   LW_ASSIGN_OR_RETURN(
       const std::vector<ThingWish> things,

@@ -557,6 +557,16 @@ void ReadRelief(std::string_view text, LayoutReading* reading) {
   if (!reading->of_sentences) CountQuoted(text, reader.quotes(), reading);
 }
 
+void LeaveToTheirClass(LayoutPlan* plan) {
+  const auto rises_anyway = [](const ReliefWish& wish) {
+    const bool mountain = wish.kind == ReliefKind::kMountain || wish.kind == ReliefKind::kPeak;
+    return mountain && wish.letter != '\0' && !wish.alone && !wish.height_m && !wish.slope_deg &&
+           !wish.width_m && wish.ties.empty();
+  };
+  plan->reliefs.erase(std::remove_if(plan->reliefs.begin(), plan->reliefs.end(), rises_anyway),
+                      plan->reliefs.end());
+}
+
 void AddTerrainType(const EnvironmentReading& environment, LayoutReading* layout) {
   const HeardCoarse& heard = environment.heard.coarse_of(CoarseKey::kTerrainType);
   if (!layout->plan.reliefs.empty() || heard.hint) return;

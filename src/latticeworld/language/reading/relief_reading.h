@@ -18,6 +18,10 @@ void ReadRelief(std::string_view text, LayoutReading* reading);
 // name does: mountains, hills or a plain all over the world.
 void AddTerrainType(const EnvironmentReading& environment, LayoutReading* layout);
 
+// Mountains of rock or snow beside other land, of which nothing more is said than where they are,
+// rise as their class does: their wishes go.
+void LeaveToTheirClass(LayoutPlan* plan);
+
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_LANGUAGE_READING_RELIEF_READING_H_
