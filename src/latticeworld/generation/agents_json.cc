@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-#include "latticeworld/generation/json_fields.h"
+#include "latticeworld/generation/json_array.h"
 #include "latticeworld/generation/ros_name.h"
 
 namespace latticeworld {
@@ -53,49 +53,23 @@ AgentStart Decode(const jf::Json& json, const GridGeometry& geometry) {
   return agent;
 }
 
-std::vector<AgentStart> DecodeAll(std::string_view content, const GridGeometry& geometry) {
-  if (content.size() > kMaxBytes) {
-    throw jf::FieldError("is " + std::to_string(content.size()) + " bytes long; at most " +
-                         std::to_string(kMaxBytes) + " are legal");
-  }
-  const jf::Json json = jf::Parse(content);
-  if (!json.is_array()) throw jf::FieldError("is not an array");
-  if (json.size() > kMaxAgentStarts) {
-    throw jf::FieldError("has " + std::to_string(json.size()) + " agents; at most " +
-                         std::to_string(kMaxAgentStarts) + " are legal");
-  }
-  std::vector<AgentStart> agents;
-  std::set<std::string> names;
-  for (const jf::Json& entry : json) {
-    try {
-      agents.push_back(Decode(entry, geometry));
-      if (!names.insert(agents.back().name).second) {
-        jf::Fail("name", entry["name"], "a name that no agent before it has");
-      }
-    } catch (const jf::FieldError& error) {
-      throw jf::FieldError("agent " + std::to_string(&entry - &json[0]) + ": " + error.what());
-    }
-  }
-  return agents;
-}
-
 }  // namespace
 
 std::string EncodeAgents(const std::vector<AgentStart>& agents) {
-  jf::Json json = jf::Json::array();
-  for (const AgentStart& agent : agents) json.push_back(Encode(agent));
-  return jf::Dump(json);
+  return jf::EncodeArray(agents, Encode);
 }
 
 Result<std::vector<AgentStart>> DecodeAgents(std::string_view content,
                                              const GridGeometry& geometry) {
-  try {
-    return DecodeAll(content, geometry);
-  } catch (const jf::FieldError& error) {
-    return DataLoss(error.what());
-  } catch (const jf::Json::exception& error) {
-    return DataLoss(error.what());
-  }
+  std::set<std::string> names;
+  return jf::DecodeArray<AgentStart>(
+      content, {"agent", kMaxBytes, kMaxAgentStarts}, [&](const jf::Json& entry) {
+        AgentStart agent = Decode(entry, geometry);
+        if (!names.insert(agent.name).second) {
+          jf::Fail("name", entry["name"], "a name that no agent before it has");
+        }
+        return agent;
+      });
 }
 
 }  // namespace latticeworld

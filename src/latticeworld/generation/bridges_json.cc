@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "latticeworld/generation/json_fields.h"
+#include "latticeworld/generation/json_array.h"
 
 namespace latticeworld {
 namespace {
@@ -78,44 +78,15 @@ Bridge Decode(const jf::Json& json, const GridGeometry& geometry) {
   return bridge;
 }
 
-std::vector<Bridge> DecodeAll(std::string_view content, const GridGeometry& geometry) {
-  if (content.size() > kMaxBytes) {
-    throw jf::FieldError("is " + std::to_string(content.size()) + " bytes long; at most " +
-                         std::to_string(kMaxBytes) + " are legal");
-  }
-  const jf::Json json = jf::Parse(content);
-  if (!json.is_array()) throw jf::FieldError("is not an array");
-  if (json.size() > kMaxBridges) {
-    throw jf::FieldError("has " + std::to_string(json.size()) + " bridges; at most " +
-                         std::to_string(kMaxBridges) + " are legal");
-  }
-  std::vector<Bridge> bridges;
-  for (const jf::Json& entry : json) {
-    try {
-      bridges.push_back(Decode(entry, geometry));
-    } catch (const jf::FieldError& error) {
-      throw jf::FieldError("bridge " + std::to_string(bridges.size()) + ": " + error.what());
-    }
-  }
-  return bridges;
-}
-
 }  // namespace
 
 std::string EncodeBridges(const std::vector<Bridge>& bridges) {
-  jf::Json json = jf::Json::array();
-  for (const Bridge& bridge : bridges) json.push_back(Encode(bridge));
-  return jf::Dump(json);
+  return jf::EncodeArray(bridges, Encode);
 }
 
 Result<std::vector<Bridge>> DecodeBridges(std::string_view content, const GridGeometry& geometry) {
-  try {
-    return DecodeAll(content, geometry);
-  } catch (const jf::FieldError& error) {
-    return DataLoss(error.what());
-  } catch (const jf::Json::exception& error) {
-    return DataLoss(error.what());
-  }
+  return jf::DecodeArray<Bridge>(content, {"bridge", kMaxBytes, kMaxBridges},
+                                 [&](const jf::Json& entry) { return Decode(entry, geometry); });
 }
 
 }  // namespace latticeworld

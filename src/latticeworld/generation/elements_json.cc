@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "latticeworld/generation/json_fields.h"
+#include "latticeworld/generation/json_array.h"
 #include "latticeworld/generation/ros_name.h"
 #include "latticeworld/scene/elements.h"
 
@@ -52,53 +52,29 @@ Element Decode(const jf::Json& json, const GridGeometry& geometry) {
   return element;
 }
 
-std::vector<Element> DecodeAll(std::string_view content, const GridGeometry& geometry,
-                               const std::vector<AgentStart>& agents) {
-  if (content.size() > kMaxBytes) {
-    throw jf::FieldError("is " + std::to_string(content.size()) + " bytes long; at most " +
-                         std::to_string(kMaxBytes) + " are legal");
-  }
-  const jf::Json json = jf::Parse(content);
-  if (!json.is_array()) throw jf::FieldError("is not an array");
-  if (json.size() > static_cast<std::size_t>(kMaxElements)) {
-    throw jf::FieldError("has " + std::to_string(json.size()) + " elements; at most " +
-                         std::to_string(kMaxElements) + " are legal");
-  }
-  std::set<std::string> names;
-  for (const AgentStart& agent : agents) names.insert(agent.name);
-  std::vector<Element> elements;
-  for (const jf::Json& entry : json) {
-    try {
-      elements.push_back(Decode(entry, geometry));
-      if (!names.insert(elements.back().name).second) {
-        jf::Fail("name", entry["name"], "a name that no agent and no element before it has");
-      }
-    } catch (const jf::FieldError& error) {
-      throw jf::FieldError("element " + std::to_string(&entry - &json[0]) + ": " + error.what());
-    }
-  }
-  std::sort(elements.begin(), elements.end(),
-            [](const Element& a, const Element& b) { return a.name < b.name; });
-  return elements;
-}
-
 }  // namespace
 
 std::string EncodeElements(const std::vector<Element>& elements) {
-  jf::Json json = jf::Json::array();
-  for (const Element& element : elements) json.push_back(Encode(element));
-  return jf::Dump(json);
+  return jf::EncodeArray(elements, Encode);
 }
 
 Result<std::vector<Element>> DecodeElements(std::string_view content, const GridGeometry& geometry,
                                             const std::vector<AgentStart>& agents) {
-  try {
-    return DecodeAll(content, geometry, agents);
-  } catch (const jf::FieldError& error) {
-    return DataLoss(error.what());
-  } catch (const jf::Json::exception& error) {
-    return DataLoss(error.what());
+  std::set<std::string> names;
+  for (const AgentStart& agent : agents) names.insert(agent.name);
+  const auto decode = [&](const jf::Json& entry) {
+    Element element = Decode(entry, geometry);
+    if (!names.insert(element.name).second) {
+      jf::Fail("name", entry["name"], "a name that no agent and no element before it has");
+    }
+    return element;
+  };
+  auto elements = jf::DecodeArray<Element>(content, {"element", kMaxBytes, kMaxElements}, decode);
+  if (elements.ok()) {
+    std::sort(elements->begin(), elements->end(),
+              [](const Element& a, const Element& b) { return a.name < b.name; });
   }
+  return elements;
 }
 
 }  // namespace latticeworld
