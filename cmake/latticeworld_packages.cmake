@@ -44,13 +44,13 @@ set(CPACK_DEBIAN_MESSAGES_PACKAGE_CONTROL_EXTRA
     ${PROJECT_SOURCE_DIR}/cmake/debian/postinst ${PROJECT_SOURCE_DIR}/cmake/debian/prerm)
 set(CPACK_DEBIAN_MESSAGES_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_MESSAGES_PACKAGE_DEPENDS
-    "libroscpp-core-dev, python3:any, python3-genpy, ros-actionlib-msgs, ros-geometry-msgs, ros-message-runtime, ros-sensor-msgs, ros-std-msgs")
+    "libroscpp-core-dev, python3:any, python3-actionlib-msgs, python3-genpy, python3-geometry-msgs, python3-sensor-msgs, python3-std-msgs, ros-actionlib-msgs, ros-geometry-msgs, ros-message-runtime, ros-sensor-msgs, ros-std-msgs")
 set(CPACK_COMPONENT_MESSAGES_DESCRIPTION
     "messages, services and actions of LatticeWorld\n What programs need that talk to its nodes over ROS 1, in C++, Python and Lisp.")
 
 set(CPACK_DEBIAN_WORLD_PACKAGE_NAME ros-latticeworld)
 set(CPACK_DEBIAN_WORLD_PACKAGE_DEPENDS
-    "ros-latticeworld-msgs (= ${PROJECT_VERSION}), python3:any, python3-rosgraph, python3-roslaunch, python3-rosmaster, python3-rosnode, python3-rosparam, python3-rospy, python3-rosservice, python3-rostopic, python3-std-msgs, python3-std-srvs, python3-tf2-ros, rosbash, ros-diagnostic-msgs, ros-move-base-msgs, ros-nav-msgs, ros-rosgraph-msgs, ros-std-srvs, ros-tf2-msgs, ros-visualization-msgs, rosout")
+    "ros-latticeworld-msgs (= ${PROJECT_VERSION}), python3:any, python3-move-base-msgs, python3-nav-msgs, python3-rosgraph, python3-rosgraph-msgs, python3-roslaunch, python3-rosmaster, python3-rosnode, python3-rosparam, python3-rospy, python3-rosservice, python3-rostopic, python3-std-msgs, python3-std-srvs, python3-tf2-ros, rosbash, ros-diagnostic-msgs, ros-move-base-msgs, ros-nav-msgs, ros-rosgraph-msgs, ros-std-srvs, ros-tf2-msgs, ros-visualization-msgs, rosout")
 set(CPACK_COMPONENT_WORLD_DESCRIPTION
     "living, physical worlds for robots from words\n Makes terrain, water, vegetation, buildings, weather and agents from text, simulates\n them in real time and speaks ROS 1: nodes, the command line and launch files.")
 

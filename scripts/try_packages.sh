@@ -4,7 +4,8 @@
 # Needs root, debootstrap and Debian's packages. Usage: scripts/try_packages.sh FOLDER_OF_PACKAGES
 set -euo pipefail
 packages=$(cd "${1:?usage: try_packages.sh FOLDER_OF_PACKAGES}" && pwd)
-mirror=${LATTICEWORLD_DEBIAN_MIRROR:-http://deb.debian.org/debian}
+# Debian comes from where this machine has it from.
+mirror=${LATTICEWORLD_DEBIAN_MIRROR:-$(apt-get indextargets --format '$(REPO_URI)' | grep -v security | head -n 1)}
 bare=$(mktemp -d "${TMPDIR:-/tmp}/latticeworld_bare.XXXXXX")
 
 tidy() {
@@ -23,7 +24,9 @@ files() {
 
 say "a bare Debian 12"
 debootstrap --variant=minbase bookworm "$bare" "$mirror" >/dev/null
+chmod 755 "$bare"
 mount -t proc proc "$bare/proc"
+echo "127.0.0.1 localhost" >"$bare/etc/hosts"  # as every installed system has it
 inside apt-get update --quiet=2
 files >"$bare/tmp/before"
 cp -r "$packages" "$bare/packages"
