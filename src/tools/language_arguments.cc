@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,14 +18,15 @@ void AddLanguageOptions(CLI::App* command) {
       "Who reads the words: rules, controlled (they are sentences of the small language, "
       "docs/small_language.md), model (--reader-model says them in it), checked (model, with the "
       "rules beside it) or remote (the model behind --remote-url says them in it) [checked where "
-      "--reader-model is given, else rules].");
+      "a model that reads is given, else rules].");
   AddValueOption(
       command, "--generator", "NAME",
       "Who answers them: grounded (draws what was read), remote (the model behind --remote-url) or "
       "local (a model in this process, --local-model) [remote where --remote-url is given, else "
       "local where --local-model is, else grounded].");
   AddValueOption(command, "--reader-model", "FILE",
-                 "GGUF file of a model that was taught to read (scripts/fetch_reader.sh).");
+                 "GGUF file of a model that was taught to read (scripts/fetch_reader.sh) "
+                 "[what LATTICEWORLD_READER_MODEL names; else none].");
   AddValueOption(command, "--reader-threads", "N",
                  "That read, which does not depend on them, 0 to 256 [0: as many as cores].");
   AddValueOption(command, "--local-model", "FILE",
@@ -83,9 +85,10 @@ Result<LanguageStack> LoadLanguage(const CLI::App& command) {
        {"--local-environment-model", "--local-temperature", "--local-threads", "--local-tries"})
     arguments.RequireBeside(option, "--local-model");
   ReaderModelOptions reader;
-  reader.model = ValueOf(command, "--reader-model").value_or("");
+  const char* named = std::getenv("LATTICEWORLD_READER_MODEL");
+  reader.model = ValueOf(command, "--reader-model").value_or(named == nullptr ? "" : named);
   reader.threads = static_cast<int>(arguments.Integer("--reader-threads", 0, 256, reader.threads));
-  arguments.RequireBeside("--reader-threads", "--reader-model");
+  if (!reader.is_wanted()) arguments.RequireBeside("--reader-threads", "--reader-model");
   LW_RETURN_IF_ERROR(arguments.status());
 
   std::vector<Violation> violations = Validate(remote);
