@@ -8,6 +8,9 @@ from torch import nn
 ADAPTED = ("query", "key", "value", "attention_output", "gate", "up", "down")
 
 
+SCALE = 2.0  # of what adapters add
+
+
 class AdaptedLinear(nn.Module):
     """y = (W + scale B A) x with W fixed, A (rank, inputs) and B (outputs, rank). B begins at zero."""
 
@@ -25,7 +28,7 @@ class AdaptedLinear(nn.Module):
         return nn.functional.linear(x, self.weight) + nn.functional.linear(narrow, (self.b * self.scale).to(x.dtype))
 
 
-def adapt(model, rank, scale=2.0):
+def adapt(model, rank, scale=SCALE):
     """Puts adapters on every matrix of a Llama's layers; all that was there before is fixed."""
     for weights in model.parameters():
         weights.requires_grad_(False)

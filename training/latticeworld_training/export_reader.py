@@ -9,6 +9,7 @@ import os
 import torch
 
 from . import gguf
+from .adapters import SCALE
 from .base_model import NAMES
 from .join_reader import KEY, sha256_of
 
@@ -17,7 +18,6 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     for name in ("run", "base", "out"):
         parser.add_argument(f"--{name}", required=True)
-    parser.add_argument("--scale", type=float, default=2.0, help="of the adapters, as they were trained [2]")
     given = parser.parse_args(arguments)
     state = torch.load(os.path.join(given.run, "adapter.pt"), weights_only=False)["adapters"]
     writer = gguf.GgufWriter()
@@ -27,7 +27,7 @@ def main(arguments=None):
     parts = {ours: theirs for theirs, ours in NAMES.items()}
     for name, weights in state.items():
         _, number, part, which = name.split(".")
-        values = weights.float() * (given.scale if which == "b" else 1.0)
+        values = weights.float() * (SCALE if which == "b" else 1.0)
         # Rows of B are as long as the rank: a multiple of the blocks of q8_0.
         writer.add_tensor(f"blk.{number}.{parts[part]}.weight.{which}", values.numpy(), gguf.Q8_0)
     writer.write(given.out)

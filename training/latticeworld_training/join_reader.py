@@ -42,6 +42,10 @@ def join(base_path, adapter_path, out_path):
     if about[KEY] != given:
         raise ValueError(f"{adapter_path} belongs to the base of SHA-256 {about[KEY]}; {base_path} has {given}")
     metadata, tensors = gguf.read_gguf(base_path)
+    # A reader may have learned on the base's first layers alone.
+    layers = 1 + max(int(name.split(".")[1]) for name in adapters)
+    metadata[f"{metadata['general.architecture']}.block_count"] = layers
+    tensors = {name: values for name, values in tensors.items() if not name.startswith("blk.") or int(name.split(".")[1]) < layers}
     writer = gguf.GgufWriter()
     writer.add("general.name", gguf.STRING, about["general.name"])
     copy_metadata(metadata, writer)

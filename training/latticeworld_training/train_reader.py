@@ -18,8 +18,8 @@ import time
 import torch
 from torch.nn import functional
 
-from . import adapters, llama
-from .base_model import read_base
+from . import adapters, gguf, llama
+from .base_model import NAMES, read_base
 from .reader_examples import END, PROMPT, answer_of, read_examples
 
 TOKENS_AT_ONCE = 3072
@@ -123,12 +123,32 @@ class Lesson:
         return f"{len(self.encoded)} examples of {length:.0f} tokens, {len(self.answers)} tokens of answers"
 
 
+def unseen_loss(model, lesson):
+    """(nats a token, nats a text) of the authors that are left out."""
+    with torch.no_grad():
+        sums = [loss_of(model, lesson.checked, [i], lesson.place_of, lesson.answers) for i in range(len(lesson.checked))]
+    nats = sum(float(loss) * count for loss, count in sums)
+    return nats / sum(count for _, count in sums), nats / len(sums)
+
+
 def read_lesson(tokenizer, given):
     paths = [path for pattern in given.data for path in sorted(glob.glob(pattern))]
     examples = read_examples(paths, without=given.leave_out)
     random.Random(given.seed).shuffle(examples)
     examples = examples[: max(1, round(given.share * len(examples)))]
-    return Lesson(tokenizer, examples, read_examples(paths, only=given.leave_out)[:200] if given.leave_out else [])
+    return Lesson(tokenizer, examples, read_examples(paths, only=given.leave_out) if given.leave_out else [])
+
+
+def adapters_of(path):
+    """The adapters of a run's folder, or of a file that export_reader made."""
+    if os.path.isdir(path):
+        return torch.load(os.path.join(path, "adapter.pt"), weights_only=False)["adapters"]
+    state = {}
+    for name, values in gguf.read_gguf(path)[1].items():
+        _, number, part, _, which = name.split(".")
+        scale = adapters.SCALE if which == "b" else 1.0
+        state[f"layers.{number}.{NAMES[part]}.{which}"] = torch.from_numpy(values / scale)
+    return state
 
 
 def save(path, model, optimizer, **rest):
@@ -144,7 +164,7 @@ def main(arguments=None):
     parser.add_argument("--data", nargs="+", required=True, help="JSON Lines")
     parser.add_argument("--leave-out", nargs="*", default=[], help="authors that are not trained on")
     parser.add_argument("--out", required=True, help="folder of the run")
-    parser.add_argument("--begin-with", help="folder of a run whose adapters this one begins with")
+    parser.add_argument("--begin-with", help="run's folder, or file of export_reader, whose adapters this one begins with")
     parser.add_argument("--share", type=float, default=1.0, help="of the examples, for a learning curve [1]")
     parser.add_argument("--rank", type=int, default=32, help="of the adapters [32]")
     parser.add_argument("--layers", type=int, default=0, help="of the base that are kept, from below; 0: all [0]")
@@ -179,8 +199,7 @@ def main(arguments=None):
         optimizer.load_state_dict(state["optimizer"])
         step, spent, epoch = state["step"], state["spent"], state["epoch"]
     elif given.begin_with:
-        state = torch.load(os.path.join(given.begin_with, "adapter.pt"), weights_only=False)
-        model.load_state_dict(state["adapters"], strict=False)
+        model.load_state_dict(adapters_of(given.begin_with), strict=False)
     # A processor that others use as well does not shorten the lesson.
     worked = lambda: spent + (time.process_time() - began) / given.threads
     began = time.process_time()
@@ -215,10 +234,8 @@ def main(arguments=None):
         epoch += 1
         save(path, model, optimizer, step=step, spent=worked(), epoch=epoch)
         if lesson.checked:
-            with torch.no_grad():
-                sums = [loss_of(model, lesson.checked, [i], place_of, answers) for i in range(0, len(lesson.checked), 4)]
-            unseen = sum(float(loss) * count for loss, count in sums) / sum(count for _, count in sums)
-            print(f"epoch {epoch} of {lesson} ends: left-out authors {unseen:.4f} nats a token", flush=True)
+            unseen, a_text = unseen_loss(model, lesson)
+            print(f"epoch {epoch} of {lesson} ends: left-out authors {unseen:.4f} nats a token, {a_text:.2f} a text", flush=True)
             with open(os.path.join(given.out, "loss.csv"), "a", encoding="utf-8") as file:
                 file.write(f"{step},{worked() / 60:.2f},{unseen:.4f}\n")
     save(path, model, optimizer, step=step, spent=worked(), epoch=epoch)
