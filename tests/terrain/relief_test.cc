@@ -93,7 +93,9 @@ TEST(ReliefTest, EveryKindHoldsWhatItClaimsAndDrains) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       const Terrain terrain = BuildWith({wish}, layout, seed, Small());
       EXPECT_EQ(Misses({wish}, layout, terrain), "") << name << ", seed " << seed;
-      const bool closed = kind == ReliefKind::kBasin || kind == ReliefKind::kCrater;
+      // Between dunes rain seeps away.
+      const bool closed =
+          kind == ReliefKind::kBasin || kind == ReliefKind::kCrater || kind == ReliefKind::kDunes;
       if (!closed) EXPECT_LT(HollowShare(terrain), 0.004) << name << ", seed " << seed;
     }
   }

@@ -40,6 +40,8 @@ AreaTraits TraitsOf(ReliefKind kind) {
       return {6.0f, 1.0f, 0.30f};
     case ReliefKind::kRugged:
       return {6.0f, 1.1f, 0.12f};
+    case ReliefKind::kMountainous:
+      return {20.0f, 0.95f, 0.12f};
     default:
       return {8.0f, 0.95f, 0.12f};
   }
@@ -187,8 +189,10 @@ Grid<float> ReliefForms::FromFloor(const ReliefPiece& valley) const {
 }
 
 void ReliefForms::RaiseBeside(const ReliefPiece& valley, Grid<float>* steepness_m) const {
+  constexpr double kRiseByWater = 0.17, kRise = 0.03;  // uplift over erodibility by height
   const auto soft_m = kSoftSteepness_m * static_cast<float>(lattice_.size_m() / 512.0);
-  const auto rise_m = static_cast<float>(0.03 * valley.height_m);
+  const auto rise_m =
+      static_cast<float>((valley.follows_water ? kRiseByWater : kRise) * valley.height_m);
   const Grid<float> from = FromFloor(valley);
   for (std::size_t i = 0; i < from.size(); ++i) {
     const float u = from.data()[i];
@@ -274,7 +278,9 @@ void ReliefForms::ScaleArea(const Area& area, const Grid<float>& foot_m,
 // Land beside the floor is lifted or lowered by one factor, so that it drains as it did.
 void ReliefForms::ScaleValley(const ReliefPiece& valley, const Grid<float>& foot_m,
                               Grid<float>* land_m) const {
-  const float kLeast = 0.6f, kMost = 1.2f;
+  const float kLeast = 0.6f;
+  // What lies about a valley that is not a river's is its own land as much.
+  const float kMost = valley.follows_water ? 3.0f : 1.2f;
   const Grid<float> from = FromFloor(valley);
   std::vector<float> rims, floors;
   for (std::size_t i = 0; i < from.size(); ++i) {

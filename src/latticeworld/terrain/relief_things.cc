@@ -40,6 +40,8 @@ double AgeOf(ReliefKind kind) {
       return 0.0;
     case ReliefKind::kMoraine:
       return 0.3;
+    case ReliefKind::kHill:
+      return 0.5;
     case ReliefKind::kCrater:
       return 0.6;
     default:

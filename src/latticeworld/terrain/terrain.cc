@@ -103,6 +103,23 @@ Grid<float> DepthNearRoads(const GridGeometry& lattice, const Grid<unsigned char
   return depth_m;
 }
 
+// The least of each cell and its neighbours: a floor between steep sides is no steep ground.
+Grid<float> LeastAround(const Grid<float>& values) {
+  const int rows = values.rows(), cols = values.cols();
+  Grid<float> along(rows, cols), least(rows, cols);
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < cols; ++c) {
+      along(r, c) = std::min({values(r, c), values.Clamped(r, c - 1), values.Clamped(r, c + 1)});
+    }
+  }
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < cols; ++c) {
+      least(r, c) = std::min({along(r, c), along.Clamped(r - 1, c), along.Clamped(r + 1, c)});
+    }
+  }
+  return least;
+}
+
 // The mask without what lies so near bridges that roads climb to them there.
 Grid<unsigned char> WithoutRamps(const GridGeometry& lattice, const std::vector<Bridge>& bridges,
                                  Grid<unsigned char> mask) {
@@ -232,7 +249,7 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
   }
   LW_RETURN_IF_ERROR(advance(0.6));
 
-  const Grid<float> slope = GradientMagnitude(plan.height_m, lattice.resolution_m());
+  const Grid<float> slope = LeastAround(GradientMagnitude(plan.height_m, lattice.resolution_m()));
   plan.masks = std::move(lines.masks);
   plan.level_m = banks.level_everywhere_m();
   plan.lowest_m = banks.lowest_m();

@@ -29,19 +29,24 @@ void RoughenSlopes(const GridGeometry& lattice, double share, std::uint64_t seed
   }
 }
 
+constexpr double kHighShare = 0.9;  // high is what so much of the land is lower than
+
 void LowerSummits(double strength, const Grid<float>& foot_m, Grid<float>* land_m) {
-  constexpr float kOnset = 0.8f;  // the larger, the less is lowered that is not high
-  float range_m = 0.0f;
-  for (std::size_t i = 0; i < land_m->size(); ++i) {
-    range_m = std::max(range_m, land_m->data()[i] - foot_m.data()[i]);
+  constexpr float kOnset = 1.0f;  // the larger, the less is lowered that is not high
+  std::vector<float> above_m(land_m->size());
+  for (std::size_t i = 0; i < above_m.size(); ++i) {
+    above_m[i] = land_m->data()[i] - foot_m.data()[i];
   }
-  if (!(range_m > 0.0f)) return;
+  std::vector<float> sorted = above_m;
+  const auto high = sorted.begin() + static_cast<std::ptrdiff_t>(kHighShare * sorted.size());
+  std::nth_element(sorted.begin(), high, sorted.end());
+  const float high_m = *high;
+  if (!(high_m > 0.0f)) return;
   const auto most = static_cast<float>(strength);
-  for (std::size_t i = 0; i < land_m->size(); ++i) {
-    float& height_m = land_m->data()[i];
-    const float above_m = height_m - foot_m.data()[i];
-    if (above_m <= 0.0f) continue;
-    height_m = foot_m.data()[i] + above_m / (1.0f + most * std::pow(above_m / range_m, kOnset));
+  for (std::size_t i = 0; i < above_m.size(); ++i) {
+    if (above_m[i] <= 0.0f) continue;
+    land_m->data()[i] =
+        foot_m.data()[i] + above_m[i] / (1.0f + most * std::pow(above_m[i] / high_m, kOnset));
   }
 }
 

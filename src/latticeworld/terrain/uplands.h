@@ -16,9 +16,9 @@ void RoughenSlopes(const GridGeometry& lattice, double share, std::uint64_t seed
                    Grid<float>* land_m);
 
 // Brings the summits of a range to about one height, as nature's are (Brozovic, Burbank and Meigs
-// 1997, "Climatic limits on landscape development in the northwestern Himalaya"): what is higher
-// above its foot is lowered more, to 1 / (1 + strength) of that at the highest. What lies no higher
-// than its foot stays.
+// 1997, "Climatic limits on landscape development in the northwestern Himalaya"). What is as high
+// above its foot as a tenth of the land is or more is lowered to 1 / (1 + strength) of that or
+// less, what is lower less; heights keep their order. What lies no higher than its foot stays.
 void LowerSummits(double strength, const Grid<float>& foot_m, Grid<float>* land_m);
 
 // Lets rain cut valleys into land that stands already, such as a hill. It rises as fast as rain
