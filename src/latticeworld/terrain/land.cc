@@ -44,10 +44,10 @@ constexpr double kRegion_cells = 14.0;
 constexpr float kWildness = 4.0f;
 // How much the summits of a world that is all mountain are brought together.
 constexpr double kAccordance = 0.5;
-constexpr double kMountainAccordance = 3.2;
+constexpr double kMountainAccordance = 3.0;
 constexpr double kMaxCreep_m = 6.0;
 // Concavity of channels.
-constexpr double kAreaExponent = 0.39;
+constexpr double kAreaExponent = 0.38;
 // Steepness is a slope where channels drain a square of this share of the world's side.
 constexpr double kReachOfSize = 20.0;
 // A dry edge is cut off from land that goes on beyond it: it lies as much above the rivers as
