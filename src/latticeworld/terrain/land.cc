@@ -42,9 +42,9 @@ constexpr float kRest = 0.9f;
 constexpr double kRegionalShare = 0.95;
 constexpr double kRegion_cells = 14.0;
 constexpr float kWildness = 4.0f;
-// How much the summits of a world that is all mountain are brought together.
+// How much summits are brought together: most where half of the world is mountain.
 constexpr double kAccordance = 0.5;
-constexpr double kMountainAccordance = 3.0;
+constexpr double kMountainAccordance = 4.0;
 constexpr double kMaxCreep_m = 6.0;
 // Concavity of channels.
 constexpr double kAreaExponent = 0.38;
@@ -373,7 +373,7 @@ Result<ShapedLand> ShapeLand(const GridGeometry& lattice, const SmoothedMasks& m
   Grid<float> land_m = OnFoot(foot_m, hills_m, FirstLand(lattice, fields, hills_m, seed));
   const Phase young = {n / 4, 0.2, 4, 0.3, 1.0, 0.0, 0};
   BaseLevel base = BaseLevelOf(OnFoot(foot_m, hills_m, edge_m), levels.Levels(), forms);
-  Evolve(lattice, young, base, fields, &land_m);
+  for (int time = 0; time < 2; ++time) Evolve(lattice, young, base, fields, &land_m);
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   levels.SetClosedBases(Resample(land_m, n, n), incision_m);
   levels.Reconcile(kNeighbourSlope * lattice.resolution_m());
@@ -388,8 +388,9 @@ Result<ShapedLand> ShapeLand(const GridGeometry& lattice, const SmoothedMasks& m
   base = BaseLevelOf(OnFoot(foot_m, hills_m, edge_m), result.water_level_m, forms);
   const Phase mature = {n / 2, 0.3, 3, 0.0, 1.2, 0.45, 6};
   const Phase gullies = {n, 0.6, 2, 0.0, 1.3, 0.25, 2};
-  const double accordance =
-      (kAccordance + kMountainAccordance * fields.mountain_share) * (1.0 - forms.RaisedShare());
+  const double mountains = fields.mountain_share;
+  const double accordance = (kAccordance + kMountainAccordance * mountains * (1.0 - mountains)) *
+                            (1.0 - forms.RaisedShare());
   for (const Phase& phase : {young, mature, gullies}) {
     Evolve(lattice, phase, base, fields, &land_m);
     if (phase.cells == n / 2) LowerSummits(accordance, Resample(foot_m, n / 2, n / 2), &land_m);

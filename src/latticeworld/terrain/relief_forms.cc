@@ -97,8 +97,8 @@ Grid<float> ReliefForms::ShareOf(const LayoutMask& area, bool off_built) const {
 
 Grid<float> ReliefForms::Inward(const Area& area) const {
   const int n = lattice_.rows();
-  constexpr double kReach = 0.55;  // of a mountain that is all of the world, in the world's size
-  constexpr float kSummits = 0.5f;
+  constexpr double kReach = 0.55;   // of a mountain that is all of the world, in the world's size
+  constexpr float kSummits = 0.5f;  // how unlike in height they are
   const double size_m = lattice_.size_m();
   const bool whole = area.piece->half_width_m >= 0.45 * size_m;
   NoiseOptions options;
@@ -135,6 +135,7 @@ Grid<float> ReliefForms::Inward(const Area& area) const {
 void ReliefForms::Raise(Grid<float>* steepness_m, Grid<float>* slide_slope,
                         Grid<float>* talus) const {
   const auto growth = static_cast<float>(lattice_.size_m() / 512.0);
+  // What is laid stands on soft land, whatever grows there: its height is its own.
   const Grid<float> things = ShareOfThings(ground(), pieces_);
   for (std::size_t i = 0; i < things.size(); ++i) {
     float& steepness = steepness_m->data()[i];
@@ -278,9 +279,9 @@ void ReliefForms::ScaleArea(const Area& area, const Grid<float>& foot_m,
 // Land beside the floor is lifted or lowered by one factor, so that it drains as it did.
 void ReliefForms::ScaleValley(const ReliefPiece& valley, const Grid<float>& foot_m,
                               Grid<float>* land_m) const {
-  const float kLeast = 0.6f;
+  constexpr float kLeast = 0.6f;
   // What lies about a valley that is not a river's is its own land as much.
-  const float kMost = valley.follows_water ? 3.0f : 1.2f;
+  const float most = valley.follows_water ? 3.0f : 1.2f;
   const Grid<float> from = FromFloor(valley);
   std::vector<float> rims, floors;
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -292,7 +293,7 @@ void ReliefForms::ScaleValley(const ReliefPiece& valley, const Grid<float>& foot
   const float floor_m = floors.empty() ? 0.0f : Quantile(0.5, &floors);
   const float rim_m = Quantile(0.5, &rims);
   const float factor = std::clamp(
-      (static_cast<float>(valley.height_m) + floor_m) / std::max(rim_m, 0.01f), kLeast, kMost);
+      (static_cast<float>(valley.height_m) + floor_m) / std::max(rim_m, 0.01f), kLeast, most);
   for (std::size_t i = 0; i < from.size(); ++i) {
     const float u = from.data()[i];
     const float beside = SmoothStep((u - 0.15f) / 0.5f) * (1.0f - SmoothStep((u - 1.4f) / 1.2f));

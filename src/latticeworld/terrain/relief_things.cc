@@ -160,7 +160,7 @@ void FindPlaces(const ReliefGround& ground, Thing* thing) {
 
 // Outlines waver, least near the axis.
 void Waver(const ReliefGround& ground, Thing* thing) {
-  const float kWaver = IsWalled(thing->piece->kind) ? 0.8f : 0.45f;
+  const float waver = IsWalled(thing->piece->kind) ? 0.8f : 0.45f;
   NoiseOptions options;
   options.wavelength_m = 1.6 * thing->piece->half_width_m;
   options.octaves = 5;
@@ -170,9 +170,9 @@ void Waver(const ReliefGround& ground, Thing* thing) {
   for (std::size_t i = 0; i < noise.size(); ++i) {
     float& off = thing->off.data()[i];
     if (thing->piece->kind == ReliefKind::kCliff) {
-      off += 1.5f * kWaver * noise.data()[i];
+      off += 1.5f * waver * noise.data()[i];
     } else {
-      off *= 1.0f + kWaver * noise.data()[i] * SmoothStep(2.0f * off);
+      off *= 1.0f + waver * noise.data()[i] * SmoothStep(2.0f * off);
     }
   }
 }
@@ -264,7 +264,7 @@ void LevelFloor(const ReliefGround& ground, const Thing& thing, Grid<float>* lan
 // on a coarser lattice, and the land keeps what is finer.
 void Weather(const ReliefGround& ground, const Thing& thing, const Grid<float>& level_m,
              Grid<float>* land_m) {
-  constexpr double kHalfWidth_cells = 24.0;
+  constexpr double kHalfWidth_cells = 24.0;  // of the coarser lattice
   const double age = AgeOf(thing.piece->kind);
   if (age <= 0.0) return;
   const int n = ground.lattice.rows();

@@ -29,10 +29,8 @@ void RoughenSlopes(const GridGeometry& lattice, double share, std::uint64_t seed
   }
 }
 
-constexpr double kHighShare = 0.9;  // high is what so much of the land is lower than
-
 void LowerSummits(double strength, const Grid<float>& foot_m, Grid<float>* land_m) {
-  constexpr float kOnset = 1.0f;  // the larger, the less is lowered that is not high
+  constexpr double kHighShare = 0.9;  // high is what so much of the land is lower than
   std::vector<float> above_m(land_m->size());
   for (std::size_t i = 0; i < above_m.size(); ++i) {
     above_m[i] = land_m->data()[i] - foot_m.data()[i];
@@ -45,24 +43,25 @@ void LowerSummits(double strength, const Grid<float>& foot_m, Grid<float>* land_
   const auto most = static_cast<float>(strength);
   for (std::size_t i = 0; i < above_m.size(); ++i) {
     if (above_m[i] <= 0.0f) continue;
-    land_m->data()[i] =
-        foot_m.data()[i] + above_m[i] / (1.0f + most * std::pow(above_m[i] / high_m, kOnset));
+    land_m->data()[i] = foot_m.data()[i] + above_m[i] / (1.0f + most * above_m[i] / high_m);
   }
 }
 
 void Dissect(const GridGeometry& lattice, const Grid<unsigned char>& outlet, std::uint64_t seed,
              Grid<float>* land_m) {
-  constexpr double kRoughness = 0.5;
-  constexpr double kAround_cells = 10.0;
-  constexpr double kPace = 0.15;
+  constexpr double kRoughness = 0.5;      // of what water finds on the slopes, in their slope
+  constexpr double kAround_cells = 10.0;  // that the uplift is a mean of
+  constexpr double kPace = 0.15;          // of a step: channels of 1 m^2 at slope 1 sink so far [m]
+  constexpr double kCreep = 0.1;          // of a step: diffusivity * time / cell^2
   const double cell_m = lattice.resolution_m();
   const int n = lattice.rows();
   FluvialOptions options;
   options.steps = 3;
   options.area_exponent = 0.4;
   options.time_step_yr = kPace / options.erodibility;
-  options.diffusivity_m2_per_yr = 0.1 * cell_m * cell_m / options.time_step_yr;
+  options.diffusivity_m2_per_yr = kCreep * cell_m * cell_m / options.time_step_yr;
 
+  // As fast as rain takes the land down now, by the same law.
   const FlowGraph flow = RouteFlow(*land_m, &outlet);
   const Grid<float> area_cells = FlowAccumulation(flow, nullptr);
   Grid<float> uplift_m_per_yr(n, n);
