@@ -41,7 +41,7 @@ AreaTraits TraitsOf(ReliefKind kind) {
     case ReliefKind::kRugged:
       return {6.0f, 1.1f, 0.12f};
     case ReliefKind::kMountainous:
-      return {20.0f, 0.95f, 0.12f};
+      return {26.0f, 0.90f, 0.12f};
     default:
       return {8.0f, 0.95f, 0.12f};
   }
