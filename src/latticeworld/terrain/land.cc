@@ -39,12 +39,12 @@ constexpr double kNeighbourSlope = 0.25;
 constexpr float kRest = 0.9f;
 // A region rises as a whole, so that soft land among mountains is high too: this share of the
 // uplift is that of the land around, as far as so many cells of the layout.
-constexpr double kRegionalShare = 0.95;
+constexpr double kRegionalShare = 0.4;
 constexpr double kRegion_cells = 14.0;
-constexpr float kWildness = 4.0f;
+constexpr float kWildness = 2.0f;
 // How much summits are brought together: most where half of the world is mountain.
 constexpr double kAccordance = 0.5;
-constexpr double kMountainAccordance = 4.0;
+constexpr double kMountainAccordance = 3.0;
 constexpr double kMaxCreep_m = 6.0;
 // Concavity of channels.
 constexpr double kAreaExponent = 0.38;

@@ -43,7 +43,7 @@ AreaTraits TraitsOf(ReliefKind kind) {
     case ReliefKind::kMountainous:
       return {26.0f, 0.90f, 0.12f};
     default:
-      return {8.0f, 0.95f, 0.12f};
+      return {11.0f, 0.95f, 0.12f};
   }
 }
 
