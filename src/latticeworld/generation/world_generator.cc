@@ -156,7 +156,6 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
   world->fidelity =
       AssessFidelity(layout_reading, environment_reading, world->layout, world->environment);
   AddTerrainType(environment_reading, &layout_reading);
-  LeaveToTheirClass(&layout_reading.plan);
   if (relief) add_warnings(ReliefLeftAlone(layout_reading.plan.reliefs));
   LW_ASSIGN_OR_RETURN(
       const std::vector<ThingWish> things,
@@ -168,6 +167,7 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
     terrain_request.layout = &world->layout;
     terrain_request.relief = relief_pointer;
     if (!relief) terrain_request.reliefs = layout_reading.plan.reliefs;
+    terrain_request.covers = layout_reading.plan.covers;
     terrain_request.seed = StreamSeed(request.seed, "terrain");
     terrain_request.options.fords = AsksForFords(request.layout_instruction);
     return BuildTerrain(terrain_request, progress);

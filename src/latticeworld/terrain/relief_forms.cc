@@ -12,6 +12,7 @@
 #include "latticeworld/geomorphology/distance.h"
 #include "latticeworld/geomorphology/erosion.h"
 #include "latticeworld/geomorphology/noise.h"
+#include "latticeworld/layout/mask_measures.h"
 #include "latticeworld/terrain/cones.h"
 #include "latticeworld/terrain/lattice.h"
 #include "latticeworld/terrain/relief_measures.h"
@@ -301,12 +302,20 @@ void ReliefForms::LayTilt(const Area& area, Grid<float>* land_m) const {
   const int n = lattice_.rows();
   const Claim::Heading to = area.piece->heading;
   const double reach = std::abs(to.east) + std::abs(to.south);
+  // It rises from the area's lowest side on.
+  double low = 0.5;
+  const GridGeometry cells = GridGeometry::FromCells(kLayoutSize, lattice_.size_m());
+  ForEachCell(area.piece->area, [&](CellIndex cell) {
+    const WorldPoint at = cells.CenterOf(cell);
+    const double along = (at.x_m * to.east - at.y_m * to.south) / (reach * lattice_.size_m());
+    low = std::min(low, along - 0.5 / kLayoutSize);
+  });
   for (int r = 0; r < n; ++r) {
     for (int c = 0; c < n; ++c) {
       const WorldPoint at = lattice_.CenterOf({r, c});
       const double along = (at.x_m * to.east - at.y_m * to.south) / (reach * lattice_.size_m());
       (*land_m)(r, c) +=
-          static_cast<float>(area.piece->height_m * (along + 0.5)) * area.share(r, c);
+          static_cast<float>(area.piece->height_m * (along - low)) * area.share(r, c);
     }
   }
 }
@@ -365,7 +374,7 @@ Grid<float> ReliefForms::AxisDistance(const ReliefPiece& piece) const {
 Grid<float> ReliefForms::RoomFor(const ReliefPiece& piece) const {
   constexpr float kRise = 0.5f;
   const bool keeps_off_built =
-      piece.kind != ReliefKind::kValley && piece.kind != ReliefKind::kBasin;
+      piece.kind != ReliefKind::kValley && piece.kind != ReliefKind::kBasin && !piece.carries_built;
   Grid<unsigned char> mask = water_.wet;
   if (piece.follows_water) std::fill(mask.begin(), mask.end(), 0);
   if (keeps_off_built) {

@@ -17,6 +17,7 @@
 #include "latticeworld/terrain/cover.h"
 #include "latticeworld/terrain/land.h"
 #include "latticeworld/terrain/lattice.h"
+#include "latticeworld/terrain/relief_covers.h"
 #include "latticeworld/terrain/relief_forms.h"
 #include "latticeworld/terrain/relief_places.h"
 #include "latticeworld/terrain/render.h"
@@ -233,6 +234,7 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
   LW_RETURN_IF_ERROR(advance(0.6));
 
   const Grid<float> slope = GradientMagnitude(plan.height_m, lattice.resolution_m());
+  internal::CoverByHeight(request.covers, plan.height_m, &lines.masks);
   plan.masks = std::move(lines.masks);
   plan.level_m = banks.level_everywhere_m();
   plan.lowest_m = banks.lowest_m();

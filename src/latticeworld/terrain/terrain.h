@@ -48,6 +48,7 @@ struct TerrainRequest {
   const SymbolicLayout* layout = nullptr;  // never null
   const Relief* relief = nullptr;          // variable-height scene; null: gentle procedural relief
   std::vector<ReliefWish> reliefs;         // only without a relief: given land stays as it is
+  std::vector<HeightCover> covers;         // what lies above and below heights, over the layout
   std::uint64_t seed = 0;
   TerrainOptions options;
   int threads = 0;  // 0: as many as cores; the terrain is the same with any
