@@ -16,7 +16,7 @@ ReliefPiece Round(WorldPoint at, double half_width_m) {
   return piece;
 }
 
-// Two cones of 20 m, 80 m apart, on a ridge that is so high, above land at 5 m.
+// Two cones of 20 m, 80 m apart, on a ridge that is so high in its middle, above land at 5 m.
 Grid<float> TwoTops(const GridGeometry& geometry, double ridge_m) {
   Grid<float> height_m(geometry.rows(), geometry.cols());
   for (int r = 0; r < geometry.rows(); ++r) {
@@ -24,7 +24,9 @@ Grid<float> TwoTops(const GridGeometry& geometry, double ridge_m) {
       const WorldPoint at = geometry.CenterOf({r, c});
       const double west = 20.0 - 0.5 * std::hypot(at.x_m + 40.0, at.y_m);
       const double east = 20.0 - 0.5 * std::hypot(at.x_m - 40.0, at.y_m);
-      const double ridge = std::abs(at.x_m) < 40.0 ? ridge_m - 0.5 * std::abs(at.y_m) : 0.0;
+      const double ridge = std::abs(at.x_m) < 40.0
+                               ? ridge_m + 0.05 * std::abs(at.x_m) - 0.5 * std::abs(at.y_m)
+                               : 0.0;
       height_m(r, c) = static_cast<float>(5.0 + std::max({west, east, ridge, 0.0}));
     }
   }
@@ -38,7 +40,7 @@ TEST(ReliefSaddlesTest, ThePassIsTheHighestLevelThatJoinsTheTops) {
   EXPECT_NEAR(saddle.top_m, 25.0, 1.0);
   EXPECT_NEAR(saddle.pass_m, 15.0, 1.0);
   EXPECT_NEAR(saddle.side_m, 5.0, 0.5);
-  EXPECT_NEAR(saddle.pass.y_m, 0.0, 2.1);
+  EXPECT_LT(std::hypot(saddle.pass.x_m, saddle.pass.y_m), 4.0);
 }
 
 TEST(ReliefSaddlesTest, TopsThatOnlyThePlainJoinsHaveNoPassAboveTheirSides) {

@@ -78,11 +78,11 @@ class WayFinder {
     return top;
   }
 
-  // The lowest open place along the middle half of a ridge between two tops.
+  // The lowest open place along a ridge between two tops.
   CellIndex PassOf(const ReliefPiece& ridge) const {
     const WorldPoint a = ridge.axis.front(), b = ridge.axis.back();
     CellIndex pass{-1, -1};
-    for (double t = 0.25; t <= 0.75; t += 0.02) {
+    for (double t = 0.0; t <= 1.0; t += 0.05) {
       const CellIndex cell =
           geometry_.CellAt({a.x_m + t * (b.x_m - a.x_m), a.y_m + t * (b.y_m - a.y_m)});
       if (blocked_[cell] != 0) continue;

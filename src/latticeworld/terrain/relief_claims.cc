@@ -26,7 +26,6 @@ constexpr double kLeastShare = 0.5;      // of the natural height of a form
 constexpr double kSlopeRoom_deg = 3.0;   // and a fifth of what was said
 constexpr double kExtentRoom = 0.25;     // of a width, a length or a rise that was said
 constexpr double kLeastSaddle = 0.15;    // of its rises' height: a pass below tops, above sides
-constexpr double kLeastMountain = 0.15;  // of a mountain's height by its width
 constexpr double kMountainSlope_deg = 15.0;
 
 bool IsHollow(ReliefKind kind) { return kind == ReliefKind::kBasin || kind == ReliefKind::kCrater; }
@@ -144,7 +143,7 @@ class Measurer {
     const std::string text = name_ + " has " + Metres(land.relief_m) +
                              " of relief and a median slope of " + Degrees(land.slope_deg);
     if (wish_->kind == ReliefKind::kMountain || wish_->kind == ReliefKind::kPeak) {
-      const double least_m = kLeastMountain * 2.0 * piece.half_width_m;
+      const double least_m = internal::kLeastMountain * 2.0 * piece.shown_half_width_m;
       const bool low = wish_->height_m && *wish_->height_m < least_m;
       const bool holds = low || (land.relief_m >= least_m && land.slope_deg >= kMountainSlope_deg);
       Add("relief_form", wish_->words, holds, 1.0 - land.relief_m / std::max(least_m, 0.1),

@@ -160,7 +160,7 @@ void ReliefForms::Raise(Grid<float>* steepness_m, Grid<float>* slide_slope,
                         Grid<float>* talus) const {
   const auto growth = static_cast<float>(lattice_.size_m() / 512.0);
   for (const Area& area : areas_) {
-    if (!Evolves(area.piece->kind)) continue;
+    if (!Evolves(area.piece->kind) || area.piece->rises_by_class) continue;
     const AreaTraits traits = TraitsOf(area.piece->kind);
     const bool mountain =
         area.piece->kind == ReliefKind::kMountain || area.piece->kind == ReliefKind::kPeak;
@@ -191,7 +191,8 @@ void ReliefForms::OpenEdges(const Grid<float>& hills_m, Grid<unsigned char>* out
   for (const Area& area : areas_) {
     const bool whole =
         area.piece->kind == ReliefKind::kMountain || area.piece->kind == ReliefKind::kPeak;
-    if (!whole || area.piece->half_width_m < 0.45 * lattice_.size_m()) continue;
+    if (!whole || area.piece->rises_by_class) continue;
+    if (area.piece->half_width_m < 0.45 * lattice_.size_m()) continue;
     const Grid<float> low = FractalNoise(lattice_, options, StreamSeed(seed_, "relief/mouths"));
     // Valleys end where the noise is lowest for some way along the edge.
     const auto open = [&](int r, int c, int down, int right) {
@@ -213,7 +214,7 @@ void ReliefForms::OpenEdges(const Grid<float>& hills_m, Grid<unsigned char>* out
 
 void ReliefForms::Roughen(Grid<float>* smoothness) const {
   for (const Area& area : areas_) {
-    if (!Evolves(area.piece->kind)) continue;
+    if (!Evolves(area.piece->kind) || area.piece->rises_by_class) continue;
     const float wanted = TraitsOf(area.piece->kind).smoothness;
     for (std::size_t i = 0; i < area.share.size(); ++i) {
       float& value = smoothness->data()[i];
@@ -233,8 +234,10 @@ void ReliefForms::Scale(const Area& area, const Grid<float>& base_m, Grid<float>
   if (heights.empty()) return;
   const float high = *std::max_element(heights.begin(), heights.end());
   const float spread = mountain ? high : Quantile(0.98, &heights) - Quantile(0.02, &heights);
+  // What rises by its class is only lifted where it is too low for a mountain.
+  const float least = area.piece->rises_by_class ? 1.0f : 0.05f;
   const float factor =
-      std::clamp(static_cast<float>(area.piece->height_m) / std::max(spread, 0.01f), 0.05f, 3.0f);
+      std::clamp(static_cast<float>(area.piece->height_m) / std::max(spread, 0.01f), least, 3.0f);
   for (std::size_t i = 0; i < land_m->size(); ++i) {
     const float base = base_m.data()[i];
     float& land = land_m->data()[i];
@@ -249,7 +252,7 @@ void ReliefForms::Weather(Grid<float>* land_m) const {
     const bool rocky =
         area.piece->kind == ReliefKind::kMountain || area.piece->kind == ReliefKind::kPeak ||
         area.piece->kind == ReliefKind::kMountainous || area.piece->kind == ReliefKind::kRugged;
-    if (!rocky) continue;
+    if (!rocky || area.piece->rises_by_class) continue;
     const auto rough_m = static_cast<float>(kRoughness * area.piece->height_m);
     for (std::size_t i = 0; i < rough.size(); ++i) {
       rough.data()[i] = std::max(rough.data()[i], rough_m * area.share.data()[i]);
@@ -479,7 +482,11 @@ void ReliefForms::LayThings(const Grid<float>& level_m, Grid<float>* land_m) con
   // metre.
   for (const Laid& laid : all) {
     const ReliefPiece& piece = *laid.piece;
-    if (piece.kind == ReliefKind::kCrater) continue;
+    if (piece.kind == ReliefKind::kCrater || piece.kind == ReliefKind::kBasin) {
+      const double is_m = std::max(HollowDepth_m(piece, lattice_, *land_m), 0.5 * piece.height_m);
+      laid.Add(piece.height_m * (std::min(2.0, piece.height_m / is_m) - 1.0), land_m);
+      continue;
+    }
     const double is_m = Amplitude_m(piece, lattice_, *land_m);
     laid.Add(std::clamp(piece.height_m - is_m, -0.5 * piece.height_m, 0.5 * piece.height_m),
              land_m);

@@ -15,6 +15,9 @@ ReliefNature NatureOf(ReliefKind kind);
 // The steepest mean slope [m/m] of flanks of a kind, whatever is asked.
 double SteepestFlank(ReliefKind kind);
 
+// The least height of a mountain by its width.
+inline constexpr double kLeastMountain = 0.15;
+
 // The width of a kind, as words mean it, by twice its half width: from where nine tenths of the
 // height are passed on one side to the same on the other; of a crater from rim to rim.
 double WidthShare(ReliefKind kind);

@@ -51,7 +51,9 @@ class Placer {
   void Place(int index, const ReliefWish& wish, std::vector<ReliefPiece>* pieces) {
     placed_ = pieces;
     if (wish.kind == ReliefKind::kSaddle) return PlaceSaddle(index, wish);
-    int count = wish.count > 0 ? wish.count : wish.plural ? 3 : 1;
+    // Cliffs are one line, and terraces one flight, where no number is said.
+    const bool one = wish.kind == ReliefKind::kCliff || wish.kind == ReliefKind::kTerraces;
+    int count = wish.count > 0 ? wish.count : wish.plural && !one ? 3 : 1;
     const bool area = IsTexture(wish.kind) || (IsMountain(wish.kind) && HasArea(wish)) ||
                       wish.kind == ReliefKind::kDunes || wish.kind == ReliefKind::kSlope;
     if (area) count = 1;
@@ -89,7 +91,8 @@ class Placer {
   }
   static LayoutMask ZoneOf(const ReliefWish& wish, int piece) {
     if (wish.zones.empty()) return LayoutMask::All();
-    if (wish.count == 0 && !wish.plural) return Union(wish.zones);
+    const bool one = wish.kind == ReliefKind::kCliff || wish.kind == ReliefKind::kTerraces;
+    if (wish.count == 0 && (one || !wish.plural)) return Union(wish.zones);
     return latticeworld::MaskOf(wish.zones[static_cast<std::size_t>(piece) % wish.zones.size()]);
   }
 
@@ -127,7 +130,9 @@ class Placer {
       if (!sand.empty()) area = sand;
     }
     piece->area = area.empty() ? zone : area;
-    piece->half_width_m = HalfWidth(piece->area);
+    piece->half_width_m = HalfWidth(piece->area, false);
+    piece->shown_half_width_m = HalfWidth(piece->area, true);
+    piece->rises_by_class = RisesByClass(wish);
     if (wish.kind == ReliefKind::kDunes) {
       piece->half_width_m = wish.width_m ? *wish.width_m / 2.0
                                          : std::min(0.25 * piece->half_width_m,
@@ -135,14 +140,31 @@ class Placer {
     }
     if (wish.kind == ReliefKind::kSlope) piece->half_width_m = size_m_ / 2.0;
     SetHeight(wish, piece);
+    if (piece->rises_by_class) {
+      piece->height_m = 1.2 * kLeastMountain * 2.0 * piece->shown_half_width_m;
+    }
   }
 
-  // How far the middle of an area lies from its rim [m]; beyond the world's edge it goes on.
-  double HalfWidth(const LayoutMask& area) const {
+  // Rock and snow beside other land, of which nothing more is said than where they are, rise to
+  // mountains in the landscape evolution by themselves.
+  bool RisesByClass(const ReliefWish& wish) const {
+    const bool more = wish.alone || wish.height_m || wish.slope_deg || wish.width_m ||
+                      wish.size != 1.0 || wish.steepness != 1.0 || !wish.ties.empty();
+    return IsMountain(wish.kind) && layout_.vocabulary == Vocabulary::kWild && !more;
+  }
+
+  // How far the middle of an area lies from its rim [m]. Beyond the world's edge it goes on, or
+  // there it ends.
+  double HalfWidth(const LayoutMask& area, bool ends_at_edge) const {
     const LayoutMask outside = LayoutMask::All() - area;
     const Distances to(outside);
     float most = 0.5f;
-    ForEachCell(area, [&](CellIndex cell) { most = std::max(most, to.cells[cell]); });
+    ForEachCell(area, [&](CellIndex cell) {
+      const int edge = 1 + std::min({cell.row, cell.col, kLayoutSize - 1 - cell.row,
+                                     kLayoutSize - 1 - cell.col});
+      const float rim = to.cells[cell];
+      most = std::max(most, ends_at_edge ? std::min(rim, static_cast<float>(edge)) : rim);
+    });
     return std::min(static_cast<double>(most) * cell_m_, size_m_ / 2.0);
   }
 
@@ -459,6 +481,10 @@ class Placer {
     ridge.wish = index;
     ridge.kind = ReliefKind::kRidge;
     ridge.axis = {rises[0].axis.front(), rises[1].axis.front()};
+    // Its ends run out on the flanks of the rises.
+    const double apart_m =
+        std::hypot(ridge.axis[1].x_m - ridge.axis[0].x_m, ridge.axis[1].y_m - ridge.axis[0].y_m);
+    CutTo(0.4 * apart_m, &ridge.axis);
     ridge.half_width_m = 0.8 * std::min(rises[0].half_width_m, rises[1].half_width_m);
     ridge.height_m = kPassShare * std::min(rises[0].height_m, rises[1].height_m);
     placed_->push_back(std::move(ridge));

@@ -108,10 +108,12 @@ class AttributeReader {
     if (s_.Is(how, {"wide", "across", "broad"})) return width;
     if (s_.Is(how, {"long"})) return length;
     for (std::size_t i = at; i-- > clause && at - i <= 3;) {
+      const bool said = s_.Is(i, {"height", "drop", "depth", "width", "diameter", "length"});
+      if (!said) continue;
+      s_.Take(i, i + 1);
       if (s_.Is(i, {"height", "drop"})) return height;
       if (s_.Is(i, {"depth"})) return depth;
-      if (s_.Is(i, {"width", "diameter"})) return width;
-      if (s_.Is(i, {"length"})) return length;
+      return s_.Is(i, {"length"}) ? length : width;
     }
     const bool rises = s_.Has(clause, at, {"rises", "rise", "rising", "towers", "drops"});
     if (rises || s_.Is(how, {"in"})) return height;

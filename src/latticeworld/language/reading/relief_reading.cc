@@ -262,8 +262,9 @@ class ReliefReader {
     for (std::size_t i = 0; i < plan_.features.size(); ++i) {
       const PlannedFeature& feature = plan_.features[i];
       const std::optional<ReliefKind> kind = ReliefOfNoun(feature.noun);
-      if (feature.noun.empty() || !kind || feature.letter == 'W' || feature.supposed ||
-          told_.count(static_cast<int>(i)) == 1 || plan_.reliefs.size() >= kMostWishes) {
+      if (feature.noun.empty() || !kind || kind == ReliefKind::kSlope || feature.letter == 'W' ||
+          feature.supposed || told_.count(static_cast<int>(i)) == 1 ||
+          plan_.reliefs.size() >= kMostWishes) {
         continue;
       }
       const bool known =

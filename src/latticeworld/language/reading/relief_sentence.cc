@@ -84,6 +84,7 @@ std::size_t ReliefSentence::FindMention(std::size_t at, Vocabulary vocabulary) {
       AddMention(ReliefKind::kSaddle, at, end + 1, match.word, Singular(Word(end)) != Word(end));
       return end + 1;
     }
+    if (kind == ReliefKind::kSlope) return end;  // "rocky slopes" are ground, not a form
     if (kind && match.word->LetterIn(vocabulary) != 'W') {
       const bool plural = match.plural || EndsWith(match.word->phrase, "s");
       AddMention(*kind, at, end, match.word, plural);
@@ -106,7 +107,8 @@ std::size_t ReliefSentence::FindMention(std::size_t at, Vocabulary vocabulary) {
 
 // "a level" is no land, and neither is who passes.
 bool ReliefSentence::IsNounHere(std::string_view word, std::size_t at) const {
-  if (word == "slope" || word == "slopes") {
+  if (word == "slopes") return false;
+  if (word == "slope") {
     // "A slope of 15 degrees" is land of its own where no form stands before it that has it.
     if (Word(at + 1) != "of") return true;
     return IsNumber(at + 2) && mentions_.empty() && at > 0 && Is(at - 1, {"a", "gentle", "steep"});
