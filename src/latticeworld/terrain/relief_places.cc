@@ -62,7 +62,7 @@ class Placer {
       piece.wish = index;
       piece.kind = wish.kind;
       if (wish.heading.east != 0 || wish.heading.south != 0) piece.heading = wish.heading;
-      piece.carries_built = CarriesBuilt(wish);
+      piece.carries_built = i == 0 && CarriesBuilt(wish);
       LayoutMask zone = ZoneOf(wish, i);
       if (!area && !IsCourse(wish.kind) && wish.letter != '\0') {
         const LayoutMask shown = Letters(wish.letter, zone);
@@ -71,7 +71,7 @@ class Placer {
       if (area) {
         PlaceArea(wish, zone, &piece);
       } else {
-        PlaceAxis(wish, zone, &piece);
+        PlaceAxis(wish, zone, i == 0, &piece);
       }
       pieces->push_back(std::move(piece));
     }
@@ -210,10 +210,13 @@ class Placer {
   }
 
   // Where a tie says that the piece lies, and what is no obstacle to it.
-  LayoutMask TiedZone(const ReliefWish& wish, LayoutMask zone, LayoutMask* obstacles) const {
+  LayoutMask TiedZone(const ReliefWish& wish, LayoutMask zone, bool first,
+                      LayoutMask* obstacles) const {
     for (const ReliefTie& tie : wish.ties) {
       const LayoutMask cells = CellsOf(tie);
       if (cells.empty()) continue;
+      // One of several pieces carries what lies on one of them.
+      if (tie.kind == ReliefTie::Kind::kUnder && !first) continue;
       if (tie.kind == ReliefTie::Kind::kUnder) {
         *obstacles = *obstacles - cells;
         LayoutMask middle;
@@ -265,7 +268,7 @@ class Placer {
     return {(col + 0.5) * cell_m_ - size_m_ / 2.0, size_m_ / 2.0 - (row + 0.5) * cell_m_};
   }
 
-  void PlaceAxis(const ReliefWish& wish, const LayoutMask& zone, ReliefPiece* piece) {
+  void PlaceAxis(const ReliefWish& wish, const LayoutMask& zone, bool first, ReliefPiece* piece) {
     const ReliefNature nature = NatureOf(wish.kind);
     double half_m = nature.half_width * size_m_ * std::sqrt(wish.size);
     if (IsMountain(wish.kind)) half_m = 0.22 * size_m_ * std::sqrt(wish.size);
@@ -281,13 +284,14 @@ class Placer {
     }
     half_m = std::min(half_m, 0.45 * size_m_);
     LayoutMask obstacles = taken_;
-    const LayoutMask tied = TiedZone(wish, zone, &obstacles);
+    const LayoutMask tied = TiedZone(wish, zone, first, &obstacles);
     if (IsCourse(wish.kind)) {
       piece->half_width_m = half_m;
       PlaceCourse(wish, tied, obstacles, piece);
       if (piece->axis.size() == 2) {
         piece->axis = Bent(piece->axis, wish.kind == ReliefKind::kCliff ? 0.025 : 0.055);
       }
+      MarkCourse(*piece);
     } else {
       double room_cells = 0.0;
       const CellIndex at = Freest(tied, obstacles | laid_, half_m / cell_m_, &room_cells);
@@ -298,6 +302,17 @@ class Placer {
       MarkLaid(at, half_m / cell_m_);
     }
     SetHeight(wish, piece);
+    // The water itself takes room, and its banks are gentle.
+    if (piece->follows_water && !wish.width_m) {
+      piece->half_width_m = std::max(piece->half_width_m, 2.5 * cell_m_);
+    }
+  }
+
+  void MarkCourse(const ReliefPiece& piece) {
+    const GridGeometry cells = GridGeometry::FromCells(kLayoutSize, size_m_);
+    ForEachCell(LayoutMask::All(), [&](CellIndex cell) {
+      if (DistanceToAxis_m(piece, cells.CenterOf(cell)) < piece.half_width_m) laid_.Add(cell);
+    });
   }
 
   void MarkLaid(CellIndex at, double radius_cells) {
@@ -517,7 +532,7 @@ class Placer {
     rise.height_m = std::min(rise.height_m, SteepestFlank(wish.kind) * rise.half_width_m);
     const double apart_m = 2.2 * rise.half_width_m;
     LayoutMask obstacles = taken_;
-    const LayoutMask zone = TiedZone(wish, ZoneOf(wish, 0), &obstacles);
+    const LayoutMask zone = TiedZone(wish, ZoneOf(wish, 0), true, &obstacles);
     double room_cells = 0.0;
     const CellIndex at =
         Freest(zone, obstacles | laid_, 1.5 * rise.half_width_m / cell_m_, &room_cells);
@@ -545,14 +560,25 @@ class Placer {
   LayoutMask laid_;                             // by pieces of relief so far
 };
 
+// Whether a wish goes where layout or words have it, whatever else there is.
+bool IsSet(const ReliefWish& wish) {
+  const bool by_other = std::any_of(wish.ties.begin(), wish.ties.end(),
+                                    [](const ReliefTie& tie) { return tie.wish >= 0; });
+  return !by_other && wish.kind != ReliefKind::kSaddle &&
+         (wish.letter != '\0' || !wish.from.empty());
+}
+
 }  // namespace
 
 std::vector<ReliefPiece> PlaceReliefs(const std::vector<ReliefWish>& wishes,
                                       const SymbolicLayout& layout, double size_m) {
   Placer placer(layout, size_m);
   std::vector<ReliefPiece> pieces;
-  for (std::size_t i = 0; i < wishes.size(); ++i) {
-    placer.Place(static_cast<int>(i), wishes[i], &pieces);
+  // What the layout shows or the words lay out comes first; the others find room beside it.
+  for (const bool set : {true, false}) {
+    for (std::size_t i = 0; i < wishes.size(); ++i) {
+      if (IsSet(wishes[i]) == set) placer.Place(static_cast<int>(i), wishes[i], &pieces);
+    }
   }
   return pieces;
 }

@@ -138,7 +138,9 @@ class TieMeasurer {
       }
       highest_m = std::max(highest_m, static_cast<double>(high - low));
     }
-    const double asked_m = kLeastClimb * piece_.height_m;
+    const double form_m =
+        piece_.has_area() ? piece_.height_m : Amplitude_m(piece_, geometry_, height_m_);
+    const double asked_m = kLeastClimb * std::clamp(form_m, 0.1, piece_.height_m);
     claims_.Add("relief_road", wish_.words, highest_m >= asked_m, 1.0 - highest_m / asked_m,
                 "a road climbs " + Metres(highest_m) + "; at least " + Metres(asked_m) + " of " +
                     name_ + " are asked");

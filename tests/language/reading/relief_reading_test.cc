@@ -115,6 +115,19 @@ TEST(ReliefReadingTest, FreeTextSaysReliefWhoeverReadsTheRest) {
            {"A mountain pass in the north.", "saddle z=northern third"},
            {"The forest lies below a height of 40 metres.", "F<40"},
            {"A slope of 5 degrees.", "slope s=5"},
+           // Measures belong to the nearest noun.
+           {"A hill 20 m high and a plateau in the west.", "hill h=20; plateau z=western third"},
+           {"A hill in the north and a 25 m deep gorge.", "hill z=northern third; gorge d=25"},
+           {"A hill in the north, a gorge in the south.",
+            "hill z=northern third; gorge z=southern third"},
+           {"In the north a hill, in the south a gorge.",
+            "hill z=northern third; gorge z=southern third"},
+           {"A steep hill with a path of 15 degrees to its top.", "hill climbed=R"},
+           {"Gently rolling hills with a farm in the south.", "rolling z=southern third under=A"},
+           {"A river runs through a gorge from the north to the south.",
+            "gorge from=northern edge to=southern edge under=W"},
+           {"A road leads over the pass.", "saddle climbed=R"},
+           {"Rocky slopes in the north.", ""},
        }) {
     LayoutReading reading = ByRules(sample.text);
     for (ReliefWish& wish : reading.plan.reliefs) wish.letter = '\0';
@@ -154,10 +167,33 @@ TEST(ReliefReadingTest, ContradictoryHeightsAreTold) {
   EXPECT_EQ(reading.plan.reliefs[0].height_m, 120.0);
 }
 
+TEST(ReliefReadingTest, LandRisesAgainstWhereItFallsTo) {
+  const auto heading = [](const std::string& text) {
+    const LayoutReading reading = ByRules(text);
+    EXPECT_EQ(reading.plan.reliefs.size(), 1u) << text;
+    const Claim::Heading to = reading.plan.reliefs.front().heading;
+    return std::to_string(to.east) + " " + std::to_string(to.south);
+  };
+  EXPECT_EQ(heading("The land rises by 30 m to the north."), "0 -1");
+  EXPECT_EQ(heading("The land falls by 20 m to the east."), "-1 0");
+  EXPECT_EQ(heading("The land slopes down to the south by 20 m."), "0 -1");
+  EXPECT_EQ(heading("The ground slopes up to the west."), "-1 0");
+  EXPECT_EQ(heading("A gentle slope rises to the south."), "0 1");
+}
+
+TEST(ReliefReadingTest, LandThatIsSaidToRiseToOppositeSidesIsTold) {
+  const LayoutReading reading =
+      BySentences("The land rises by 30 m to north. The land rises by 20 m to south.");
+  ASSERT_EQ(reading.plan.reliefs.size(), 1u);
+  EXPECT_EQ(reading.plan.reliefs[0].height_m, 20.0);
+  ASSERT_EQ(reading.plan.warnings.size(), 1u);
+}
+
 TEST(ReliefReadingTest, LandThatIsSaidToBeFlatAndRuggedIsTold) {
   const LayoutReading reading = BySentences("The land is flat. The land is rugged.");
   ASSERT_EQ(reading.plan.warnings.size(), 1u);
   EXPECT_NE(reading.plan.warnings[0].find("are said of the same land"), std::string::npos);
+  EXPECT_EQ(Short(reading), "rugged");
   EXPECT_TRUE(BySentences("The land is flat in the north. The land is rugged in the south.")
                   .plan.warnings.empty());
 }

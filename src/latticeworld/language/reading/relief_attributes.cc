@@ -30,12 +30,17 @@ class AttributeReader {
     for (std::size_t i = begin; i < end; ++i) {
       const bool inside = i >= mention_.begin && i < mention_.end;
       // Adjectives stand close before their noun, or come after "is".
-      const bool leads = i >= mention_.begin || Leads(i) || s_.IsNumber(i);
+      const bool leads = i >= mention_.begin || Leads(i) || (begin == 0 && s_.IsNumber(i));
       if (inside || !leads || s_.IsOfCover(i)) continue;
       ReadSize(i);
       ReadMeasure(i, begin);
     }
-    if (wish_.zones.empty()) ReadZones(begin, end);
+    if (mention_.kind == ReliefKind::kSlope && wish_.heading.east == 0 &&
+        wish_.heading.south == 0) {
+      wish_.heading = RiseOf(s_, begin, end);
+    } else if (wish_.zones.empty()) {
+      ReadZones(begin, end);
+    }
     if (IsCourse(mention_.kind)) ReadCourse(end);
   }
 
@@ -81,7 +86,7 @@ class AttributeReader {
 
   // "120 m high", "a height of 120 m", "rises 40 m", "15 degrees".
   void ReadMeasure(std::size_t at, std::size_t clause) {
-    if (!s_.IsNumber(at)) return;
+    if (!s_.IsNumber(at) || IsOfOther(at)) return;
     if (s_.Is(at + 1, {"degree", "degrees"})) {
       const double value = std::strtod(s_.tokens()[at].text.c_str(), nullptr);
       Keep({"slope", &wish_.slope_deg, &wish_.slope_words}, value);
@@ -94,6 +99,13 @@ class AttributeReader {
     if (!measure) return;
     Keep(*measure, *metres);
     s_.Take(at, at + 3);
+  }
+
+  // "A path of 15 degrees" says nothing of the hill.
+  bool IsOfOther(std::size_t at) const {
+    return at > 0 && s_.Is(at - 1, {"of"}) &&
+           std::any_of(s_.others().begin(), s_.others().end(),
+                       [at](const OtherMention& other) { return other.end + 1 == at; });
   }
 
   // What a number of metres says: by the word behind its unit, by the noun before it, or by a verb.
@@ -132,6 +144,7 @@ class AttributeReader {
   void ReadZones(std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (!s_.Is(i, {"in", "at", "on", "across", "along", "over", "to"})) continue;
+      if (s_.Is(i + 1, {"its", "their"})) continue;  // "to its top"
       const PlaceMatch match = MatchPlaceAfter(s_.Word(i), s_.tokens(), i + 1);
       if (match.tokens == 0 || match.of_other) continue;
       for (const Place& place : match.places) wish_.zones.push_back(place.zone);
@@ -167,15 +180,46 @@ class AttributeReader {
   std::vector<std::string>& warnings_;
 };
 
+// Where what is said of a mention begins that another one stands before: at the comma between them,
+// else at what leads its noun: "a hill and a 25 m deep gorge".
+std::size_t BeginOf(const ReliefSentence& sentence, std::size_t mention) {
+  const std::size_t before = sentence.mentions()[mention - 1].end;
+  const std::size_t noun = sentence.mentions()[mention].begin;
+  std::size_t begin = noun;
+  for (std::size_t i = noun; i-- > before;) {
+    if (sentence.tokens()[i].kind == TokenKind::kComma) return i;
+    if (noun - i <= 6 && sentence.Is(i, {"a", "an", "the", "and", "between"})) begin = i;
+  }
+  return begin;
+}
+
 }  // namespace
 
 void ReadReliefAttributes(std::size_t mention, ReliefSentence* sentence, ReliefWish* wish,
                           std::vector<std::string>* warnings) {
   const std::vector<ReliefMention>& all = sentence->mentions();
-  const std::size_t begin = mention == 0 ? 0 : all[mention - 1].end;
+  const std::size_t begin = mention == 0 ? 0 : BeginOf(*sentence, mention);
   const std::size_t end =
-      mention + 1 < all.size() ? all[mention + 1].begin : sentence->tokens().size();
+      mention + 1 < all.size() ? BeginOf(*sentence, mention + 1) : sentence->tokens().size();
   AttributeReader(all[mention], sentence, wish, warnings).Read(begin, end);
+}
+
+Claim::Heading RiseOf(const ReliefSentence& sentence, std::size_t begin, std::size_t end) {
+  bool down = false;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (sentence.Is(i,
+                    {"falls", "fall", "falling", "slopes", "descends", "drops", "dips", "down"})) {
+      down = true;
+    }
+    if (sentence.Is(i, {"up", "rises", "rising"})) down = false;
+    if (!sentence.Is(i, {"to", "toward", "towards"})) continue;
+    const std::size_t at = sentence.Is(i + 1, {"the"}) ? i + 2 : i + 1;
+    const HeadingMatch heading = MatchHeading(sentence.tokens(), at);
+    if (heading.tokens == 0) continue;
+    const int sign = down ? -1 : 1;
+    return {sign * heading.heading.east, sign * heading.heading.south};
+  }
+  return {};
 }
 
 }  // namespace latticeworld

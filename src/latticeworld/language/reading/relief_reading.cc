@@ -47,8 +47,8 @@ class ReliefReader {
 
   void Finish() {
     AddFeatures();
+    DropContradicted();
     for (ReliefWish& wish : plan_.reliefs) Settle(&wish);
-    WarnOfContradictions();
     TakeOffNotUnderstood();
   }
 
@@ -139,6 +139,13 @@ class ReliefReader {
 
   void AddCover(const HeightCover& cover) {
     ForgetFeature(cover.words);
+    const ClassWord* noun = MatchClassWord(Tokenize(cover.words), 0).word;
+    if (noun != nullptr && !noun->IsExactIn(plan_.vocabulary)) {
+      plan_.warnings.push_back(Quote(cover.words) + " is laid as " +
+                               std::string(FindClass(plan_.vocabulary, cover.letter)->name) +
+                               ", the nearest class of the " +
+                               std::string(NameOf(plan_.vocabulary)) + " vocabulary");
+    }
     for (HeightCover& known : plan_.covers) {
       if (known.letter != cover.letter || known.above != cover.above) continue;
       if (known.height_m != cover.height_m) {
@@ -207,24 +214,23 @@ class ReliefReader {
 
   // "The land rises by 30 m to north."
   bool ReadRise(ReliefSentence* sentence) {
-    for (std::size_t i = 1; i < sentence->tokens().size(); ++i) {
-      if (!sentence->Is(i, {"rises", "rise", "climbs", "slopes"})) continue;
-      if (!IsLandWord(Singular(sentence->Word(i - 1)))) continue;
+    const std::size_t end = sentence->tokens().size();
+    for (std::size_t i = 1; i < end; ++i) {
+      const bool moves =
+          sentence->Is(i, {"rises", "rise", "climbs", "slopes", "falls", "descends", "drops"});
+      if (!moves || !IsLandWord(Singular(sentence->Word(i - 1)))) continue;
       ReliefWish wish;
       wish.kind = ReliefKind::kSlope;
       wish.words = sentence->words();
-      for (std::size_t k = i + 1; k < sentence->tokens().size(); ++k) {
-        if (const std::optional<double> metres = sentence->MetresAt(k)) {
-          wish.height_m = metres;
-          wish.height_words = wish.words;
-        }
-        if (!sentence->Is(k, {"to", "toward", "towards"})) continue;
-        const std::size_t at = sentence->Is(k + 1, {"the"}) ? k + 2 : k + 1;
-        const HeadingMatch heading = MatchHeading(sentence->tokens(), at);
-        if (heading.tokens > 0) wish.heading = {heading.heading.east, heading.heading.south};
-      }
+      wish.heading = RiseOf(*sentence, i, end);
       if (wish.heading.east == 0 && wish.heading.south == 0) return false;
-      sentence->Take(0, sentence->tokens().size());
+      for (std::size_t k = i + 1; k < end; ++k) {
+        const std::optional<double> metres = sentence->MetresAt(k);
+        if (!metres) continue;
+        wish.height_m = metres;
+        wish.height_words = wish.words;
+      }
+      sentence->Take(0, end);
       plan_.reliefs.push_back(std::move(wish));
       return true;
     }
@@ -291,19 +297,34 @@ class ReliefReader {
     if (IsTexture(wish->kind)) wish->letter = '\0';
   }
 
-  // Land as a whole is one way or the other.
-  void WarnOfContradictions() {
-    for (std::size_t i = 0; i < plan_.reliefs.size(); ++i) {
-      for (std::size_t k = 0; k < i; ++k) {
-        const ReliefWish& earlier = plan_.reliefs[k];
-        const ReliefWish& later = plan_.reliefs[i];
-        if (!IsTexture(earlier.kind) || !IsTexture(later.kind) || earlier.kind == later.kind) {
-          continue;
-        }
-        if (earlier.zones != later.zones) continue;
-        plan_.warnings.push_back(Quote(earlier.words) + " and " + Quote(later.words) +
+  // Land as a whole is one way or the other, and rises to one side: the later words count.
+  void DropContradicted() {
+    std::vector<ReliefWish>& all = plan_.reliefs;
+    for (std::size_t later = 1; later < all.size(); ++later) {
+      for (std::size_t earlier = 0; earlier < later; ++earlier) {
+        if (!Contradict(all[earlier], all[later])) continue;
+        plan_.warnings.push_back(Quote(all[earlier].words) + " and " + Quote(all[later].words) +
                                  " are said of the same land: the later counts");
+        Drop(static_cast<int>(earlier));
+        --later;
+        break;
       }
+    }
+  }
+
+  static bool Contradict(const ReliefWish& a, const ReliefWish& b) {
+    if (a.zones != b.zones) return false;
+    if (IsTexture(a.kind) && IsTexture(b.kind)) return a.kind != b.kind;
+    return a.kind == ReliefKind::kSlope && b.kind == ReliefKind::kSlope &&
+           a.heading.east * b.heading.east + a.heading.south * b.heading.south < 0;
+  }
+
+  // Takes a wish off the plan; none refers to land as a whole.
+  void Drop(int index) {
+    plan_.reliefs.erase(plan_.reliefs.begin() + index);
+    for (ReliefWish& wish : plan_.reliefs) {
+      for (int& other : wish.between) other -= other > index ? 1 : 0;
+      for (ReliefTie& tie : wish.ties) tie.wish -= tie.wish > index ? 1 : 0;
     }
   }
 

@@ -99,6 +99,11 @@ std::size_t ReliefSentence::FindMention(std::size_t at, Vocabulary vocabulary) {
   const bool plural = !kind && singular != word;
   if (!kind) kind = ReliefOfWord(singular);
   if (!kind) return at + 1;
+  const bool roll = Is(at, {"rolling", "undulating"}) && Is(at + 1, {"hills", "hillocks"});
+  if (roll) {  // land as a whole
+    AddMention(*kind, at, at + 2, nullptr, false);
+    return at + 2;
+  }
   if (IsTexture(*kind) ? SaysLand(at) : IsNounHere(word, at)) {
     AddMention(*kind, at, at + 1, nullptr, plural && !IsTexture(*kind));
   }

@@ -26,6 +26,11 @@ class TieReader {
   ReliefWish& WishOf(const ReliefMention& mention) {
     return plan_.reliefs[static_cast<std::size_t>(mention.wish)];
   }
+  // What a road can be said to climb.
+  static bool Rises(ReliefKind kind) {
+    return kind != ReliefKind::kValley && kind != ReliefKind::kGorge &&
+           kind != ReliefKind::kCanyon && kind != ReliefKind::kBasin;
+  }
   bool IsLaid(const ReliefMention& mention) { return WishOf(mention).letter != '\0'; }
 
   void TieToClass(const ReliefMention& mention, const OtherMention& other) {
@@ -44,17 +49,29 @@ class TieReader {
   // hill".
   bool SaidOfOther(const OtherMention& other, const ReliefMention& mention, ReliefTie* tie) {
     const bool road = tie->letter == 'R' && plan_.vocabulary == Vocabulary::kSuburb;
-    if (road && s_.Has(other.end, mention.begin,
-                       {"climbs", "climb", "climbing", "up", "ascends", "ascend", "top", "over"})) {
+    const bool over = mention.kind == ReliefKind::kSaddle &&
+                      s_.Has(other.end, mention.begin, {"over", "through", "across"});
+    if (road && over) {
       tie->kind = ReliefTie::Kind::kClimbed;
       return true;
     }
-    if (IsLaid(mention)) return false;
+    if (road && Rises(mention.kind) &&
+        s_.Has(other.end, mention.begin,
+               {"climbs", "climb", "climbing", "up", "ascends", "ascend", "top"})) {
+      tie->kind = ReliefTie::Kind::kClimbed;
+      return true;
+    }
+    // Water that runs in a form is where the form is, whatever class it is laid as.
+    const bool runs_in_it = tie->letter == 'W' && (mention.kind == ReliefKind::kValley ||
+                                                   mention.kind == ReliefKind::kGorge ||
+                                                   mention.kind == ReliefKind::kCanyon);
+    if (IsLaid(mention) && !runs_in_it) return false;
     for (std::size_t i = mention.begin; i-- > other.end;) {
       if (s_.Is(i, {"inside", "in", "within", "on", "through", "atop", "into"})) {
         tie->kind = ReliefTie::Kind::kUnder;
         return true;
       }
+      if (IsLaid(mention)) continue;
       if (SaysNear(i) || s_.Is(i, {"below", "under"})) {
         tie->kind = ReliefTie::Kind::kBeside;
         return true;
@@ -77,7 +94,9 @@ class TieReader {
         return true;
       }
       if (s_.Is(i, {"with"})) {
-        tie->kind = tie->letter == 'R' ? ReliefTie::Kind::kClimbed : ReliefTie::Kind::kUnder;
+        const bool road = tie->letter == 'R' && plan_.vocabulary == Vocabulary::kSuburb;
+        tie->kind =
+            road && Rises(mention.kind) ? ReliefTie::Kind::kClimbed : ReliefTie::Kind::kUnder;
         return true;
       }
     }
