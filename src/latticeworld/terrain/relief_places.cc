@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "latticeworld/layout/mask_measures.h"
@@ -48,9 +49,13 @@ class Placer {
     }
   }
 
-  void Place(int index, const ReliefWish& wish, std::vector<ReliefPiece>* pieces) {
+  // has_pass: a saddle is said to lie between the wish's pieces.
+  void Place(int index, const ReliefWish& wish, bool has_pass, std::vector<ReliefPiece>* pieces) {
     placed_ = pieces;
     if (wish.kind == ReliefKind::kSaddle) return PlaceSaddle(index, wish);
+    if (has_pass && wish.plural && (wish.count == 0 || wish.count == 2)) {
+      return PlacePair(index, wish);
+    }
     // Cliffs are one line, and terraces one flight, where no number is said.
     const bool one = wish.kind == ReliefKind::kCliff || wish.kind == ReliefKind::kTerraces;
     int count = wish.count > 0 ? wish.count : wish.plural && !one ? 3 : 1;
@@ -100,6 +105,17 @@ class Placer {
     return std::any_of(wish.ties.begin(), wish.ties.end(), [](const ReliefTie& tie) {
       return tie.kind == ReliefTie::Kind::kUnder && tie.letter == 'B';
     });
+  }
+
+  // How far what is built on a form or in it reaches [m].
+  double CarriedRadius(const ReliefWish& wish) const {
+    int most = 0;
+    for (const ReliefTie& tie : wish.ties) {
+      const LayoutMask cells = CellsOf(tie);
+      if (tie.kind != ReliefTie::Kind::kUnder || tie.letter != 'B' || cells.empty()) continue;
+      most = std::max(most, cells.Pieces().front().count());
+    }
+    return std::sqrt(most / M_PI) * cell_m_;
   }
 
   // The first piece of a wish, or none.
@@ -282,6 +298,7 @@ class Placer {
                                        : nature.height * 1.2 * wish.steepness;
       half_m = std::clamp(*asked / std::max(natural_slope, 0.02), 0.03 * size_m_, 0.42 * size_m_);
     }
+    if (piece->carries_built && !wish.width_m) half_m = std::max(half_m, 1.8 * CarriedRadius(wish));
     half_m = std::min(half_m, 0.45 * size_m_);
     LayoutMask obstacles = taken_;
     const LayoutMask tied = TiedZone(wish, zone, first, &obstacles);
@@ -334,7 +351,11 @@ class Placer {
 
   void PlaceCourse(const ReliefWish& wish, const LayoutMask& zone, const LayoutMask& obstacles,
                    ReliefPiece* piece) {
-    if (FollowWater(wish, piece) || FollowLetter(wish, zone, piece)) return;
+    if (FollowWater(wish, piece)) return;
+    if (FollowLetter(wish, zone, piece)) {
+      if (wish.length_m) CutTo(AxisLength(wish, piece->half_width_m), &piece->axis);
+      return;
+    }
     if (!wish.from.empty() && !wish.to.empty()) {
       piece->axis = {EndOf(wish.from.front()), EndOf(wish.to.front())};
       if (wish.length_m) CutTo(AxisLength(wish, piece->half_width_m), &piece->axis);
@@ -354,11 +375,11 @@ class Placer {
     return std::max(*wish.length_m - half_m, 0.5 * cell_m_);
   }
 
-  // Shortens a line about its middle.
+  // Makes a line straight and so long about its middle.
   static void CutTo(double length_m, std::vector<WorldPoint>* ends) {
     const WorldPoint a = ends->front(), b = ends->back();
     const double is_m = std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
-    const double cut = std::max(0.0, 0.5 - 0.5 * length_m / std::max(is_m, 1e-9));
+    const double cut = 0.5 - 0.5 * length_m / std::max(is_m, 1e-9);
     const double dx = cut * (b.x_m - a.x_m), dy = cut * (b.y_m - a.y_m);
     *ends = {{a.x_m + dx, a.y_m + dy}, {b.x_m - dx, b.y_m - dy}};
   }
@@ -487,6 +508,11 @@ class Placer {
     return line;
   }
 
+  // "Two hills" with a pass between them lie side by side, as a saddle's own rises do.
+  void PlacePair(int index, const ReliefWish& wish) {
+    for (ReliefPiece& rise : RisesOf(index, wish)) placed_->push_back(std::move(rise));
+  }
+
   // Two rises and the ridge that joins them: its middle is the pass.
   void PlaceSaddle(int index, const ReliefWish& wish) {
     std::vector<ReliefPiece> rises = SaidRises(wish);
@@ -516,29 +542,30 @@ class Placer {
     return rises;
   }
 
-  // A saddle's own two rises, on either side of its place.
+  // Two rises on either side of a saddle's place, for a wish: the saddle's own, or "two hills" that
+  // it is said to lie between.
   std::vector<ReliefPiece> RisesOf(int index, const ReliefWish& wish) {
-    const ReliefNature nature = NatureOf(wish.kind);
+    const ReliefNature nature = NatureOf(ReliefKind::kSaddle);
     ReliefPiece rise;
     rise.wish = index;
-    rise.kind = ReliefKind::kHill;
+    rise.kind = wish.kind == ReliefKind::kSaddle ? ReliefKind::kHill : wish.kind;
     rise.half_width_m = nature.half_width * size_m_ * std::sqrt(wish.size);
-    if (wish.height_m) {  // of the pass
-      rise.half_width_m =
-          std::clamp(*wish.height_m / kPassShare / nature.height, 0.03 * size_m_, 0.2 * size_m_);
+    std::optional<double> asked = wish.height_m;
+    if (asked && wish.kind == ReliefKind::kSaddle) *asked /= kPassShare;
+    if (asked) {
+      rise.half_width_m = std::clamp(*asked / nature.height, 0.03 * size_m_, 0.2 * size_m_);
     }
-    rise.height_m = wish.height_m ? *wish.height_m / kPassShare
-                                  : nature.height * rise.half_width_m * wish.steepness;
-    rise.height_m = std::min(rise.height_m, SteepestFlank(wish.kind) * rise.half_width_m);
+    rise.height_m = asked ? *asked : nature.height * rise.half_width_m * wish.steepness;
+    rise.height_m = std::min(rise.height_m, SteepestFlank(rise.kind) * rise.half_width_m);
     const double apart_m = 2.2 * rise.half_width_m;
     LayoutMask obstacles = taken_;
     const LayoutMask zone = TiedZone(wish, ZoneOf(wish, 0), true, &obstacles);
     double room_cells = 0.0;
     const CellIndex at =
-        Freest(zone, obstacles | laid_, 1.5 * rise.half_width_m / cell_m_, &room_cells);
-    MarkLaid(at, apart_m / cell_m_);
+        Freest(zone, obstacles | laid_, 2.1 * rise.half_width_m / cell_m_, &room_cells);
     ReliefPiece line;
     LayThrough(wish, PointOf(at.row, at.col), apart_m, obstacles, &line);
+    MarkLaid(at, apart_m / cell_m_);
     std::vector<ReliefPiece> rises;
     for (const WorldPoint& top : line.axis) {
       rise.axis = {top};
@@ -577,7 +604,12 @@ std::vector<ReliefPiece> PlaceReliefs(const std::vector<ReliefWish>& wishes,
   // What the layout shows or the words lay out comes first; the others find room beside it.
   for (const bool set : {true, false}) {
     for (std::size_t i = 0; i < wishes.size(); ++i) {
-      if (IsSet(wishes[i]) == set) placer.Place(static_cast<int>(i), wishes[i], &pieces);
+      if (IsSet(wishes[i]) != set) continue;
+      const std::vector<int> alone = {static_cast<int>(i)};
+      const bool has_pass = std::any_of(wishes.begin(), wishes.end(), [&](const ReliefWish& wish) {
+        return wish.between == alone;
+      });
+      placer.Place(static_cast<int>(i), wishes[i], has_pass, &pieces);
     }
   }
   return pieces;

@@ -291,8 +291,10 @@ class ReliefReader {
 
   void Settle(ReliefWish* wish) {
     const bool mountain = wish->kind == ReliefKind::kMountain || wish->kind == ReliefKind::kPeak;
-    wish->alone = mountain && plan_.reliefs.size() == 1 && wish->zones.empty() &&
-                  plan_.features.size() <= 1 && wish->size == 1.0 && !wish->width_m;
+    const auto said = std::count_if(plan_.features.begin(), plan_.features.end(),
+                                    [](const PlannedFeature& one) { return !one.supposed; });
+    wish->alone = mountain && plan_.reliefs.size() == 1 && wish->zones.empty() && said <= 1 &&
+                  wish->size == 1.0 && !wish->width_m;
     // Hills that roll are land as a whole.
     if (IsTexture(wish->kind)) wish->letter = '\0';
   }
