@@ -117,7 +117,7 @@ TEST(ReliefReadingTest, FreeTextSaysReliefWhoeverReadsTheRest) {
            {"A slope of 5 degrees.", "slope s=5"},
            // Measures belong to the nearest noun.
            {"A hill 20 m high and a plateau in the west.", "hill h=20; plateau z=western third"},
-           {"A hill in the north and a 25 m deep gorge.", "hill z=northern third; gorge d=25"},
+           {"A hill in the north and a 25 m deep valley.", "hill z=northern third; valley d=25"},
            {"A hill in the north, a gorge in the south.",
             "hill z=northern third; gorge z=southern third"},
            {"In the north a hill, in the south a gorge.",
