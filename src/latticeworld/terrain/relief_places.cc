@@ -525,7 +525,9 @@ class Placer {
     // Its ends run out on the flanks of the rises.
     const double apart_m =
         std::hypot(ridge.axis[1].x_m - ridge.axis[0].x_m, ridge.axis[1].y_m - ridge.axis[0].y_m);
-    CutTo(0.4 * apart_m, &ridge.axis);
+    CutTo(std::max(apart_m - kOnFlanks * (rises[0].half_width_m + rises[1].half_width_m),
+                   0.1 * apart_m),
+          &ridge.axis);
     ridge.half_width_m = 0.8 * std::min(rises[0].half_width_m, rises[1].half_width_m);
     ridge.height_m = kPassShare * std::min(rises[0].height_m, rises[1].height_m);
     placed_->push_back(std::move(ridge));
@@ -576,6 +578,8 @@ class Placer {
 
   // Of its rises' height, how high a pass lies.
   static constexpr double kPassShare = 0.5;
+  // Of a rise's half width, how far from its top the ridge to the pass begins.
+  static constexpr double kOnFlanks = 0.66;
   // Of a flank's width the share that is not rounded off at foot and top.
   static constexpr double kFlankShare = 0.75;
 

@@ -127,6 +127,7 @@ TEST(ReliefReadingTest, FreeTextSaysReliefWhoeverReadsTheRest) {
            {"A river runs through a gorge from the north to the south.",
             "gorge from=northern edge to=southern edge under=W"},
            {"A road leads over the pass.", "saddle climbed=R"},
+           {"A village in the west and a hill in the east.", "hill z=eastern third"},
            {"Rocky slopes in the north.", ""},
        }) {
     LayoutReading reading = ByRules(sample.text);

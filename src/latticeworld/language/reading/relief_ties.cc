@@ -67,6 +67,8 @@ class TieReader {
                                                    mention.kind == ReliefKind::kCanyon);
     if (IsLaid(mention) && !runs_in_it) return false;
     for (std::size_t i = mention.begin; i-- > other.end;) {
+      // "A village in the west and a hill": what comes before is said of the village.
+      if (s_.Is(i, {"and"}) || s_.tokens()[i].kind != TokenKind::kWord) return false;
       if (s_.Is(i, {"inside", "in", "within", "on", "through", "atop", "into"})) {
         tie->kind = ReliefTie::Kind::kUnder;
         return true;
