@@ -180,11 +180,15 @@ class AttributeReader {
   std::vector<std::string>& warnings_;
 };
 
-// Where what is said of a mention begins that another one stands before: at the comma between them,
-// else at what leads its noun: "a hill and a 25 m deep gorge".
+// Where what is said of a mention begins: where the sentence does, or behind what is named before
+// it, at the comma between them, else at what leads its noun: "a hill and a 25 m deep gorge".
 std::size_t BeginOf(const ReliefSentence& sentence, std::size_t mention) {
-  const std::size_t before = sentence.mentions()[mention - 1].end;
   const std::size_t noun = sentence.mentions()[mention].begin;
+  std::size_t before = mention == 0 ? 0 : sentence.mentions()[mention - 1].end;
+  for (const OtherMention& other : sentence.others()) {
+    if (other.end <= noun) before = std::max(before, other.end);
+  }
+  if (before == 0) return 0;
   std::size_t begin = noun;
   for (std::size_t i = noun; i-- > before;) {
     if (sentence.tokens()[i].kind == TokenKind::kComma) return i;
@@ -198,9 +202,10 @@ std::size_t BeginOf(const ReliefSentence& sentence, std::size_t mention) {
 void ReadReliefAttributes(std::size_t mention, ReliefSentence* sentence, ReliefWish* wish,
                           std::vector<std::string>* warnings) {
   const std::vector<ReliefMention>& all = sentence->mentions();
-  const std::size_t begin = mention == 0 ? 0 : BeginOf(*sentence, mention);
-  const std::size_t end =
-      mention + 1 < all.size() ? BeginOf(*sentence, mention + 1) : sentence->tokens().size();
+  const std::size_t begin = BeginOf(*sentence, mention);
+  const std::size_t end = mention + 1 < all.size()
+                              ? std::max(all[mention].end, BeginOf(*sentence, mention + 1))
+                              : sentence->tokens().size();
   AttributeReader(all[mention], sentence, wish, warnings).Read(begin, end);
 }
 
