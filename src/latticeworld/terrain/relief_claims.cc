@@ -21,11 +21,11 @@ using internal::IsSunk;
 using internal::Metres;
 using internal::ReliefPiece;
 
-constexpr double kNearEnough = 0.15;     // of a measure that was said
-constexpr double kLeastShare = 0.5;      // of the natural height of a form
-constexpr double kSlopeRoom_deg = 3.0;   // and a fifth of what was said
-constexpr double kExtentRoom = 0.25;     // of a width, a length or a rise that was said
-constexpr double kLeastSaddle = 0.15;    // of its rises' height: a pass below tops, above sides
+constexpr double kNearEnough = 0.15;    // of a measure that was said
+constexpr double kLeastShare = 0.5;     // of the natural height of a form
+constexpr double kSlopeRoom_deg = 3.0;  // and a fifth of what was said
+constexpr double kExtentRoom = 0.25;    // of a width, a length or a rise that was said
+constexpr double kLeastSaddle = 0.15;   // of its rises' height: a pass below tops, above sides
 constexpr double kMountainSlope_deg = 15.0;
 
 bool IsHollow(ReliefKind kind) { return kind == ReliefKind::kBasin || kind == ReliefKind::kCrater; }

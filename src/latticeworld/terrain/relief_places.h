@@ -20,10 +20,10 @@ struct ReliefPiece {
   bool follows_water = false;  // the axis is the water of `area`
   double half_width_m = 0.0;   // from the axis to the foot, or to the rim; of an area: to its rim
   double height_m = 0.0;       // from foot to top, or from rim to floor; > 0
-  Claim::Heading heading{0, -1};  // that it rises to: kCliff, kSlope, kDunes, kTerraces
+  Claim::Heading heading{0, -1};    // that it rises to: kCliff, kSlope, kDunes, kTerraces
   double shown_half_width_m = 0.0;  // of an area: the same, where the world's edge is a rim too
   bool rises_by_class = false;      // of an area: its class makes the mountains that are asked for
-  bool carries_built = false;     // what is built is said to stand in it or on it
+  bool carries_built = false;       // what is built is said to stand in it or on it
   bool has_area() const { return axis.empty(); }
 };
 

@@ -16,8 +16,8 @@ namespace latticeworld {
 void ReadReliefAttributes(std::size_t mention, ReliefSentence* sentence, ReliefWish* wish,
                           std::vector<std::string>* warnings);
 
-// The side that land is said to rise to in [begin, end): "rises to the north", "falls to the south",
-// "slopes down to the east"; {0, 0}: nothing said.
+// The side that land is said to rise to in [begin, end): "rises to the north", "falls to the
+// south", "slopes down to the east"; {0, 0}: nothing said.
 Claim::Heading RiseOf(const ReliefSentence& sentence, std::size_t begin, std::size_t end);
 
 }  // namespace latticeworld
