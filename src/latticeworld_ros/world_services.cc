@@ -16,6 +16,7 @@
 #include "latticeworld_ros/bundle_name.h"
 #include "latticeworld_ros/messages.h"
 #include "latticeworld_ros/status_conversion.h"
+#include "latticeworld_ros/thing_query.h"
 #include "latticeworld_ros/weather_conversion.h"
 #include "latticeworld_ros/world_conversion.h"
 
@@ -105,6 +106,15 @@ void OnQuery(SimulationLoop* loop, const latticeworld_msgs::QueryTerrain::Reques
   if (samples.ok()) response->samples = std::move(samples).value();
 }
 
+void OnQueryThings(SimulationLoop* loop, const latticeworld_msgs::QueryThings::Request& request,
+                   latticeworld_msgs::QueryThings::Response* response) {
+  const Result<SimulationLoop::Moment> moment = loop->Inspect(/*hash=*/false);
+  response->status = ToRos(moment.status());
+  if (!moment.ok()) return;
+  response->world_id = moment->world->id;
+  AnswerQuery(*moment->world->scene, *moment->state, request, response);
+}
+
 Status SetWeather(SimulationLoop* loop, const latticeworld_msgs::SetWeather::Request& request,
                   latticeworld_msgs::SetWeather::Response* response) {
   LW_ASSIGN_OR_RETURN(const WeatherChange change, FromRos(request));
@@ -122,6 +132,7 @@ void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, MapVa
   using latticeworld_msgs::GetWorld;
   using latticeworld_msgs::ListWorlds;
   using latticeworld_msgs::QueryTerrain;
+  using latticeworld_msgs::QueryThings;
   using latticeworld_msgs::SaveWorld;
   using SetWeatherService = latticeworld_msgs::SetWeather;
   using nav_msgs::GetMap;
@@ -142,6 +153,10 @@ void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, MapVa
   queue->Advertise<QueryTerrain>(
       "query_terrain", [=](const QueryTerrain::Request& request, QueryTerrain::Response* response) {
         OnQuery(loop, request, response);
+      });
+  queue->Advertise<QueryThings>(
+      "query_things", [=](const QueryThings::Request& request, QueryThings::Response* response) {
+        OnQueryThings(loop, request, response);
       });
   queue->Advertise<SetWeatherService>("set_weather", [=](const SetWeatherService::Request& request,
                                                          SetWeatherService::Response* response) {
