@@ -12,6 +12,7 @@
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/tokens.h"
 #include "latticeworld/layout/thing_kinds.h"
+#include "latticeworld/layout/thing_wishes.h"
 
 namespace latticeworld {
 namespace {
@@ -286,13 +287,7 @@ Result<ThingsFile> DecodeThings(std::string_view content, const GridGeometry& ge
 Result<std::vector<ThingWish>> WishedThings(std::string_view json, const LayoutPlan& plan,
                                             const Catalogue& catalogue, Vocabulary vocabulary) {
   LW_ASSIGN_OR_RETURN(std::vector<ThingWish> things, ParseThings(json, catalogue, vocabulary));
-  // A wish names another one by its index among its own.
-  const int before = static_cast<int>(things.size());
-  for (ThingWish wish : plan.things) {
-    if (wish.target.wish >= 0) wish.target.wish += before;
-    if (wish.facing.wish >= 0) wish.facing.wish += before;
-    things.push_back(std::move(wish));
-  }
+  AppendWishes(plan.things, &things);
   return things;
 }
 

@@ -3,10 +3,9 @@
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
 #include "latticeworld/language/grounded/environment/environment_parser.h"
 #include "latticeworld/language/grounded/reading/layout_parser.h"
+#include "latticeworld/language/reading/beside_things.h"
 #include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/language/reading/sentences_of_claims.h"
-#include "latticeworld/language/reading/text_units.h"
-#include "latticeworld/language/reading/things_of_text.h"
 
 namespace latticeworld {
 namespace {
@@ -25,21 +24,7 @@ class RuleReader final : public InstructionReader {
 
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& /*progress*/,
                                    std::vector<ModelReply>* /*replies*/) override {
-    LayoutReading reading;
-    // The rules are of land.
-    TextThings things = TakeThings(request.instruction, request.vocabulary);
-    reading.plan = ParseLayoutInstruction(things.rest, request.vocabulary);
-    reading.plan.things = std::move(things.things);
-    reading.sentences = SentencesOf(reading.plan.claims, request.vocabulary);
-    reading.coverage =
-        CoverageOf(things.rest, reading.sentences, SentenceKind::kLayout, request.vocabulary);
-    AddLost(reading.coverage, ToldOf(reading.plan.claims, reading.plan.warnings),
-            &reading.plan.not_understood);
-    const auto of_things =
-        static_cast<int>(UnitsOf(things.taken, SentenceKind::kLayout, request.vocabulary).size());
-    reading.coverage.words += of_things;
-    reading.coverage.carried += of_things;
-    return reading;
+    return ReadBesideThings(request, ReadLand);
   }
 
   Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& request,
@@ -53,6 +38,18 @@ class RuleReader final : public InstructionReader {
                                   SentenceKind::kEnvironment, request.layout->vocabulary);
     AddLost(reading.coverage, ToldOf(claims, reading.heard.warnings),
             &reading.heard.not_understood);
+    return reading;
+  }
+
+ private:
+  static Result<LayoutReading> ReadLand(const LayoutRequest& request) {
+    LayoutReading reading;
+    reading.plan = ParseLayoutInstruction(request.instruction, request.vocabulary);
+    reading.sentences = SentencesOf(reading.plan.claims, request.vocabulary);
+    reading.coverage = CoverageOf(request.instruction, reading.sentences, SentenceKind::kLayout,
+                                  request.vocabulary);
+    AddLost(reading.coverage, ToldOf(reading.plan.claims, reading.plan.warnings),
+            &reading.plan.not_understood);
     return reading;
   }
 };
