@@ -7,7 +7,7 @@
 
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/simulation/found_things.h"
-#include "scene/test_world.h"
+#include "../scene/test_world.h"
 #include "test_scene.h"
 
 namespace latticeworld {

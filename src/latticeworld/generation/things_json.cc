@@ -110,7 +110,8 @@ class ThingReader {
     const std::optional<std::string> kind = Text(json, "kind");
     if (!json.contains("kind")) Fault("kind", "missing_key", "is missing", "");
     if (!kind) return;
-    if (const ThingKind* known = FindThingKind(*kind)) {
+    // In words a bridge is one of a road.
+    if (const ThingKind* known = FindThingKind(*kind == "bridge" ? "footbridge" : *kind)) {
       wish->kind = known->name;
       return;
     }
@@ -183,6 +184,7 @@ class ThingReader {
     ReadTarget(json, "of", &wish->target);
     ReadTarget(json, "facing", &wish->facing);
     wish->distance_m = Number(json, "distance_m", 0.1, kFarthest_m).value_or(0.0);
+    if (!json.contains("count")) FillRun(wish);
     const bool relates = wish->relation != ThingRelation::kNone;
     if (relates && !json.contains("of")) Fault("of", "missing_key", "is missing", "");
     if (!relates && json.contains("of")) {
@@ -201,6 +203,8 @@ class ThingReader {
       target->wish = known->second;
       return;
     }
+    target->letter = GroundNamed(*name);
+    if (!target->is_nothing()) return;
     const std::vector<Token> tokens = Tokenize(*name);
     const ClassWordMatch match = tokens.empty() ? ClassWordMatch() : MatchClassWord(tokens, 0);
     if (match.word != nullptr && match.tokens == tokens.size()) {

@@ -8,14 +8,10 @@
 namespace latticeworld {
 
 // Puts wishes behind those that there are; their targets still are the wishes that they were.
-inline void AppendWishes(const std::vector<ThingWish>& wishes, std::vector<ThingWish>* to) {
-  const int before = static_cast<int>(to->size());
-  for (const ThingWish& wish : wishes) {
-    to->push_back(wish);
-    if (wish.target.wish >= 0) to->back().target.wish += before;
-    if (wish.facing.wish >= 0) to->back().facing.wish += before;
-  }
-}
+void AppendWishes(const std::vector<ThingWish>& wishes, std::vector<ThingWish>* to);
+// Where no number was said of a fence, hedge or wall along or around something: as many of its
+// pieces as there is room for.
+void FillRun(ThingWish* wish);
 
 }  // namespace latticeworld
 
