@@ -125,6 +125,25 @@ test('the ground has the colours of the classes where the layout has them', { ti
   assert.ok(new Set(lit.map(String)).size > 20);
 });
 
+test('the land is seen at night and in the rain', { timeout: 60000 }, async () => {
+  const colors = await page.evaluate(() => {
+    const { latticeworld } = globalThis;
+    const { weather } = latticeworld.state;
+    latticeworld.setWeather({ ...weather, sun_direction: [0.2, 0.3, -0.9], cloud_cover: 0.95, rain_mmph: 5, ambient_intensity: 0 });
+    const half = 100;
+    const places = [];
+    for (let y = -half; y <= half; y += half / 8) for (let x = -half; x <= half; x += half / 8) places.push([x, y]);
+    const seen = latticeworld.colorsFromAbove(places);
+    latticeworld.setWeather(weather);
+    return seen;
+  });
+  const grey = colors.map(([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b);
+  const mean = grey.reduce((sum, value) => sum + value, 0) / grey.length;
+  const deviation = Math.sqrt(grey.reduce((sum, value) => sum + (value - mean) ** 2, 0) / grey.length);
+  assert.ok(mean > 30, `mean brightness ${mean}`);
+  assert.ok(deviation > 4, `contrast ${deviation}`);
+});
+
 test('two browsers at once see the same agents', { timeout: 300000 }, async () => {
   // Without a graphics card both share one processor: the first rests while the second loads.
   await page.evaluate(() => globalThis.latticeworld.slowDown(3600000));
