@@ -8,6 +8,7 @@
 #include "latticeworld/common/random.h"
 #include "latticeworld/scene/elements.h"
 #include "latticeworld/scene/scatter.h"
+#include "latticeworld/scene/thing_sites.h"
 #include "latticeworld/scene/trees.h"
 
 namespace latticeworld {
@@ -34,6 +35,16 @@ double BaseOf(const Terrain& terrain, const Footprint& footprint) {
     base_m = std::min(base_m, terrain.ground.HeightAt(corner));
   }
   return base_m;
+}
+
+// Trees of a row have crowns that only just meet, but none is less than half as large as it was.
+void FitTree(double crown_m, Asset* tree) {
+  const double fits = crown_m / (2.0 * double{tree->half_length_m});
+  const auto scale = static_cast<float>(std::clamp(fits, 0.5, 1.0));
+  for (float* length : {&tree->height_m, &tree->half_length_m, &tree->half_width_m,
+                        &tree->trunk_radius_m, &tree->scale}) {
+    *length *= scale;
+  }
 }
 
 }  // namespace
@@ -123,6 +134,7 @@ Asset ThingMaker::MakeAsset(const ThingWish& wish, AssetKind kind,
     // Nearly as large as the first one of its wish.
     PointRandom first(seed, 0);
     SizeAsset(of, choice.vigour, wish.size * random->Uniform(0.95, 1.05), &first, &asset);
+    if (kind == AssetKind::kTree) FitTree(0.95 * SpacingOf(wish), &asset);
   }
   asset.yaw_rad = static_cast<float>(std::remainder(yaw_rad, 2.0 * M_PI));
   StandAt(placement_.terrain, place, &asset);

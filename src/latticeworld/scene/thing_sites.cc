@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "latticeworld/layout/thing_kinds.h"
 
@@ -336,15 +337,48 @@ std::vector<ThingSites::Slot> ThingSites::AlongLand(int count, RandomStream* ran
   const Anchor anchor = BesideLand(0.0, random);
   std::vector<Slot> slots = WalkAlong(anchor.place, count, gap_m, side_rad);
   const int left = count - static_cast<int>(slots.size());
-  if (left <= 0 || slots.empty()) return slots;
+  if (slots.empty() || (left <= 0 && !is_run_)) return slots;
   // The other way from the same begin, which stands already.
-  std::vector<Slot> back = WalkAlong(slots.front().place, left + 1, gap_m, -side_rad);
+  const std::vector<Slot> back =
+      WalkAlong(slots.front().place, std::max(1, left + 1), gap_m, -side_rad);
   const double closes_m = 0.9 * SpacingOf(wish_);
   for (std::size_t i = 1; i < back.size(); ++i) {
     if (ComesNear(slots, back[i].place, closes_m)) break;
     slots.insert(slots.begin(), back[i]);
   }
-  return slots;
+  return is_run_ ? EndToEnd(std::move(slots)) : slots;
+}
+
+std::vector<ThingSites::Slot> ThingSites::EndToEnd(std::vector<Slot> nodes) const {
+  constexpr int kPasses = 4;
+  constexpr double kStep = 0.02;  // share of the way between two nodes
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const std::vector<Slot> before = nodes;
+    for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+      const WorldPoint a = before[i - 1].place, b = before[i].place, c = before[i + 1].place;
+      nodes[i].place = {0.25 * a.x_m + 0.5 * b.x_m + 0.25 * c.x_m,
+                        0.25 * a.y_m + 0.5 * b.y_m + 0.25 * c.y_m};
+    }
+  }
+  // Posts as far apart along the line as a piece is long; each piece lies between two.
+  const double piece_m = SpacingOf(wish_);
+  std::vector<Slot> pieces;
+  WorldPoint post = nodes.empty() ? WorldPoint() : nodes.front().place;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const WorldPoint a = nodes[i].place, b = nodes[i + 1].place;
+    for (double share = kStep; share <= 1.0; share += kStep) {
+      const WorldPoint at = {a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
+      if (Distance(post, at) < piece_m) continue;
+      const double way_rad = HeadingTo(post, at);
+      // The front looks to the side that the walk's things looked to.
+      const double left_rad = way_rad + kQuarter_rad;
+      const bool left = std::cos(left_rad - nodes[i].yaw_rad) > 0.0;
+      pieces.push_back(
+          {Moved(post, way_rad, 0.5 * piece_m), left ? left_rad : way_rad - kQuarter_rad});
+      post = Moved(post, way_rad, piece_m);
+    }
+  }
+  return pieces;
 }
 
 std::optional<WorldPoint> ThingSites::NearestOf(const ThingTarget& target, WorldPoint point) const {

@@ -67,6 +67,8 @@ class ThingSites {
   std::vector<Slot> AroundLand(int count, double turn_rad) const;
   std::vector<Slot> AlongThing(int count, RandomStream* random) const;
   std::vector<Slot> AlongLand(int count, RandomStream* random) const;
+  // Pieces end to end over nodes that were walked, on a line without their jitter.
+  std::vector<Slot> EndToEnd(std::vector<Slot> nodes) const;
   // One way along the edge of the class from a place beside it. Ends at the world's edge, and
   // before it comes back to its begin.
   std::vector<Slot> WalkAlong(WorldPoint from, int count, double gap_m, double side_rad) const;

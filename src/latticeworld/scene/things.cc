@@ -23,6 +23,8 @@ namespace {
 constexpr double kApart_m = 0.02;      // between things
 constexpr double kFromHouses_m = 0.5;  // between things and houses
 constexpr double kHouseFromHouse_m = 3.0;
+constexpr double kMostDug_m = 1.2;  // that a hillside reaches up walls
+constexpr double kDeepest_m = 6.0;
 constexpr int kTries = 300;   // sites of a wish
 constexpr int kWholeRun = 8;  // pieces of a fence that ends at the world's edge
 constexpr char kFootbridge[] = "footbridge";
@@ -172,7 +174,9 @@ class Placer {
         }
         MadeThing made = maker_.Make(wish, SeedOf(static_cast<std::size_t>(index)),
                                      first + static_cast<int>(k), slots[k].place, slots[k].yaw_rad);
-        const Flaw flaw = FlawOf(wish, made, now.made);
+        // Walls are dug in deep only where no try has found better.
+        const double most_dug_m = 3 * i < 2 * tries ? kMostDug_m : kDeepest_m;
+        const Flaw flaw = FlawOf(wish, made, now.made, most_dug_m);
         if (flaw == Flaw::kNone) {
           now.made.push_back(std::move(made));
         } else {
@@ -216,7 +220,8 @@ class Placer {
     return found;
   }
 
-  Flaw FlawOf(const ThingWish& wish, const MadeThing& made, const std::vector<MadeThing>& beside) {
+  Flaw FlawOf(const ThingWish& wish, const MadeThing& made, const std::vector<MadeThing>& beside,
+              double most_dug_m) {
     const Footprint& footprint = made.footprint;
     const double limit_m = terrain_.geometry().half_size_m();
     for (const WorldPoint& corner : footprint.Corners()) {
@@ -230,6 +235,9 @@ class Placer {
       return flaw;
     }
     if (!ground.is_pier && !IsSlopeAtMost(terrain_, footprint.centre, made.steepest_deg)) {
+      return Flaw::kSteep;
+    }
+    if (made.is_house && !wish.position && RiseWithin_m(footprint) > most_dug_m) {
       return Flaw::kSteep;
     }
     return StandsFree(made, beside) ? Flaw::kNone : Flaw::kOccupied;
@@ -251,6 +259,20 @@ class Placer {
       if (Near(footprint, FootprintOf(placement_.assets[i]), gap_m)) return false;
     }
     return true;
+  }
+
+  // Between the lowest and the highest ground of what walls cover.
+  double RiseWithin_m(const Footprint& footprint) const {
+    double low_m = INFINITY, high_m = -INFINITY;
+    for (const double along : {-1.0, 0.0, 1.0}) {
+      for (const double left : {-1.0, 0.0, 1.0}) {
+        const double height_m = terrain_.ground.HeightAt(
+            footprint.At(along * footprint.half_length_m, left * footprint.half_width_m));
+        low_m = std::min(low_m, height_m);
+        high_m = std::max(high_m, height_m);
+      }
+    }
+    return high_m - low_m;
   }
 
   static bool Near(const Footprint& a, const Footprint& b, double gap_m) {
