@@ -128,7 +128,7 @@ Asset ThingMaker::MakeAsset(const ThingWish& wish, AssetKind kind,
   asset.season_variant = choice.season_variant;
   asset.material = choice.material;
   const AssetModel& of = placement_.catalogue.models()[choice.model];
-  if (wish.arrangement == ThingArrangement::kNone) {
+  if (wish.arrangement == ThingArrangement::kNone || kind == AssetKind::kBuilding) {
     SizeAsset(of, choice.vigour, wish.size, random, &asset);
   } else {
     // Nearly as large as the first one of its wish.

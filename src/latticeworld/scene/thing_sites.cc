@@ -10,7 +10,8 @@ namespace latticeworld {
 namespace {
 
 constexpr double kQuarter_rad = M_PI / 2.0;
-constexpr double kInner = 0.8;  // share of half the world's size
+constexpr double kOfLine_m = 1.0;  // room for pieces that cut bends
+constexpr double kInner = 0.8;     // share of half the world's size
 
 WorldPoint Moved(WorldPoint point, double heading_rad, double by_m) {
   return {point.x_m + by_m * std::cos(heading_rad), point.y_m + by_m * std::sin(heading_rad)};
@@ -309,11 +310,16 @@ std::vector<ThingSites::Slot> ThingSites::AlongThing(int count, RandomStream* ra
 
 std::vector<ThingSites::Slot> ThingSites::WalkAlong(WorldPoint from, int count, double gap_m,
                                                     double side_rad) const {
+  constexpr int kMostBack = 3;
   const char letter = wish_.target.letter;
   const double spacing_m = SpacingOf(wish_);
   std::vector<Slot> slots;
   WorldPoint place = from;
   for (int i = 0; i < count && terrain_.geometry().Contains(place); ++i) {
+    // The edge bends towards a step that goes straight on.
+    for (int k = 0; k < kMostBack && !slots.empty() && land_->IsOf(letter, place); ++k) {
+      place = Moved(place, slots.back().yaw_rad + M_PI, gap_m);
+    }
     const auto nearest = land_->Nearest(letter, place);
     if (!nearest || land_->IsOf(letter, place)) break;
     const double toward_rad = HeadingTo(place, *nearest);
@@ -331,8 +337,9 @@ std::vector<ThingSites::Slot> ThingSites::WalkAlong(WorldPoint from, int count, 
 }
 
 std::vector<ThingSites::Slot> ThingSites::AlongLand(int count, RandomStream* random) const {
-  const double gap_m =
-      wish_.distance_m > 0.0 ? wish_.distance_m : own_.half_length_m + random->Uniform(1.2, 2.5);
+  const double gap_m = wish_.distance_m > 0.0 ? wish_.distance_m
+                                              : own_.half_length_m + random->Uniform(1.2, 2.5) +
+                                                    (is_run_ ? kOfLine_m : 0.0);
   const double side_rad = random->Chance(0.5) ? kQuarter_rad : -kQuarter_rad;
   const Anchor anchor = BesideLand(0.0, random);
   std::vector<Slot> slots = WalkAlong(anchor.place, count, gap_m, side_rad);
