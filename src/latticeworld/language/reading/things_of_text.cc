@@ -132,7 +132,12 @@ class Taker {
     return nullptr;
   }
 
-  bool IsLand(std::size_t at) const { return MatchClassWord(tokens_, at).word != nullptr; }
+  // Whether a noun is land too. Piers, tents and ruins, which no class but buildings comes near,
+  // are not.
+  bool IsLand(std::size_t at) const {
+    const ClassWord* word = MatchClassWord(tokens_, at).word;
+    return word != nullptr && (word->suburb != 'B' || word->suburb_exact);
+  }
 
   // "organized chambers, trees, and rocks": each in a grid.
   bool TakeOrderly(std::size_t begin) {
@@ -428,6 +433,7 @@ class Taker {
     ThingTarget target;
     const bool definite = TakeAny({"the"});
     const bool indefinite = !definite && TakeAny({"a", "an", "one"});
+    TakeAny({"lone", "single", "solitary"});
     const bool is_land = IsLand(at_);
     bool plural = false;
     const ThingKind* kind = TakeKind(&plural);
