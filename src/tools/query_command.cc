@@ -60,9 +60,8 @@ void PrintTable(const std::vector<FoundThing>& things) {
 
 Status Query(const CLI::App& command) {
   LW_ASSIGN_OR_RETURN(const auto world, LoadBundle(*ValueOf(command, "DIR")));
-  LW_ASSIGN_OR_RETURN(
-      const std::vector<FoundThing> things,
-      FindThings(*world->scene, nullptr, command.get_option("NAME")->results()));
+  LW_ASSIGN_OR_RETURN(const std::vector<FoundThing> things,
+                      FindThings(*world->scene, nullptr, command.get_option("NAME")->results()));
   if (command.count("--json") == 0) {
     PrintTable(things);
     return Status();

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "../scene/test_world.h"
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/simulation/found_things.h"
-#include "../scene/test_world.h"
 #include "test_scene.h"
 
 namespace latticeworld {
@@ -24,8 +24,8 @@ class ThingsInPhysicsTest : public testing::Test {
     wish.size = size;
     wish.position = WorldPoint{0.0, 0.0};
     wish.heading_rad = 0.0;
-    SceneRequest request = MakeRequest(MakeUniform(Vocabulary::kSuburb, 'G', 96.0),
-                                       MakeEnvironment(0.0), /*seed=*/3);
+    SceneRequest request =
+        MakeRequest(MakeUniform(Vocabulary::kSuburb, 'G', 96.0), MakeEnvironment(0.0), /*seed=*/3);
     request.things = {wish};
     auto scene = BuildScene(request, Progress());
     ASSERT_TRUE(scene.ok()) << scene.status().ToString();

@@ -53,10 +53,9 @@ void Fell(const WorldState& state, std::int32_t asset, FoundThing* named) {
     if (static_cast<std::int32_t>(felled.tree.asset) != asset) continue;
     named->condition = ThingCondition::kFelled;
     named->position_m = felled.tree.foot_m;
-    named->orientation =
-        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
-                                           felled.tree.tip_m - felled.tree.foot_m) *
-        named->orientation;
+    named->orientation = Eigen::Quaterniond::FromTwoVectors(
+                             Eigen::Vector3d::UnitZ(), felled.tree.tip_m - felled.tree.foot_m) *
+                         named->orientation;
   }
 }
 

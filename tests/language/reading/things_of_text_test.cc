@@ -78,6 +78,14 @@ TEST(ThingsOfTextTest, MoreIsSaidOfThingsThatWereAskedFor) {
   EXPECT_EQ(taken.things[2].spacing_m, 6.0);
 }
 
+TEST(ThingsOfTextTest, PartsOfLandAreThatLand) {
+  const TextThings taken = Take("Three crates in the middle of the dense forest.");
+  ASSERT_EQ(taken.things.size(), 1u);
+  EXPECT_EQ(taken.things[0].relation, ThingRelation::kIn);
+  EXPECT_EQ(taken.things[0].target.letter, 'F');
+  EXPECT_EQ(taken.rest, "the dense forest.");
+}
+
 TEST(ThingsOfTextTest, LandIsLeftAsItIs) {
   for (const char* text :
        {"A river winds from the north to the south between dense forest in the upper left and "

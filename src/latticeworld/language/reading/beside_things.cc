@@ -17,8 +17,8 @@ Result<LayoutReading> ReadBesideThings(
   LayoutRequest rest = request;
   rest.instruction = std::move(taken.rest);
   LW_ASSIGN_OR_RETURN(LayoutReading reading, read(rest));
-  const auto words = static_cast<int>(
-      UnitsOf(taken.taken, SentenceKind::kLayout, request.vocabulary).size());
+  const auto words =
+      static_cast<int>(UnitsOf(taken.taken, SentenceKind::kLayout, request.vocabulary).size());
   reading.coverage.words += words;
   reading.coverage.carried += words;
   std::vector<ThingWish> things = std::move(taken.things);

@@ -398,6 +398,7 @@ class Taker {
       }
     }
     if (!relation || IsPlaceHere()) return false;
+    TakePlaceOf();
     const std::size_t target_at = at_;
     ThingTarget target = TakeThingTarget();
     const bool is_thing = target.wish >= 0;
@@ -427,6 +428,14 @@ class Taker {
   bool IsPlaceHere() const {
     const PlaceMatch match = PlaceAt(at_ + (WordAt(at_) == "the" ? 1 : 0));
     return match.tokens > 0 && !match.of_other;
+  }
+
+  // "the middle of" the forest: the forest.
+  void TakePlaceOf() {
+    const std::size_t at = at_ + (WordAt(at_) == "the" ? 1 : 0);
+    const PlaceMatch match = PlaceAt(at);
+    if (match.tokens == 0 || !match.of_other || WordAt(at + match.tokens) != "of") return;
+    at_ = at + match.tokens + 1;
   }
 
   ThingTarget TakeThingTarget() {
