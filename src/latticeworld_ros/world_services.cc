@@ -12,6 +12,7 @@
 
 #include "latticeworld/environment/environment_config.h"
 #include "latticeworld/generation/bundle.h"
+#include "latticeworld/scene/standing_elements.h"
 #include "latticeworld_ros/agent_conversion.h"
 #include "latticeworld_ros/bundle_name.h"
 #include "latticeworld_ros/messages.h"
@@ -99,8 +100,11 @@ void OnQuery(SimulationLoop* loop, const latticeworld_msgs::QueryTerrain::Reques
   response->status = ToRos(moment.status());
   if (!moment.ok()) return;
   response->world_id = moment->world->id;
+  const Scene& scene = *moment->world->scene;
+  SceneChanges changes;
+  changes.elements = moment->state->standing;
   Result<std::vector<latticeworld_msgs::TerrainSample>> samples =
-      SampleTerrain(*moment->world->scene, moment->atmosphere, request.points);
+      SampleTerrain(scene, moment->atmosphere, ElementsIn(scene, changes)->decks, request.points);
   response->status = ToRos(samples.status());
   if (samples.ok()) response->samples = std::move(samples).value();
 }

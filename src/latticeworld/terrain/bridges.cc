@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "latticeworld/geomorphology/distance.h"
 #include "latticeworld/terrain/components.h"
 #include "latticeworld/terrain/lattice.h"
 #include "latticeworld/terrain/least_cost_ways.h"
@@ -14,7 +15,7 @@ namespace latticeworld::internal {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr double kRoadWidth = 0.92;     // layout cells: of a road one cell wide
+constexpr double kRoadWidth = 0.92;     // of as many layout cells as a road is wide
 constexpr double kMostWidth_m = 10.0;   // of a deck: two lanes and footways
 constexpr double kPlankWidth_m = 5.0;   // narrower decks are of planks
 constexpr double kRailedWidth_m = 2.5;  // of decks that leave room between railings
@@ -73,15 +74,16 @@ class Planner {
         cols_(ground.letters.cols()),
         layout_cell_(LatticeCellsPerLayoutCell(ground.lattice)),
         cell_m_(ground.lattice.resolution_m()),
-        width_m_(std::min(kRoadWidth * layout_cell_ * cell_m_, kMostWidth_m)),
         cost_(rows_, cols_, kInfinity) {}
 
   std::vector<Bridge> Plan() {
-    Grid<unsigned char> over(rows_, cols_);
+    Grid<unsigned char> over(rows_, cols_), way(rows_, cols_);
     for (std::size_t i = 0; i < over.size(); ++i) {
-      over.data()[i] =
-          ground_.lines.crossing.data()[i] == Crossing::kBridge && ground_.water.wet.data()[i] != 0;
+      const bool bridged = ground_.lines.crossing.data()[i] == Crossing::kBridge;
+      over.data()[i] = bridged && ground_.water.wet.data()[i] != 0;
+      way.data()[i] = bridged || ground_.letters.data()[i] == 'R';
     }
+    to_side_ = DistanceTo(false, way);
     const Components pieces = ComponentsOf(over);
     for (int piece = 0; piece < pieces.count(); ++piece) {
       Join({pieces.cells.begin() + pieces.begin[piece],
@@ -231,7 +233,19 @@ class Planner {
             cell.col + static_cast<double>(ground_.lines.to_road_center_cols[cell])};
   }
 
+  // As wide as the road is along most of the way, in whole layout cells, but no wider than decks
+  // are.
+  double WidthOver(const std::vector<CellIndex>& way) const {
+    std::vector<float> half;
+    for (const CellIndex cell : way) half.push_back(to_side_[cell]);
+    const auto middle = half.begin() + static_cast<std::ptrdiff_t>(half.size() / 2);
+    std::nth_element(half.begin(), middle, half.end());
+    const double cells = std::max(1.0, std::round(2.0 * *middle / layout_cell_));
+    return std::min(kRoadWidth * cells * layout_cell_ * cell_m_, kMostWidth_m);
+  }
+
   void Add(const std::vector<CellIndex>& way, double level_m, bool railed) {
+    width_m_ = WidthOver(way);
     std::vector<Place> course;
     for (const CellIndex cell : way) course.push_back(OnCenter(cell));
     if (Norm(course.back() - course.front()) < 1.0) return;
@@ -391,8 +405,9 @@ class Planner {
   int rows_, cols_;
   double layout_cell_;  // [cells]
   double cell_m_;
-  double width_m_;
-  Grid<float> cost_;  // infinity but on the piece at hand
+  double width_m_ = 0.0;  // of the deck at hand
+  Grid<float> to_side_;   // from cells of roads to what is no road beside them [cells]
+  Grid<float> cost_;      // infinity but on the piece at hand
   std::vector<Bridge> bridges_;
 };
 
