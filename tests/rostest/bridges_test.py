@@ -21,6 +21,8 @@ WORLD = {"layout": "A large lake in the center. A road runs from the west to the
          "size": 192.0, "seed": 2}
 ROAD_SLOPE = math.atan(0.12)  # roads are no steeper, and so are their ramps
 BUMP_RAD = 0.05  # what a wheel on an edge or a breaking robot adds for a moment
+RAMP_M = 4.0  # from the deck's ends to where the robot begins and is sent
+WHEELS_M = 0.4  # around a robot's middle
 AWAY_M = 14.0  # from the deck's middle to where a whale begins
 WHALE_RADIUS_M = 3.0
 
@@ -29,6 +31,15 @@ def pitch_of(orientation):
     """Above 0: nose down [rad]."""
     q = orientation
     return math.asin(max(-1.0, min(1.0, 2.0 * (q.w * q.y - q.z * q.x))))
+
+
+def places_along(path):
+    """A place every 0.1 m of a path."""
+    for a, b in zip(path.poses, path.poses[1:]):
+        a, b = a.pose.position, b.pose.position
+        count = max(1, round(math.hypot(b.x - a.x, b.y - a.y) / 0.1))
+        for i in range(count):
+            yield a.x + i / count * (b.x - a.x), a.y + i / count * (b.y - a.y)
 
 
 class Bridge:
@@ -57,13 +68,12 @@ class Bridge:
         raise AssertionError("a bridge has a line")
 
     def is_on(self, x, y):
-        """Whether the deck is above or below a place, with all that stands on it."""
+        """Whether a place is on the deck."""
         for a, b in zip(self.line, self.line[1:]):
             piece_m = math.dist(a, b)
             ux, uy = (b[0] - a[0]) / piece_m, (b[1] - a[1]) / piece_m
-            along = ux * (x - a[0]) + uy * (y - a[1])
-            if 0.0 <= along <= piece_m and abs(
-                    ux * (y - a[1]) - uy * (x - a[0])) <= 0.5 * self.fields["width_m"]:
+            along, aside = ux * (x - a[0]) + uy * (y - a[1]), ux * (y - a[1]) - uy * (x - a[0])
+            if 0.0 <= along <= piece_m and abs(aside) <= 0.5 * self.fields["width_m"]:
                 return True
         return False
 
@@ -92,23 +102,32 @@ class BridgesTest(ServerTest):
         driver = Driver()
         self.addCleanup(driver.close)
         # The way around the lake is longer: what the navigator takes is the shortest.
-        begin = bridge.place(-4.0)
+        begin = bridge.place(-RAMP_M)
         self.assertEqual(GoalStatus.SUCCEEDED, driver.go(pose_at(*begin[:2])), driver.text)
         first = len(driver.truth.messages())
-        end = bridge.place(bridge.length_m + 4.0)
+        end = bridge.place(bridge.length_m + RAMP_M)
         plan = driver.make_plan(goal=pose_at(*end[:2])).plan
-        over = sum(bridge.is_on(p.pose.position.x, p.pose.position.y) for p in plan.poses)
-        self.assertGreater(over, 10, "the plan leads over the deck")
+        over_m = sum(0.1 for x, y in places_along(plan) if bridge.is_on(x, y))
+        self.assertGreater(over_m, 0.95 * bridge.length_m, "the plan leads over the deck")
         self.assertEqual(GoalStatus.SUCCEEDED, driver.go(pose_at(*end[:2])), driver.text)
         self.assertLess(distance(driver.pose(), *end[:2]), 1.0)
-        on_deck = 0
-        for message in driver.truth.messages()[first:]:
-            pose = message.pose.pose
+        poses = [message.pose.pose for message in driver.truth.messages()[first:]]
+        decks = [pose for pose in poses if bridge.is_on(pose.position.x, pose.position.y)]
+        self.assertGreater(len(decks), 100)
+        for pose in decks:
+            self.assertAlmostEqual(bridge.deck_z_m, pose.position.z, delta=0.25)
+        on_road = self.on_road(poses)
+        self.assertGreater(len(on_road), len(decks), "the ramps are road")
+        for pose in on_road:
             self.assertLess(abs(pitch_of(pose.orientation)), ROAD_SLOPE + BUMP_RAD)
-            if bridge.is_on(pose.position.x, pose.position.y):
-                on_deck += 1
-                self.assertAlmostEqual(bridge.deck_z_m, pose.position.z, delta=0.25)
-        self.assertGreater(on_deck, 100)
+
+    def on_road(self, poses):
+        """The poses of a robot whose wheels all stand on the road, on the deck or beside it."""
+        places = [(pose.position.x + dx, pose.position.y + dy) for pose in poses
+                  for dx in (-WHEELS_M, WHEELS_M) for dy in (-WHEELS_M, WHEELS_M)]
+        paved = [sample.surface == "road" or not math.isnan(sample.deck_height)
+                 for sample in self.samples(places)]
+        return [pose for i, pose in enumerate(poses) if all(paved[4 * i:4 * i + 4])]
 
     def swim(self, along_m, seconds):
         """Where a whale gets that swims below the deck from the north in so many seconds."""

@@ -12,7 +12,7 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/text.h"
-#include "latticeworld/generation/fords.h"
+#include "latticeworld/generation/crossing_words.h"
 #include "latticeworld/generation/things_json.h"
 #include "latticeworld/generation/visual.h"
 #include "latticeworld/generation/world_id.h"
@@ -169,7 +169,7 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
     terrain_request.relief = relief_pointer;
     if (!relief) terrain_request.reliefs = layout_reading.plan.reliefs;
     terrain_request.seed = StreamSeed(request.seed, "terrain");
-    terrain_request.options.fords = AsksForFords(request.layout_instruction);
+    terrain_request.options.fords = FordsRivers(request.layout_instruction, request.size_m);
     return BuildTerrain(terrain_request, progress);
   }));
 
@@ -187,6 +187,7 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
   }));
   world->scene = std::move(scene.scene);
   add_warnings(std::move(scene.warnings));
+  add_warnings(CrossingWarnings(request.layout_instruction, world->layout, *world->scene));
   AddThings(MeasureThings(*world->scene, things), &world->fidelity);
   add_warnings(WarningsOf(world->fidelity, world->warnings));
 

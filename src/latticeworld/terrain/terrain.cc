@@ -31,11 +31,10 @@ namespace {
 // Borders wide and ragged enough that the squares of the layout do not show in the land.
 DecodeOptions BorderOptions(const GridGeometry& geometry, bool fords) {
   constexpr double kBlendWidth_cells = 0.6;
-  constexpr double kShallow_m = 0.3;  // rivers that are forded by any road
   DecodeOptions options;
   options.blend_width_m = kBlendWidth_cells * geometry.size_m() / kLayoutSize;
   options.noise_amplitude = 1.0;
-  options.fords = fords || internal::RiverDepth_m(geometry.size_m()) <= kShallow_m;
+  options.fords = fords;
   return options;
 }
 
