@@ -271,6 +271,36 @@ TEST(BridgesTest, PartsAreDeckRailingsAndPiersDownToTheBed) {
   EXPECT_NEAR(deck_m, 60.0, 1e-9);
 }
 
+TEST(BridgesTest, TimberRailingsAreBeamsAndPostsWithoutAGapForWheels) {
+  Bridge bridge;
+  bridge.kind = BridgeKind::kPlank;
+  bridge.line = {{-6.0, 0.0}, {6.0, 0.0}};
+  bridge.width_m = 4.0;
+  bridge.deck_z_m = 2.0;
+  bridge.thickness_m = 0.2;
+  bridge.railing_m = 1.0;
+  bridge.supports_m = {2.0, 10.0};
+  const HeightField ground(GridGeometry::FromCells(64, 64.0), Grid<float>(64, 64, -2.0f));
+  const std::vector<BridgePart> parts = PartsOf(bridge, ground);
+  int posts = 0;
+  for (double x_m = -4.9; x_m < 4.95; x_m += 0.1) {
+    double covered_m = 0.0;
+    bool kerb = false, top = false;
+    for (const BridgePart& part : parts) {
+      if (part.kind != BridgePartKind::kRailing || !IsOn(part, {x_m, 1.9})) continue;
+      EXPECT_GE(part.bottom_m, 2.0);
+      EXPECT_LE(part.top_m, 3.0);
+      kerb = kerb || (part.bottom_m == 2.0 && part.top_m >= 2.2);
+      top = top || part.top_m == 3.0;
+      covered_m = std::max(covered_m, part.top_m - part.bottom_m);
+    }
+    EXPECT_TRUE(kerb && top) << x_m;
+    posts += covered_m > 0.9;
+  }
+  EXPECT_GT(posts, 5);
+  EXPECT_LT(posts, 30) << "between the posts it is open";
+}
+
 TEST(BridgesTest, RailingsOfABendMeetAndLeaveTheDeckFree) {
   Bridge bridge;
   bridge.line = {{-20.0, 0.0}, {0.0, 0.0}, {15.0, 15.0}};

@@ -1,6 +1,7 @@
 #include "latticeworld/terrain/bridge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -9,8 +10,12 @@ namespace {
 
 constexpr double kFoundation_m = 0.5;   // of a pier below the bed
 constexpr double kRailedLand_m = 1.0;   // beyond the water
-constexpr int kArchSlices = 8;          // of an opening
+constexpr int kArchSlices = 16;         // of an opening
 constexpr double kArchSpringing = 0.1;  // of the clearance, above the water
+constexpr double kPosts_m = 2.0;        // between posts of timber railings, at most
+// The beams of timber railings, from bottom to top as shares of their height. The lowest is a kerb
+// that no wheel gets below.
+constexpr std::array<std::array<double, 2>, 3> kBeams = {{{0.0, 0.2}, {0.45, 0.6}, {0.85, 1.0}}};
 
 double Distance(WorldPoint a, WorldPoint b) { return std::hypot(b.x_m - a.x_m, b.y_m - a.y_m); }
 
@@ -87,10 +92,31 @@ class PartsBuilder {
       for (const double side : {-1.0, 1.0}) {
         // Railings meet on the line that halves the bend.
         const double off_m = side * (half_m - rail_half_m);
-        AddAlong(BridgePartKind::kRailing, i, std::max(begin_m, off_m * before),
-                 std::min(end_m, length_m - off_m * after), off_m, rail_half_m, top_m,
-                 top_m + bridge_.railing_m);
+        AddRailing(i, std::max(begin_m, off_m * before), std::min(end_m, length_m - off_m * after),
+                   off_m, rail_half_m);
       }
+    }
+  }
+
+  // A parapet, or of timber posts and beams.
+  void AddRailing(std::size_t piece, double begin_m, double end_m, double off_m, double half_m) {
+    const double bottom_m = bridge_.deck_z_m;
+    if (bridge_.kind != BridgeKind::kPlank) {
+      AddAlong(BridgePartKind::kRailing, piece, begin_m, end_m, off_m, half_m, bottom_m,
+               bottom_m + bridge_.railing_m);
+      return;
+    }
+    for (const auto& [low, high] : kBeams) {
+      AddAlong(BridgePartKind::kRailing, piece, begin_m, end_m, off_m, half_m,
+               bottom_m + low * bridge_.railing_m, bottom_m + high * bridge_.railing_m);
+    }
+    const double between_m = end_m - begin_m - 2.0 * half_m;
+    if (between_m <= 0.0) return;
+    const int spaces = std::max(1, static_cast<int>(std::ceil(between_m / kPosts_m)));
+    for (int i = 0; i <= spaces; ++i) {
+      const double post_m = begin_m + i * between_m / spaces;
+      AddAlong(BridgePartKind::kRailing, piece, post_m, post_m + 2.0 * half_m, off_m, half_m,
+               bottom_m, bottom_m + bridge_.railing_m);
     }
   }
 

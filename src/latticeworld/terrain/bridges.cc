@@ -144,16 +144,30 @@ class Planner {
         if (IsRoad(r, c)) shore.push_back(r * cols_ + c);
       });
     }
+    const double shore_cells = ExtentOf(shore);
     std::vector<CellIndex> landings = MiddlesIn(std::move(shore));
     if (landings.size() != 1) return landings;
     const std::vector<CellIndex> edges = MiddlesIn(std::move(edge));
     const CellIndex end = edges.empty() ? FarthestFrom(landings.front(), piece) : edges.front();
-    // What only frays the side of a road needs no bridge.
+    // What only frays the side of a road needs no bridge: it is no longer than where both meet.
     const CellIndex begin = landings.front();
-    if (!edges.empty() || std::hypot(end.row - begin.row, end.col - begin.col) > layout_cell_) {
+    const double length_cells = std::hypot(end.row - begin.row, end.col - begin.col);
+    if (!edges.empty() || length_cells > std::max(layout_cell_, shore_cells)) {
       landings.push_back(end);
     }
     return landings;
+  }
+
+  // The diagonal of the box around some cells [cells].
+  double ExtentOf(const std::vector<std::int32_t>& cells) const {
+    if (cells.empty()) return 0.0;
+    CellIndex low = CellOf(cells.front()), high = low;
+    for (const std::int32_t cell : cells) {
+      const CellIndex at = CellOf(cell);
+      low = {std::min(low.row, at.row), std::min(low.col, at.col)};
+      high = {std::max(high.row, at.row), std::max(high.col, at.col)};
+    }
+    return std::hypot(high.row - low.row, high.col - low.col);
   }
 
   std::vector<CellIndex> MiddlesIn(std::vector<std::int32_t> cells) const {
