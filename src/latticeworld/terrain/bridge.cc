@@ -134,17 +134,20 @@ class PartsBuilder {
     if (part.top_m > part.bottom_m) parts_.push_back(part);
   }
 
-  // Each opening is a half ellipse, in slices.
+  // Each opening is a half ellipse, in slices of equal angles: the steeper, the narrower.
   void AddArches() {
     const double crown_m = bridge_.deck_z_m - bridge_.thickness_m;
     const double foot_m = bridge_.water_level_m + kArchSpringing * bridge_.clearance_m();
+    constexpr double kAngle_rad = M_PI / kArchSlices;
     for (std::size_t i = 0; i + 1 < bridge_.supports_m.size(); ++i) {
-      const double begin_m = bridge_.supports_m[i], end_m = bridge_.supports_m[i + 1];
-      const double slice_m = (end_m - begin_m) / kArchSlices;
+      const double half_m = 0.5 * (bridge_.supports_m[i + 1] - bridge_.supports_m[i]);
+      const double middle_m = bridge_.supports_m[i] + half_m;
       for (int k = 0; k < kArchSlices; ++k) {
-        const double t = (2 * k + 1.0) / kArchSlices - 1.0;
-        AddUpright(BridgePartKind::kArch, begin_m + (k + 0.5) * slice_m, 0.5 * slice_m,
-                   0.5 * bridge_.width_m, foot_m + (crown_m - foot_m) * std::sqrt(1.0 - t * t));
+        const double begin_m = middle_m - half_m * std::cos(k * kAngle_rad);
+        const double end_m = middle_m - half_m * std::cos((k + 1) * kAngle_rad);
+        AddUpright(BridgePartKind::kArch, 0.5 * (begin_m + end_m), 0.5 * (end_m - begin_m),
+                   0.5 * bridge_.width_m,
+                   foot_m + (crown_m - foot_m) * std::sin((k + 0.5) * kAngle_rad));
       }
     }
   }
