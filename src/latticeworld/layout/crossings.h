@@ -15,8 +15,8 @@ enum class Crossing : std::uint8_t {
 };
 
 // The road cells of a layout that have water on two opposite sides, at most three road cells apart,
-// or twelve where the road is longer than it is wide there. fords: rivers up to three cells wide are
-// forded; all other water is bridged. Wild layouts have no roads.
+// or twelve where the road is longer than it is wide there. fords: rivers up to three cells wide
+// are forded; all other water is bridged. Wild layouts have no roads.
 Grid<Crossing> CrossingsOf(const SymbolicLayout& layout, bool fords);
 
 // Where road and water cross in a corner of four cells, so that no cell is of both: 1 at the
