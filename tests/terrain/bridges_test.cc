@@ -224,6 +224,25 @@ TEST(BridgesTest, KindsFollowWidthAndSetting) {
   EXPECT_EQ(kind_of(256.0), BridgeKind::kStoneArch);
 }
 
+TEST(BridgesTest, DecksAreAsWideAsTheirRoadsButNoWiderThanTwoLanes) {
+  constexpr double kCell_m = 3.0;  // of the layout
+  for (int width = 1; width <= 5; ++width) {
+    SymbolicLayout layout = testing_layouts::Filled(Vocabulary::kSuburb, 'G');
+    for (int row = 0; row < kLayoutSize; ++row) layout.cells(row, 12) = layout.cells(row, 13) = 'W';
+    for (int row = 14; row < 14 + width; ++row) {
+      for (int col = 0; col < kLayoutSize; ++col) layout.cells(row, col) = 'R';
+    }
+    TerrainRequest request;
+    request.geometry = GridGeometry::FromCells(kCells, kLayoutSize * kCell_m);
+    request.layout = &layout;
+    request.seed = 3;
+    const Terrain terrain = BuildTerrain(request, Progress()).value();
+    ASSERT_EQ(terrain.bridges.size(), 1u) << width;
+    EXPECT_NEAR(terrain.bridges[0].width_m, std::min(0.92 * width * kCell_m, 10.0), 1e-9) << width;
+    EXPECT_TRUE(Joins(WaterOf(terrain), true)) << width;
+  }
+}
+
 TEST(BridgesTest, ShallowRiversAreForded) {
   const Terrain terrain =
       Build(testing_layouts::RiverAndRoad(), GridGeometry::FromCells(128, 100.0), 1);

@@ -83,7 +83,7 @@ class Planner {
       over.data()[i] = bridged && ground_.water.wet.data()[i] != 0;
       way.data()[i] = bridged || ground_.letters.data()[i] == 'R';
     }
-    to_side_ = DistanceTo(false, way);
+    to_side_ = ToSides(std::move(way));
     const Components pieces = ComponentsOf(over);
     for (int piece = 0; piece < pieces.count(); ++piece) {
       Join({pieces.cells.begin() + pieces.begin[piece],
@@ -93,6 +93,17 @@ class Planner {
   }
 
  private:
+  // From each cell of a road to what is beside it [cells], seams between its dry and its wet part
+  // closed.
+  static Grid<float> ToSides(Grid<unsigned char> way) {
+    constexpr float kSeam_cells = 2.0f;
+    const Grid<float> to_way = DistanceTo(true, way);
+    for (std::size_t i = 0; i < way.size(); ++i) way.data()[i] = to_way.data()[i] <= kSeam_cells;
+    Grid<float> to_side = DistanceTo(false, way);
+    for (float& cells : to_side) cells = std::max(cells - kSeam_cells, 0.0f);
+    return to_side;
+  }
+
   CellIndex CellOf(std::int32_t cell) const { return {cell / cols_, cell % cols_}; }
   bool AtEdge(CellIndex cell) const {
     return cell.row == 0 || cell.col == 0 || cell.row == rows_ - 1 || cell.col == cols_ - 1;
