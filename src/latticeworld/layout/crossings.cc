@@ -214,12 +214,19 @@ std::vector<std::vector<CellIndex>> WaysOver(const SymbolicLayout& layout, CellI
   return ways;
 }
 
+bool TouchesRoad(const SymbolicLayout& layout, CellIndex cell) {
+  for (int k = 0; k < 9; ++k) {
+    if (At(layout, cell.row + k / 3 - 1, cell.col + k % 3 - 1) == 'R') return true;
+  }
+  return false;
+}
+
 // Joins what a wide road parts by straight ways below it.
 void JoinBelowWide(const SymbolicLayout& layout, Crossing crossing, Waters* waters,
                    Grid<Crossing>* crossings) {
   for (int row = 0; row < crossings->rows(); ++row) {
     for (int col = 0; col < crossings->cols(); ++col) {
-      if (layout.cells(row, col) != 'W') continue;
+      if (layout.cells(row, col) != 'W' || !TouchesRoad(layout, {row, col})) continue;
       for (const std::vector<CellIndex>& way : WaysOver(layout, {row, col}, *waters)) {
         if (waters->Of(way.front()) == waters->Of(way.back()) || !IsParted(layout, way)) continue;
         for (std::size_t i = 1; i + 1 < way.size(); ++i) (*crossings)[way[i]] = crossing;
