@@ -71,6 +71,7 @@ add_message_files(FILES
   GenerationProgress.msg
   JournalEntry.msg
   Layout.msg
+  NamedThing.msg
   Observation.msg
   Reading.msg
   SceneChanges.msg
@@ -94,6 +95,7 @@ add_service_files(FILES
   Lockstep.srv
   OpenGate.srv
   QueryTerrain.srv
+  QueryThings.srv
   RemoveAgent.srv
   RemoveElement.srv
   ResetWorld.srv

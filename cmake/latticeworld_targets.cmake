@@ -20,12 +20,15 @@ function(latticeworld_library room)
   endif()
 endfunction()
 
-# latticeworld_test(<room> SOURCES ... [LIBRARIES ...]) makes <room>_test, one CTest test a TEST().
+# latticeworld_test(<room> SOURCES ... [LIBRARIES ...]) makes <room>_test and a CTest test of each TEST() in it, named
+# <room>.Suite.Test; the program is asked for their names when ctest begins.
+include(GoogleTest)
 function(latticeworld_test room)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   set(target ${room}_test)
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE latticeworld_${room} ${ARG_LIBRARIES} GTest::gtest_main)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
-  add_test(NAME ${room} COMMAND ${target})
+  gtest_discover_tests(${target} TEST_PREFIX ${room}. DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+                       PROPERTIES TIMEOUT 600 LABELS ${room})
 endfunction()

@@ -1,14 +1,28 @@
 #include "latticeworld_ros/world_conversion.h"
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/mapping/bridge_decks.h"
+#include "latticeworld/scene/standing_elements.h"
 #include "latticeworld/scene/surface_table.h"
 #include "latticeworld/scene/water_depth.h"
 #include "latticeworld_ros/geometry_conversion.h"
 
 namespace latticeworld {
+namespace {
+
+// below_m: height of the ground or of the water that stands on it. deck: null where there is none.
+void FillDeck(const ElementDeck* deck, double below_m, latticeworld_msgs::TerrainSample* sample) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  sample->deck_height = deck != nullptr ? deck->top_m : kNone;
+  sample->deck_clearance = deck != nullptr ? std::max(0.0, deck->bottom_m - below_m) : kNone;
+  sample->deck_load = deck != nullptr ? deck->carries_kg : kNone;
+}
+
+}  // namespace
 
 latticeworld_msgs::WorldInfo ToInfo(const World& world) {
   const Scene& scene = *world.scene;
@@ -84,7 +98,7 @@ std::vector<latticeworld_msgs::StageTime> ToRos(const std::vector<StageTime>& st
 }
 
 Result<std::vector<latticeworld_msgs::TerrainSample>> SampleTerrain(
-    const Scene& scene, const Atmosphere& atmosphere,
+    const Scene& scene, const Atmosphere& atmosphere, const std::vector<ElementDeck>& decks,
     const std::vector<geometry_msgs::Point>& points) {
   if (points.size() > kMaxTerrainPoints) {
     return ResourceExhausted(std::to_string(points.size()) + " points are given; at most " +
@@ -92,6 +106,7 @@ Result<std::vector<latticeworld_msgs::TerrainSample>> SampleTerrain(
   }
   const Terrain& terrain = *scene.terrain;
   const SurfaceTable surfaces(scene, atmosphere.ground());
+  const BridgeDecks bridges(terrain.geometry(), decks);
   const double half_m = terrain.geometry().half_size_m();
   std::vector<latticeworld_msgs::TerrainSample> samples;
   samples.reserve(points.size());
@@ -116,6 +131,7 @@ Result<std::vector<latticeworld_msgs::TerrainSample>> SampleTerrain(
     sample.friction = properties.friction;
     sample.rolling_resistance = properties.rolling_resistance;
     sample.cone_index_kpa = properties.cone_index_kpa;
+    FillDeck(bridges.At(point), sample.height + sample.water_depth, &sample);
     samples.push_back(std::move(sample));
   }
   return samples;

@@ -11,6 +11,8 @@
 
 namespace latticeworld {
 
+struct ElementDeck;
+
 // Frames are map, stamps are left at zero: who publishes sets them.
 latticeworld_msgs::WorldInfo ToInfo(const World& world);
 latticeworld_msgs::Layout ToLayout(const World& world);
@@ -22,10 +24,11 @@ std::vector<latticeworld_msgs::ClaimOutcome> ToRos(const std::vector<ClaimOutcom
 // Most points that one query_terrain may ask for.
 inline constexpr std::size_t kMaxTerrainPoints = 1000000;
 
-// The ground at each point in that weather. Errors: OUT_OF_RANGE naming the first point that is not
-// inside the world (or not finite); RESOURCE_EXHAUSTED for too many.
+// The ground at each point in that weather, and the highest of the decks above it. Errors:
+// OUT_OF_RANGE naming the first point that is not inside the world (or not finite);
+// RESOURCE_EXHAUSTED for too many.
 Result<std::vector<latticeworld_msgs::TerrainSample>> SampleTerrain(
-    const Scene& scene, const Atmosphere& atmosphere,
+    const Scene& scene, const Atmosphere& atmosphere, const std::vector<ElementDeck>& decks,
     const std::vector<geometry_msgs::Point>& points);
 
 }  // namespace latticeworld

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "latticeworld/mapping/bridge_decks.h"
 #include "latticeworld/mapping/octree.h"
 #include "latticeworld/mapping/scan_map.h"
 #include "latticeworld/mapping/traversability.h"
@@ -79,9 +80,11 @@ Status BuildGridMaps(const Scene& scene, const WorldServerOptions& options,
   const Grid<float> distance_m = BuildDistanceField(occupancy, geometry.resolution_m());
   const Grid<float> traversability = BuildTraversability(scene, options.robot, changes, threads);
   const Grid<float> slope_rad = BuildSlope(scene, threads);
+  const Grid<float> deck_m = BuildDeckHeight(scene, changes, threads);
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   std::vector<GridLayer> layers = {{"elevation", &terrain.ground.height_m()},
                                    {"water", &terrain.water_level_m},
+                                   {"bridge_deck", &deck_m, CellMerge::kMost},
                                    {"slope", &slope_rad, CellMerge::kMost},
                                    {"distance", &distance_m, CellMerge::kLeast}};
   std::deque<Grid<float>> weights;  // keeps its elements in their place

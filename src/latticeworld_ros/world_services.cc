@@ -12,10 +12,12 @@
 
 #include "latticeworld/environment/environment_config.h"
 #include "latticeworld/generation/bundle.h"
+#include "latticeworld/scene/standing_elements.h"
 #include "latticeworld_ros/agent_conversion.h"
 #include "latticeworld_ros/bundle_name.h"
 #include "latticeworld_ros/messages.h"
 #include "latticeworld_ros/status_conversion.h"
+#include "latticeworld_ros/thing_query.h"
 #include "latticeworld_ros/weather_conversion.h"
 #include "latticeworld_ros/world_conversion.h"
 
@@ -99,10 +101,22 @@ void OnQuery(SimulationLoop* loop, const latticeworld_msgs::QueryTerrain::Reques
   response->status = ToRos(moment.status());
   if (!moment.ok()) return;
   response->world_id = moment->world->id;
+  const Scene& scene = *moment->world->scene;
+  SceneChanges changes;
+  changes.elements = moment->state->standing;
   Result<std::vector<latticeworld_msgs::TerrainSample>> samples =
-      SampleTerrain(*moment->world->scene, moment->atmosphere, request.points);
+      SampleTerrain(scene, moment->atmosphere, ElementsIn(scene, changes)->decks, request.points);
   response->status = ToRos(samples.status());
   if (samples.ok()) response->samples = std::move(samples).value();
+}
+
+void OnQueryThings(SimulationLoop* loop, const latticeworld_msgs::QueryThings::Request& request,
+                   latticeworld_msgs::QueryThings::Response* response) {
+  const Result<SimulationLoop::Moment> moment = loop->Inspect(/*hash=*/false);
+  response->status = ToRos(moment.status());
+  if (!moment.ok()) return;
+  response->world_id = moment->world->id;
+  AnswerQuery(*moment->world->scene, *moment->state, request, response);
 }
 
 Status SetWeather(SimulationLoop* loop, const latticeworld_msgs::SetWeather::Request& request,
@@ -122,6 +136,7 @@ void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, MapVa
   using latticeworld_msgs::GetWorld;
   using latticeworld_msgs::ListWorlds;
   using latticeworld_msgs::QueryTerrain;
+  using latticeworld_msgs::QueryThings;
   using latticeworld_msgs::SaveWorld;
   using SetWeatherService = latticeworld_msgs::SetWeather;
   using nav_msgs::GetMap;
@@ -142,6 +157,10 @@ void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, MapVa
   queue->Advertise<QueryTerrain>(
       "query_terrain", [=](const QueryTerrain::Request& request, QueryTerrain::Response* response) {
         OnQuery(loop, request, response);
+      });
+  queue->Advertise<QueryThings>(
+      "query_things", [=](const QueryThings::Request& request, QueryThings::Response* response) {
+        OnQueryThings(loop, request, response);
       });
   queue->Advertise<SetWeatherService>("set_weather", [=](const SetWeatherService::Request& request,
                                                          SetWeatherService::Response* response) {

@@ -15,6 +15,7 @@
 #include "tools/generate_command.h"
 #include "tools/measure_command.h"
 #include "tools/picture_command.h"
+#include "tools/query_command.h"
 #include "tools/rebuild_command.h"
 #include "tools/score_command.h"
 #include "tools/sensors_command.h"
@@ -71,6 +72,7 @@ int Run(int argc, const char* const* argv) {
   int exit_status = kExitSuccess;
   AddGenerateCommand(&app, &exit_status);
   AddShowCommand(&app, &exit_status);
+  AddQueryCommand(&app, &exit_status);
   AddPictureCommand(&app, &exit_status);
   AddExportCommand(&app, &exit_status);
   AddMeasureCommand(&app, &exit_status);

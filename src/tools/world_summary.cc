@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -88,6 +89,22 @@ void PrintTerrain(const Terrain& terrain, std::ostream* out) {
             out);
 }
 
+// What each bridge of a road is, carries and clears.
+void PrintBridges(const std::vector<Bridge>& bridges, std::ostream* out) {
+  constexpr std::size_t kMostShown = 8;
+  for (std::size_t i = 0; i < std::min(bridges.size(), kMostShown); ++i) {
+    const Bridge& bridge = bridges[i];
+    PrintLine(i == 0 ? "bridges" : "",
+              std::string(NameOf(bridge.kind)) + ", " + Fixed(bridge.length_m(), 1) + " m long, " +
+                  Fixed(bridge.width_m, 1) + " m wide, carries " +
+                  Fixed(bridge.load_kg / 1000.0, 1) + " t, clears the water by " +
+                  Fixed(bridge.clearance_m(), 1) + " m",
+              out);
+  }
+  if (bridges.size() <= kMostShown) return;
+  PrintLine("", "and " + std::to_string(bridges.size() - kMostShown) + " more", out);
+}
+
 void PrintCoarse(const CoarseAttributes& coarse, std::ostream* out) {
   PrintLine("coarse",
             std::string(NameOf(coarse.terrain_type)) + ", " + std::string(NameOf(coarse.season)) +
@@ -152,6 +169,7 @@ void PrintSummary(const World& world, bool color, std::ostream* out) {
   PrintRequest(world.request, out);
   PrintPlace(world.geo, out);
   PrintTerrain(*world.scene->terrain, out);
+  PrintBridges(world.scene->terrain->bridges, out);
   PrintCoarse(world.environment.coarse, out);
   PrintAgents(world.scene->agents, out);
   PrintAssets(world.scene->assets, out);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""docs/start.md and docs/tour.md: the commands that need no ROS work as they are shown, services that
-are called are there, and the programs that the start shows are those of examples/.
+"""docs/start.md, docs/tour.md and docs/gallery.md: the commands that need no ROS work as they are
+shown, services that are called are there, and the programs that the start shows are those of
+examples/.
 
 Usage: start_page_test.py SOURCE_DIR LATTICEWORLD MAKE_WORLD STEP_WORLD
 """
@@ -20,14 +21,15 @@ SOURCE = pathlib.Path(sys.argv[1])
 PROGRAMS = [pathlib.Path(path).resolve() for path in sys.argv[2:]]
 PAGE = (SOURCE / "docs/start.md").read_text(encoding="utf-8")
 TOUR = (SOURCE / "docs/tour.md").read_text(encoding="utf-8")
+GALLERY = (SOURCE / "docs/gallery.md").read_text(encoding="utf-8")
 README = (SOURCE / "README.md").read_text(encoding="utf-8")
 
 
 class StartPageTest(unittest.TestCase):
     def test_the_commands_without_ros_work(self):
-        commands = [line for page in (PAGE, TOUR) for line in start_page.commands_of(page)
+        commands = [line for page in (PAGE, TOUR, GALLERY) for line in start_page.commands_of(page)
                     if not start_page.needs_ros(line)]
-        self.assertGreater(len(commands), 8)
+        self.assertGreater(len(commands), 8 + 16)
         path = ":".join([*(str(program.parent) for program in PROGRAMS), os.environ["PATH"]])
         with tempfile.TemporaryDirectory() as folder:
             (pathlib.Path(folder) / "docs").symlink_to(SOURCE / "docs")

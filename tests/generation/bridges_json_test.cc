@@ -44,6 +44,19 @@ TEST(BridgesJsonTest, ABridgeComesBackToTheBit) {
   EXPECT_EQ(back.supports_m, given.supports_m);
 }
 
+TEST(BridgesJsonTest, LoadAndClearanceAreStatedAndHaveToAgree) {
+  const std::string text = EncodeBridges({Example()});
+  EXPECT_NE(text.find("\"load_kg\": 30000.0"), std::string::npos) << text;
+  const std::string stated = "\"clearance_m\": 1.4";
+  const std::size_t at = text.find(stated);
+  ASSERT_NE(at, std::string::npos) << text;
+  std::string wrong = text;
+  wrong.replace(at, stated.size(), "\"clearance_m\": 2.4");
+  const auto read = DecodeBridges(wrong, kGeometry);
+  EXPECT_EQ(read.status().code(), StatusCode::kDataLoss);
+  EXPECT_NE(read.status().message().find("clearance_m"), std::string::npos);
+}
+
 TEST(BridgesJsonTest, WhatIsNoBridgeIsNamed) {
   const auto message_of = [](const Bridge& bridge) {
     const auto read = DecodeBridges(EncodeBridges({bridge}), kGeometry);

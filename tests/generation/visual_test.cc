@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
+#include <utility>
 
 #include "generation/test_world.h"
 #include "latticeworld/generation/bundle.h"
@@ -191,6 +193,29 @@ TEST(VisualTest, SrtmIsFoundByItsNameWhereverTheFileLies) {
   EXPECT_EQ(world->request.visual_name, "S13E130.hgt") << "no directories are recorded";
   request.visual_name.clear();
   EXPECT_EQ(Refusal(request).code(), StatusCode::kInvalidArgument);
+}
+
+TEST(VisualTest, GivenHeightsStayWhateverWordsAskOfTheLandAndThatIsTold) {
+  for (const auto& [kind, visual] :
+       {std::pair<VisualKind, std::string>{VisualKind::kHeightMap, MakePgm(64, 64)},
+        {VisualKind::kSketch, DrawnSketch()},
+        {VisualKind::kElevation, SlopeOfLand()}}) {
+    GenerationRequest request = Request(kind, visual);
+    const std::shared_ptr<const World> plain = Generate(request);
+    request.layout_instruction += " The land is rugged. The land rises by 30 m to the south.";
+    const std::shared_ptr<const World> world = Generate(request);
+    ASSERT_TRUE(plain && world);
+    EXPECT_EQ(world->scene->terrain->ground.height_m(), plain->scene->terrain->ground.height_m());
+    for (const char* words : {"The land is rugged", "The land rises by 30 m to the south"}) {
+      const std::string told = "the heights are given: the land stays as it is, whatever \"" +
+                               std::string(words) + "\" asks of it";
+      EXPECT_EQ(std::count(world->warnings.begin(), world->warnings.end(), told), 1) << words;
+      // What the land is like is measured all the same.
+      EXPECT_TRUE(std::any_of(world->fidelity.claims.begin(), world->fidelity.claims.end(),
+                              [&](const ClaimOutcome& claim) { return claim.words == words; }))
+          << words;
+    }
+  }
 }
 
 TEST(VisualTest, ABundleKeepsEveryKindAndItIsMadeAgainFromIt) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "latticeworld/scene/scene.h"
+
 namespace latticeworld {
 namespace {
 
@@ -14,6 +16,18 @@ TEST(ChosenAssetsTest, WhoHasTooManyThingsIsToldWhatHelpsAndNothingElse) {
   }
   EXPECT_NE(with.ToString().find("no small plants"), std::string::npos);
   EXPECT_EQ(without.ToString().find("plants"), std::string::npos);
+}
+
+TEST(AssetNamesTest, SingleThingsKeepTheirNamesAndTheRestHaveNumbers) {
+  Scene scene;
+  scene.assets.resize(4);
+  scene.things = {{"old_well", "well", 0, 2, {0.0, 0.0}, 0.0},
+                  {"ground", "bench", 1, 1, {0.0, 0.0}, 0.0},
+                  {"box", "crate", 2, -1, {0.0, 0.0}, 0.0}};
+  const AssetNames names(scene);
+  EXPECT_EQ(names.Of(2), "old_well");
+  EXPECT_EQ(names.Of(1), "asset_1");  // files have a ground already
+  EXPECT_EQ(names.Of(0), "asset_0");
 }
 
 }  // namespace

@@ -123,6 +123,17 @@ class RealStacksTest(unittest.TestCase):
         self.assertLessEqual(scan["raytrace_range"],
                              min(self.local["width"], self.local["height"]) / 2.0)
 
+    def test_a_robot_with_its_nose_at_a_bush_can_back_off(self):
+        self.assertLess(self.planner["DWAPlannerROS"]["min_vel_x"], 0.0)
+
+    def test_ways_are_planned_around_what_the_scan_will_mark(self):
+        order = [plugin["name"] for plugin in self.global_["plugins"]]
+        self.assertLess(order.index("static_layer"), order.index("plants_layer"))
+        plants = self.global_["plants_layer"]
+        self.assertEqual("/world/scan_map", plants["map_topic"])
+        self.assertIs(True, plants["use_maximum"], "it would take the place of `map`")
+        self.assertIs(False, plants["first_map_only"])
+
     def test_every_layer_that_is_configured_is_a_plugin(self):
         for costmap in (self.local, self.global_):
             plugins = {plugin["name"] for plugin in costmap["plugins"]}

@@ -46,6 +46,33 @@ TEST(CrossingsTest, WithoutFordsAllWaterIsBridged) {
   }
 }
 
+TEST(CrossingsTest, WaterRunsOnBelowARoadHoweverWide) {
+  for (int width = 1; width <= 10; ++width) {
+    SymbolicLayout layout = Uniform(Vocabulary::kSuburb, 'G');
+    Fill(&layout, {0, 5}, {31, 6}, 'W');
+    Fill(&layout, {12, 0}, {11 + width, 31}, 'R');
+    for (const bool fords : {false, true}) {
+      const Grid<Crossing> crossings = CrossingsOf(layout, fords);
+      const Crossing expected = fords ? Crossing::kFord : Crossing::kBridge;
+      for (int row = 0; row < kLayoutSize; ++row) {
+        for (int col = 0; col < kLayoutSize; ++col) {
+          const bool crosses = layout.cells(row, col) == 'R' && (col == 5 || col == 6);
+          EXPECT_EQ(crossings(row, col), crosses ? expected : Crossing::kNone)
+              << width << " cells wide, " << row << ", " << col;
+        }
+      }
+    }
+  }
+}
+
+TEST(CrossingsTest, TheLandOfARoadBetweenTwoLakesStaysLand) {
+  SymbolicLayout layout = Uniform(Vocabulary::kSuburb, 'G');
+  Fill(&layout, {12, 4}, {20, 10}, 'W');
+  Fill(&layout, {12, 18}, {20, 24}, 'W');
+  Fill(&layout, {16, 11}, {16, 17}, 'R');
+  for (const Crossing crossing : CrossingsOf(layout, false)) EXPECT_EQ(crossing, Crossing::kNone);
+}
+
 TEST(CrossingsTest, RoadAndRiverThatCrossInACornerAreFound) {
   SymbolicLayout layout = Uniform(Vocabulary::kSuburb, 'G');
   for (int i = 0; i < kLayoutSize; ++i) layout.cells(i, i) = 'R';

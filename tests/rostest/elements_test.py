@@ -57,6 +57,18 @@ class ElementsTest(ServerTest):
                 return number
         self.fail("no tree of this world has room for a tractor beside it")
 
+    def test_a_name_answers_with_where_its_thing_is(self):
+        self.assert_ok(self.world.spawn_element(kind="crate", name="parcel",
+                                                position=Point(x=3.0, y=-50.0)))
+        answer = self.world.query_things(names=["parcel"])
+        self.assertEqual(Status.OK, answer.status.code, answer.status.message)
+        [parcel] = answer.things
+        self.assertEqual(("parcel", "crate", "stands"), (parcel.name, parcel.kind, parcel.condition))
+        self.assertAlmostEqual(3.0, parcel.pose.position.x, delta=0.1)
+        self.assertGreater(parcel.size.z, 0.1)
+        self.assert_ok(self.world.remove_element(name="parcel"))
+        self.assertEqual(Status.NOT_FOUND, self.world.query_things(names=["parcel"]).status.code)
+
     def test_a_tractor_fells_a_tree_and_the_maps_follow(self):
         with Collector("map", OccupancyGrid) as maps, Collector("octomap_binary", Octomap) as trees, \
                 Collector("world/changes", SceneChanges) as changes:

@@ -125,6 +125,7 @@ class StartTest(unittest.TestCase):
         with Server():
             world = World()
             for answer in (world.get_world(), world.save_world(), world.query_terrain(),
+                           world.query_things(),
                            world.spawn_agent(), world.remove_agent(name="a"), world.reset_world(),
                            world.step(), world.set_policy(team=2), world.spawn_element(),
                            world.remove_element(name="a"), world.open_gate(name="a"),

@@ -53,7 +53,7 @@ class WeatherTest(WorldTest):
 
         self.assert_ok(self.world.reset_world())
         weather.wait_for(lambda m: m.weather == "sunny" and m.header.stamp > rain.header.stamp)
-        self.assertEqual(dry, self.ground())
+        self.assertEqual(str(dry), str(self.ground()))  # where there is no deck, NaN is like NaN
         weather.close()
         events.close()
 

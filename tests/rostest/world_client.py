@@ -121,6 +121,7 @@ class World:
         self.load_world = service("load_world", srv.LoadWorld)
         self.list_worlds = service("list_worlds", srv.ListWorlds)
         self.query_terrain = service("query_terrain", srv.QueryTerrain)
+        self.query_things = service("query_things", srv.QueryThings)
         self.spawn_agent = service("spawn_agent", srv.SpawnAgent)
         self.remove_agent = service("remove_agent", srv.RemoveAgent)
         self.reset_world = service("reset_world", srv.ResetWorld)

@@ -59,7 +59,7 @@ std::shared_ptr<const Terrain> Country(int seed) {
       for (int c = 0; c < kLayoutSize; ++c) layout.cells(16, c) = 'R';
       break;
     case Place::kCity:
-      PaintDisc('B', 16, 16, random.Uniform(10.0, 14.0), &layout);
+      PaintDisc('B', 16, 16, random.Uniform(13.0, 15.5), &layout);
       for (int c = 0; c < kLayoutSize; ++c) {
         layout.cells(14 + static_cast<int>(2.0 * std::sin(c / 6.0)), c) = 'R';
       }

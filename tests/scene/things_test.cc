@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "latticeworld/layout/thing_kinds.h"
+#include "latticeworld/layout/thing_wishes.h"
 #include "latticeworld/scene/asset_physics.h"
 #include "latticeworld/scene/footprint.h"
 #include "latticeworld/scene/thing_claims.h"
@@ -16,20 +17,20 @@
 namespace latticeworld {
 namespace {
 
-// A village in the west, a road from north to south, a lake in the east, meadows between.
+// A village in the west with a stream, a road from north to south, a lake in the east, meadows
+// between.
 std::shared_ptr<const Terrain> MakeLand() {
+  const auto is_wet = [](WorldPoint point) {
+    return std::hypot(point.x_m - 80.0, point.y_m) < 25.0 || std::abs(point.x_m + 112.0) < 3.0;
+  };
   TestGround ground;
-  ground.letter_at = [](WorldPoint point) {
+  ground.letter_at = [=](WorldPoint point) {
+    if (is_wet(point)) return 'W';
     if (point.x_m < -60.0) return 'B';
-    if (std::abs(point.x_m - 20.0) < 3.0) return 'R';
-    return std::hypot(point.x_m - 80.0, point.y_m) < 25.0 ? 'W' : 'G';
+    return std::abs(point.x_m - 20.0) < 3.0 ? 'R' : 'G';
   };
-  ground.height_at_m = [](WorldPoint point) {
-    return std::hypot(point.x_m - 80.0, point.y_m) < 25.0 ? -1.0 : 0.0;
-  };
-  ground.water_at_m = [](WorldPoint point) {
-    return std::hypot(point.x_m - 80.0, point.y_m) < 25.0 ? 0.0 : NAN;
-  };
+  ground.height_at_m = [=](WorldPoint point) { return is_wet(point) ? -1.0 : 0.5; };
+  ground.water_at_m = [=](WorldPoint point) { return is_wet(point) ? 0.0 : double{NAN}; };
   return MakeTerrain(ground);
 }
 
@@ -160,6 +161,38 @@ TEST(ThingsTest, EveryKindCanStand) {
     ASSERT_EQ(answer.scene->things.size(), 1u);
     const SceneThing& thing = answer.scene->things[0];
     EXPECT_EQ(thing.asset < 0, kind.source == ThingSource::kElement);
+  }
+}
+
+TEST(ThingsTest, AFenceAlongTheRoadIsOneLineWhosePiecesMeet) {
+  ThingWish fence = Wish("fence");
+  fence.relation = ThingRelation::kAlong;
+  fence.target.letter = 'R';
+  FillRun(&fence);
+  const SceneAnswer answer = BuildWith({fence}, 2);
+  const std::vector<SceneThing>& pieces = answer.scene->things;
+  ASSERT_GT(pieces.size(), 15u);
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const double apart_m = std::hypot(pieces[i].position.x_m - pieces[i - 1].position.x_m,
+                                      pieces[i].position.y_m - pieces[i - 1].position.y_m);
+    EXPECT_NEAR(apart_m, 6.2, 0.3) << i;
+    const double turn_rad = std::remainder(pieces[i].yaw_rad - pieces[i - 1].yaw_rad, 2.0 * M_PI);
+    EXPECT_LT(std::abs(turn_rad), 0.4) << i;
+  }
+}
+
+TEST(ThingsTest, TreesOfARowAreOfOneKindAndTheirCrownsOnlyMeet) {
+  ThingWish row = Wish("tree", 6);
+  row.arrangement = ThingArrangement::kRow;
+  row.spacing_m = 7.0;
+  const SceneAnswer answer = BuildWith({row}, 4);
+  ASSERT_EQ(answer.scene->things.size(), 6u);
+  const Asset& first = answer.scene->assets[answer.scene->things[0].asset];
+  for (const SceneThing& thing : answer.scene->things) {
+    const Asset& tree = answer.scene->assets[thing.asset];
+    EXPECT_EQ(tree.model, first.model);
+    EXPECT_LE(2.0 * tree.half_length_m, 7.0);
+    EXPECT_NEAR(tree.height_m / first.height_m, 1.0, 0.12);
   }
 }
 

@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/layout/crossings.h"
 #include "latticeworld/terrain/bridge.h"
 #include "terrain_building.h"
 
@@ -16,7 +19,7 @@ constexpr int kCells = 192;
 constexpr double kSize_m = 192.0;
 
 // Rivers from north to south and roads from west to east that wander by the seed, in steps that
-// touch with corners too, and lakes in every third layout.
+// touch with corners too, lakes in every third layout, and roads that are wide or fork in others.
 SymbolicLayout Wandering(std::uint64_t seed) {
   RandomStream random(seed, "bridges_test");
   SymbolicLayout layout = testing_layouts::Filled(Vocabulary::kSuburb, 'G');
@@ -27,14 +30,24 @@ SymbolicLayout Wandering(std::uint64_t seed) {
   if (seed % 4 == 0) testing_layouts::PaintDisc('B', 16, 8, 3, &layout);
   const int width = random.UniformInt(1, 3);
   int col = random.UniformInt(8, 22);
+  int west = kLayoutSize;
   for (int row = 0; row < kLayoutSize; ++row) {
     for (int k = 0; k < width; ++k) layout.cells(row, col + k) = 'W';
+    west = std::min(west, col);
     col = std::clamp(col + random.UniformInt(-1, 1), 2, kLayoutSize - 5);
   }
+  const int road_width = seed % 5 == 0 ? random.UniformInt(2, 6) : 1;
   int row = random.UniformInt(8, 22);
+  // On the land to the west of the river, no lake in its way.
+  const int fork = seed % 7 == 0 && seed % 3 != 0 ? west - 3 : -1;
   for (int c = 0; c < kLayoutSize; ++c) {
-    layout.cells(row, c) = 'R';
-    row = std::clamp(row + random.UniformInt(-1, 1), 2, kLayoutSize - 3);
+    for (int k = 0; k < road_width; ++k) layout.cells(row + k, c) = 'R';
+    if (c == fork) {
+      for (int r = 0; r < row; ++r) layout.cells(r, c) = 'R';
+    }
+    // Wide roads turn in wide bends.
+    if (c % road_width != 0) continue;
+    row = std::clamp(row + random.UniformInt(-1, 1), 2, kLayoutSize - 3 - road_width);
   }
   return layout;
 }
@@ -100,13 +113,75 @@ bool Joins(const Grid<unsigned char>& mask, bool north_to_south) {
   return false;
 }
 
+// The share of a mask's cells that lie in its largest piece of cells with common sides; 1 where
+// there are none.
+double ShareInOnePiece(const Grid<unsigned char>& mask) {
+  Grid<unsigned char> seen(kCells, kCells, 0);
+  int all = 0, most = 0;
+  for (int i = 0; i < kCells * kCells; ++i) {
+    if (seen.data()[i] || !mask.data()[i]) continue;
+    std::vector<CellIndex> piece = {{i / kCells, i % kCells}};
+    seen.data()[i] = 1;
+    for (std::size_t next = 0; next < piece.size(); ++next) {
+      const CellIndex cell = piece[next];
+      for (const CellIndex near : {CellIndex{cell.row - 1, cell.col},
+                                   {cell.row + 1, cell.col},
+                                   {cell.row, cell.col - 1},
+                                   {cell.row, cell.col + 1}}) {
+        if (!mask.Contains(near) || seen[near] || !mask[near]) continue;
+        seen[near] = 1;
+        piece.push_back(near);
+      }
+    }
+    all += static_cast<int>(piece.size());
+    most = std::max(most, static_cast<int>(piece.size()));
+  }
+  return all == 0 ? 1.0 : static_cast<double>(most) / all;
+}
+
+// The layout without its roads: what its waters are when nothing crosses them. Where the layout's
+// water is one piece, roads included, so is that of the land.
+bool WaterIsOnePiece(SymbolicLayout layout) {
+  const Grid<Crossing> crossings = CrossingsOf(layout, false);
+  const Grid<unsigned char> corners = CornerCrossingsOf(layout);
+  Grid<unsigned char> seen(kLayoutSize, kLayoutSize, 0);
+  const auto is_wet = [&](int r, int c) {
+    return layout.cells(r, c) == 'W' || crossings(r, c) != Crossing::kNone;
+  };
+  int pieces = 0;
+  for (int i = 0; i < kLayoutSize * kLayoutSize; ++i) {
+    if (seen.data()[i] || !is_wet(i / kLayoutSize, i % kLayoutSize)) continue;
+    ++pieces;
+    std::vector<CellIndex> piece = {{i / kLayoutSize, i % kLayoutSize}};
+    seen.data()[i] = 1;
+    for (std::size_t next = 0; next < piece.size(); ++next) {
+      for (int k = 0; k < 9; ++k) {
+        const CellIndex near{piece[next].row + k / 3 - 1, piece[next].col + k % 3 - 1};
+        if (!seen.Contains(near) || seen[near] || !is_wet(near.row, near.col)) continue;
+        seen[near] = 1;
+        piece.push_back(near);
+      }
+    }
+  }
+  return pieces == 1;
+}
+
 TEST(BridgesTest, EveryRiverIsOneWaterAndEveryRoadIsOneWay) {
+  int whole = 0, wide = 0;
   for (int seed = 1; seed <= kSeeds; ++seed) {
     const Terrain terrain = BuildWandering(seed);
     EXPECT_TRUE(Joins(WaterOf(terrain), true)) << "the river of seed " << seed;
     EXPECT_TRUE(Joins(WayOf(terrain), false)) << "the road of seed " << seed;
     EXPECT_FALSE(terrain.bridges.empty()) << "seed " << seed;
+    wide += seed % 5 == 0;
+    // Roads fray a little beside the water that they cross, and that does too.
+    EXPECT_GT(ShareInOnePiece(WayOf(terrain)), 0.97) << "the road of seed " << seed;
+    if (!WaterIsOnePiece(Wandering(seed))) continue;
+    ++whole;
+    EXPECT_GT(ShareInOnePiece(WaterOf(terrain)), 0.97) << "the water of seed " << seed;
   }
+  EXPECT_GT(whole, kSeeds / 2);
+  EXPECT_EQ(wide, kSeeds / 5);
 }
 
 TEST(BridgesTest, DecksClearTheWaterAndMeetTheLandAtTheirEnds) {
@@ -129,7 +204,8 @@ TEST(BridgesTest, DecksClearTheWaterAndMeetTheLandAtTheirEnds) {
         const WorldPoint point = PlaceOn(bridge, along_m).point;
         EXPECT_LE(terrain.ground.HeightAt(point), bridge.deck_z_m + 0.02);
         const float level_m = terrain.water_level_m[terrain.geometry().CellAt(point)];
-        if (!std::isnan(level_m)) EXPECT_GT(bridge.deck_z_m - bridge.thickness_m - level_m, 0.55);
+        if (std::isnan(level_m)) continue;
+        EXPECT_GT(bridge.deck_z_m - bridge.thickness_m - level_m, 0.55);
       }
     }
   }
@@ -146,6 +222,25 @@ TEST(BridgesTest, KindsFollowWidthAndSetting) {
   EXPECT_EQ(kind_of(256.0), BridgeKind::kGirder);
   testing_layouts::PaintDisc('B', 16, 8, 3, &layout);
   EXPECT_EQ(kind_of(256.0), BridgeKind::kStoneArch);
+}
+
+TEST(BridgesTest, DecksAreAsWideAsTheirRoadsButNoWiderThanTwoLanes) {
+  constexpr double kCell_m = 3.0;  // of the layout
+  for (int width = 1; width <= 5; ++width) {
+    SymbolicLayout layout = testing_layouts::Filled(Vocabulary::kSuburb, 'G');
+    for (int row = 0; row < kLayoutSize; ++row) layout.cells(row, 12) = layout.cells(row, 13) = 'W';
+    for (int row = 14; row < 14 + width; ++row) {
+      for (int col = 0; col < kLayoutSize; ++col) layout.cells(row, col) = 'R';
+    }
+    TerrainRequest request;
+    request.geometry = GridGeometry::FromCells(kCells, kLayoutSize * kCell_m);
+    request.layout = &layout;
+    request.seed = 3;
+    const Terrain terrain = BuildTerrain(request, Progress()).value();
+    ASSERT_EQ(terrain.bridges.size(), 1u) << width;
+    EXPECT_NEAR(terrain.bridges[0].width_m, std::min(0.92 * width * kCell_m, 10.0), 1e-9) << width;
+    EXPECT_TRUE(Joins(WaterOf(terrain), true)) << width;
+  }
 }
 
 TEST(BridgesTest, ShallowRiversAreForded) {
@@ -193,6 +288,36 @@ TEST(BridgesTest, PartsAreDeckRailingsAndPiersDownToTheBed) {
   EXPECT_EQ(railings, 4);
   EXPECT_EQ(piers, 1);
   EXPECT_NEAR(deck_m, 60.0, 1e-9);
+}
+
+TEST(BridgesTest, TimberRailingsAreBeamsAndPostsWithoutAGapForWheels) {
+  Bridge bridge;
+  bridge.kind = BridgeKind::kPlank;
+  bridge.line = {{-6.0, 0.0}, {6.0, 0.0}};
+  bridge.width_m = 4.0;
+  bridge.deck_z_m = 2.0;
+  bridge.thickness_m = 0.2;
+  bridge.railing_m = 1.0;
+  bridge.supports_m = {2.0, 10.0};
+  const HeightField ground(GridGeometry::FromCells(64, 64.0), Grid<float>(64, 64, -2.0f));
+  const std::vector<BridgePart> parts = PartsOf(bridge, ground);
+  int posts = 0;
+  for (double x_m = -4.9; x_m < 4.95; x_m += 0.1) {
+    double covered_m = 0.0;
+    bool kerb = false, top = false;
+    for (const BridgePart& part : parts) {
+      if (part.kind != BridgePartKind::kRailing || !IsOn(part, {x_m, 1.9})) continue;
+      EXPECT_GE(part.bottom_m, 2.0);
+      EXPECT_LE(part.top_m, 3.0);
+      kerb = kerb || (part.bottom_m == 2.0 && part.top_m >= 2.2);
+      top = top || part.top_m == 3.0;
+      covered_m = std::max(covered_m, part.top_m - part.bottom_m);
+    }
+    EXPECT_TRUE(kerb && top) << x_m;
+    posts += covered_m > 0.9;
+  }
+  EXPECT_GT(posts, 5);
+  EXPECT_LT(posts, 30) << "between the posts it is open";
 }
 
 TEST(BridgesTest, RailingsOfABendMeetAndLeaveTheDeckFree) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "latticeworld/common/random.h"
@@ -60,6 +62,26 @@ TEST(RowSamplerTest, TheOtherKernelIsTheOneOfResample) {
   }
   const Grid<float> square = Noise(50, 50, 3);
   EXPECT_EQ(Read(square, 50, RowSampler::Kernel::kThrough), square);
+}
+
+TEST(SplineCoefficientsTest, TheSmoothKernelReadsTheValuesBack) {
+  const Grid<float> values = Noise(60, 60, 4);
+  const Grid<float> read = Read(SplineCoefficients(values), 60, RowSampler::Kernel::kSmooth);
+  double rounded_off = 0.0;
+  const Grid<float> smooth = Read(values, 60, RowSampler::Kernel::kSmooth);
+  // At the edges the sampler goes on level, where the coefficients are mirrored.
+  for (int r = 10; r < 50; ++r) {
+    for (int c = 10; c < 50; ++c) {
+      ASSERT_NEAR(read(r, c), values(r, c), 1e-4);
+      rounded_off = std::max(rounded_off, std::abs(smooth(r, c) - values(r, c)) + 0.0);
+    }
+  }
+  EXPECT_GT(rounded_off, 0.1);
+}
+
+TEST(SplineCoefficientsTest, OfLevelValuesAreTheValues) {
+  const Grid<float> level(17, 40, 6.5f);
+  for (const float value : SplineCoefficients(level)) ASSERT_NEAR(value, 6.5f, 1e-4);
 }
 
 }  // namespace

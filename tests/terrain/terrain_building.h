@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "latticeworld/geomorphology/slope.h"
+#include "latticeworld/terrain/shallow_rivers.h"
 #include "latticeworld/terrain/terrain.h"
 #include "test_layouts.h"
 
@@ -21,6 +22,7 @@ inline Terrain Build(const SymbolicLayout& layout, const GridGeometry& geometry,
   request.layout = &layout;
   request.relief = relief;
   request.seed = seed;
+  request.options.fords = RiversAreShallow(geometry.size_m());
   return BuildTerrain(request, Progress()).value();
 }
 

@@ -74,14 +74,15 @@ TEST_F(CommandLineTest, TellsItsVersion) {
 
 TEST_F(CommandLineTest, RefusesWhatIsNoCommand) {
   ExpectUsageError(
-      {}, {"generate, show, picture, export, measure, score, rebuild, catalogue, species"});
+      {}, {"generate, show, query, picture, export, measure, score, rebuild, catalogue, species"});
   ExpectUsageError(
       {"grow"},
-      {"grow", "generate, show, picture, export, measure, score, rebuild, catalogue, species"});
+      {"grow",
+       "generate, show, query, picture, export, measure, score, rebuild, catalogue, species"});
   ExpectUsageError(
       {"--frobnicate"},
       {"--frobnicate",
-       "generate, show, picture, export, measure, score, rebuild, catalogue, species"});
+       "generate, show, query, picture, export, measure, score, rebuild, catalogue, species"});
 }
 
 TEST_F(CommandLineTest, RefusesUnusableOptions) {

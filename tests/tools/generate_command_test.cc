@@ -123,6 +123,17 @@ TEST_F(GenerateCommandTest, MakesABundleAndSaysWhatIsInIt) {
   EXPECT_EQ(Read("world/layout.txt"), run.out.substr(0, Read("world/layout.txt").size()));
 }
 
+TEST_F(GenerateCommandTest, ToldOfABridgeAreItsKindLoadAndClearance) {
+  const ProgramRun run = RunProgram(
+      {"generate", "--layout",
+       "A river runs from the north to the south. A road runs from the west to the east.",
+       "--environment", "A sunny summer noon.", "--seed", "3", "--size", "150", "--out",
+       PathOf("bridged")});
+  ASSERT_EQ(run.exit_status, 0) << run.err;
+  EXPECT_NE(run.out.find("bridges      plank bridge, "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("carries 3.5 t, clears the water by 0.5 m"), std::string::npos) << run.out;
+}
+
 TEST_F(GenerateCommandTest, MakesTheSameWorldFromTheSameSeed) {
   const std::vector<std::string> options = {"--layout", "Forest, and a road from left to right.",
                                             "--seed", "9", "--out"};

@@ -125,6 +125,29 @@ test('the ground has the colours of the classes where the layout has them', { ti
   assert.ok(new Set(lit.map(String)).size > 20);
 });
 
+test('the land is seen at night and in the rain', { timeout: 60000 }, async () => {
+  const noon = { sun_direction: [0.2, 0.3, 0.9], sun_intensity: 1, ambient_intensity: 0.4, cloud_cover: 0, rain_mmph: 0 };
+  const night = { sun_direction: [0.2, 0.3, -0.9], sun_intensity: 0, ambient_intensity: 0, cloud_cover: 0.95, rain_mmph: 5 };
+  const [day, dark] = await page.evaluate((weathers) => {
+    const { latticeworld } = globalThis;
+    const before = latticeworld.state.weather;
+    const places = [];
+    for (let y = -60; y <= 60; y += 7.5) for (let x = -60; x <= 60; x += 7.5) places.push([x, y]);
+    const seen = weathers.map((weather) => {
+      latticeworld.setWeather({ ...before, ...weather });
+      return latticeworld.colorsFromAbove(places);
+    });
+    latticeworld.setWeather(before);
+    return seen;
+  }, [noon, night]).then((seen) => seen.map((colors) => {
+    const grey = colors.map(([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b);
+    const mean = grey.reduce((sum, value) => sum + value, 0) / grey.length;
+    return { mean, contrast: Math.sqrt(grey.reduce((sum, value) => sum + (value - mean) ** 2, 0) / grey.length) };
+  }));
+  assert.ok(dark.mean > 0.4 * day.mean, `brightness ${dark.mean}, by day ${day.mean}`);
+  assert.ok(dark.contrast > 0.35 * day.contrast, `contrast ${dark.contrast}, by day ${day.contrast}`);
+});
+
 test('two browsers at once see the same agents', { timeout: 300000 }, async () => {
   // Without a graphics card both share one processor: the first rests while the second loads.
   await page.evaluate(() => globalThis.latticeworld.slowDown(3600000));

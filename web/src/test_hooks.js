@@ -38,6 +38,7 @@ export function makeTestHooks(page) {
       viewer.leastFrame_ms = least_ms;
     },
 
+    setWeather: (weather) => viewer.setWeather(weather),
     chooseQuality: (name) => viewer.chooseQuality(name),
     follow: (name) => page.follow(name),
     drive: (name) => page.drive(name),

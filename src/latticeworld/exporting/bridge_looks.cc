@@ -88,12 +88,15 @@ SurfaceLook LookOfBridge(const Bridge& bridge, ArtisticStyle style, const RayHit
   Color color = ColorOfBridge(bridge.kind, part, top);
   const float along_m = AlongBridge(bridge, point_m);
   const bool upright = std::abs(hit.normal.z()) < 0.5f;
-  if (bridge.kind == BridgeKind::kPlank) color *= Planks(along_m, footprint_m);
+  if (bridge.kind == BridgeKind::kPlank && part == BridgePartKind::kDeck)
+    color *= Planks(along_m, footprint_m);
   if (bridge.kind == BridgeKind::kStoneArch && upright)
     color *= StoneCourses(along_m, point_m.z(), footprint_m);
+  // Upright faces are stained from above, level ones all over.
   color *=
-      1.0f + 0.12f * DetailNoise(point_m.x() + 0.7f * point_m.z(), point_m.y() - 0.6f * point_m.z(),
-                                 0.9f, 4, 0.6f, footprint_m, 603);
+      1.0f +
+      0.12f * (upright ? DetailNoise(along_m, 0.25f * point_m.z(), 0.9f, 4, 0.6f, footprint_m, 603)
+                       : DetailNoise(point_m.x(), point_m.y(), 0.9f, 4, 0.6f, footprint_m, 603));
   // Wet stone and weed where the water stands.
   const float above_m = point_m.z() - static_cast<float>(bridge.water_level_m);
   if (upright && above_m < 0.3f) color *= 0.7f;

@@ -28,6 +28,25 @@ std::size_t IndexOf(const std::vector<std::string_view>& names, const std::strin
   return found == names.end() ? 0 : static_cast<std::size_t>(found - names.begin());
 }
 
+// The first model of a shape; that of the asset where there is none.
+std::uint8_t ModelOf(const Catalogue& catalogue, Shape shape, const Asset& asset) {
+  for (const std::uint8_t model : catalogue.models_of(asset.kind)) {
+    if (catalogue.models()[model].shape == shape) return model;
+  }
+  return asset.model;
+}
+
+// Houses of cyberpunk are towers and blocks, on the ground that the houses have.
+void BuildHigh(const Catalogue& catalogue, Asset* house) {
+  constexpr float kTowers = 0.6f;  // share
+  const float draw =
+      UnitHash(static_cast<std::uint32_t>(std::lround(64.0f * (house->x_m + 8192.0f))),
+               static_cast<std::uint32_t>(std::lround(64.0f * (house->y_m + 8192.0f))), 504);
+  const bool tower = draw < kTowers;
+  house->model = ModelOf(catalogue, tower ? Shape::kTower : Shape::kFlatBlock, *house);
+  house->height_m *= tower ? 0.9f + 0.9f * draw / kTowers : 0.75f;
+}
+
 }  // namespace
 
 std::vector<Asset> DrawnAssets(const Scene& scene, float smallest_m) {
@@ -35,10 +54,15 @@ std::vector<Asset> DrawnAssets(const Scene& scene, float smallest_m) {
   drawn.reserve(scene.assets.size());
   for (Asset asset : scene.assets) {
     if (std::max(asset.height_m, 2.0f * asset.half_length_m) < smallest_m) continue;
-    const Proportions stretch = ProportionsOf(scene.environment.coarse.artistic_style, asset.kind);
+    const Proportions stretch = ProportionsOf(scene.environment.coarse.artistic_style,
+                                              scene.catalogue->models()[asset.model]);
     asset.half_length_m *= stretch.width;
     asset.half_width_m *= stretch.width;
     asset.height_m *= stretch.height;
+    const bool is_house = scene.catalogue->models()[asset.model].is_house();
+    if (scene.environment.coarse.artistic_style == ArtisticStyle::kCyberpunk && is_house) {
+      BuildHigh(*scene.catalogue, &asset);
+    }
     drawn.push_back(asset);
   }
   return drawn;

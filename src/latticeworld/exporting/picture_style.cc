@@ -53,7 +53,8 @@ void ApplyStyle(ArtisticStyle style, PictureSky* sky) {
   }
 }
 
-Proportions ProportionsOf(ArtisticStyle style, AssetKind kind) {
+Proportions ProportionsOf(ArtisticStyle style, const AssetModel& model) {
+  const AssetKind kind = model.kind;
   switch (style) {
     case ArtisticStyle::kRealistic:
       return {};
@@ -62,8 +63,8 @@ Proportions ProportionsOf(ArtisticStyle style, AssetKind kind) {
       if (kind == AssetKind::kBush || kind == AssetKind::kStone) return {1.2f, 1.15f};
       if (kind == AssetKind::kFlower) return {1.7f, 1.5f};
       return {};
-    case ArtisticStyle::kCyberpunk:  // houses tower
-      if (kind == AssetKind::kBuilding) return {1.0f, 1.45f};
+    case ArtisticStyle::kCyberpunk:  // houses tower; benches and wells do not
+      if (model.is_house()) return {1.0f, 2.0f};
       return {};
   }
   return {};

@@ -1,7 +1,7 @@
 #ifndef LATTICEWORLD_EXPORTING_PICTURE_STYLE_H_
 #define LATTICEWORLD_EXPORTING_PICTURE_STYLE_H_
 
-#include "latticeworld/catalogue/asset_kind.h"
+#include "latticeworld/catalogue/catalogue.h"
 #include "latticeworld/environment/attributes.h"
 #include "latticeworld/exporting/picture_light.h"
 
@@ -17,7 +17,7 @@ void ApplyStyle(ArtisticStyle style, PictureSky* sky);
 struct Proportions {
   float width = 1.0f, height = 1.0f;
 };
-Proportions ProportionsOf(ArtisticStyle style, AssetKind kind);
+Proportions ProportionsOf(ArtisticStyle style, const AssetModel& model);
 
 // Lamplight behind a window; draw in [0, 1) picks one where the style has several.
 Color WindowLight(ArtisticStyle style, double draw);

@@ -45,7 +45,7 @@ float EdgeAt(const Seen& seen, int x, int y, int reach) {
 }
 
 void DrawOutlines(const Seen& seen, const FilmOptions& options, cv::Mat* bgr) {
-  const int reach = std::max(1, bgr->cols / 1400);
+  const int reach = std::max(1, bgr->cols / 1400) * (options.rims ? 2 : 1);  // neon is thick
   const cv::Mat before = bgr->clone();
   ParallelFor(bgr->rows, options.threads, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {

@@ -8,6 +8,7 @@
 #include "latticeworld/exporting/body_looks.h"
 #include "latticeworld/exporting/bridge_looks.h"
 #include "latticeworld/exporting/ground_colors.h"
+#include "latticeworld/exporting/lamp_lights.h"
 #include "latticeworld/exporting/picture_style.h"
 #include "latticeworld/exporting/ray_noise.h"
 #include "latticeworld/scene/scene.h"
@@ -168,7 +169,12 @@ void RayMaterials::SetWindow(const Asset& asset, const Vector3f& point_m, const 
                              SurfaceLook* look) const {
   look->mirror = 0.35f;
   look->albedo *= 0.5f;
-  if (!lamps_are_lit_) return;
+  // What lies flat is water or a skylight.
+  if (!lamps_are_lit_ || std::abs(hit.normal.z()) > 0.7f) return;
+  if (scene_.catalogue->models()[asset.model].name == kLampModel) {
+    look->emission = 1.6f * LampColor(scene_.environment.coarse.artistic_style, asset);
+    return;
+  }
   // One lamp behind what lies about two metres and a storey apart on one side of the house.
   const float c = std::cos(asset.yaw_rad), s = std::sin(asset.yaw_rad);
   const float dx = point_m.x() - asset.x_m, dy = point_m.y() - asset.y_m;
@@ -184,10 +190,10 @@ void RayMaterials::SetWindow(const Asset& asset, const Vector3f& point_m, const 
   const std::uint32_t window = HashOf(hit.index, place * 8u + side, storey);
   const float draw = UnitHash(window, 1, 341);
   const bool cyberpunk = scene_.environment.coarse.artistic_style == ArtisticStyle::kCyberpunk;
-  if (draw > (cyberpunk ? 0.85f : 0.62f)) return;
+  if (draw > (cyberpunk ? 0.5f : 0.62f)) return;
   const Light lamp =
       LightOf(WindowLight(scene_.environment.coarse.artistic_style, UnitHash(window, 2, 342)));
-  look->emission = lamp * (cyberpunk ? 1.6f : 0.75f + 0.5f * UnitHash(window, 3, 343));
+  look->emission = lamp * (cyberpunk ? 0.4f : 0.75f + 0.5f * UnitHash(window, 3, 343));
 }
 
 SurfaceLook RayMaterials::BridgeAt(const RayHit& hit, const Vector3f& point_m,

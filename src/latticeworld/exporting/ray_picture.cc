@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "latticeworld/exporting/ground_colors.h"
@@ -50,6 +51,35 @@ std::uint32_t ThingOf(const std::vector<Asset>& assets, RayHit hit) {
     hit.target = RayTarget::kGround;
   if (hit.target == RayTarget::kGround) hit.index = 0;
   return (1u + static_cast<std::uint32_t>(hit.target)) << 28 | (hit.index + 1u);
+}
+
+// By which the film multiplies beyond what eyes would see, so that dark pictures show shapes: as
+// much as brings the mean of what is drawn up to kLeastMean, on a grid over the picture.
+float Lift(const std::function<FilmSample(int, int)>& sample, int width_px, int height_px,
+           float exposure) {
+  constexpr int kRows = 24;
+  constexpr float kLeastMean = 0.19f;  // of sRGB's range
+  constexpr float kMost = 6.0f;
+  const int step = std::max(1, height_px / kRows);
+  std::vector<Light> lights;
+  for (int y = step / 2; y < height_px; y += step) {
+    for (int x = step / 2; x < width_px; x += step) {
+      const FilmSample caught = sample(x, y);
+      if (!caught.is_clear) lights.push_back(caught.light);
+    }
+  }
+  const auto mean = [&](float lift) {
+    float sum = 0.0f;
+    for (const Light& light : lights) sum += Brightness(Developed(light, lift * exposure));
+    return sum / static_cast<float>(lights.size());
+  };
+  if (lights.empty() || mean(1.0f) >= kLeastMean) return 1.0f;
+  float low = 1.0f, high = kMost;
+  for (int i = 0; i < 12; ++i) {
+    const float middle = 0.5f * (low + high);
+    (mean(middle) < kLeastMean ? low : high) = middle;
+  }
+  return 0.5f * (low + high);
 }
 
 // Glowing edges of houses, as neon tubes.
@@ -120,7 +150,7 @@ Status TracePicture(const Scene& scene, const GroundMaterials& ground, const Ray
     return caught;
   };
   FilmOptions film;
-  film.exposure = sky.exposure();
+  film.exposure = sky.exposure() * Lift(sample, bgr->cols, bgr->rows, sky.exposure());
   film.outlines = style == ArtisticStyle::kCartoon;
   film.rims = style == ArtisticStyle::kCyberpunk;
   film.bloom = sky.lamps_are_lit();

@@ -58,6 +58,7 @@ RayShader::RayShader(const Scene& scene, const RayWorld& world, const RayMateria
       world_(world),
       materials_(materials),
       sky_(sky),
+      lamps_(scene, sky.lamps_are_lit()),
       options_(options),
       style_(scene.environment.coarse.artistic_style) {}
 
@@ -105,7 +106,8 @@ Light RayShader::Lit(const SurfaceLook& look, const WorldHit& hit, SampleDraws* 
     open -= (1.0f - kIndirect) * static_cast<float>(blocked) /
             static_cast<float>(options_.occlusion_rays);
   }
-  return LitSurface(look, look.normal.cwiseProduct(hit.mirror), facing, open, sky_, style_);
+  return LitSurface(look, look.normal.cwiseProduct(hit.mirror), facing, open, sky_, style_) +
+         look.albedo * lamps_.At(hit.point_m, look.normal);
 }
 
 Light RayShader::Mirrored(const WorldHit& hit, const Vector3f& direction, float footprint_pm,

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "latticeworld/environment/attributes.h"
+#include "latticeworld/exporting/lamp_lights.h"
 #include "latticeworld/exporting/ray_materials.h"
 #include "latticeworld/exporting/ray_sky.h"
 #include "latticeworld/exporting/ray_world.h"
@@ -54,6 +55,7 @@ class RayShader {
   const RayWorld& world_;
   const RayMaterials& materials_;
   const RaySky& sky_;
+  const LampLights lamps_;
   const ShadingOptions options_;
   ArtisticStyle style_;
 };

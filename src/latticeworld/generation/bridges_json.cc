@@ -25,7 +25,7 @@ jf::Json Encode(const Bridge& bridge) {
           {"width_m", bridge.width_m},         {"deck_z_m", bridge.deck_z_m},
           {"thickness_m", bridge.thickness_m}, {"water_level_m", bridge.water_level_m},
           {"railing_m", bridge.railing_m},     {"load_kg", bridge.load_kg},
-          {"supports_m", std::move(supports)}};
+          {"supports_m", std::move(supports)}, {"clearance_m", bridge.clearance_m()}};
 }
 
 void DecodeLine(const jf::Json& json, const GridGeometry& geometry, Bridge* bridge) {
@@ -62,9 +62,22 @@ void DecodeSupports(const jf::Json& json, Bridge* bridge) {
   }
 }
 
+// clearance_m follows from the rest: it is written for who reads the file, and looked at only for
+// whether it agrees. Files of before do not have it.
+void CheckClearance(const jf::Json& json, const Bridge& bridge) {
+  constexpr double kAgreement_m = 1e-6;
+  if (!json.contains("clearance_m")) return;
+  if (std::abs(jf::Number(json, "clearance_m") - bridge.clearance_m()) > kAgreement_m) {
+    jf::Fail("clearance_m", json.at("clearance_m"),
+             FormatDouble(bridge.clearance_m()) + ", deck_z_m - thickness_m - water_level_m");
+  }
+}
+
 Bridge Decode(const jf::Json& json, const GridGeometry& geometry) {
-  jf::ExpectKeys(json, {"kind", "line", "width_m", "deck_z_m", "thickness_m", "water_level_m",
-                        "railing_m", "load_kg", "supports_m"});
+  jf::Json fields = json;
+  fields.erase("clearance_m");
+  jf::ExpectKeys(fields, {"kind", "line", "width_m", "deck_z_m", "thickness_m", "water_level_m",
+                          "railing_m", "load_kg", "supports_m"});
   Bridge bridge;
   bridge.kind = jf::Named<BridgeKind>(json, "kind");
   bridge.width_m = jf::Number(json, "width_m", 0.1, 100.0);
@@ -75,6 +88,7 @@ Bridge Decode(const jf::Json& json, const GridGeometry& geometry) {
   bridge.load_kg = jf::Number(json, "load_kg", 0.0, kHeaviest_kg);
   DecodeLine(json, geometry, &bridge);
   DecodeSupports(json, &bridge);
+  CheckClearance(json, bridge);
   return bridge;
 }
 

@@ -11,7 +11,7 @@
 
 namespace latticeworld {
 
-// bridges.json: an array with one object a bridge and a key for each field of Bridge.
+// bridges.json: an array with one object a bridge, a key for each field of Bridge, and clearance_m.
 std::string EncodeBridges(const std::vector<Bridge>& bridges);
 
 // Errors: DATA_LOSS naming the bridge (counted from 0) and what is wrong: keys, types, numbers out

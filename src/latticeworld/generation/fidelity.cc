@@ -10,6 +10,7 @@
 #include "latticeworld/language/reading/relief_reading.h"
 #include "latticeworld/layout/claims.h"
 #include "latticeworld/terrain/relief_claims.h"
+#include "latticeworld/terrain/relief_covers.h"
 
 namespace latticeworld {
 namespace {
@@ -49,7 +50,11 @@ FidelityReport AssessLayoutFidelity(const LayoutReading& reading, const Symbolic
 void AssessReliefFidelity(const LayoutReading& reading, const SymbolicLayout& layout,
                           const Terrain& terrain, FidelityReport* report) {
   std::vector<ClaimOutcome> outcomes;
-  for (ReliefMeasure& measure : MeasureReliefs(reading.plan.reliefs, layout, terrain)) {
+  std::vector<ReliefMeasure> measures = MeasureReliefs(reading.plan.reliefs, layout, terrain);
+  for (ReliefMeasure& measure : MeasureCovers(reading.plan.covers, terrain)) {
+    measures.push_back(std::move(measure));
+  }
+  for (ReliefMeasure& measure : measures) {
     outcomes.push_back({InstructionPart::kLayout, std::move(measure.kind), std::move(measure.words),
                         measure.holds, measure.distance, std::move(measure.explanation)});
   }
@@ -133,7 +138,6 @@ Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view
   FidelityReport report =
       AssessFidelity(readings.layout, readings.environment, layout, scene.environment);
   AddTerrainType(readings.environment, &readings.layout);
-  LeaveToTheirClass(&readings.layout.plan);
   AssessReliefFidelity(readings.layout, layout, *scene.terrain, &report);
   LW_ASSIGN_OR_RETURN(
       const std::vector<ThingWish> wishes,

@@ -12,6 +12,7 @@
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/tokens.h"
 #include "latticeworld/layout/thing_kinds.h"
+#include "latticeworld/layout/thing_wishes.h"
 
 namespace latticeworld {
 namespace {
@@ -109,7 +110,8 @@ class ThingReader {
     const std::optional<std::string> kind = Text(json, "kind");
     if (!json.contains("kind")) Fault("kind", "missing_key", "is missing", "");
     if (!kind) return;
-    if (const ThingKind* known = FindThingKind(*kind)) {
+    // In words a bridge is one of a road.
+    if (const ThingKind* known = FindThingKind(*kind == "bridge" ? "footbridge" : *kind)) {
       wish->kind = known->name;
       return;
     }
@@ -182,6 +184,7 @@ class ThingReader {
     ReadTarget(json, "of", &wish->target);
     ReadTarget(json, "facing", &wish->facing);
     wish->distance_m = Number(json, "distance_m", 0.1, kFarthest_m).value_or(0.0);
+    if (!json.contains("count")) FillRun(wish);
     const bool relates = wish->relation != ThingRelation::kNone;
     if (relates && !json.contains("of")) Fault("of", "missing_key", "is missing", "");
     if (!relates && json.contains("of")) {
@@ -200,6 +203,8 @@ class ThingReader {
       target->wish = known->second;
       return;
     }
+    target->letter = GroundNamed(*name);
+    if (!target->is_nothing()) return;
     const std::vector<Token> tokens = Tokenize(*name);
     const ClassWordMatch match = tokens.empty() ? ClassWordMatch() : MatchClassWord(tokens, 0);
     if (match.word != nullptr && match.tokens == tokens.size()) {
@@ -286,13 +291,7 @@ Result<ThingsFile> DecodeThings(std::string_view content, const GridGeometry& ge
 Result<std::vector<ThingWish>> WishedThings(std::string_view json, const LayoutPlan& plan,
                                             const Catalogue& catalogue, Vocabulary vocabulary) {
   LW_ASSIGN_OR_RETURN(std::vector<ThingWish> things, ParseThings(json, catalogue, vocabulary));
-  // A wish names another one by its index among its own.
-  const int before = static_cast<int>(things.size());
-  for (ThingWish wish : plan.things) {
-    if (wish.target.wish >= 0) wish.target.wish += before;
-    if (wish.facing.wish >= 0) wish.facing.wish += before;
-    things.push_back(std::move(wish));
-  }
+  AppendWishes(plan.things, &things);
   return things;
 }
 

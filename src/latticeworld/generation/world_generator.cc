@@ -12,7 +12,7 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/text.h"
-#include "latticeworld/generation/fords.h"
+#include "latticeworld/generation/crossing_words.h"
 #include "latticeworld/generation/things_json.h"
 #include "latticeworld/generation/visual.h"
 #include "latticeworld/generation/world_id.h"
@@ -156,7 +156,6 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
   world->fidelity =
       AssessFidelity(layout_reading, environment_reading, world->layout, world->environment);
   AddTerrainType(environment_reading, &layout_reading);
-  LeaveToTheirClass(&layout_reading.plan);
   if (relief) add_warnings(ReliefLeftAlone(layout_reading.plan.reliefs));
   LW_ASSIGN_OR_RETURN(
       const std::vector<ThingWish> things,
@@ -168,8 +167,9 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
     terrain_request.layout = &world->layout;
     terrain_request.relief = relief_pointer;
     if (!relief) terrain_request.reliefs = layout_reading.plan.reliefs;
+    terrain_request.covers = layout_reading.plan.covers;
     terrain_request.seed = StreamSeed(request.seed, "terrain");
-    terrain_request.options.fords = AsksForFords(request.layout_instruction);
+    terrain_request.options.fords = FordsRivers(request.layout_instruction, request.size_m);
     return BuildTerrain(terrain_request, progress);
   }));
 
@@ -187,6 +187,7 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
   }));
   world->scene = std::move(scene.scene);
   add_warnings(std::move(scene.warnings));
+  add_warnings(CrossingWarnings(request.layout_instruction, world->layout, *world->scene));
   AddThings(MeasureThings(*world->scene, things), &world->fidelity);
   add_warnings(WarningsOf(world->fidelity, world->warnings));
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "latticeworld/exporting/asset_looks.h"
@@ -37,7 +38,26 @@ void AddShades(const Scene& scene, const LookGroup& whole, std::vector<LookGroup
   }
 }
 
+// Whether files have a part of that name already, or may have.
+bool IsTaken(std::string_view name) {
+  constexpr std::string_view kNames[] = {"ground", "water", "sun", "sky", "link", "default"};
+  return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames) ||
+         name.substr(0, 6) == "asset_" || name.substr(0, 4) == "map_";
+}
+
 }  // namespace
+
+AssetNames::AssetNames(const Scene& scene) {
+  for (const SceneThing& thing : scene.things) {
+    if (thing.asset < 0 || IsTaken(thing.name)) continue;
+    things_.emplace(static_cast<std::uint32_t>(thing.asset), thing.name);
+  }
+}
+
+std::string AssetNames::Of(std::uint32_t asset) const {
+  const auto found = things_.find(asset);
+  return found == things_.end() ? "asset_" + std::to_string(asset) : found->second;
+}
 
 bool IsSmallPlant(AssetKind kind) {
   return kind == AssetKind::kGrassTuft || kind == AssetKind::kFlower || kind == AssetKind::kCrop;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,17 @@ bool IsSmallPlant(AssetKind kind);  // grass, reed, flowers, crops
 // Numbers of the scene's assets in a region, in order.
 std::vector<std::uint32_t> ChooseAssets(const Scene& scene, const ExportRegion& region,
                                         bool small_plants);
+
+// What exports call assets: single things by their names, where no other part of a file has that
+// name, the rest "asset_<number>".
+class AssetNames {
+ public:
+  explicit AssetNames(const Scene& scene);
+  std::string Of(std::uint32_t asset) const;
+
+ private:
+  std::map<std::uint32_t, std::string> things_;
+};
 
 // INVALID_ARGUMENT that says what helps. things: "things"; small_plants: whether there are some.
 Status TooMany(std::size_t given, const std::string& things, std::size_t legal, bool small_plants);

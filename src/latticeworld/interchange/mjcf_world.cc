@@ -76,7 +76,7 @@ class MjcfBuilder {
  public:
   MjcfBuilder(const Scene& scene, const std::optional<GeoOrigin>& origin,
               const MjcfOptions& options, const Progress& progress)
-      : scene_(scene), origin_(origin), options_(options), progress_(progress) {
+      : scene_(scene), names_(scene), origin_(origin), options_(options), progress_(progress) {
     region_ = options.region.value_or(WholeWorld(scene.geometry()));
     cells_ = CellsIn(region_, scene.geometry());
     centers_ = BetweenCenters(cells_, scene.geometry());
@@ -298,7 +298,7 @@ class MjcfBuilder {
       const Asset& asset = scene_.assets[member];
       const Collision form = scene_.catalogue->models()[asset.model].collision;
       const Eigen::Vector3d base_m = Local(asset.x_m, asset.y_m, asset.z_m);
-      const std::string name = "asset_" + std::to_string(member);
+      const std::string name = names_.Of(member);
       body_.Leaf("geom", {{"class", "seen"},
                           {"name", name},
                           {"mesh", SizedMesh(group.model, asset)},
@@ -373,6 +373,7 @@ class MjcfBuilder {
   }
 
   const Scene& scene_;
+  const AssetNames names_;
   const std::optional<GeoOrigin>& origin_;
   const MjcfOptions& options_;
   const Progress& progress_;

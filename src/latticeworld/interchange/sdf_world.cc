@@ -53,7 +53,7 @@ class SdfBuilder {
  public:
   SdfBuilder(const Scene& scene, const std::optional<GeoOrigin>& origin, const SdfOptions& options,
              const Progress& progress)
-      : scene_(scene), origin_(origin), options_(options), progress_(progress) {
+      : scene_(scene), names_(scene), origin_(origin), options_(options), progress_(progress) {
     region_ = options.region.value_or(WholeWorld(scene.geometry()));
     if (options.region) middle_m_ = {region_.center().x_m, region_.center().y_m, 0.0};
   }
@@ -255,7 +255,7 @@ class SdfBuilder {
     for (const std::uint32_t member : group.members) {
       const Asset& asset = scene_.assets[member];
       const Eigen::Vector3d base = Local(asset.x_m, asset.y_m, asset.z_m);
-      world->Open("visual", "asset_" + std::to_string(member));
+      world->Open("visual", names_.Of(member));
       world->Pose(base, asset.yaw_rad);
       world->Open("geometry");
       world->Open("mesh");
@@ -267,8 +267,7 @@ class SdfBuilder {
       world->Close("geometry");
       world->Close("visual");
       if (model.collision != Collision::kNone) {
-        AddSdfCollision(asset, model.collision, base, "asset_" + std::to_string(member) + "_solid",
-                        world);
+        AddSdfCollision(asset, model.collision, base, names_.Of(member) + "_solid", world);
       }
     }
     world->Close("link");
@@ -295,6 +294,7 @@ class SdfBuilder {
   }
 
   const Scene& scene_;
+  const AssetNames names_;
   const std::optional<GeoOrigin>& origin_;
   const SdfOptions& options_;
   const Progress& progress_;

@@ -54,7 +54,7 @@ class UsdBuilder {
  public:
   UsdBuilder(const Scene& scene, const std::optional<GeoOrigin>& origin, const UsdOptions& options,
              const Progress& progress)
-      : scene_(scene), origin_(origin), options_(options), progress_(progress) {
+      : scene_(scene), names_(scene), origin_(origin), options_(options), progress_(progress) {
     region_ = options.region.value_or(WholeWorld(scene.geometry()));
   }
 
@@ -155,7 +155,7 @@ class UsdBuilder {
       const Collision form = scene_.catalogue->models()[asset.model].collision;
       if (options_.expand || form != Collision::kNone) ++prims;
       if (form != Collision::kNone)
-        AddUsdSolid(asset, form, "asset_" + std::to_string(number) + "_solid", &solids_);
+        AddUsdSolid(asset, form, names_.Of(number) + "_solid", &solids_);
     }
     if (prims > kMostUsdThings)
       return TooMany(prims, "things with prims of their own", kMostUsdThings,
@@ -270,7 +270,7 @@ class UsdBuilder {
     AddLook(group, prim, &models_);
     for (const std::uint32_t number : group.members) {
       const Asset& asset = scene_.assets[number];
-      UsdPrim thing = {"Xform", "asset_" + std::to_string(number)};
+      UsdPrim thing = {"Xform", names_.Of(number)};
       thing.reference = "/World/models/" + look;
       thing.is_instance = true;
       assets_.Open(thing);
@@ -297,6 +297,7 @@ class UsdBuilder {
   }
 
   const Scene& scene_;
+  const AssetNames names_;
   const std::optional<GeoOrigin>& origin_;
   const UsdOptions& options_;
   const Progress& progress_;

@@ -1,16 +1,20 @@
 #include "latticeworld/layout/crossings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 namespace latticeworld {
 namespace {
 
-constexpr int kWidestRoad_cells = 3;  // that water is taken to run on under
+// Roads below which water is taken to run on, and wider ones of those that are longer than wide:
+// whatever else has water on two sides may be a place of a town, or the land between two lakes.
+constexpr int kWideRoad_cells = 3, kWidestRoad_cells = 12;
 constexpr int kWidestFord_cells = 3;
-constexpr int kLongestFord_cells = 6;  // of a road that crosses a river at a slant
+constexpr int kLongestFord_cells = 6;  // of a road one cell wide that crosses a river at a slant
 
 char At(const SymbolicLayout& layout, int row, int col) {
   return layout.cells.Contains({row, col}) ? layout.cells(row, col) : '\0';
@@ -37,19 +41,27 @@ int WidthOf(const SymbolicLayout& layout, CellIndex cell, int d_row, int d_col) 
   return width;
 }
 
+// How many road cells lie side by side through `cell` in the direction (d_row, d_col).
+int RoadCellsThrough(const SymbolicLayout& layout, CellIndex cell, int d_row, int d_col) {
+  const CellIndex ahead = FirstOffRoad(layout, cell, d_row, d_col);
+  const CellIndex behind = FirstOffRoad(layout, cell, -d_row, -d_col);
+  return std::max(std::abs(ahead.row - behind.row), std::abs(ahead.col - behind.col)) - 1;
+}
+
 // A piece of road over water is a ford or a bridge as a whole: a bridge where it is long, or mostly
-// over what is wide.
-void DecideByPiece(Grid<Crossing>* crossings) {
+// over what is wide. road_width: of each of its cells, how wide the road is there [cells].
+void DecideByPiece(const Grid<int>& road_width, Grid<Crossing>* crossings) {
   Grid<unsigned char> seen(crossings->rows(), crossings->cols(), 0);
   for (int row = 0; row < crossings->rows(); ++row) {
     for (int col = 0; col < crossings->cols(); ++col) {
       if ((*crossings)(row, col) == Crossing::kNone || seen(row, col) != 0) continue;
       std::vector<CellIndex> piece = {{row, col}};
       seen(row, col) = 1;
-      int wide = 0;
+      int wide = 0, road_cells = 1;
       for (std::size_t next = 0; next < piece.size(); ++next) {
         const CellIndex cell = piece[next];
         wide += (*crossings)[cell] == Crossing::kBridge;
+        road_cells = std::max(road_cells, road_width[cell]);
         for (int r = cell.row - 1; r <= cell.row + 1; ++r) {
           for (int c = cell.col - 1; c <= cell.col + 1; ++c) {
             if (!crossings->Contains({r, c}) || seen(r, c) != 0) continue;
@@ -60,7 +72,7 @@ void DecideByPiece(Grid<Crossing>* crossings) {
         }
       }
       const int cells = static_cast<int>(piece.size());
-      const bool bridge = cells > kLongestFord_cells || 2 * wide > cells;
+      const bool bridge = cells > kLongestFord_cells * road_cells || 2 * wide > cells;
       for (const CellIndex cell : piece) {
         (*crossings)[cell] = bridge ? Crossing::kBridge : Crossing::kFord;
       }
@@ -169,11 +181,66 @@ bool JoinOver(const SymbolicLayout& layout, int road_cells, Crossing crossing, W
   return false;
 }
 
+// The cells of a straight line from one cell to another, both included.
+std::vector<CellIndex> LineBetween(CellIndex from, CellIndex to) {
+  const int steps = std::max(std::abs(to.row - from.row), std::abs(to.col - from.col));
+  std::vector<CellIndex> cells;
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    cells.push_back({static_cast<int>(std::lround(from.row + t * (to.row - from.row))),
+                     static_cast<int>(std::lround(from.col + t * (to.col - from.col)))});
+  }
+  return cells;
+}
+
+// The straight ways from a water cell over road alone to another piece of water, at most
+// kWidestRoad_cells road cells long; the shortest first.
+std::vector<std::vector<CellIndex>> WaysOver(const SymbolicLayout& layout, CellIndex from,
+                                             const Waters& waters) {
+  constexpr int kReach = kWidestRoad_cells + 1;
+  std::vector<std::vector<CellIndex>> ways;
+  for (int r = from.row - kReach; r <= from.row + kReach; ++r) {
+    for (int c = from.col - kReach; c <= from.col + kReach; ++c) {
+      if (At(layout, r, c) != 'W' || waters.Of({r, c}) == waters.Of(from)) continue;
+      std::vector<CellIndex> way = LineBetween(from, {r, c});
+      const bool over_road = std::all_of(way.begin() + 1, way.end() - 1, [&](CellIndex cell) {
+        return layout.cells[cell] == 'R' && waters.Of(cell) < 0;
+      });
+      if (over_road) ways.push_back(std::move(way));
+    }
+  }
+  std::stable_sort(ways.begin(), ways.end(),
+                   [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  return ways;
+}
+
+bool TouchesRoad(const SymbolicLayout& layout, CellIndex cell) {
+  for (int k = 0; k < 9; ++k) {
+    if (At(layout, cell.row + k / 3 - 1, cell.col + k % 3 - 1) == 'R') return true;
+  }
+  return false;
+}
+
+// Joins what a wide road parts by straight ways below it.
+void JoinBelowWide(const SymbolicLayout& layout, Crossing crossing, Waters* waters,
+                   Grid<Crossing>* crossings) {
+  for (int row = 0; row < crossings->rows(); ++row) {
+    for (int col = 0; col < crossings->cols(); ++col) {
+      if (layout.cells(row, col) != 'W' || !TouchesRoad(layout, {row, col})) continue;
+      for (const std::vector<CellIndex>& way : WaysOver(layout, {row, col}, *waters)) {
+        if (waters->Of(way.front()) == waters->Of(way.back()) || !IsParted(layout, way)) continue;
+        for (std::size_t i = 1; i + 1 < way.size(); ++i) (*crossings)[way[i]] = crossing;
+        waters->Join(way.front(), way.back());
+      }
+    }
+  }
+}
+
 // Rivers that cross a road at a slant between the four directions: what is still parted by a road
 // hangs together below it.
 void JoinParted(const SymbolicLayout& layout, Crossing crossing, Grid<Crossing>* crossings) {
   Waters waters(layout, *crossings);
-  for (int road_cells = 1; road_cells <= kWidestRoad_cells; ++road_cells) {
+  for (int road_cells = 1; road_cells <= kWideRoad_cells; ++road_cells) {
     for (int row = 0; row < crossings->rows(); ++row) {
       for (int col = 0; col < crossings->cols(); ++col) {
         std::vector<CellIndex> way = {{row, col}};
@@ -182,6 +249,7 @@ void JoinParted(const SymbolicLayout& layout, Crossing crossing, Grid<Crossing>*
       }
     }
   }
+  JoinBelowWide(layout, crossing, &waters, crossings);
 }
 
 }  // namespace
@@ -189,6 +257,7 @@ void JoinParted(const SymbolicLayout& layout, Crossing crossing, Grid<Crossing>*
 Grid<Crossing> CrossingsOf(const SymbolicLayout& layout, bool fords) {
   Grid<Crossing> crossings(layout.cells.rows(), layout.cells.cols(), Crossing::kNone);
   if (layout.vocabulary != Vocabulary::kSuburb) return crossings;
+  Grid<int> road_width(layout.cells.rows(), layout.cells.cols(), kWidestRoad_cells);
   constexpr int kDirections[4][2] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
   for (int row = 0; row < layout.cells.rows(); ++row) {
     for (int col = 0; col < layout.cells.cols(); ++col) {
@@ -196,10 +265,14 @@ Grid<Crossing> CrossingsOf(const SymbolicLayout& layout, bool fords) {
       for (const auto& step : kDirections) {
         const CellIndex ahead = FirstOffRoad(layout, {row, col}, step[0], step[1]);
         const CellIndex behind = FirstOffRoad(layout, {row, col}, -step[0], -step[1]);
-        const int road_cells =
-            std::max(std::abs(ahead.row - behind.row), std::abs(ahead.col - behind.col)) - 1;
+        const int road_cells = RoadCellsThrough(layout, {row, col}, step[0], step[1]);
+        road_width(row, col) = std::min(road_width(row, col), road_cells);
         if (At(layout, ahead.row, ahead.col) != 'W' || At(layout, behind.row, behind.col) != 'W' ||
             road_cells > kWidestRoad_cells) {
+          continue;
+        }
+        if (road_cells > kWideRoad_cells &&
+            RoadCellsThrough(layout, {row, col}, -step[1], step[0]) <= road_cells) {
           continue;
         }
         const int width = std::min(WidthOf(layout, ahead, -step[1], step[0]),
@@ -214,7 +287,7 @@ Grid<Crossing> CrossingsOf(const SymbolicLayout& layout, bool fords) {
     }
   }
   JoinParted(layout, fords ? Crossing::kFord : Crossing::kBridge, &crossings);
-  DecideByPiece(&crossings);
+  DecideByPiece(road_width, &crossings);
   return crossings;
 }
 

@@ -14,9 +14,9 @@ enum class Crossing : std::uint8_t {
   kBridge  // the road leads over the water, which runs on below
 };
 
-// The road cells of a layout that have water on two opposite sides, at most three road cells apart.
-// fords: rivers up to three cells wide are forded; all other water is bridged. Wild layouts have no
-// roads.
+// The road cells of a layout that have water on two opposite sides, at most three road cells apart,
+// or twelve where the road is longer than it is wide there. fords: rivers up to three cells wide
+// are forded; all other water is bridged. Wild layouts have no roads.
 Grid<Crossing> CrossingsOf(const SymbolicLayout& layout, bool fords);
 
 // Where road and water cross in a corner of four cells, so that no cell is of both: 1 at the

@@ -21,6 +21,7 @@ enum class ReliefKind : std::uint8_t {
   kHill,      // round, of soil
   kRidge,     // long and high
   kMoraine,   // long and low, bent
+  kSaddle,    // a pass between two rises
   kPlateau,   // high and level, scarps around it
   kMesa,      // a small plateau with steep sides
   kCrater,    // a rim around a hollow
@@ -42,30 +43,19 @@ enum class ReliefKind : std::uint8_t {
   kSteep,
 };
 
-constexpr std::array<EnumName<ReliefKind>, 23> EnumNames(ReliefKind) {
-  return {{{ReliefKind::kMountain, "mountain"},
-           {ReliefKind::kPeak, "peak"},
-           {ReliefKind::kHill, "hill"},
-           {ReliefKind::kRidge, "ridge"},
-           {ReliefKind::kMoraine, "moraine"},
-           {ReliefKind::kPlateau, "plateau"},
-           {ReliefKind::kMesa, "mesa"},
-           {ReliefKind::kCrater, "crater"},
-           {ReliefKind::kBasin, "basin"},
-           {ReliefKind::kValley, "valley"},
-           {ReliefKind::kGorge, "gorge"},
-           {ReliefKind::kCanyon, "canyon"},
-           {ReliefKind::kCliff, "cliff"},
-           {ReliefKind::kSlope, "slope"},
-           {ReliefKind::kDunes, "dunes"},
-           {ReliefKind::kTerraces, "terraces"},
-           {ReliefKind::kFlat, "flat"},
-           {ReliefKind::kGentle, "gentle"},
-           {ReliefKind::kRolling, "rolling"},
-           {ReliefKind::kHilly, "hilly"},
-           {ReliefKind::kMountainous, "mountainous"},
-           {ReliefKind::kRugged, "rugged"},
-           {ReliefKind::kSteep, "steep"}}};
+constexpr std::array<EnumName<ReliefKind>, 24> EnumNames(ReliefKind) {
+  return {{{ReliefKind::kMountain, "mountain"}, {ReliefKind::kPeak, "peak"},
+           {ReliefKind::kHill, "hill"},         {ReliefKind::kRidge, "ridge"},
+           {ReliefKind::kMoraine, "moraine"},   {ReliefKind::kSaddle, "saddle"},
+           {ReliefKind::kPlateau, "plateau"},   {ReliefKind::kMesa, "mesa"},
+           {ReliefKind::kCrater, "crater"},     {ReliefKind::kBasin, "basin"},
+           {ReliefKind::kValley, "valley"},     {ReliefKind::kGorge, "gorge"},
+           {ReliefKind::kCanyon, "canyon"},     {ReliefKind::kCliff, "cliff"},
+           {ReliefKind::kSlope, "slope"},       {ReliefKind::kDunes, "dunes"},
+           {ReliefKind::kTerraces, "terraces"}, {ReliefKind::kFlat, "flat"},
+           {ReliefKind::kGentle, "gentle"},     {ReliefKind::kRolling, "rolling"},
+           {ReliefKind::kHilly, "hilly"},       {ReliefKind::kMountainous, "mountainous"},
+           {ReliefKind::kRugged, "rugged"},     {ReliefKind::kSteep, "steep"}}};
 }
 
 // Whether the kind is about a place as a whole rather than a thing in it.
@@ -77,7 +67,7 @@ inline bool IsCourse(ReliefKind kind) {
          kind == ReliefKind::kCliff;
 }
 
-// What a piece of relief has to do with a class of the layout.
+// What a piece of relief has to do with a class of the layout, or with another piece.
 struct ReliefTie {
   enum class Kind : std::uint8_t {
     kUnder,    // the class lies on it, or in it: "the village is inside the valley"
@@ -89,6 +79,7 @@ struct ReliefTie {
   char letter = '?';
   std::vector<Zone> zones;  // of the class's thing; empty: anywhere
   Claim::Heading heading;   // kToward
+  int wish = -1;            // the other piece's, one before its own; -1: the class is meant
 };
 
 // One piece of relief that an instruction asks for.
@@ -107,11 +98,22 @@ struct ReliefWish {
   Claim::Heading heading;           // that the land rises to; {0, 0}: nothing said
   std::vector<Zone> from, to;       // of a course: one zone each, or none
   char letter = '\0';               // class of the layout that it is laid as; '\0': none
+  std::string label;                // "A" of "hill A"
+  std::vector<int> between;         // kSaddle: wishes before it whose rises it lies between; empty:
+                                    // two rises of its own
   bool alone = false;               // nothing else is said of the land: it is all of the world
   std::vector<ReliefTie> ties;
   std::string words;  // of the instruction
   // The sentences that its measures come from, where they are others.
   std::string height_words, depth_words, width_words, length_words, slope_words;
+};
+
+// Land of one class above or below a height, and none of it on the other side: "snow above 80 m".
+struct HeightCover {
+  char letter = '?';
+  double height_m = 0.0;  // as the world's maps have it
+  bool above = true;
+  std::string words;  // of the instruction
 };
 
 }  // namespace latticeworld

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 
 #include "latticeworld/common/check.h"
@@ -78,6 +79,14 @@ std::string NearestThingKind(std::string_view word) {
     }
   }
   return nearest;
+}
+
+char GroundNamed(std::string_view noun) {
+  constexpr std::string_view kHigh[] = {"hill",   "hilltop", "mountain", "peak",
+                                        "summit", "ridge",   "plateau",  "mesa"};
+  constexpr std::string_view kLow[] = {"valley", "gorge", "canyon", "basin", "hollow", "crater"};
+  if (std::find(std::begin(kHigh), std::end(kHigh), noun) != std::end(kHigh)) return kHighGround;
+  return std::find(std::begin(kLow), std::end(kLow), noun) != std::end(kLow) ? kLowGround : '\0';
 }
 
 std::string LegalThingKinds() {

@@ -15,11 +15,13 @@ namespace latticeworld {
 enum class ThingSource : std::uint8_t {
   kAsset,   // whatever model of an asset kind grows or lies where it stands
   kModel,   // one model of the catalogue; it stays where it is, or is felled
+  kRun,     // a model too, of which many stand end to end: fences, hedges, walls
   kElement  // an element, which can be moved
 };
-constexpr std::array<EnumName<ThingSource>, 3> EnumNames(ThingSource) {
+constexpr std::array<EnumName<ThingSource>, 4> EnumNames(ThingSource) {
   return {{{ThingSource::kAsset, "asset"},
            {ThingSource::kModel, "model"},
+           {ThingSource::kRun, "run"},
            {ThingSource::kElement, "element"}}};
 }
 
@@ -37,6 +39,13 @@ const std::vector<ThingKind>& AllThingKinds();
 const ThingKind* FindThingKind(std::string_view word);
 // The name that is written most alike.
 std::string NearestThingKind(std::string_view word);
+// Letters of targets that are no class of the layout: the upper and the lower part of a world's
+// relief (scene/land_finder.h).
+inline constexpr char kHighGround = '^';
+inline constexpr char kLowGround = '_';
+// What a noun of relief in the singular means for things that stand there: "hill" is high ground,
+// "valley" low; '\0': no such noun.
+char GroundNamed(std::string_view noun);
 // All names, parted by commas.
 std::string LegalThingKinds();
 

@@ -5,6 +5,16 @@
 
 namespace latticeworld {
 
+double AssetBlocks::MarginOfThin_m(const Asset& asset) const {
+  if (asset.kind != AssetKind::kBuilding) return 0.0;
+  const double cell_m = ground_.geometry().resolution_m();
+  const double thin_m = std::min(asset.half_length_m, asset.half_width_m);
+  const double long_m = std::max(asset.half_length_m, asset.half_width_m);
+  const double through_m =
+      0.5 * cell_m * (std::abs(std::cos(asset.yaw_rad)) + std::abs(std::sin(asset.yaw_rad)));
+  return long_m >= cell_m ? std::max(0.0, through_m - thin_m) : 0.0;
+}
+
 // The robot is a cylinder of its radius and clearance, level, on the ground at the cell. A crown's
 // underside rises with the distance from the trunk, so that it is lowest over the robot's part
 // nearest to the trunk.

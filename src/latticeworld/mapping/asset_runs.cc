@@ -94,10 +94,15 @@ void AssetCutter::CutCylinder(const Job& job, double radius_m, double height_m) 
 void AssetCutter::CutBox(const Job& job, bool hangs) const {
   const Asset& asset = job.asset;
   const double c = std::cos(asset.yaw_rad), s = std::sin(asset.yaw_rad);
-  const double reach_m = std::hypot(asset.half_length_m, asset.half_width_m);
+  // A fence is thinner than a column is wide: all columns that its middle line goes through have
+  // it, so that there are no gaps.
+  const double column_m = 0.5 * voxel_m_ * (std::abs(c) + std::abs(s));
+  double half_length_m = asset.half_length_m, half_width_m = asset.half_width_m;
+  if (half_width_m >= voxel_m_) half_length_m = std::max(half_length_m, column_m);
+  if (double{asset.half_length_m} >= voxel_m_) half_width_m = std::max(half_width_m, column_m);
+  const double reach_m = std::hypot(half_length_m, half_width_m);
   ForEachColumn(job, asset.x_m, asset.y_m, reach_m, [&](int x, int y, double dx, double dy) {
-    if (std::abs(c * dx + s * dy) <= asset.half_length_m &&
-        std::abs(-s * dx + c * dy) <= asset.half_width_m) {
+    if (std::abs(c * dx + s * dy) <= half_length_m && std::abs(-s * dx + c * dy) <= half_width_m) {
       if (hangs) {
         Place(job, x, y, asset.z_m, asset.z_m + asset.height_m);
       } else {

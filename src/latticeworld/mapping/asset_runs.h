@@ -26,9 +26,9 @@ struct SurfaceWindow {
 };
 
 // Cuts assets into runs of voxels. Trunks, stones, buildings and what stands of the elements
-// (vertical cylinders, oriented boxes) reach down to the ground; decks hang; crowns and bushes are
-// ellipsoids. A column is hit where its centre is inside, and always the one that holds the asset,
-// so that thin trunks show.
+// (vertical cylinders, oriented boxes) reach down to the ground; decks, railings and arches hang;
+// crowns and bushes are ellipsoids. A column is hit where its centre is inside, and always the one
+// that holds the asset, so that thin trunks show.
 class AssetCutter {
  public:
   // world: all columns of the world.

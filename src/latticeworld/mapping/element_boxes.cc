@@ -24,7 +24,9 @@ MappedAsset BoxFrom(const Footprint& footprint, double bottom_m, double top_m,
 }  // namespace
 
 MappedAsset BoxOf(const ElementBlock& block, double least_half_m) {
-  return BoxFrom(block.footprint, block.bottom_m, block.top_m, least_half_m);
+  MappedAsset mapped = BoxFrom(block.footprint, block.bottom_m, block.top_m, least_half_m);
+  mapped.hangs = block.hangs;
+  return mapped;
 }
 
 MappedAsset BoxOf(const ElementDeck& deck, double least_half_m) {
@@ -35,6 +37,11 @@ MappedAsset BoxOf(const ElementDeck& deck, double least_half_m) {
 
 double LeastHalfOf(const RobotLimits& limits, double resolution_m) {
   return std::max(0.0, 0.5 * resolution_m - limits.radius_m);
+}
+
+bool IsInTheWay(const ElementBlock& block, const RobotLimits& limits, double ground_m) {
+  if (!block.hangs || limits.clearance_m <= 0.0 || block.carries_kg >= limits.mass_kg) return true;
+  return block.bottom_m - ground_m < limits.clearance_m;
 }
 
 DeckEffect EffectOf(const ElementDeck& deck, const RobotLimits& limits, double cell_m,

@@ -12,13 +12,17 @@
 namespace latticeworld {
 
 // A block as a building of its size, at least twice least_half_m long and wide: what is thinner
-// than a cell would fall between the centres of cells.
+// than a cell would fall between the centres of cells. It hangs where the block does.
 MappedAsset BoxOf(const ElementBlock& block, double least_half_m);
 // A deck as a box that hangs, for maps of voxels.
 MappedAsset BoxOf(const ElementDeck& deck, double least_half_m);
 
 // Half a cell, as far as the robot's radius does not reach it by itself [m].
 double LeastHalfOf(const RobotLimits& limits, double resolution_m);
+
+// Whether a block is in the way of a robot above ground of that height. What hangs at least the
+// robot's clearance above it is not, but for a railing of a deck that carries the robot.
+bool IsInTheWay(const ElementBlock& block, const RobotLimits& limits, double ground_m);
 
 // What a deck makes of a place.
 enum class DeckEffect { kNone, kCarries, kBlocks };

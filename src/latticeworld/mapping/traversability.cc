@@ -29,11 +29,9 @@ Grid<T> BuildMap(const Scene& scene, const RobotLimits& limits, const SceneChang
   const GroundEffort ground(*scene.terrain, limits, SurfacesIn(scene, changes));
   const AssetBlocks blocks(scene.terrain->ground, limits);
   const std::shared_ptr<const StandingElements> elements = ElementsIn(scene, changes);
-  std::vector<MappedAsset> assets = AssetsToMap(scene, changes);
+  const std::vector<MappedAsset> assets = AssetsToMap(scene, changes);
   const double least_half_m = LeastHalfOf(limits, scene.geometry().resolution_m());
-  for (const ElementBlock& block : elements->blocks) assets.push_back(BoxOf(block, least_half_m));
-  std::vector<MappedAsset> below;
-  for (const ElementBlock& block : elements->below) below.push_back(BoxOf(block, least_half_m));
+  const Grid<float>& ground_m = scene.terrain->ground.height_m();
   const int rows = scene.geometry().rows(), cols = scene.geometry().cols();
   Grid<T> map(rows, cols);
   ParallelFor(rows, threads, [&](int begin, int end) {
@@ -44,7 +42,14 @@ Grid<T> BuildMap(const Scene& scene, const RobotLimits& limits, const SceneChang
       for (int col = 0; col < cols; ++col) values[col] = value_of(effort[col]);
     }
     const auto block = [&](int row, int col) { map(row, col) = blocked; };
-    for (const MappedAsset& pier : below) blocks.ForEachBlocked(pier, begin, end, block);
+    const auto block_all = [&](const std::vector<ElementBlock>& all) {
+      for (const ElementBlock& one : all) {
+        blocks.ForEachBlocked(BoxOf(one, least_half_m), begin, end, [&](int row, int col) {
+          if (IsInTheWay(one, limits, ground_m(row, col))) block(row, col);
+        });
+      }
+    };
+    block_all(elements->below);
     for (const ElementDeck& deck : elements->decks) {
       ForEachCellOf(deck, scene.terrain->ground, limits, {begin, end, 0, cols},
                     [&](int row, int col, DeckEffect effect) {
@@ -52,6 +57,7 @@ Grid<T> BuildMap(const Scene& scene, const RobotLimits& limits, const SceneChang
                     });
     }
     for (const MappedAsset& asset : assets) blocks.ForEachBlocked(asset, begin, end, block);
+    block_all(elements->blocks);
   });
   return map;
 }

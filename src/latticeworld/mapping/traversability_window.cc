@@ -39,11 +39,14 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
 
   const std::shared_ptr<const StandingElements> elements = ElementsIn(scene_, changes);
   const AssetBlocks blocks(scene_.terrain->ground, limits_);
-  const auto block = [&](const MappedAsset& asset) {
+  const auto block_where = [&](const MappedAsset& asset, const auto& is_in_the_way) {
     blocks.ForEachBlocked(asset, window.row_begin, window.row_end, [&](int row, int col) {
-      if (col < window.col_begin || col >= window.col_end) return;
+      if (col < window.col_begin || col >= window.col_end || !is_in_the_way(row, col)) return;
       values[(row - window.row_begin) * cols + (col - window.col_begin)] = 0.0f;
     });
+  };
+  const auto block = [&](const MappedAsset& asset) {
+    block_where(asset, [](int, int) { return true; });
   };
   // Around a circle that holds the window.
   const WorldPoint north_west = geometry.CenterOf({window.row_begin, window.col_begin});
@@ -57,7 +60,9 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
     const double reach_m = one.footprint.radius_m() + geometry.resolution_m() + around_m;
     if (std::abs(one.footprint.centre.x_m - middle.x_m) < reach_m &&
         std::abs(one.footprint.centre.y_m - middle.y_m) < reach_m)
-      block(BoxOf(one, least_half_m));
+      block_where(BoxOf(one, least_half_m), [&](int row, int col) {
+        return IsInTheWay(one, limits_, scene_.terrain->ground.height_m()(row, col));
+      });
   };
   for (const ElementBlock& pier : elements->below) block_near(pier);
   for (const ElementDeck& deck : elements->decks) {

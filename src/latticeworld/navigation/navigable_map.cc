@@ -6,6 +6,7 @@
 
 #include "latticeworld/common/result.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/mapping/bridge_decks.h"
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/scene/surface_table.h"
 
@@ -21,7 +22,7 @@ std::string InWords(WorldPoint point) {
 NavigableMap BuildNavigableMap(const Scene& scene, const RobotLimits& limits,
                                const SceneChanges& changes, int threads) {
   NavigableMap map;
-  map.ground = scene.terrain->ground;
+  map.ground = DrivenSurface(scene, limits, changes);
   const Grid<float> ease = BuildTraversability(scene, limits, changes, threads);
   map.free = Grid<std::uint8_t>(ease.rows(), ease.cols());
   std::transform(ease.begin(), ease.end(), map.free.begin(),

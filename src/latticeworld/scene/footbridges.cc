@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/scene/elements.h"
@@ -115,6 +114,10 @@ class Finder {
 };
 
 }  // namespace
+
+std::optional<Element> FootbridgeAt(const Terrain& terrain, WorldPoint point) {
+  return Finder(terrain).At(point);
+}
 
 std::vector<Element> FindFootbridges(const Terrain& terrain, const RoadFinder& roads,
                                      std::uint64_t seed) {

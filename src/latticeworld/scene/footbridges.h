@@ -2,6 +2,7 @@
 #define LATTICEWORLD_SCENE_FOOTBRIDGES_H_
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "latticeworld/scene/element.h"
@@ -9,6 +10,10 @@
 #include "latticeworld/terrain/terrain.h"
 
 namespace latticeworld {
+
+// The footbridge that crosses the water at a point, if one can: see FindFootbridges. Without a
+// name.
+std::optional<Element> FootbridgeAt(const Terrain& terrain, WorldPoint point);
 
 // Places where a footbridge crosses 3 to 12 m of water, square to it, from bank to bank: the deck
 // begins and ends where the banks are as high as it is, at least 0.3 m above the water, and the

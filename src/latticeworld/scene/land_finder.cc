@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "latticeworld/layout/thing_kinds.h"
+
 namespace latticeworld {
 namespace {
 
@@ -21,36 +23,90 @@ bool LandFinder::IsCellOf(char letter, CellIndex cell) const {
   const bool wet = !std::isnan(terrain_.water_level_m[cell]);
   const bool has_roads = terrain_.weights.vocabulary == Vocabulary::kSuburb;
   if (letter == 'W') return wet;
+  if (letter == kHighGround || letter == kLowGround) return !wet && IsGroundOf(letter, cell);
   if (has_roads && letter == 'R') return surface == SurfaceClass::kRoad;
   return !wet && surface != SurfaceClass::kRoad && terrain_.weights.DominantAt(cell) == letter;
+}
+
+bool LandFinder::IsGroundOf(char letter, CellIndex cell) const {
+  constexpr double kShare = 0.25;
+  const double low_m = terrain_.ground.min_m(), high_m = terrain_.ground.max_m();
+  if (high_m - low_m < kLeastRelief_m) return false;
+  const double height_m = terrain_.ground.HeightAt(terrain_.geometry().CenterOf(cell));
+  const double share = (height_m - low_m) / (high_m - low_m);
+  return letter == kHighGround ? share >= 1.0 - kShare : share <= kShare;
 }
 
 bool LandFinder::IsOf(char letter, WorldPoint point) const {
   return terrain_.geometry().Contains(point) && IsCellOf(letter, terrain_.geometry().CellAt(point));
 }
 
-const LandFinder::Class& LandFinder::Of(char letter) {
+LandFinder::Class& LandFinder::Of(char letter) {
   const auto [found, is_new] = classes_.try_emplace(letter);
-  Class& listed = found->second;
-  if (!is_new) return listed;
-  listed.buckets = Grid<std::vector<WorldPoint>>(buckets_.rows(), buckets_.cols());
-  const GridGeometry& geometry = terrain_.geometry();
-  const int stride = std::max(1, static_cast<int>(1.0 / geometry.resolution_m()));
-  for (int row = stride / 2; row < geometry.rows(); row += stride) {
-    for (int col = stride / 2; col < geometry.cols(); col += stride) {
-      if (!IsCellOf(letter, {row, col})) continue;
-      const WorldPoint centre = geometry.CenterOf({row, col});
-      listed.cells.push_back(centre);
-      listed.buckets[buckets_.CellAt(centre)].push_back(centre);
-    }
-  }
-  return listed;
+  if (is_new) found->second.buckets = Grid<Bucket>(buckets_.rows(), buckets_.cols());
+  return found->second;
 }
 
-const std::vector<WorldPoint>& LandFinder::CellsOf(char letter) { return Of(letter).cells; }
+int LandFinder::Stride() const {
+  return std::max(1, static_cast<int>(1.0 / terrain_.geometry().resolution_m()));
+}
+
+bool LandFinder::Has(char letter) {
+  Class& of = Of(letter);
+  if (of.exists) return *of.exists;
+  const GridGeometry& geometry = terrain_.geometry();
+  const int stride = Stride();
+  of.exists = false;
+  for (int row = stride / 2; row < geometry.rows() && !*of.exists; row += stride) {
+    for (int col = stride / 2; col < geometry.cols() && !*of.exists; col += stride) {
+      of.exists = IsCellOf(letter, {row, col});
+    }
+  }
+  return *of.exists;
+}
+
+const std::vector<WorldPoint>& LandFinder::CellsOf(char letter) {
+  Class& of = Of(letter);
+  if (of.is_listed) return of.cells;
+  of.is_listed = true;
+  const GridGeometry& geometry = terrain_.geometry();
+  const int stride = Stride();
+  for (int row = stride / 2; row < geometry.rows(); row += stride) {
+    for (int col = stride / 2; col < geometry.cols(); col += stride) {
+      if (IsCellOf(letter, {row, col})) of.cells.push_back(geometry.CenterOf({row, col}));
+    }
+  }
+  return of.cells;
+}
+
+const std::vector<WorldPoint>& LandFinder::CellsIn(char letter, Class* of, CellIndex index) {
+  Bucket& bucket = of->buckets[index];
+  if (bucket.is_filled) return bucket.cells;
+  bucket.is_filled = true;
+  const GridGeometry& geometry = terrain_.geometry();
+  const int stride = Stride();
+  const double half_m = 0.5 * buckets_.resolution_m();
+  const WorldPoint middle = buckets_.CenterOf(index);
+  // The cells that looking at every stride-th one meets, which lie in the bucket.
+  const auto first = [&](double least) {
+    const int cell = std::max(0, static_cast<int>(std::floor(least)));
+    return stride / 2 + std::max(0, cell - stride / 2) / stride * stride;
+  };
+  for (int row = first(geometry.RowOf(middle.y_m + half_m)); row < geometry.rows(); row += stride) {
+    if (geometry.CenterOf({row, 0}).y_m < middle.y_m - half_m) break;
+    for (int col = first(geometry.ColOf(middle.x_m - half_m)); col < geometry.cols();
+         col += stride) {
+      const WorldPoint centre = geometry.CenterOf({row, col});
+      if (centre.x_m > middle.x_m + half_m) break;
+      if (!(buckets_.CellAt(centre) == index)) continue;
+      if (IsCellOf(letter, {row, col})) bucket.cells.push_back(centre);
+    }
+  }
+  return bucket.cells;
+}
 
 std::optional<WorldPoint> LandFinder::Nearest(char letter, WorldPoint point) {
-  const Class& listed = Of(letter);
+  Class& of = Of(letter);
   const CellIndex centre = buckets_.CellAt(point);
   const double bucket_m = buckets_.resolution_m();
   const int reach = static_cast<int>(std::ceil(kReach_m / bucket_m));
@@ -64,7 +120,7 @@ std::optional<WorldPoint> LandFinder::Nearest(char letter, WorldPoint point) {
       for (int col = centre.col - ring; col <= centre.col + ring;
            col += whole_row ? 1 : std::max(1, 2 * ring)) {
         if (row < 0 || col < 0 || row >= buckets_.rows() || col >= buckets_.cols()) continue;
-        for (const WorldPoint& cell : listed.buckets(row, col)) {
+        for (const WorldPoint& cell : CellsIn(letter, &of, {row, col})) {
           const double dx = cell.x_m - point.x_m, dy = cell.y_m - point.y_m;
           if (dx * dx + dy * dy > least_m2) continue;
           least_m2 = dx * dx + dy * dy;

@@ -55,7 +55,8 @@ ElementBlock AroundBox(const Eigen::Vector3d& middle_m, const Eigen::Matrix3d& a
 }  // namespace
 
 bool operator==(const ElementBlock& a, const ElementBlock& b) {
-  return IsSame(a.footprint, b.footprint) && a.bottom_m == b.bottom_m && a.top_m == b.top_m;
+  return IsSame(a.footprint, b.footprint) && a.bottom_m == b.bottom_m && a.top_m == b.top_m &&
+         a.hangs == b.hangs && a.carries_kg == b.carries_kg;
 }
 
 bool operator==(const ElementDeck& a, const ElementDeck& b) {
@@ -122,11 +123,13 @@ void AddBridges(const Terrain& terrain, StandingElements* standing) {
           standing->decks.push_back({footprint, part.bottom_m, part.top_m, bridge.load_kg});
           break;
         case BridgePartKind::kRailing:
-          standing->blocks.push_back({footprint, part.bottom_m, part.top_m});
+          standing->blocks.push_back({footprint, part.bottom_m, part.top_m, true, bridge.load_kg});
           break;
         case BridgePartKind::kPier:
-        case BridgePartKind::kArch:
           standing->below.push_back({footprint, part.bottom_m, part.top_m});
+          break;
+        case BridgePartKind::kArch:
+          standing->below.push_back({footprint, part.bottom_m, part.top_m, true});
           break;
       }
     }

@@ -20,10 +20,13 @@ struct Terrain;
 // What rises less than this above its place is walked and driven over, and is in nobody's way.
 inline constexpr double kLowestBlock_m = 0.1;
 
-// A crate, a stone, a post or a gate's panel, as something in the way: an upright box around it.
+// A crate, a stone, a post or a gate's panel, as something in the way: an upright box around it. Or
+// a part of a road's bridge.
 struct ElementBlock {
   Footprint footprint;
   double bottom_m = 0.0, top_m = 0.0;  // map frame
+  bool hangs = false;                  // bodies may pass below it: a railing or an arch
+  double carries_kg = 0.0;             // of a railing: what the deck carries that it stands on
 };
 bool operator==(const ElementBlock& a, const ElementBlock& b);
 

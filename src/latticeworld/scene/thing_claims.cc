@@ -218,7 +218,7 @@ class Measurer {
     const ThingTarget& target = wish_->target;
     const bool missing = target.wish >= 0
                              ? standing_[static_cast<std::size_t>(target.wish)].places.empty()
-                             : land_.CellsOf(target.letter).empty();
+                             : !land_.Has(target.letter);
     if (missing) return Add(kind, false, 1.0, "what they are to stand by is not there");
     if (wish_->relation == ThingRelation::kIn) return MeasureIn();
     // Of an arrangement beside something, what is nearest counts; along it, everything does.
@@ -290,6 +290,24 @@ class Measurer {
     return most < M_PI;
   }
 
+  // Between a front and the nearest ray, of those every 5 degrees, that meets the land that it is
+  // to look at; 180: none does within 45 degrees.
+  double OffLand_deg(WorldPoint from, double yaw_rad) const {
+    constexpr double kStep_m = 2.0, kStep_deg = 5.0, kWidest_deg = 45.0;
+    for (double off_deg = 0.0; off_deg <= kWidest_deg; off_deg += kStep_deg) {
+      for (const double side : {-1.0, 1.0}) {
+        const double ray_rad = yaw_rad + side * off_deg * M_PI / 180.0;
+        WorldPoint at = from;
+        while (scene_.geometry().Contains(at)) {
+          if (land_.IsOf(wish_->facing.letter, at)) return off_deg;
+          at.x_m += kStep_m * std::cos(ray_rad);
+          at.y_m += kStep_m * std::sin(ray_rad);
+        }
+      }
+    }
+    return 180.0;
+  }
+
   void MeasureFacing() {
     if (wish_->facing.is_nothing()) return;
     double most_deg = 0.0;
@@ -305,7 +323,7 @@ class Measurer {
         const Standing& target = standing_[static_cast<std::size_t>(wish_->facing.wish)];
         for (const WorldPoint& to : target.places) offer(to);
       } else {
-        for (const WorldPoint& to : land_.CellsOf(wish_->facing.letter)) offer(to);
+        least_deg = OffLand_deg(of_->places[i], of_->yaws_rad[i]);
       }
       most_deg = std::max(most_deg, least_deg);
     }

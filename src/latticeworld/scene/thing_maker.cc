@@ -8,6 +8,7 @@
 #include "latticeworld/common/random.h"
 #include "latticeworld/scene/elements.h"
 #include "latticeworld/scene/scatter.h"
+#include "latticeworld/scene/thing_sites.h"
 #include "latticeworld/scene/trees.h"
 
 namespace latticeworld {
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kSolitaryPerM2 = 1e-3;  // trees that stand by themselves
 constexpr double kOfCrown = 0.4;         // of a tree's, that reaches over nothing large
+constexpr double kLeastStone_m = 0.35;   // half length of single stones of usual size
 constexpr double kLargeFrom_m = 1.0;     // half length of what stands on the lowest ground below it
 
 std::optional<std::uint8_t> ModelNamed(const Catalogue& catalogue, std::string_view name) {
@@ -33,6 +35,16 @@ double BaseOf(const Terrain& terrain, const Footprint& footprint) {
     base_m = std::min(base_m, terrain.ground.HeightAt(corner));
   }
   return base_m;
+}
+
+// Trees of a row have crowns that only just meet, but none is less than half as large as it was.
+void FitTree(double crown_m, Asset* tree) {
+  const double fits = crown_m / (2.0 * double{tree->half_length_m});
+  const auto scale = static_cast<float>(std::clamp(fits, 0.5, 1.0));
+  for (float* length : {&tree->height_m, &tree->half_length_m, &tree->half_width_m,
+                        &tree->trunk_radius_m, &tree->scale}) {
+    *length *= scale;
+  }
 }
 
 }  // namespace
@@ -77,6 +89,10 @@ void ThingMaker::SizeAsset(const AssetModel& model, double vigour, double size, 
     } else {
       asset->half_length_m = static_cast<float>(asset->height_m * DrawSize(model.spread, random));
       asset->half_width_m = asset->half_length_m;
+      // A stone that is asked for is one that is seen.
+      if (model.kind == AssetKind::kStone && asset->half_length_m < kLeastStone_m) {
+        size *= kLeastStone_m / double{asset->half_length_m};
+      }
     }
   }
   for (float* length : {&asset->height_m, &asset->half_length_m, &asset->half_width_m,
@@ -85,27 +101,41 @@ void ThingMaker::SizeAsset(const AssetModel& model, double vigour, double size, 
   }
 }
 
-Asset ThingMaker::MakeAsset(const ThingWish& wish, AssetKind kind,
-                            std::optional<std::uint8_t> model, WorldPoint place, double yaw_rad,
-                            PointRandom* random) {
+ModelMixture::Choice ThingMaker::ChooseModel(const ThingWish& wish, std::uint64_t seed,
+                                             AssetKind kind, WorldPoint place,
+                                             PointRandom* random) {
+  const bool alike = wish.arrangement != ThingArrangement::kNone;
+  if (const auto known = alike_.find(seed); alike && known != alike_.end()) return known->second;
   const ModelMixture& mixture = MixtureOf(kind);
   const char letter =
       placement_.terrain.weights.DominantAt(placement_.terrain.geometry().CellAt(place));
-  std::optional<ModelMixture::Choice> choice;
-  if (model) {
-    choice = mixture.Dress(*model, random);
-  } else {
-    choice = mixture.At(place, placement_.sites.At(place), 0.0, letter, random);
-    // Where none grows by itself, one is planted.
-    if (!choice) choice = mixture.Dress(placement_.catalogue.models_of(kind).front(), random);
-  }
+  std::optional<ModelMixture::Choice> choice =
+      mixture.At(place, placement_.sites.At(place), 0.0, letter, random);
+  // Where none grows by itself, one is planted.
+  if (!choice) choice = mixture.Dress(placement_.catalogue.models_of(kind).front(), random);
+  if (alike) alike_.emplace(seed, *choice);
+  return *choice;
+}
+
+Asset ThingMaker::MakeAsset(const ThingWish& wish, AssetKind kind,
+                            std::optional<std::uint8_t> model, std::uint64_t seed, WorldPoint place,
+                            double yaw_rad, PointRandom* random) {
+  const ModelMixture::Choice choice =
+      model ? MixtureOf(kind).Dress(*model, random) : ChooseModel(wish, seed, kind, place, random);
   Asset asset;
   asset.kind = kind;
-  asset.model = choice->model;
-  asset.season_variant = choice->season_variant;
-  asset.material = choice->material;
-  SizeAsset(placement_.catalogue.models()[choice->model], choice->vigour, wish.size, random,
-            &asset);
+  asset.model = choice.model;
+  asset.season_variant = choice.season_variant;
+  asset.material = choice.material;
+  const AssetModel& of = placement_.catalogue.models()[choice.model];
+  if (wish.arrangement == ThingArrangement::kNone || kind == AssetKind::kBuilding) {
+    SizeAsset(of, choice.vigour, wish.size, random, &asset);
+  } else {
+    // Nearly as large as the first one of its wish.
+    PointRandom first(seed, 0);
+    SizeAsset(of, choice.vigour, wish.size * random->Uniform(0.95, 1.05), &first, &asset);
+    if (kind == AssetKind::kTree) FitTree(0.95 * SpacingOf(wish), &asset);
+  }
   asset.yaw_rad = static_cast<float>(std::remainder(yaw_rad, 2.0 * M_PI));
   StandAt(placement_.terrain, place, &asset);
   return asset;
@@ -136,7 +166,7 @@ MadeThing ThingMaker::Make(const ThingWish& wish, std::uint64_t seed, int number
     model = ModelNamed(placement_.catalogue, kind != nullptr ? kind->stands_for : wish.kind);
     asset_kind = placement_.catalogue.models()[*model].kind;
   }
-  Asset asset = MakeAsset(wish, asset_kind, model, place, yaw_rad, &random);
+  Asset asset = MakeAsset(wish, asset_kind, model, seed, place, yaw_rad, &random);
   made.footprint = FootprintOfThing(asset);
   if (asset_kind == AssetKind::kBuilding) {
     asset.z_m = static_cast<float>(BaseOf(placement_.terrain, made.footprint));

@@ -24,7 +24,8 @@ struct MadeThing {
   double steepest_deg = 25.0;  // ground that it stands on
 };
 
-// Makes single things. What one looks like depends on its wish, its number and its place alone.
+// Makes single things. What one looks like depends on its wish, its number and its place alone, but
+// for trees, bushes and stones in an arrangement: they are alike, as what is planted is.
 class ThingMaker {
  public:
   // placement: outlives this.
@@ -38,13 +39,16 @@ class ThingMaker {
 
  private:
   const ModelMixture& MixtureOf(AssetKind kind);
+  ModelMixture::Choice ChooseModel(const ThingWish& wish, std::uint64_t seed, AssetKind kind,
+                                   WorldPoint place, PointRandom* random);
   Asset MakeAsset(const ThingWish& wish, AssetKind kind, std::optional<std::uint8_t> model,
-                  WorldPoint place, double yaw_rad, PointRandom* random);
+                  std::uint64_t seed, WorldPoint place, double yaw_rad, PointRandom* random);
   void SizeAsset(const AssetModel& model, double vigour, double size, PointRandom* random,
                  Asset* asset) const;
 
   const Placement& placement_;
   std::map<AssetKind, ModelMixture> mixtures_;
+  std::map<std::uint64_t, ModelMixture::Choice> alike_;  // of arranged assets, by their wish's seed
 };
 
 // What a thing covers, seen from above: a tree's stem and the inner part of its crown, walls, the

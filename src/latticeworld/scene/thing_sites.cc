@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "latticeworld/layout/thing_kinds.h"
 
@@ -9,6 +10,8 @@ namespace latticeworld {
 namespace {
 
 constexpr double kQuarter_rad = M_PI / 2.0;
+constexpr double kOfLine_m = 1.0;  // room for pieces that cut bends
+constexpr double kInner = 0.8;     // share of half the world's size
 
 WorldPoint Moved(WorldPoint point, double heading_rad, double by_m) {
   return {point.x_m + by_m * std::cos(heading_rad), point.y_m + by_m * std::sin(heading_rad)};
@@ -17,6 +20,17 @@ double HeadingTo(WorldPoint from, WorldPoint to) {
   return std::atan2(to.y_m - from.y_m, to.x_m - from.x_m);
 }
 double Distance(WorldPoint a, WorldPoint b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
+
+bool ComesNear(const std::vector<ThingSites::Slot>& slots, WorldPoint place, double near_m) {
+  return std::any_of(slots.begin(), slots.end(), [&](const ThingSites::Slot& slot) {
+    return Distance(slot.place, place) < near_m;
+  });
+}
+
+bool IsRun(const std::string& name) {
+  const ThingKind* kind = FindThingKind(name);
+  return kind != nullptr && kind->source == ThingSource::kRun;
+}
 
 }  // namespace
 
@@ -36,11 +50,12 @@ ThingSites::ThingSites(const ThingWish& wish, const Footprint& own,
       terrain_(terrain),
       land_(land),
       zone_(MaskOf(wish.zone)),
+      is_run_(IsRun(wish.kind)),
       relation_(wish.relation) {
   const ThingTarget& target = wish.target;
   if (relation_ == ThingRelation::kNone) return;
   const bool missing = target.wish >= 0        ? standing[target.wish].empty()
-                       : target.letter != '\0' ? land->CellsOf(target.letter).empty()
+                       : target.letter != '\0' ? !land->Has(target.letter)
                                                : true;
   if (!missing) return;
   relation_ = ThingRelation::kNone;
@@ -60,13 +75,34 @@ bool ThingSites::InZone(WorldPoint point) const {
          zone_.Contains({row, col});
 }
 
+bool ThingSites::IsInner(WorldPoint point) const {
+  const double limit_m = kInner * terrain_.geometry().half_size_m();
+  return std::abs(point.x_m) <= limit_m && std::abs(point.y_m) <= limit_m;
+}
+
 WorldPoint ThingSites::DrawInZone(RandomStream* random) const {
   constexpr int kDraws = 200;
   const double half_m = terrain_.geometry().half_size_m() - own_.radius_m();
   WorldPoint point;
   for (int i = 0; i < kDraws; ++i) {
     point = {random->Uniform(-half_m, half_m), random->Uniform(-half_m, half_m)};
-    if (InZone(point)) break;
+    if (InZone(point) && (IsInner(point) || i > kDraws / 2)) break;
+  }
+  return point;
+}
+
+WorldPoint ThingSites::DrawWater(RandomStream* random) const {
+  constexpr double kNear_m = 40.0;
+  constexpr int kDraws = 40;
+  constexpr char kWater = 'W';
+  WorldPoint point = DrawInZone(random);
+  if (land_->CellsOf(kWater).empty()) return point;
+  for (int i = 0; i < kDraws; ++i) {
+    point = DrawCell(kWater, random);
+    const bool free = relation_ == ThingRelation::kNone || wish_.target.letter == kWater;
+    if (free) break;
+    const auto nearest = NearestOf(wish_.target, point);
+    if (nearest && Distance(*nearest, point) <= std::max(kNear_m, wish_.distance_m)) break;
   }
   return point;
 }
@@ -78,7 +114,7 @@ WorldPoint ThingSites::DrawCell(char letter, RandomStream* random) const {
   for (int i = 0; i < kDraws; ++i) {
     cell =
         cells[static_cast<std::size_t>(random->UniformInt(0, static_cast<int>(cells.size()) - 1))];
-    if (InZone(cell)) break;
+    if (InZone(cell) && (IsInner(cell) || i > kDraws / 2)) break;
   }
   return cell;
 }
@@ -176,7 +212,7 @@ std::vector<ThingSites::Slot> ThingSites::Arrange(const Anchor& anchor, int coun
       }
       case ThingArrangement::kCluster: {
         constexpr double kGolden_rad = 2.399963229728653;
-        const double radius_m = 0.62 * spacing_m * std::sqrt(static_cast<double>(i));
+        const double radius_m = 0.62 * spacing_m * std::sqrt(i + 0.5);
         slots.push_back({Moved(anchor.place, turn_rad + i * kGolden_rad, radius_m),
                          turn_rad + 1.7 * i * kGolden_rad});
         break;
@@ -205,6 +241,26 @@ std::vector<ThingSites::Slot> ThingSites::AroundThing(int count, double turn_rad
   std::vector<Slot> slots;
   for (int i = 0; i < count; ++i) {
     const double out_rad = target.yaw_rad + turn_rad + 2.0 * M_PI * i / count;
+    slots.push_back({Moved(target.centre, out_rad, radius_m), out_rad + M_PI});
+  }
+  return slots;
+}
+
+// A closed ring of pieces end to end, but for the one before the target's front: the way in.
+std::vector<ThingSites::Slot> ThingSites::RunAroundThing(int most) const {
+  constexpr double kUsualGap_m = 2.0;
+  const Footprint& target = standing_[wish_.target.wish].front();
+  const double spacing_m = SpacingOf(wish_);
+  const double gap_m = wish_.distance_m > 0.0 ? wish_.distance_m : kUsualGap_m;
+  const double least_m = target.radius_m() + gap_m + own_.half_length_m;
+  const int pieces = std::clamp(
+      static_cast<int>(std::ceil(
+          M_PI / std::asin(std::min(1.0, 0.5 * spacing_m / std::max(least_m, 0.51 * spacing_m))))),
+      5, most);
+  const double radius_m = 0.5 * spacing_m / std::sin(M_PI / pieces);
+  std::vector<Slot> slots;
+  for (int i = 1; i < pieces; ++i) {
+    const double out_rad = target.yaw_rad + 2.0 * M_PI * i / pieces;
     slots.push_back({Moved(target.centre, out_rad, radius_m), out_rad + M_PI});
   }
   return slots;
@@ -239,26 +295,31 @@ std::vector<ThingSites::Slot> ThingSites::AroundLand(int count, double turn_rad)
 std::vector<ThingSites::Slot> ThingSites::AlongThing(int count, RandomStream* random) const {
   const Footprint& target = standing_[wish_.target.wish].front();
   const double gap_m = DrawGap(1.0, 2.5, random);
+  if (is_run_) {
+    const double fit = std::floor(2.0 * target.half_width_m / SpacingOf(wish_));
+    count = std::min(count, std::max(2, static_cast<int>(fit)));
+  }
+  const double apart_m = is_run_ ? SpacingOf(wish_) : 2.0 * target.half_width_m / count;
   std::vector<Slot> slots;
   for (int i = 0; i < count; ++i) {
-    const double aside = (2.0 * i + 1.0) / count - 1.0;
-    slots.push_back({target.At(target.half_length_m + gap_m, aside * target.half_width_m),
+    slots.push_back({target.At(target.half_length_m + gap_m, (i - 0.5 * (count - 1)) * apart_m),
                      target.yaw_rad + M_PI});
   }
   return slots;
 }
 
-// Step by step beside the edge of the class, as far from it each time.
-std::vector<ThingSites::Slot> ThingSites::AlongLand(int count, RandomStream* random) const {
+std::vector<ThingSites::Slot> ThingSites::WalkAlong(WorldPoint from, int count, double gap_m,
+                                                    double side_rad) const {
+  constexpr int kMostBack = 3;
   const char letter = wish_.target.letter;
-  const double gap_m =
-      wish_.distance_m > 0.0 ? wish_.distance_m : own_.half_length_m + random->Uniform(1.2, 2.5);
   const double spacing_m = SpacingOf(wish_);
-  const double side_rad = random->Chance(0.5) ? kQuarter_rad : -kQuarter_rad;
-  Anchor anchor = BesideLand(0.0, random);
   std::vector<Slot> slots;
-  WorldPoint place = anchor.place;
+  WorldPoint place = from;
   for (int i = 0; i < count && terrain_.geometry().Contains(place); ++i) {
+    // The edge bends towards a step that goes straight on.
+    for (int k = 0; k < kMostBack && !slots.empty() && land_->IsOf(letter, place); ++k) {
+      place = Moved(place, slots.back().yaw_rad + M_PI, gap_m);
+    }
     const auto nearest = land_->Nearest(letter, place);
     if (!nearest || land_->IsOf(letter, place)) break;
     const double toward_rad = HeadingTo(place, *nearest);
@@ -266,11 +327,65 @@ std::vector<ThingSites::Slot> ThingSites::AlongLand(int count, RandomStream* ran
     if (!slots.empty()) {  // to the spacing again, which the step towards the edge has changed
       const double behind_rad = HeadingTo(slots.back().place, place);
       place = Moved(slots.back().place, behind_rad, spacing_m);
+      // Back at its begin, or around the end of a road on its other side.
+      if (ComesNear(slots, place, 0.9 * spacing_m)) break;
     }
     slots.push_back({place, toward_rad});
     place = Moved(place, toward_rad + side_rad, spacing_m);
   }
   return slots;
+}
+
+std::vector<ThingSites::Slot> ThingSites::AlongLand(int count, RandomStream* random) const {
+  const double gap_m = wish_.distance_m > 0.0 ? wish_.distance_m
+                                              : own_.half_length_m + random->Uniform(1.2, 2.5) +
+                                                    (is_run_ ? kOfLine_m : 0.0);
+  const double side_rad = random->Chance(0.5) ? kQuarter_rad : -kQuarter_rad;
+  const Anchor anchor = BesideLand(0.0, random);
+  std::vector<Slot> slots = WalkAlong(anchor.place, count, gap_m, side_rad);
+  const int left = count - static_cast<int>(slots.size());
+  if (slots.empty() || (left <= 0 && !is_run_)) return slots;
+  // The other way from the same begin, which stands already.
+  const std::vector<Slot> back =
+      WalkAlong(slots.front().place, std::max(1, left + 1), gap_m, -side_rad);
+  const double closes_m = 0.9 * SpacingOf(wish_);
+  for (std::size_t i = 1; i < back.size(); ++i) {
+    if (ComesNear(slots, back[i].place, closes_m)) break;
+    slots.insert(slots.begin(), back[i]);
+  }
+  return is_run_ ? EndToEnd(std::move(slots)) : slots;
+}
+
+std::vector<ThingSites::Slot> ThingSites::EndToEnd(std::vector<Slot> nodes) const {
+  constexpr int kPasses = 4;
+  constexpr double kStep = 0.02;  // share of the way between two nodes
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const std::vector<Slot> before = nodes;
+    for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+      const WorldPoint a = before[i - 1].place, b = before[i].place, c = before[i + 1].place;
+      nodes[i].place = {0.25 * a.x_m + 0.5 * b.x_m + 0.25 * c.x_m,
+                        0.25 * a.y_m + 0.5 * b.y_m + 0.25 * c.y_m};
+    }
+  }
+  // Posts as far apart along the line as a piece is long; each piece lies between two.
+  const double piece_m = SpacingOf(wish_);
+  std::vector<Slot> pieces;
+  WorldPoint post = nodes.empty() ? WorldPoint() : nodes.front().place;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const WorldPoint a = nodes[i].place, b = nodes[i + 1].place;
+    for (double share = kStep; share <= 1.0; share += kStep) {
+      const WorldPoint at = {a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
+      if (Distance(post, at) < piece_m) continue;
+      const double way_rad = HeadingTo(post, at);
+      // The front looks to the side that the walk's things looked to.
+      const double left_rad = way_rad + kQuarter_rad;
+      const bool left = std::cos(left_rad - nodes[i].yaw_rad) > 0.0;
+      pieces.push_back(
+          {Moved(post, way_rad, 0.5 * piece_m), left ? left_rad : way_rad - kQuarter_rad});
+      post = Moved(post, way_rad, piece_m);
+    }
+  }
+  return pieces;
 }
 
 std::optional<WorldPoint> ThingSites::NearestOf(const ThingTarget& target, WorldPoint point) const {
@@ -313,7 +428,12 @@ std::vector<ThingSites::Slot> ThingSites::Draw(int count, int tried, int tries,
   const bool plain =
       wish_.arrangement == ThingArrangement::kNone || wish_.arrangement == ThingArrangement::kRow;
   if (relation_ == ThingRelation::kAround) {
-    slots = of_thing ? AroundThing(count, turn_rad) : AroundLand(count, turn_rad);
+    const bool fills = is_run_ && wish_.count_least < wish_.count;
+    if (of_thing) {
+      slots = fills ? RunAroundThing(count) : AroundThing(count, turn_rad);
+    } else {
+      slots = fills ? AlongLand(count, random) : AroundLand(count, turn_rad);
+    }
   } else if (relation_ == ThingRelation::kAlong && plain) {
     slots = of_thing ? AlongThing(count, random) : AlongLand(count, random);
   } else {

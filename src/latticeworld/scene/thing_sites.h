@@ -40,6 +40,9 @@ class ThingSites {
   bool arranges_by_itself() const;
   // tried: how many were drawn before; later ones keep less to what is only usual.
   std::vector<Slot> Draw(int count, int tried, int tries, RandomStream* random) const;
+  // A point of water that footbridges may cross, in the zone, near the target of the relation where
+  // there is one; anywhere where the world has no water.
+  WorldPoint DrawWater(RandomStream* random) const;
 
  private:
   struct Anchor {
@@ -48,6 +51,8 @@ class ThingSites {
     bool has_target = false;
   };
   bool InZone(WorldPoint point) const;
+  // Away from the world's edges, where things are seen whole.
+  bool IsInner(WorldPoint point) const;
   WorldPoint DrawInZone(RandomStream* random) const;
   // A cell of the class in the zone; one outside where there is none.
   WorldPoint DrawCell(char letter, RandomStream* random) const;
@@ -58,9 +63,15 @@ class ThingSites {
   Anchor BesideThing(double depth_m, RandomStream* random) const;
   std::vector<Slot> Arrange(const Anchor& anchor, int count, double turn_rad) const;
   std::vector<Slot> AroundThing(int count, double turn_rad) const;
+  std::vector<Slot> RunAroundThing(int most) const;
   std::vector<Slot> AroundLand(int count, double turn_rad) const;
   std::vector<Slot> AlongThing(int count, RandomStream* random) const;
   std::vector<Slot> AlongLand(int count, RandomStream* random) const;
+  // Pieces end to end over nodes that were walked, on a line without their jitter.
+  std::vector<Slot> EndToEnd(std::vector<Slot> nodes) const;
+  // One way along the edge of the class from a place beside it. Ends at the world's edge, and
+  // before it comes back to its begin.
+  std::vector<Slot> WalkAlong(WorldPoint from, int count, double gap_m, double side_rad) const;
   void Turn(RandomStream* random, std::vector<Slot>* slots) const;
   std::optional<WorldPoint> NearestOf(const ThingTarget& target, WorldPoint point) const;
 
@@ -70,6 +81,7 @@ class ThingSites {
   const Terrain& terrain_;
   LandFinder* land_;
   LayoutMask zone_;
+  bool is_run_;  // its pieces stand end to end
   ThingRelation relation_;
   std::string problem_;
 };

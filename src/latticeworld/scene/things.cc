@@ -10,6 +10,8 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/scene/elements.h"
+#include "latticeworld/scene/footbridges.h"
 #include "latticeworld/scene/land_finder.h"
 #include "latticeworld/scene/scatter.h"
 #include "latticeworld/scene/thing_maker.h"
@@ -21,18 +23,28 @@ namespace {
 constexpr double kApart_m = 0.02;      // between things
 constexpr double kFromHouses_m = 0.5;  // between things and houses
 constexpr double kHouseFromHouse_m = 3.0;
-constexpr int kTries = 300;  // sites of a wish
+constexpr double kMostDug_m = 1.2;  // that a hillside reaches up walls
+constexpr double kDeepest_m = 6.0;
+constexpr int kTries = 300;   // sites of a wish
+constexpr int kWholeRun = 8;  // pieces of a fence that ends at the world's edge
+constexpr char kFootbridge[] = "footbridge";
 constexpr double kPierAboveWater_m = 0.45;
+// What grows by itself keeps this far from what is asked for, so that it is seen, and from rows,
+// rings and grids of trees farther [m].
+constexpr double kClear_m = 1.5;
+constexpr double kClearOfTrees_m = 5.0;
 
-enum class Flaw { kNone, kOutside, kWater, kRoad, kDry, kSteep, kOccupied };
-constexpr int kFlawCount = 7;
+enum class Flaw { kNone, kOutside, kWater, kRoad, kDry, kSteep, kOccupied, kNoCrossing };
+constexpr int kFlawCount = 8;
 constexpr std::array<std::string_view, kFlawCount> kFlawWords = {"",
                                                                  "the world ends there",
                                                                  "there is water",
                                                                  "a road is there",
                                                                  "there is no water",
                                                                  "the ground is too steep",
-                                                                 "something else stands there"};
+                                                                 "something else stands there",
+                                                                 "no water of 3 to 12 m with level "
+                                                                 "banks is there to cross"};
 
 // What of the ground a wish may stand on.
 struct Ground {
@@ -133,12 +145,14 @@ class Placer {
     std::array<int, kFlawCount> flaws{};
     int standing = 0;
     for (int first = 0; first < count; first += together ? count : 1) {
-      Try best = Find(wish, index, first, together ? count : 1, sites, &random);
+      Try best = wish.kind == kFootbridge
+                     ? FindCrossing(wish, sites, &random)
+                     : Find(wish, index, first, together ? count : 1, sites, &random);
       for (int i = 0; i < kFlawCount; ++i) flaws[i] += best.flaws[i];
       standing += static_cast<int>(best.made.size());
       for (MadeThing& made : best.made) Add(index, count, std::move(made));
     }
-    if (standing == count) return;
+    if (standing >= std::min(count, wish.count_least)) return;
     const auto most = std::max_element(flaws.begin(), flaws.end()) - flaws.begin();
     Warn(wish, std::to_string(standing) + " of " + std::to_string(count) +
                    " stand: " + std::string(kFlawWords[static_cast<std::size_t>(most)]));
@@ -160,7 +174,9 @@ class Placer {
         }
         MadeThing made = maker_.Make(wish, SeedOf(static_cast<std::size_t>(index)),
                                      first + static_cast<int>(k), slots[k].place, slots[k].yaw_rad);
-        const Flaw flaw = FlawOf(wish, made, now.made);
+        // Walls are dug in deep only where no try has found better.
+        const double most_dug_m = 3 * i < 2 * tries ? kMostDug_m : kDeepest_m;
+        const Flaw flaw = FlawOf(wish, made, now.made, most_dug_m);
         if (flaw == Flaw::kNone) {
           now.made.push_back(std::move(made));
         } else {
@@ -168,12 +184,44 @@ class Placer {
         }
       }
       if (now.made.size() > best.made.size() || i == 0) best = std::move(now);
-      if (static_cast<int>(best.made.size()) == count) break;
+      if (best.made.size() == std::min(slots.size(), static_cast<std::size_t>(count)) &&
+          static_cast<int>(best.made.size()) >= std::min(count, kWholeRun)) {
+        break;
+      }
     }
     return best;
   }
 
-  Flaw FlawOf(const ThingWish& wish, const MadeThing& made, const std::vector<MadeThing>& beside) {
+  // A footbridge crosses the water where its wish is drawn, or near its exact place.
+  Try FindCrossing(const ThingWish& wish, const ThingSites& sites, RandomStream* random) {
+    constexpr int kDraws = 3000;
+    constexpr double kNearPlace_m = 8.0;
+    Try found;
+    for (int i = 0; i < kDraws; ++i) {
+      WorldPoint point = sites.DrawWater(random);
+      if (wish.position) {
+        point = {wish.position->x_m + random->Uniform(-kNearPlace_m, kNearPlace_m),
+                 wish.position->y_m + random->Uniform(-kNearPlace_m, kNearPlace_m)};
+      }
+      if (!terrain_.geometry().Contains(point)) continue;
+      std::optional<Element> bridge = FootbridgeAt(terrain_, point);
+      if (!bridge) continue;
+      MadeThing made;
+      bridge->z_m = GroundUnder(terrain_, *bridge);
+      made.footprint = latticeworld::FootprintOf(*bridge);
+      made.element = std::move(bridge);
+      if (StandsFree(made, {})) {
+        found.made.push_back(std::move(made));
+        return found;
+      }
+      ++found.flaws[static_cast<int>(Flaw::kOccupied)];
+    }
+    ++found.flaws[static_cast<int>(Flaw::kNoCrossing)];
+    return found;
+  }
+
+  Flaw FlawOf(const ThingWish& wish, const MadeThing& made, const std::vector<MadeThing>& beside,
+              double most_dug_m) {
     const Footprint& footprint = made.footprint;
     const double limit_m = terrain_.geometry().half_size_m();
     for (const WorldPoint& corner : footprint.Corners()) {
@@ -189,19 +237,42 @@ class Placer {
     if (!ground.is_pier && !IsSlopeAtMost(terrain_, footprint.centre, made.steepest_deg)) {
       return Flaw::kSteep;
     }
+    if (made.is_house && !wish.position && RiseWithin_m(footprint) > most_dug_m) {
+      return Flaw::kSteep;
+    }
+    return StandsFree(made, beside) ? Flaw::kNone : Flaw::kOccupied;
+  }
+
+  // Of the things of the same try, of all others and of houses.
+  bool StandsFree(const MadeThing& made, const std::vector<MadeThing>& beside) {
+    const Footprint& footprint = made.footprint;
     for (const MadeThing& other : beside) {
-      if (Near(footprint, other.footprint, kApart_m)) return Flaw::kOccupied;
+      if (Near(footprint, other.footprint, kApart_m)) return false;
     }
     for (const std::vector<Footprint>& others : footprints_) {
       for (const Footprint& other : others) {
-        if (Near(footprint, other, kApart_m)) return Flaw::kOccupied;
+        if (Near(footprint, other, kApart_m)) return false;
       }
     }
     const double gap_m = made.is_house ? kHouseFromHouse_m : kFromHouses_m;
     for (std::size_t i = 0; i < houses(); ++i) {
-      if (Near(footprint, FootprintOf(placement_.assets[i]), gap_m)) return Flaw::kOccupied;
+      if (Near(footprint, FootprintOf(placement_.assets[i]), gap_m)) return false;
     }
-    return Flaw::kNone;
+    return true;
+  }
+
+  // Between the lowest and the highest ground of what walls cover.
+  double RiseWithin_m(const Footprint& footprint) const {
+    double low_m = INFINITY, high_m = -INFINITY;
+    for (const double along : {-1.0, 0.0, 1.0}) {
+      for (const double left : {-1.0, 0.0, 1.0}) {
+        const double height_m = terrain_.ground.HeightAt(
+            footprint.At(along * footprint.half_length_m, left * footprint.half_width_m));
+        low_m = std::min(low_m, height_m);
+        high_m = std::max(high_m, height_m);
+      }
+    }
+    return high_m - low_m;
   }
 
   static bool Near(const Footprint& a, const Footprint& b, double gap_m) {
@@ -261,16 +332,16 @@ class Placer {
     if (made.element) {
       thing.position = made.element->position;
       made.element->name = thing.name;
-      placement_.solids.Add(made.footprint.centre, made.footprint.radius_m());
       placed_.elements.push_back(*std::move(made.element));
     } else {
       if (wish.kind == "pier") LiftPier(made.footprint, &*made.asset);
       thing.asset = static_cast<std::int32_t>(placement_.assets.size());
       AddAsset(&placement_, *made.asset);
-      if (!IsSolid(made.asset->kind)) {
-        placement_.solids.Add(made.footprint.centre, made.footprint.radius_m());
-      }
     }
+    const bool of_trees = made.asset && made.asset->kind == AssetKind::kTree &&
+                          wish.arrangement != ThingArrangement::kNone;
+    placement_.solids.Add(made.footprint.centre,
+                          made.footprint.radius_m() + (of_trees ? kClearOfTrees_m : kClear_m));
     placed_.things.push_back(std::move(thing));
   }
 

@@ -158,7 +158,7 @@ bool AnyBlockHides(const std::vector<ElementBlock>& blocks, const Segment& segme
   return false;
 }
 
-// Railings and decks are seen past, as footbridges are.
+// Decks are seen past, as footbridges are.
 bool AnyElementHides(const StandingElements& elements, const Segment& segment) {
   return AnyBlockHides(elements.blocks, segment) || AnyBlockHides(elements.below, segment);
 }

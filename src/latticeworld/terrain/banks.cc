@@ -16,6 +16,8 @@ namespace {
 constexpr double kFreeboard_m = 0.10;        // of the shore above its water
 constexpr double kFreeboardOfSize = 0.0005;  // less in small worlds
 constexpr double kSmoothing_cells = 1.5;
+// Banks are so wide, as a share of a layout cell.
+constexpr double kBankOfCell = 0.7;
 constexpr float kCrest_cells = 4.0f;
 // River beds: as deep as this slope makes them over a quarter of a layout cell.
 constexpr double kRiverBank_cells = 0.25;  // layout cells
@@ -69,11 +71,16 @@ Banks::Banks(const GridGeometry& lattice, const WaterBodies& water, const Grid<f
   // Cones from a ragged shore meet in creases. The blur lifts the foot of a cone by this much.
   GaussianBlur(kSmoothing_cells, &highest_m_);
   GaussianBlur(kSmoothing_cells, &lowest_m_);
+  const auto bank_m = static_cast<float>(kBankOfCell * layout_cell_m_);
+  const auto cell_m = static_cast<float>(cell_m_);
   const auto lift_m = static_cast<float>(0.4 * kSmoothing_cells) * rise_m;
   for (std::size_t i = 0; i < highest_m_.size(); ++i) {
     float& high = highest_m_.data()[i];
     float& low = lowest_m_.data()[i];
     high -= lift_m;
+    // Farther from the water land is as steep as it likes.
+    const float beyond_m = std::max(to_water_.data()[i] * cell_m - bank_m, 0.0f);
+    high += 0.5f * beyond_m * beyond_m / bank_m;
     if (high < low) high = low = 0.5f * (high + low);
   }
 }

@@ -22,7 +22,7 @@ constexpr double kLeastRiser = 0.25;       // of a bench's run
 constexpr double kPadRiserSlope = 0.45;
 constexpr double kPadBankSlope = 0.45;      // of the land beside pads [m/m]
 constexpr double kPadBench_cells = 1.5;     // run of a terrace [layout cells]
-constexpr double kLevelBelow_cells = 0.15;  // relief of a wholly level piece [layout cells]
+constexpr double kLevelBelow_cells = 0.20;  // relief of a wholly level piece [layout cells]
 
 float SmoothStep(float t) {
   t = std::clamp(t, 0.0f, 1.0f);

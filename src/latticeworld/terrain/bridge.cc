@@ -1,6 +1,7 @@
 #include "latticeworld/terrain/bridge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -9,8 +10,12 @@ namespace {
 
 constexpr double kFoundation_m = 0.5;   // of a pier below the bed
 constexpr double kRailedLand_m = 1.0;   // beyond the water
-constexpr int kArchSlices = 8;          // of an opening
+constexpr int kArchSlices = 16;         // of an opening
 constexpr double kArchSpringing = 0.1;  // of the clearance, above the water
+constexpr double kPosts_m = 2.0;        // between posts of timber railings, at most
+// The beams of timber railings, from bottom to top as shares of their height. The lowest is a kerb
+// that no wheel gets below.
+constexpr std::array<std::array<double, 2>, 3> kBeams = {{{0.0, 0.2}, {0.45, 0.6}, {0.85, 1.0}}};
 
 double Distance(WorldPoint a, WorldPoint b) { return std::hypot(b.x_m - a.x_m, b.y_m - a.y_m); }
 
@@ -87,10 +92,31 @@ class PartsBuilder {
       for (const double side : {-1.0, 1.0}) {
         // Railings meet on the line that halves the bend.
         const double off_m = side * (half_m - rail_half_m);
-        AddAlong(BridgePartKind::kRailing, i, std::max(begin_m, off_m * before),
-                 std::min(end_m, length_m - off_m * after), off_m, rail_half_m, top_m,
-                 top_m + bridge_.railing_m);
+        AddRailing(i, std::max(begin_m, off_m * before), std::min(end_m, length_m - off_m * after),
+                   off_m, rail_half_m);
       }
+    }
+  }
+
+  // A parapet, or of timber posts and beams.
+  void AddRailing(std::size_t piece, double begin_m, double end_m, double off_m, double half_m) {
+    const double bottom_m = bridge_.deck_z_m;
+    if (bridge_.kind != BridgeKind::kPlank) {
+      AddAlong(BridgePartKind::kRailing, piece, begin_m, end_m, off_m, half_m, bottom_m,
+               bottom_m + bridge_.railing_m);
+      return;
+    }
+    for (const auto& [low, high] : kBeams) {
+      AddAlong(BridgePartKind::kRailing, piece, begin_m, end_m, off_m, half_m,
+               bottom_m + low * bridge_.railing_m, bottom_m + high * bridge_.railing_m);
+    }
+    const double between_m = end_m - begin_m - 2.0 * half_m;
+    if (between_m <= 0.0) return;
+    const int spaces = std::max(1, static_cast<int>(std::ceil(between_m / kPosts_m)));
+    for (int i = 0; i <= spaces; ++i) {
+      const double post_m = begin_m + i * between_m / spaces;
+      AddAlong(BridgePartKind::kRailing, piece, post_m, post_m + 2.0 * half_m, off_m, half_m,
+               bottom_m, bottom_m + bridge_.railing_m);
     }
   }
 
@@ -108,17 +134,20 @@ class PartsBuilder {
     if (part.top_m > part.bottom_m) parts_.push_back(part);
   }
 
-  // Each opening is a half ellipse, in slices.
+  // Each opening is a half ellipse, in slices of equal angles: the steeper, the narrower.
   void AddArches() {
     const double crown_m = bridge_.deck_z_m - bridge_.thickness_m;
     const double foot_m = bridge_.water_level_m + kArchSpringing * bridge_.clearance_m();
+    constexpr double kAngle_rad = M_PI / kArchSlices;
     for (std::size_t i = 0; i + 1 < bridge_.supports_m.size(); ++i) {
-      const double begin_m = bridge_.supports_m[i], end_m = bridge_.supports_m[i + 1];
-      const double slice_m = (end_m - begin_m) / kArchSlices;
+      const double half_m = 0.5 * (bridge_.supports_m[i + 1] - bridge_.supports_m[i]);
+      const double middle_m = bridge_.supports_m[i] + half_m;
       for (int k = 0; k < kArchSlices; ++k) {
-        const double t = (2 * k + 1.0) / kArchSlices - 1.0;
-        AddUpright(BridgePartKind::kArch, begin_m + (k + 0.5) * slice_m, 0.5 * slice_m,
-                   0.5 * bridge_.width_m, foot_m + (crown_m - foot_m) * std::sqrt(1.0 - t * t));
+        const double begin_m = middle_m - half_m * std::cos(k * kAngle_rad);
+        const double end_m = middle_m - half_m * std::cos((k + 1) * kAngle_rad);
+        AddUpright(BridgePartKind::kArch, 0.5 * (begin_m + end_m), 0.5 * (end_m - begin_m),
+                   0.5 * bridge_.width_m,
+                   foot_m + (crown_m - foot_m) * std::sin((k + 0.5) * kAngle_rad));
       }
     }
   }

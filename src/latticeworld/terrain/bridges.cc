@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "latticeworld/geomorphology/distance.h"
 #include "latticeworld/terrain/components.h"
 #include "latticeworld/terrain/lattice.h"
 #include "latticeworld/terrain/least_cost_ways.h"
@@ -14,7 +15,7 @@ namespace latticeworld::internal {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr double kRoadWidth = 0.92;     // layout cells: of a road one cell wide
+constexpr double kRoadWidth = 0.92;     // of as many layout cells as a road is wide
 constexpr double kMostWidth_m = 10.0;   // of a deck: two lanes and footways
 constexpr double kPlankWidth_m = 5.0;   // narrower decks are of planks
 constexpr double kRailedWidth_m = 2.5;  // of decks that leave room between railings
@@ -73,15 +74,16 @@ class Planner {
         cols_(ground.letters.cols()),
         layout_cell_(LatticeCellsPerLayoutCell(ground.lattice)),
         cell_m_(ground.lattice.resolution_m()),
-        width_m_(std::min(kRoadWidth * layout_cell_ * cell_m_, kMostWidth_m)),
         cost_(rows_, cols_, kInfinity) {}
 
   std::vector<Bridge> Plan() {
-    Grid<unsigned char> over(rows_, cols_);
+    Grid<unsigned char> over(rows_, cols_), way(rows_, cols_);
     for (std::size_t i = 0; i < over.size(); ++i) {
-      over.data()[i] =
-          ground_.lines.crossing.data()[i] == Crossing::kBridge && ground_.water.wet.data()[i] != 0;
+      const bool bridged = ground_.lines.crossing.data()[i] == Crossing::kBridge;
+      over.data()[i] = bridged && ground_.water.wet.data()[i] != 0;
+      way.data()[i] = bridged || ground_.letters.data()[i] == 'R';
     }
+    to_side_ = ToSides(std::move(way));
     const Components pieces = ComponentsOf(over);
     for (int piece = 0; piece < pieces.count(); ++piece) {
       Join({pieces.cells.begin() + pieces.begin[piece],
@@ -91,6 +93,17 @@ class Planner {
   }
 
  private:
+  // From each cell of a road to what is beside it [cells], seams between its dry and its wet part
+  // closed.
+  static Grid<float> ToSides(Grid<unsigned char> way) {
+    constexpr float kSeam_cells = 2.0f;
+    const Grid<float> to_way = DistanceTo(true, way);
+    for (std::size_t i = 0; i < way.size(); ++i) way.data()[i] = to_way.data()[i] <= kSeam_cells;
+    Grid<float> to_side = DistanceTo(false, way);
+    for (float& cells : to_side) cells = std::max(cells - kSeam_cells, 0.0f);
+    return to_side;
+  }
+
   CellIndex CellOf(std::int32_t cell) const { return {cell / cols_, cell % cols_}; }
   bool AtEdge(CellIndex cell) const {
     return cell.row == 0 || cell.col == 0 || cell.row == rows_ - 1 || cell.col == cols_ - 1;
@@ -142,16 +155,30 @@ class Planner {
         if (IsRoad(r, c)) shore.push_back(r * cols_ + c);
       });
     }
+    const double shore_cells = ExtentOf(shore);
     std::vector<CellIndex> landings = MiddlesIn(std::move(shore));
     if (landings.size() != 1) return landings;
     const std::vector<CellIndex> edges = MiddlesIn(std::move(edge));
     const CellIndex end = edges.empty() ? FarthestFrom(landings.front(), piece) : edges.front();
-    // What only frays the side of a road needs no bridge.
+    // What only frays the side of a road needs no bridge: it is no longer than where both meet.
     const CellIndex begin = landings.front();
-    if (!edges.empty() || std::hypot(end.row - begin.row, end.col - begin.col) > layout_cell_) {
+    const double length_cells = std::hypot(end.row - begin.row, end.col - begin.col);
+    if (!edges.empty() || length_cells > std::max(layout_cell_, shore_cells)) {
       landings.push_back(end);
     }
     return landings;
+  }
+
+  // The diagonal of the box around some cells [cells].
+  double ExtentOf(const std::vector<std::int32_t>& cells) const {
+    if (cells.empty()) return 0.0;
+    CellIndex low = CellOf(cells.front()), high = low;
+    for (const std::int32_t cell : cells) {
+      const CellIndex at = CellOf(cell);
+      low = {std::min(low.row, at.row), std::min(low.col, at.col)};
+      high = {std::max(high.row, at.row), std::max(high.col, at.col)};
+    }
+    return std::hypot(high.row - low.row, high.col - low.col);
   }
 
   std::vector<CellIndex> MiddlesIn(std::vector<std::int32_t> cells) const {
@@ -231,7 +258,19 @@ class Planner {
             cell.col + static_cast<double>(ground_.lines.to_road_center_cols[cell])};
   }
 
+  // As wide as the road is along most of the way, in whole layout cells, but no wider than decks
+  // are.
+  double WidthOver(const std::vector<CellIndex>& way) const {
+    std::vector<float> half;
+    for (const CellIndex cell : way) half.push_back(to_side_[cell]);
+    const auto middle = half.begin() + static_cast<std::ptrdiff_t>(half.size() / 2);
+    std::nth_element(half.begin(), middle, half.end());
+    const double cells = std::max(1.0, std::round(2.0 * *middle / layout_cell_));
+    return std::min(kRoadWidth * cells * layout_cell_ * cell_m_, kMostWidth_m);
+  }
+
   void Add(const std::vector<CellIndex>& way, double level_m, bool railed) {
+    width_m_ = WidthOver(way);
     std::vector<Place> course;
     for (const CellIndex cell : way) course.push_back(OnCenter(cell));
     if (Norm(course.back() - course.front()) < 1.0) return;
@@ -391,8 +430,9 @@ class Planner {
   int rows_, cols_;
   double layout_cell_;  // [cells]
   double cell_m_;
-  double width_m_;
-  Grid<float> cost_;  // infinity but on the piece at hand
+  double width_m_ = 0.0;  // of the deck at hand
+  Grid<float> to_side_;   // from cells of roads to what is no road beside them [cells]
+  Grid<float> cost_;      // infinity but on the piece at hand
   std::vector<Bridge> bridges_;
 };
 

@@ -9,9 +9,9 @@ namespace latticeworld::internal {
 ClassTraits TraitsOf(Vocabulary vocabulary, char letter) {
   switch (SurfaceOf(vocabulary, letter)) {
     case SurfaceClass::kGrass:
-      return {0.42f, 0.35f, 0.70f, 0.35f, 0.003f};
+      return {0.42f, 0.35f, 0.9f, 0.35f, 0.003f};
     case SurfaceClass::kForestFloor:
-      return {0.75f, 0.42f, 0.60f, 0.80f, 0.006f};
+      return {0.75f, 0.42f, .75f, 0.80f, 0.006f};
     case SurfaceClass::kFarmland:
       return {0.16f, 0.15f, 1.00f, 0.06f, 0.002f};
     case SurfaceClass::kBarren:
@@ -21,9 +21,9 @@ ClassTraits TraitsOf(Vocabulary vocabulary, char letter) {
     case SurfaceClass::kBuilding:
       return {0.10f, 0.15f, 1.00f, 0.00f, 0.002f};
     case SurfaceClass::kRock:
-      return {5.00f, 0.62f, 0.10f, 1.00f, 0.030f};
+      return {9.0f, 0.62f, 0.10f, 1.00f, 0.012f};
     case SurfaceClass::kSnow:
-      return {6.50f, 0.60f, 0.15f, 0.80f, 0.040f};
+      return {12.0f, 0.60f, 0.15f, 0.80f, 0.014f};
     case SurfaceClass::kWaterBed:
       return {0.10f, 0.20f, 1.00f, 0.00f, 0.002f};
   }

@@ -78,6 +78,19 @@ class WayFinder {
     return top;
   }
 
+  // The lowest open place along a ridge between two tops.
+  CellIndex PassOf(const ReliefPiece& ridge) const {
+    const WorldPoint a = ridge.axis.front(), b = ridge.axis.back();
+    CellIndex pass{-1, -1};
+    for (double t = 0.0; t <= 1.0; t += 0.05) {
+      const CellIndex cell =
+          geometry_.CellAt({a.x_m + t * (b.x_m - a.x_m), a.y_m + t * (b.y_m - a.y_m)});
+      if (blocked_[cell] != 0) continue;
+      if (pass.row < 0 || height_m_[cell] < height_m_[pass]) pass = cell;
+    }
+    return pass;
+  }
+
   // From a road to the place; empty where none leads there. States are cells and the direction in
   // which they are left: bends cost, so that legs are long.
   std::vector<CellIndex> WayTo(CellIndex goal) const {
@@ -179,7 +192,9 @@ std::vector<Street> ClimbingWays(const std::vector<ReliefWish>& wishes,
                                  double max_slope) {
   std::vector<Street> ways;
   const auto is_climbed = [&wishes](const ReliefPiece& piece) {
-    const std::vector<ReliefTie>& ties = wishes[static_cast<std::size_t>(piece.wish)].ties;
+    const ReliefWish& wish = wishes[static_cast<std::size_t>(piece.wish)];
+    if (wish.kind == ReliefKind::kSaddle && piece.kind != ReliefKind::kRidge) return false;
+    const std::vector<ReliefTie>& ties = wish.ties;
     return std::any_of(ties.begin(), ties.end(),
                        [](const ReliefTie& tie) { return tie.kind == ReliefTie::Kind::kClimbed; });
   };
@@ -188,7 +203,8 @@ std::vector<Street> ClimbingWays(const std::vector<ReliefWish>& wishes,
   if (!finder.HasRoad()) return ways;
   for (const ReliefPiece& piece : pieces) {
     if (!is_climbed(piece)) continue;
-    const CellIndex top = finder.TopOf(piece);
+    const bool pass = wishes[static_cast<std::size_t>(piece.wish)].kind == ReliefKind::kSaddle;
+    const CellIndex top = pass ? finder.PassOf(piece) : finder.TopOf(piece);
     if (top.row < 0) continue;
     Street street;
     for (const CellIndex cell : finder.WayTo(top)) street.line.push_back(finder.PointOf(cell));

@@ -14,6 +14,7 @@
 #include "latticeworld/geomorphology/resample.h"
 #include "latticeworld/terrain/class_traits.h"
 #include "latticeworld/terrain/cones.h"
+#include "latticeworld/terrain/land_foot.h"
 #include "latticeworld/terrain/lattice.h"
 #include "latticeworld/terrain/uplands.h"
 #include "latticeworld/terrain/water_level.h"
@@ -38,15 +39,15 @@ constexpr double kNeighbourSlope = 0.25;
 constexpr float kRest = 0.9f;
 // A region rises as a whole, so that soft land among mountains is high too: this share of the
 // uplift is that of the land around, as far as so many cells of the layout.
-constexpr double kRegionalShare = 0.5;
-constexpr double kRegion_cells = 8.0;
-constexpr float kWildness = 1.25f;
-// How much the summits of a world that is all mountain are brought together.
+constexpr double kRegionalShare = 0.4;
+constexpr double kRegion_cells = 14.0;
+constexpr float kWildness = 2.0f;
+// How much summits are brought together: most where half of the world is mountain.
 constexpr double kAccordance = 0.5;
-constexpr double kMountainAccordance = 1.4;
+constexpr double kMountainAccordance = 3.0;
 constexpr double kMaxCreep_m = 6.0;
 // Concavity of channels.
-constexpr double kAreaExponent = 0.4;
+constexpr double kAreaExponent = 0.38;
 // Steepness is a slope where channels drain a square of this share of the world's side.
 constexpr double kReachOfSize = 20.0;
 // A dry edge is cut off from land that goes on beyond it: it lies as much above the rivers as
@@ -209,6 +210,40 @@ Grid<float> EdgeHeight(const GridGeometry& lattice, const Fields& fields,
   return height_m;
 }
 
+// What is as high above its foot as the given heights [m] are above the hills.
+Grid<float> OnFoot(const Grid<float>& foot_m, const Grid<float>& hills_m, Grid<float> height_m) {
+  for (std::size_t i = 0; i < height_m.size(); ++i) {
+    height_m.data()[i] += std::max(foot_m.data()[i] - hills_m.data()[i], 0.0f);
+  }
+  return height_m;
+}
+
+// Before anything is shaped: rivers leave the world where the land is softest and lowest.
+Grid<float> PriorLand(const GridGeometry& lattice, const Fields& fields,
+                      const Grid<float>& hills_m) {
+  Grid<float> prior_m = fields.steepness_m;
+  GaussianBlur(3.0 * LatticeCellsPerLayoutCell(lattice), &prior_m);
+  for (std::size_t i = 0; i < prior_m.size(); ++i) {
+    prior_m.data()[i] = hills_m.data()[i] + 4.0f * prior_m.data()[i];
+  }
+  return prior_m;
+}
+
+// What evolution begins with: rough, so that valleys do not run straight.
+Grid<float> FirstLand(const GridGeometry& lattice, const Fields& fields, const Grid<float>& hills_m,
+                      std::uint64_t seed) {
+  NoiseOptions rough;
+  rough.wavelength_m = 0.15 * lattice.size_m();
+  rough.octaves = 5;
+  rough.gain = 0.6;
+  Grid<float> land_m = FractalNoise(lattice, rough, StreamSeed(seed, "terrain/first_land"));
+  for (std::size_t i = 0; i < land_m.size(); ++i) {
+    land_m.data()[i] =
+        hills_m.data()[i] + fields.steepness_m.data()[i] * (8.0f + 3.0f * land_m.data()[i]);
+  }
+  return land_m;
+}
+
 // A time of the land's history. Long ones come to an end that the land before is forgotten in;
 // short ones leave high ground as it was, between the valleys that cut into it.
 struct Phase {
@@ -324,51 +359,45 @@ Result<ShapedLand> ShapeLand(const GridGeometry& lattice, const SmoothedMasks& m
   const Grid<float> hills_m =
       ProceduralRelief(lattice, std::min(kHillsOfSize * size_m, kMaxHills_m), seed);
   Fields fields = FieldsOf(lattice, masks, seed);
-  forms.Raise(&fields.steepness_m, &fields.slide_slope, &fields.talus);
+  // Land that goes on beyond the edge is as its classes are, whatever words say of this world's.
+  const Grid<float> edge_m = EdgeHeight(lattice, fields, hills_m);
+  if (!forms.empty()) forms.Raise(&fields.steepness_m, &fields.slide_slope, &fields.talus);
 
-  // Rivers leave the world where the land is softest and lowest.
-  Grid<float> prior_m = fields.steepness_m;
-  GaussianBlur(3.0 * LatticeCellsPerLayoutCell(lattice), &prior_m);
-  for (std::size_t i = 0; i < prior_m.size(); ++i) {
-    prior_m.data()[i] = hills_m.data()[i] + 4.0f * prior_m.data()[i];
-  }
-  const std::vector<std::int32_t> outlets = OutletsOf(water, prior_m);
+  const std::vector<std::int32_t> outlets = OutletsOf(water, PriorLand(lattice, fields, hills_m));
   ShapedLevels levels(water, FlowDistance(water, outlets, RiverFall(lattice, masks)));
   levels.SetOpenBases(outlets, hills_m, incision_m);
   levels.Reconcile(kNeighbourSlope * lattice.resolution_m());
 
   // First a coarse land around the water that leaves the world: it says how high closed lakes lie.
-  const int coarse = n / 4;
-  // Rough to begin with, so that valleys do not run straight.
-  NoiseOptions rough;
-  rough.wavelength_m = 0.15 * size_m;
-  rough.octaves = 5;
-  rough.gain = 0.6;
-  Grid<float> land_m = FractalNoise(lattice, rough, StreamSeed(seed, "terrain/first_land"));
-  for (std::size_t i = 0; i < land_m.size(); ++i) {
-    land_m.data()[i] =
-        hills_m.data()[i] + fields.steepness_m.data()[i] * (8.0f + 3.0f * land_m.data()[i]);
-  }
-  const Grid<float> edge_m = EdgeHeight(lattice, fields, hills_m);
-  const Phase young = {coarse, 0.2, 4, 0.3, 1.0, 0.0, 0};
-  Evolve(lattice, young, BaseLevelOf(edge_m, levels.Levels(), forms), fields, &land_m);
+  Grid<float> foot_m = FootOf(lattice, water, levels.Levels(), hills_m);
+  Grid<float> land_m = OnFoot(foot_m, hills_m, FirstLand(lattice, fields, hills_m, seed));
+  const Phase young = {n / 4, 0.2, 4, 0.3, 1.0, 0.0, 0};
+  BaseLevel base = BaseLevelOf(OnFoot(foot_m, hills_m, edge_m), levels.Levels(), forms);
+  for (int time = 0; time < 2; ++time) Evolve(lattice, young, base, fields, &land_m);
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
   levels.SetClosedBases(Resample(land_m, n, n), incision_m);
   levels.Reconcile(kNeighbourSlope * lattice.resolution_m());
   ShapedLand result;
   result.water_level_m = levels.Levels();
 
-  const BaseLevel base = BaseLevelOf(edge_m, result.water_level_m, forms);
+  foot_m = FootOf(lattice, water, result.water_level_m, hills_m);
+  land_m = Resample(land_m, n, n);
+  for (std::size_t i = 0; i < land_m.size(); ++i) {
+    land_m.data()[i] = std::max(land_m.data()[i], foot_m.data()[i]);
+  }
+  base = BaseLevelOf(OnFoot(foot_m, hills_m, edge_m), result.water_level_m, forms);
   const Phase mature = {n / 2, 0.3, 3, 0.0, 1.2, 0.45, 6};
-  const Phase gullies = {n, 1.0, 2, 0.0, 1.3, 0.25, 2};
+  const Phase gullies = {n, 0.6, 2, 0.0, 1.3, 0.25, 2};
+  const double mountains = fields.mountain_share;
+  const double accordance = (kAccordance + kMountainAccordance * mountains * (1.0 - mountains)) *
+                            (1.0 - forms.RaisedShare());
   for (const Phase& phase : {young, mature, gullies}) {
     Evolve(lattice, phase, base, fields, &land_m);
-    if (phase.cells == n / 2)
-      LowerSummits(kAccordance + kMountainAccordance * fields.mountain_share, &land_m);
+    if (phase.cells == n / 2) LowerSummits(accordance, Resample(foot_m, n / 2, n / 2), &land_m);
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
   }
   Creep(lattice, masks, forms, &land_m);
-  forms.Lay(result.water_level_m, &land_m);
+  forms.Lay(result.water_level_m, foot_m, &land_m);
   result.height_m = std::move(land_m);
   return result;
 }

@@ -48,7 +48,7 @@ class RowSampler {
 
 // The coefficients of the cubic B-spline that goes through the values (Unser, Aldroubi and Eden
 // 1993, "B-spline signal processing"): RowSampler's smooth kernel reads the values back from them,
-// where it would round them off. Mirrored at the edges; at least two cells a side.
+// where it would round them off. Mirrored at the edges; at least 16 cells a side.
 Grid<float> SplineCoefficients(Grid<float> values);
 
 }  // namespace latticeworld::internal

@@ -6,27 +6,28 @@
 #include <utility>
 
 #include "latticeworld/common/text.h"
-#include "latticeworld/layout/mask_measures.h"
-#include "latticeworld/terrain/components.h"
+#include "latticeworld/terrain/relief_claim_list.h"
 #include "latticeworld/terrain/relief_measures.h"
+#include "latticeworld/terrain/relief_natures.h"
 #include "latticeworld/terrain/relief_places.h"
+#include "latticeworld/terrain/relief_saddles.h"
+#include "latticeworld/terrain/relief_tie_claims.h"
 
 namespace latticeworld {
 namespace {
 
+using internal::Degrees;
+using internal::IsSunk;
+using internal::Metres;
 using internal::ReliefPiece;
 
-constexpr double kNearEnough = 0.15;     // of a measure that was said
-constexpr double kLeastShare = 0.5;      // of the natural height of a form
-constexpr double kSlopeRoom_deg = 3.0;   // and a fifth of what was said
-constexpr double kLeastInside = 0.6;     // of what is said to lie in a form
-constexpr double kLeastClimb = 0.7;      // of the height that a road is said to climb
-constexpr double kLeastMountain = 0.15;  // of a mountain's height by its width
+constexpr double kNearEnough = 0.15;    // of a measure that was said
+constexpr double kLeastShare = 0.5;     // of the natural height of a form
+constexpr double kSlopeRoom_deg = 3.0;  // and a fifth of what was said
+constexpr double kExtentRoom = 0.25;    // of a width, a length or a rise that was said
+constexpr double kLeastSaddle = 0.15;   // of its rises' height: a pass below tops, above sides
 constexpr double kMountainSlope_deg = 15.0;
 
-bool IsSunk(ReliefKind kind) {
-  return kind == ReliefKind::kValley || kind == ReliefKind::kGorge || kind == ReliefKind::kCanyon;
-}
 bool IsHollow(ReliefKind kind) { return kind == ReliefKind::kBasin || kind == ReliefKind::kCrater; }
 
 // The median slope that a texture has [deg].
@@ -50,64 +51,89 @@ SlopeRange SlopesOf(ReliefKind kind) {
   }
 }
 
-std::string Metres(double value) {
-  const double rounded =
-      std::abs(value) < 10.0 ? std::round(value * 10.0) / 10.0 : std::round(value);
-  return FormatDouble(rounded + 0.0) + " m";
-}
-std::string Degrees(double value) {
-  return FormatDouble(std::round(value * 10.0) / 10.0) + " degrees";
-}
-
 class Measurer {
  public:
-  Measurer(const SymbolicLayout& layout, const Terrain& terrain)
-      : layout_(layout), terrain_(terrain), height_m_(terrain.ground.height_m()) {}
+  Measurer(const SymbolicLayout& layout, const Terrain& terrain,
+           const std::vector<ReliefPiece>& all)
+      : layout_(layout), terrain_(terrain), all_(all), height_m_(terrain.ground.height_m()) {}
 
   void Measure(const ReliefWish& wish, const std::vector<const ReliefPiece*>& pieces) {
     wish_ = &wish;
     name_ = "the " + std::string(NameOf(wish.kind));
     if (pieces.empty()) return;
-    if (wish.kind == ReliefKind::kSlope && wish.heading.east == 0 && wish.heading.south == 0) {
-      return;  // nothing that could be false
-    }
+    if (wish.kind == ReliefKind::kSaddle) return MeasureSaddle(pieces);
+    const ReliefPiece& first = *pieces.front();
     if (wish.kind == ReliefKind::kSlope) {
-      MeasureRise(*pieces.front());
-    } else if (pieces.front()->has_area() || pieces.front()->kind == ReliefKind::kDunes) {
-      MeasureLand(*pieces.front());
+      MeasureRise(first);
+    } else if (first.has_area() || first.kind == ReliefKind::kDunes) {
+      MeasureLand(first);
     } else {
       MeasureThings(pieces);
     }
-    for (const ReliefTie& tie : wish.ties) MeasureTie(tie, *pieces.front());
+    internal::MeasureTies(wish, first, all_, layout_, terrain_, &claims_);
   }
 
-  std::vector<ReliefMeasure> Take() { return std::move(measures_); }
+  std::vector<ReliefMeasure> Take() { return claims_.Take(); }
 
  private:
   void Add(const char* kind, const std::string& words, bool holds, double distance,
            std::string explanation) {
-    measures_.push_back({kind, words.empty() ? wish_->words : words, holds,
-                         holds ? 0.0 : std::clamp(distance, 0.02, 1.0), std::move(explanation)});
+    claims_.Add(kind, words.empty() ? wish_->words : words, holds, distance,
+                std::move(explanation));
   }
 
+  // A height or depth that was said. What is lower because its width lets it rise no more says so.
   void AddAsked(const char* kind, const std::string& words, const std::string& what, double is_m,
-                double asked_m) {
-    const double off = std::abs(is_m - asked_m) / std::max(asked_m, 0.1);
-    Add(kind, words, off <= kNearEnough || std::abs(is_m - asked_m) <= 0.5, off,
-        what + "; " + Metres(asked_m) + " +- 15 % is asked");
+                double asked_m, const ReliefPiece& piece) {
+    std::string text = what;
+    if (piece.height_m < (1.0 - kNearEnough) * asked_m) {
+      text += ", and " + Metres(piece.height_m) + " is the most that its width of " +
+              Metres(2.0 * piece.half_width_m) + " carries";
+    }
+    claims_.AddAsked(kind, words, text, is_m, asked_m, kNearEnough);
+  }
+
+  // Between its own rises, or those of the wishes that it lies between.
+  void MeasureSaddle(const std::vector<const ReliefPiece*>& pieces) {
+    std::vector<const ReliefPiece*> rises(pieces.begin() + 1, pieces.end());
+    for (const ReliefPiece& piece : all_) {
+      const std::vector<int>& between = wish_->between;
+      const bool is_rise = std::find(between.begin(), between.end(), piece.wish) != between.end();
+      if (pieces.size() == 1 && is_rise && piece.axis.size() == 1) rises.push_back(&piece);
+    }
+    if (rises.size() < 2) return;
+    const internal::SaddleRelief saddle =
+        internal::MeasureSaddle(*rises[0], *rises[1], terrain_.geometry(), height_m_);
+    const double least_m = kLeastSaddle * std::min(rises[0]->height_m, rises[1]->height_m);
+    const double below_m = saddle.top_m - saddle.pass_m, above_m = saddle.pass_m - saddle.side_m;
+    Add("relief_form", wish_->words, std::min(below_m, above_m) >= least_m,
+        1.0 - std::min(below_m, above_m) / std::max(least_m, 0.01),
+        "the pass lies " + Metres(below_m) + " below the lower of its tops and " + Metres(above_m) +
+            " above the higher of its sides; at least " + Metres(least_m) + " are asked of both");
+    if (wish_->height_m) {
+      AddAsked("relief_height", wish_->height_words,
+               "the pass lies " + Metres(above_m) + " above its sides", above_m, *wish_->height_m,
+               *pieces.front());
+    }
+    for (const ReliefTie& tie : wish_->ties) {
+      if (tie.kind != ReliefTie::Kind::kClimbed) continue;
+      internal::MeasurePassRoad(*wish_, saddle.pass, pieces.front()->half_width_m / 2.0, terrain_,
+                                &claims_);
+    }
   }
 
   void MeasureRise(const ReliefPiece& piece) {
-    const double rise_m =
-        internal::MeasureArea(piece, terrain_.geometry(), height_m_, terrain_.water_level_m).rise_m;
-    const double asked_m = wish_->height_m.value_or(0.0);
-    const std::string text = "the land rises by " + Metres(rise_m) + " over the world";
-    if (asked_m > 0.0) {
-      const double off = std::abs(rise_m - asked_m) / asked_m;
-      Add("relief_rise", wish_->words, off <= 0.25, off,
-          text + "; " + Metres(asked_m) + " +- 25 % is asked");
+    const internal::AreaRelief land =
+        internal::MeasureArea(piece, terrain_.geometry(), height_m_, terrain_.water_level_m);
+    const std::string text = "the land rises by " + Metres(land.rise_m) + " over the world";
+    if (wish_->height_m) {
+      claims_.AddAsked("relief_rise", wish_->words, text, land.rise_m, *wish_->height_m,
+                       kExtentRoom);
+    } else if (wish_->slope_deg) {
+      AddSlope(std::atan(land.rise_m / terrain_.geometry().size_m()) * 180.0 / M_PI);
     } else {
-      Add("relief_rise", wish_->words, rise_m > 0.01 * terrain_.geometry().size_m(), 1.0, text);
+      Add("relief_rise", wish_->words, land.rise_m > 0.01 * terrain_.geometry().size_m(), 1.0,
+          text);
     }
   }
 
@@ -117,7 +143,7 @@ class Measurer {
     const std::string text = name_ + " has " + Metres(land.relief_m) +
                              " of relief and a median slope of " + Degrees(land.slope_deg);
     if (wish_->kind == ReliefKind::kMountain || wish_->kind == ReliefKind::kPeak) {
-      const double least_m = kLeastMountain * 2.0 * piece.half_width_m;
+      const double least_m = internal::kLeastMountain * 2.0 * piece.shown_half_width_m;
       const bool low = wish_->height_m && *wish_->height_m < least_m;
       const bool holds = low || (land.relief_m >= least_m && land.slope_deg >= kMountainSlope_deg);
       Add("relief_form", wish_->words, holds, 1.0 - land.relief_m / std::max(least_m, 0.1),
@@ -125,7 +151,7 @@ class Measurer {
               " are asked");
       if (wish_->height_m) {
         AddAsked("relief_height", wish_->height_words, name_ + " rises " + Metres(land.relief_m),
-                 land.relief_m, *wish_->height_m);
+                 land.relief_m, *wish_->height_m, piece);
       }
       if (wish_->slope_deg) AddSlope(land.slope_deg);
       return;
@@ -184,66 +210,41 @@ class Measurer {
     const ReliefPiece& first = *pieces.front();
     if (wish_->height_m) {
       AddAsked("relief_height", wish_->height_words, HowHigh(AmplitudeOf(first)),
-               AmplitudeOf(first), *wish_->height_m);
+               AmplitudeOf(first), *wish_->height_m, first);
     }
     if (wish_->depth_m) {
       AddAsked("relief_depth", wish_->depth_words, HowHigh(AmplitudeOf(first)), AmplitudeOf(first),
-               *wish_->depth_m);
+               *wish_->depth_m, first);
     }
     if (wish_->slope_deg) {
       AddSlope(internal::FlankSlope_deg(first, terrain_.geometry(), height_m_));
     }
+    MeasureExtents(first);
   }
 
-  // Whether road leads from beyond a thing's foot to near its top.
-  void MeasureClimb(const ReliefPiece& piece) {
-    const Grid<SurfaceClass>& surface = terrain_.surface;
-    Grid<unsigned char> road(surface.rows(), surface.cols(), 0);
-    for (std::size_t i = 0; i < road.size(); ++i) {
-      road.data()[i] = surface.data()[i] == SurfaceClass::kRoad ? 1 : 0;
+  // How wide and how long a thing is, where it was said.
+  void MeasureExtents(const ReliefPiece& piece) {
+    if (wish_->width_m && piece.kind != ReliefKind::kCliff) {
+      const double width_m = internal::Width_m(piece, terrain_.geometry(), height_m_);
+      claims_.AddAsked("relief_width", wish_->width_words,
+                       name_ + " is " + Metres(width_m) + " wide", width_m, *wish_->width_m,
+                       kExtentRoom);
     }
-    const internal::Components ways = internal::ComponentsOf(road);
-    double highest = 0.0;
-    for (int i = 0; i < ways.count(); ++i) {
-      float low = 1e9f, high = -1e9f;
-      for (int k = ways.begin[i]; k < ways.begin[i + 1]; ++k) {
-        low = std::min(low, height_m_.data()[ways.cells[k]]);
-        high = std::max(high, height_m_.data()[ways.cells[k]]);
-      }
-      highest = std::max(highest, static_cast<double>(high - low));
+    if (wish_->length_m && IsCourse(piece.kind) && piece.kind != ReliefKind::kCliff) {
+      const double length_m = internal::Length_m(piece, terrain_.geometry(), height_m_);
+      claims_.AddAsked("relief_length", wish_->length_words,
+                       name_ + " is " + Metres(length_m) + " long", length_m, *wish_->length_m,
+                       kExtentRoom);
     }
-    const double asked_m = kLeastClimb * piece.height_m;
-    Add("relief_road", wish_->words, highest >= asked_m, 1.0 - highest / asked_m,
-        "a road climbs " + Metres(highest) + "; at least " + Metres(asked_m) + " of " + name_ +
-            " are asked");
-  }
-
-  void MeasureTie(const ReliefTie& tie, const ReliefPiece& piece) {
-    if (tie.kind == ReliefTie::Kind::kClimbed) return MeasureClimb(piece);
-    if (tie.kind != ReliefTie::Kind::kUnder || piece.has_area()) return;
-    const GridGeometry cells = GridGeometry::FromCells(kLayoutSize, terrain_.geometry().size_m());
-    int all = 0, inside = 0;
-    LayoutMask zone = tie.zones.empty() ? LayoutMask::All() : LayoutMask();
-    for (const Zone& one : tie.zones) zone = zone | MaskOf(one);
-    LayoutMask mask = MaskOf(layout_, tie.letter) & zone;
-    if (mask.empty()) return;
-    mask = mask.Pieces().front();
-    ForEachCell(mask, [&](CellIndex cell) {
-      ++all;
-      if (internal::DistanceToAxis_m(piece, cells.CenterOf(cell)) <= piece.half_width_m) ++inside;
-    });
-    const double share = static_cast<double>(inside) / all;
-    Add("relief_place", wish_->words, share >= kLeastInside, 1.0 - share,
-        FormatDouble(std::round(100.0 * share)) + " % of it lies within " + name_ +
-            "; at least 60 % is asked");
   }
 
   const SymbolicLayout& layout_;
   const Terrain& terrain_;
+  const std::vector<ReliefPiece>& all_;
   const Grid<float>& height_m_;
   const ReliefWish* wish_ = nullptr;
   std::string name_;
-  std::vector<ReliefMeasure> measures_;
+  internal::ReliefClaimList claims_;
 };
 
 }  // namespace
@@ -253,7 +254,7 @@ std::vector<ReliefMeasure> MeasureReliefs(const std::vector<ReliefWish>& wishes,
   if (wishes.empty()) return {};
   const std::vector<ReliefPiece> pieces =
       internal::PlaceReliefs(wishes, layout, terrain.geometry().size_m());
-  Measurer measurer(layout, terrain);
+  Measurer measurer(layout, terrain, pieces);
   for (std::size_t i = 0; i < wishes.size(); ++i) {
     std::vector<const ReliefPiece*> own;
     for (const ReliefPiece& piece : pieces) {

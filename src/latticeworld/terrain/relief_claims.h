@@ -12,9 +12,9 @@ namespace latticeworld {
 
 // One claim on the land's form, measured on the finished heights (docs/relief.md).
 struct ReliefMeasure {
-  std::string kind;   // "relief_form", "relief_height", "relief_depth", "relief_slope",
-                      // "relief_rise", "relief_place",
-                      // "relief_road"
+  std::string kind;   // "relief_form", "relief_height", "relief_depth", "relief_width",
+                      // "relief_length", "relief_slope", "relief_rise", "relief_place",
+                      // "relief_near", "relief_direction", "relief_road", "relief_cover"
   std::string words;  // of the instruction
   bool holds = false;
   double distance = 0.0;    // 0 when it holds, up to 1

@@ -10,11 +10,13 @@
 #include "latticeworld/common/random.h"
 #include "latticeworld/geomorphology/blur.h"
 #include "latticeworld/geomorphology/distance.h"
-#include "latticeworld/geomorphology/erosion.h"
 #include "latticeworld/geomorphology/noise.h"
-#include "latticeworld/terrain/cones.h"
+#include "latticeworld/layout/mask_measures.h"
+#include "latticeworld/terrain/components.h"
 #include "latticeworld/terrain/lattice.h"
 #include "latticeworld/terrain/relief_measures.h"
+#include "latticeworld/terrain/relief_natures.h"
+#include "latticeworld/terrain/relief_sections.h"
 
 namespace latticeworld::internal {
 namespace {
@@ -28,95 +30,31 @@ struct AreaTraits {
 AreaTraits TraitsOf(ReliefKind kind) {
   switch (kind) {
     case ReliefKind::kFlat:
+    case ReliefKind::kDunes:
       return {0.02f, 0.1f, 1.0f};
     case ReliefKind::kGentle:
-      return {1.0f, 0.5f, 1.0f};
+      return {0.5f, 0.5f, 1.0f};
     case ReliefKind::kRolling:
-      return {3.0f, 0.5f, 0.95f};
+      return {1.2f, 0.5f, 0.95f};
     case ReliefKind::kHilly:
-      return {8.0f, 0.7f, 0.80f};
+      return {1.8f, 0.7f, 0.80f};
     case ReliefKind::kSteep:
-      return {20.0f, 1.0f, 0.30f};
+      return {6.0f, 1.0f, 0.30f};
     case ReliefKind::kRugged:
-      return {16.0f, 1.1f, 0.12f};
+      return {6.0f, 1.1f, 0.12f};
+    case ReliefKind::kMountainous:
+      return {26.0f, 0.90f, 0.12f};
     default:
-      return {55.0f, 0.95f, 0.12f};
+      return {11.0f, 0.95f, 0.12f};
   }
 }
 
-// How rough rock is, as a share of its height, and how far rain cuts into what was laid [m]: a
-// gully of so much runs back from its foot by the root of its drainage area in a step.
-constexpr double kRoughness = 0.035;
-constexpr double kGullies = 0.25;
+// Soft land, which things are laid into whatever grows on them.
+constexpr float kSoftSteepness_m = 0.42f;
 
-bool Evolves(ReliefKind kind) { return kind != ReliefKind::kSlope && kind != ReliefKind::kDunes; }
-
-bool IsSunk(ReliefKind kind) {
-  return kind == ReliefKind::kValley || kind == ReliefKind::kGorge || kind == ReliefKind::kCanyon ||
-         kind == ReliefKind::kBasin;
-}
-
-float Smooth(float t) {
-  t = std::clamp(t, 0.0f, 1.0f);
-  return t * t * (3.0f - 2.0f * t);
-}
-
-// From 1 at 0 to 0 at 1: straight, rounded off over a quarter at either end.
-float Flank(float u) {
-  constexpr float kRound = 0.25f;
-  constexpr float kSlope = 1.0f / (1.0f - kRound);
-  u = std::clamp(u, 0.0f, 1.0f);
-  if (u < kRound) return 1.0f - 0.5f * kSlope * u * u / kRound;
-  if (u > 1.0f - kRound) return 0.5f * kSlope * (1.0f - u) * (1.0f - u) / kRound;
-  return 1.0f - kSlope * (u - 0.5f * kRound);
-}
-
-// The section of a kind: how high, or how deep, it is by the distance from its axis in half widths,
-// in shares of its height.
-float Section(ReliefKind kind, float u) {
-  switch (kind) {
-    case ReliefKind::kPlateau:
-      return 1.0f - Smooth((u - 0.62f) / 0.36f);
-    case ReliefKind::kMesa:  // a cliff over an apron of what fell from it
-      return 0.72f * (1.0f - Smooth((u - 0.62f) / 0.13f)) + 0.28f * Flank((u - 0.5f) / 0.5f);
-    case ReliefKind::kCrater:
-      return u < 0.55f ? 1.35f * Smooth(u / 0.55f) - 1.0f
-                       : 0.35f * (1.0f - Smooth((u - 0.55f) / 0.45f));
-    case ReliefKind::kBasin:
-      return Flank(std::max(0.0f, (u - 0.15f) / 0.85f));
-    case ReliefKind::kValley:
-      return Flank(std::max(0.0f, (u - 0.18f) / 0.82f));
-    case ReliefKind::kGorge:
-      return 1.0f - Smooth((u - 0.25f) / 0.6f);
-    case ReliefKind::kCanyon:  // walls in two storeys
-      return 0.5f * (2.0f - Smooth((u - 0.25f) / 0.2f) - Smooth((u - 0.7f) / 0.2f));
-    case ReliefKind::kTerraces: {
-      constexpr float kSteps = 6.0f;
-      const float height = kSteps * Flank(u);
-      const float whole = std::floor(height);
-      return (whole + Smooth((height - whole - 0.6f) / 0.4f)) / kSteps;
-    }
-    default:
-      return Flank(u);
-  }
-}
+bool Evolves(ReliefKind kind) { return kind != ReliefKind::kSlope; }
 
 }  // namespace
-
-// A thing that is laid into the land.
-struct ReliefForms::Laid {
-  const ReliefPiece* piece;
-  Grid<float> shape;   // in shares of its height, with its sign
-  Grid<float> room_m;  // the most that there is room for
-
-  void Add(double height_m, Grid<float>* land_m) const {
-    const auto height = static_cast<float>(height_m);
-    for (std::size_t i = 0; i < shape.size(); ++i) {
-      const float most = room_m.data()[i];
-      land_m->data()[i] += std::clamp(height * shape.data()[i], -most, most);
-    }
-  }
-};
 
 ReliefForms::ReliefForms(std::vector<ReliefPiece> pieces, const GridGeometry& lattice,
                          Grid<unsigned char> built, const WaterBodies& water, std::uint64_t seed)
@@ -155,28 +93,113 @@ Grid<float> ReliefForms::ShareOf(const LayoutMask& area, bool off_built) const {
   return share;
 }
 
+Grid<float> ReliefForms::Inward(const Area& area) const {
+  const int n = lattice_.rows();
+  constexpr double kReach = 0.55;   // of a mountain that is all of the world, in the world's size
+  constexpr float kSummits = 0.5f;  // how unlike in height they are
+  const double size_m = lattice_.size_m();
+  const bool whole = area.piece->half_width_m >= 0.45 * size_m;
+  NoiseOptions options;
+  options.wavelength_m = 1.1 * area.piece->half_width_m;
+  options.octaves = 4;
+  const std::string name = "relief/massif " + std::to_string(area.piece - pieces_.data());
+  const Grid<float> east = FractalNoise(lattice_, options, StreamSeed(seed_, name + " east"));
+  const Grid<float> north = FractalNoise(lattice_, options, StreamSeed(seed_, name + " north"));
+  const double warp_m = 0.6 * area.piece->half_width_m;
+  Grid<unsigned char> outside(n, n, 0);
+  for (int r = 0; r < n; ++r) {
+    for (int c = 0; c < n; ++c) {
+      const WorldPoint at = lattice_.CenterOf({r, c});
+      const WorldPoint there = {at.x_m + warp_m * east(r, c), at.y_m + warp_m * north(r, c)};
+      if (whole) {
+        const bool edge = r == 0 || c == 0 || r == n - 1 || c == n - 1;
+        outside(r, c) = edge || std::hypot(there.x_m, there.y_m) > kReach * size_m ? 1 : 0;
+      } else {
+        const CellIndex cell = lattice_.CellAt(there);
+        outside(r, c) = area.share[cell] < 0.5f ? 1 : 0;
+      }
+    }
+  }
+  Grid<float> inward = DistanceTo(true, outside);
+  const float most = *std::max_element(inward.begin(), inward.end());
+  for (std::size_t i = 0; i < inward.size(); ++i) {
+    float& value = inward.data()[i];
+    value =
+        (most > 0.0f ? std::min(value / most, 1.0f) : 0.0f) * (1.0f + kSummits * east.data()[i]);
+  }
+  return inward;
+}
+
 void ReliefForms::Raise(Grid<float>* steepness_m, Grid<float>* slide_slope,
                         Grid<float>* talus) const {
   const auto growth = static_cast<float>(lattice_.size_m() / 512.0);
+  // What is laid stands on soft land, whatever grows there: its height is its own.
+  const Grid<float> things = ShareOfThings(ground(), pieces_);
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    float& steepness = steepness_m->data()[i];
+    steepness += things.data()[i] * (std::min(growth * kSoftSteepness_m, steepness) - steepness);
+  }
   for (const Area& area : areas_) {
-    if (!Evolves(area.piece->kind)) continue;
+    if (!Evolves(area.piece->kind) || area.piece->rises_by_class) continue;
     const AreaTraits traits = TraitsOf(area.piece->kind);
-    const bool mountain =
-        area.piece->kind == ReliefKind::kMountain || area.piece->kind == ReliefKind::kPeak;
+    const bool mountain = IsMountain(area.piece->kind);
     // Evolution is linear in uplift and steepest slope together: what rises twice as high is
     // twice as steep everywhere.
     const auto scale =
         mountain ? static_cast<float>(std::clamp(
                        area.piece->height_m / (0.62 * area.piece->half_width_m), 0.1, 1.25))
                  : 1.0f;
+    // A mountain rises most in its middle: gentle at its foot, steep below its summits.
+    const Grid<float> inward = mountain ? Inward(area) : Grid<float>();
     for (std::size_t i = 0; i < area.share.size(); ++i) {
       const float share = area.share.data()[i];
+      const float up = mountain ? 0.15f + 1.4f * inward.data()[i] : 1.0f;
+      const float hold = mountain ? 0.45f + 0.65f * inward.data()[i] : 1.0f;
       float& steepness = steepness_m->data()[i];
-      steepness += share * (scale * growth * traits.steepness_m - steepness);
-      slide_slope->data()[i] *= 1.0f + share * (scale * traits.slide - 1.0f);
+      steepness += share * (scale * growth * up * traits.steepness_m - steepness);
+      slide_slope->data()[i] *= 1.0f + share * (scale * hold * traits.slide - 1.0f);
       float& loose = talus->data()[i];
       loose += share * (std::max(loose, 0.6f) - loose);
     }
+  }
+  for (const ReliefPiece& piece : pieces_) {
+    if (RisesBeside(piece, water_)) RaiseBeside(piece, steepness_m);
+  }
+}
+
+Grid<float> ReliefForms::FromFloor(const ReliefPiece& valley) const {
+  if (!valley.follows_water) return DistanceFromAxis(ground(), valley);
+  const int n = lattice_.rows();
+  const double layout_cell = LatticeCellsPerLayoutCell(lattice_);
+  Grid<unsigned char> followed = water_.wet;
+  // Borders of classes waver, so water is looked for around the cells of the layout too.
+  const LayoutMask around = valley.area.Grown8();
+  for (int r = 0; r < n; ++r) {
+    for (int c = 0; c < n; ++c) {
+      const CellIndex cell = {static_cast<int>(r / layout_cell), static_cast<int>(c / layout_cell)};
+      if (!around.Contains(cell)) followed(r, c) = 0;
+    }
+  }
+  Grid<float> from = DistanceTo(true, followed);
+  const auto half = static_cast<float>(valley.half_width_m / lattice_.resolution_m());
+  const auto shore = static_cast<float>(0.5 * layout_cell);
+  for (float& value : from) value = (value + shore) / half;
+  return from;
+}
+
+void ReliefForms::RaiseBeside(const ReliefPiece& valley, Grid<float>* steepness_m) const {
+  constexpr double kRiseByWater = 0.17, kRise = 0.03;  // uplift over erodibility by height
+  const auto soft_m = kSoftSteepness_m * static_cast<float>(lattice_.size_m() / 512.0);
+  const auto rise_m =
+      static_cast<float>((valley.follows_water ? kRiseByWater : kRise) * valley.height_m);
+  const Grid<float> from = FromFloor(valley);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const float u = from.data()[i];
+    const float beside = SmoothStep((u - 0.1f) / 0.4f) * (1.0f - SmoothStep((u - 1.4f) / 0.8f));
+    const float floor = 1.0f - SmoothStep((u - 0.15f) / 0.3f);
+    float& steepness = steepness_m->data()[i];
+    steepness += beside * std::max(rise_m - steepness, 0.0f);
+    steepness -= floor * std::max(steepness - soft_m, 0.0f);
   }
 }
 
@@ -190,7 +213,8 @@ void ReliefForms::OpenEdges(const Grid<float>& hills_m, Grid<unsigned char>* out
   for (const Area& area : areas_) {
     const bool whole =
         area.piece->kind == ReliefKind::kMountain || area.piece->kind == ReliefKind::kPeak;
-    if (!whole || area.piece->half_width_m < 0.45 * lattice_.size_m()) continue;
+    if (!whole || area.piece->rises_by_class) continue;
+    if (area.piece->half_width_m < 0.45 * lattice_.size_m()) continue;
     const Grid<float> low = FractalNoise(lattice_, options, StreamSeed(seed_, "relief/mouths"));
     // Valleys end where the noise is lowest for some way along the edge.
     const auto open = [&](int r, int c, int down, int right) {
@@ -212,7 +236,7 @@ void ReliefForms::OpenEdges(const Grid<float>& hills_m, Grid<unsigned char>* out
 
 void ReliefForms::Roughen(Grid<float>* smoothness) const {
   for (const Area& area : areas_) {
-    if (!Evolves(area.piece->kind)) continue;
+    if (!Evolves(area.piece->kind) || area.piece->rises_by_class) continue;
     const float wanted = TraitsOf(area.piece->kind).smoothness;
     for (std::size_t i = 0; i < area.share.size(); ++i) {
       float& value = smoothness->data()[i];
@@ -221,79 +245,62 @@ void ReliefForms::Roughen(Grid<float>* smoothness) const {
   }
 }
 
-void ReliefForms::Scale(const Area& area, const Grid<float>& base_m, Grid<float>* land_m) const {
+double ReliefForms::RaisedShare() const {
+  double sum = 0.0;
+  for (const Area& area : areas_) {
+    if (!Evolves(area.piece->kind) || area.piece->rises_by_class) continue;
+    for (const float share : area.share) sum += share;
+  }
+  return std::min(sum / (static_cast<double>(lattice_.rows()) * lattice_.cols()), 1.0);
+}
+
+void ReliefForms::ScaleArea(const Area& area, const Grid<float>& foot_m,
+                            Grid<float>* land_m) const {
   constexpr float kWithin = 0.6f;
-  const bool mountain =
-      area.piece->kind == ReliefKind::kMountain || area.piece->kind == ReliefKind::kPeak;
+  const bool mountain = IsMountain(area.piece->kind);
   std::vector<float> heights;
   for (std::size_t i = 0; i < land_m->size(); ++i) {
-    if (area.share.data()[i] > kWithin) heights.push_back(land_m->data()[i] - base_m.data()[i]);
+    if (area.share.data()[i] > kWithin) heights.push_back(land_m->data()[i] - foot_m.data()[i]);
   }
   if (heights.empty()) return;
-  const float high = *std::max_element(heights.begin(), heights.end());
-  const float spread = mountain ? high : Quantile(0.98, &heights) - Quantile(0.02, &heights);
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  const float spread =
+      mountain ? *high - *low : Quantile(0.98, &heights) - Quantile(0.02, &heights);
+  // What rises by its class is only lifted where it is too low for a mountain.
+  const float least = area.piece->rises_by_class ? 1.0f : 0.05f;
   const float factor =
-      std::clamp(static_cast<float>(area.piece->height_m) / std::max(spread, 0.01f), 0.05f, 3.0f);
+      std::clamp(static_cast<float>(area.piece->height_m) / std::max(spread, 0.01f), least, 3.0f);
   for (std::size_t i = 0; i < land_m->size(); ++i) {
-    const float base = base_m.data()[i];
+    const float foot = foot_m.data()[i];
     float& land = land_m->data()[i];
-    land = base + (land - base) * (1.0f + area.share.data()[i] * (factor - 1.0f));
+    if (land > foot) land = foot + (land - foot) * (1.0f + area.share.data()[i] * (factor - 1.0f));
   }
 }
 
-void ReliefForms::Weather(Grid<float>* land_m) const {
-  const int n = lattice_.rows();
-  Grid<float> rough(n, n, 0.0f);
-  for (const Area& area : areas_) {
-    const bool rocky =
-        area.piece->kind == ReliefKind::kMountain || area.piece->kind == ReliefKind::kPeak ||
-        area.piece->kind == ReliefKind::kMountainous || area.piece->kind == ReliefKind::kRugged;
-    if (!rocky) continue;
-    const auto rough_m = static_cast<float>(kRoughness * area.piece->height_m);
-    for (std::size_t i = 0; i < rough.size(); ++i) {
-      rough.data()[i] = std::max(rough.data()[i], rough_m * area.share.data()[i]);
-    }
+// Land beside the floor is lifted or lowered by one factor, so that it drains as it did.
+void ReliefForms::ScaleValley(const ReliefPiece& valley, const Grid<float>& foot_m,
+                              Grid<float>* land_m) const {
+  constexpr float kLeast = 0.6f;
+  // What lies about a valley that is not a river's is its own land as much.
+  const float most = valley.follows_water ? 3.0f : 1.2f;
+  const Grid<float> from = FromFloor(valley);
+  std::vector<float> rims, floors;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const float above_m = land_m->data()[i] - foot_m.data()[i];
+    if (from.data()[i] <= 0.15f) floors.push_back(above_m);
+    if (from.data()[i] >= 1.0f && from.data()[i] <= 1.25f) rims.push_back(above_m);
   }
-  if (*std::max_element(rough.begin(), rough.end()) > 0.0f) {
-    NoiseOptions options;
-    options.wavelength_m = 0.09 * lattice_.size_m();
-    options.octaves = 5;
-    const Grid<float> noise = FractalNoise(lattice_, options, StreamSeed(seed_, "relief/rough"));
-    for (std::size_t i = 0; i < rough.size(); ++i) {
-      land_m->data()[i] += rough.data()[i] * noise.data()[i];
-    }
-  }
-}
-
-// Rain cuts gullies into what was laid.
-void ReliefForms::Gully(const Grid<float>& laid, const Grid<float>& level_m,
-                        Grid<float>* land_m) const {
-  const int n = lattice_.rows();
-  Grid<unsigned char> outlet = water_.wet;
-  for (int i = 0; i < n; ++i) {
-    outlet(0, i) = outlet(n - 1, i) = outlet(i, 0) = outlet(i, n - 1) = 1;
-  }
-  Grid<float> eroded = *land_m;
-  NoiseOptions uneven;
-  uneven.wavelength_m = 0.05 * lattice_.size_m();
-  uneven.octaves = 3;
-  Grid<float> soft = FractalNoise(lattice_, uneven, StreamSeed(seed_, "relief/soft rock"));
-  for (float& value : soft) value = std::exp(2.0f * value);
-  for (std::size_t i = 0; i < eroded.size(); ++i) {
-    if (water_.wet.data()[i] != 0) eroded.data()[i] = level_m.data()[i];
-  }
-  FluvialOptions options;
-  options.steps = 1;
-  options.time_step_yr = kGullies / options.erodibility;
-  ErodeFluvially(lattice_.resolution_m(), options, &outlet, nullptr, &soft, 0, &eroded);
-  // Their sides slump.
-  for (std::size_t i = 0; i < eroded.size(); ++i) {
-    const bool wet = water_.wet.data()[i] != 0;
-    eroded.data()[i] = wet ? 0.0f : std::min(0.0f, eroded.data()[i] - land_m->data()[i]);
-  }
-  GaussianBlur(2.0, &eroded);
-  for (std::size_t i = 0; i < eroded.size(); ++i) {
-    land_m->data()[i] += std::min(1.0f, laid.data()[i]) * eroded.data()[i];
+  if (rims.empty()) return;
+  const float floor_m = floors.empty() ? 0.0f : Quantile(0.5, &floors);
+  const float rim_m = Quantile(0.5, &rims);
+  const float factor = std::clamp(
+      (static_cast<float>(valley.height_m) + floor_m) / std::max(rim_m, 0.01f), kLeast, most);
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const float u = from.data()[i];
+    const float beside = SmoothStep((u - 0.15f) / 0.5f) * (1.0f - SmoothStep((u - 1.4f) / 1.2f));
+    const float foot = foot_m.data()[i];
+    float& land = land_m->data()[i];
+    if (land > foot) land = foot + (land - foot) * (1.0f + beside * (factor - 1.0f));
   }
 }
 
@@ -301,12 +308,20 @@ void ReliefForms::LayTilt(const Area& area, Grid<float>* land_m) const {
   const int n = lattice_.rows();
   const Claim::Heading to = area.piece->heading;
   const double reach = std::abs(to.east) + std::abs(to.south);
+  // It rises from the area's lowest side on.
+  double low = 0.5;
+  const GridGeometry cells = GridGeometry::FromCells(kLayoutSize, lattice_.size_m());
+  ForEachCell(area.piece->area, [&](CellIndex cell) {
+    const WorldPoint at = cells.CenterOf(cell);
+    const double along = (at.x_m * to.east - at.y_m * to.south) / (reach * lattice_.size_m());
+    low = std::min(low, along - 0.5 / kLayoutSize);
+  });
   for (int r = 0; r < n; ++r) {
     for (int c = 0; c < n; ++c) {
       const WorldPoint at = lattice_.CenterOf({r, c});
       const double along = (at.x_m * to.east - at.y_m * to.south) / (reach * lattice_.size_m());
       (*land_m)(r, c) +=
-          static_cast<float>(area.piece->height_m * (along + 0.5)) * area.share(r, c);
+          static_cast<float>(area.piece->height_m * (along - low)) * area.share(r, c);
     }
   }
 }
@@ -330,157 +345,40 @@ void ReliefForms::LayDunes(const Area& area, Grid<float>* land_m) const {
       const auto turn = static_cast<float>(along) + 1.6f * phase(r, c);
       const float t = turn - std::floor(turn);
       // Up gently on the windward side, down at sand's angle of repose in the lee.
-      const float wave = t < 0.68f ? Smooth(t / 0.68f) : 1.0f - Smooth((t - 0.68f) / 0.32f);
+      const float wave = t < 0.68f ? SmoothStep(t / 0.68f) : 1.0f - SmoothStep((t - 0.68f) / 0.32f);
       const float tall = std::clamp(0.75f + 0.9f * height(r, c), 0.15f, 1.0f);
       (*land_m)(r, c) += static_cast<float>(area.piece->height_m) * wave * tall * area.share(r, c);
     }
   }
 }
 
-Grid<float> ReliefForms::AxisDistance(const ReliefPiece& piece) const {
-  const int n = lattice_.rows();
-  NoiseOptions waver;
-  waver.wavelength_m = 1.6 * piece.half_width_m;
-  waver.octaves = 4;
-  const Grid<float> noise =
-      FractalNoise(lattice_, waver, StreamSeed(seed_, "relief/outline " + NumberOf(piece)));
-  Grid<float> distance(n, n);
-  const double reach_m = piece.kind == ReliefKind::kCliff || piece.follows_water
-                             ? lattice_.size_m()
-                             : 2.0 * piece.half_width_m;
-  for (int r = 0; r < n; ++r) {
-    for (int c = 0; c < n; ++c) {
-      const WorldPoint at = lattice_.CenterOf({r, c});
-      const double d_m = DistanceToAxis_m(piece, at);
-      float& u = distance(r, c);
-      u = static_cast<float>(d_m / piece.half_width_m);
-      // Beyond its reach a piece does nothing.
-      if (d_m < reach_m) u *= 1.0f + 0.35f * noise(r, c) * Smooth(2.0f * u);
+void ReliefForms::Lay(const Grid<float>& level_m, const Grid<float>& foot_m,
+                      Grid<float>* land_m) const {
+  for (const Area& area : areas_) {
+    if (area.piece->kind == ReliefKind::kSlope) {
+      LayTilt(area, land_m);
+    } else if (area.piece->kind == ReliefKind::kDunes) {
+      LayDunes(area, land_m);
+    } else {
+      ScaleArea(area, foot_m, land_m);
     }
   }
-  return distance;
-}
-
-// How much of a piece there is room for [m]: it falls off toward what stands or flows there.
-Grid<float> ReliefForms::RoomFor(const ReliefPiece& piece) const {
-  constexpr float kRise = 0.5f;
-  const bool keeps_off_built =
-      piece.kind != ReliefKind::kValley && piece.kind != ReliefKind::kBasin;
-  Grid<unsigned char> mask = water_.wet;
-  if (piece.follows_water) std::fill(mask.begin(), mask.end(), 0);
-  if (keeps_off_built) {
-    for (std::size_t i = 0; i < mask.size(); ++i) {
-      if (built_.data()[i] != 0) mask.data()[i] = 1;
-    }
-  }
-  Grid<float> room_m = DistanceTo(true, mask);
-  const auto cell_m = static_cast<float>(lattice_.resolution_m());
-  for (float& room : room_m) room = kRise * std::max(0.0f, room - 2.0f) * cell_m;
-  return room_m;
-}
-
-// In shares of the piece's height, with its sign.
-Grid<float> ReliefForms::ShapeOf(const ReliefPiece& piece) const {
-  Grid<float> shape = AxisDistance(piece);
-  const auto half_m = static_cast<float>(piece.half_width_m);
-  const auto size_m = static_cast<float>(lattice_.size_m());
-  const int n = lattice_.rows();
-  for (int r = 0; r < n; ++r) {
-    for (int c = 0; c < n; ++c) {
-      float& value = shape(r, c);
-      if (piece.kind == ReliefKind::kCliff) {
-        const WorldPoint at = lattice_.CenterOf({r, c});
-        const auto side_m = static_cast<float>(SideOfAxis_m(piece, at));
-        const auto off_m = static_cast<float>(DistanceToAxis_m(piece, at));
-        const float beyond_ends = std::max(0.0f, off_m - std::abs(side_m));
-        // Behind its edge the land comes down again slowly, and so it does beyond its ends.
-        const float back = 1.0f - Smooth((side_m - 3.0f * half_m) / (0.3f * size_m));
-        const float ends = 1.0f - Smooth(beyond_ends / (0.12f * size_m));
-        const float wavering = side_m * (off_m > 1e-3f ? value * half_m / off_m : 1.0f);
-        value = Smooth(0.5f + 0.5f * wavering / half_m) * back * ends;
-      } else if (piece.follows_water) {
-        // The land beside the water rises, and comes down again far from it.
-        const float far = 1.0f - Smooth((value - 1.3f) * half_m / (0.3f * size_m));
-        value = (1.0f - Section(piece.kind, value)) * far;
-      } else if (IsSunk(piece.kind)) {
-        value = -Section(piece.kind, value);
-      } else {
-        value = Section(piece.kind, value);
-      }
-    }
-  }
-  return shape;
-}
-
-// Nothing in nature is as even as a section: a tenth of the height, more on flanks than on tops.
-void ReliefForms::Uneven(const ReliefPiece& piece, Grid<float>* shape) const {
-  NoiseOptions options;
-  options.wavelength_m = 0.7 * piece.half_width_m;
-  options.octaves = 5;
-  const Grid<float> noise =
-      FractalNoise(lattice_, options, StreamSeed(seed_, "relief/uneven " + NumberOf(piece)));
-  for (std::size_t i = 0; i < noise.size(); ++i) {
-    float& value = shape->data()[i];
-    const float flank = std::abs(value) * (1.0f - std::abs(value));
-    value += 0.5f * flank * noise.data()[i];
-  }
-}
-
-void ReliefForms::Lay(const Grid<float>& level_m, Grid<float>* land_m) const {
-  if (empty()) return;
-  if (!areas_.empty()) {
-    // Heights are told from the nearest water, or from the lowest land.
-    Grid<float> base_m(land_m->rows(), land_m->cols(),
-                       *std::min_element(land_m->begin(), land_m->end()));
-    const Grid<std::int32_t> nearest = NearestOf(water_.wet);
-    for (std::size_t i = 0; i < base_m.size(); ++i) {
-      if (nearest.data()[i] >= 0) base_m.data()[i] = level_m.data()[nearest.data()[i]];
-    }
-    GaussianBlur(LatticeCellsPerLayoutCell(lattice_), &base_m);
-    for (const Area& area : areas_) {
-      if (area.piece->kind == ReliefKind::kSlope) {
-        LayTilt(area, land_m);
-      } else if (area.piece->kind == ReliefKind::kDunes) {
-        LayDunes(area, land_m);
-      } else {
-        Scale(area, base_m, land_m);
-      }
-    }
-    Weather(land_m);
-  }
-  LayThings(level_m, land_m);
-}
-
-void ReliefForms::LayThings(const Grid<float>& level_m, Grid<float>* land_m) const {
-  Grid<float> raised(land_m->rows(), land_m->cols(), 0.0f);
-  std::vector<Laid> all;
   for (const ReliefPiece& piece : pieces_) {
-    if (piece.has_area()) continue;
-    Laid laid = {&piece, ShapeOf(piece), RoomFor(piece)};
-    Uneven(piece, &laid.shape);
-    laid.Add(piece.height_m, land_m);
-    if (!IsSunk(piece.kind) && piece.kind != ReliefKind::kCrater) {
-      for (std::size_t i = 0; i < raised.size(); ++i) raised.data()[i] += laid.shape.data()[i];
-    }
-    all.push_back(std::move(laid));
+    if (RisesBeside(piece, water_)) ScaleValley(piece, foot_m, land_m);
   }
-  if (all.empty()) return;
-  Gully(raised, level_m, land_m);
-  // What the land was like before, and what rain has taken, are in the way of a height to the
-  // metre.
-  for (const Laid& laid : all) {
-    const ReliefPiece& piece = *laid.piece;
-    if (piece.kind == ReliefKind::kCrater) continue;
-    const double is_m = Amplitude_m(piece, lattice_, *land_m);
-    laid.Add(std::clamp(piece.height_m - is_m, -0.5 * piece.height_m, 0.5 * piece.height_m),
-             land_m);
-  }
+  LayThings(ground(), pieces_, level_m, foot_m, land_m);
 }
 
 Grid<unsigned char> ReliefForms::Hollows() const {
   Grid<unsigned char> hollow(lattice_.rows(), lattice_.cols(), 0);
+  // Rain seeps away between dunes.
+  for (const Area& area : areas_) {
+    if (area.piece->kind != ReliefKind::kDunes) continue;
+    for (std::size_t i = 0; i < hollow.size(); ++i) hollow.data()[i] |= area.share.data()[i] > 0.3f;
+  }
   for (const ReliefPiece& piece : pieces_) {
     if (piece.kind != ReliefKind::kBasin && piece.kind != ReliefKind::kCrater) continue;
+    if (piece.has_area()) continue;
     for (int r = 0; r < hollow.rows(); ++r) {
       for (int c = 0; c < hollow.cols(); ++c) {
         const WorldPoint at = lattice_.CenterOf({r, c});

@@ -2,12 +2,12 @@
 #define LATTICEWORLD_TERRAIN_RELIEF_FORMS_H_
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "latticeworld/geometry/grid.h"
 #include "latticeworld/geometry/grid_geometry.h"
 #include "latticeworld/terrain/relief_places.h"
+#include "latticeworld/terrain/relief_things.h"
 #include "latticeworld/terrain/water_bodies.h"
 
 namespace latticeworld::internal {
@@ -34,9 +34,11 @@ class ReliefForms {
                  Grid<float>* height_m) const;
   // How much creep rounds the land, in [0, 1].
   void Roughen(Grid<float>* smoothness) const;
+  // How much of the world rises as words say: its summits are as high as they say, too.
+  double RaisedShare() const;
   // Brings areas to their heights and lays things into the land [m]. level_m: of the water, NaN
-  // where dry.
-  void Lay(const Grid<float>& level_m, Grid<float>* land_m) const;
+  // where dry. foot_m: what the land rises from, everywhere.
+  void Lay(const Grid<float>& level_m, const Grid<float>& foot_m, Grid<float>* land_m) const;
   // 1 in the bottoms of basins and craters, which no water leaves.
   Grid<unsigned char> Hollows() const;
 
@@ -46,23 +48,17 @@ class ReliefForms {
     Grid<float> share;  // in [0, 1], soft at the rim
   };
 
+  ReliefGround ground() const { return {lattice_, built_, water_, seed_}; }
   Grid<float> ShareOf(const LayoutMask& area, bool off_built) const;
-  void Scale(const Area& area, const Grid<float>& base_m, Grid<float>* land_m) const;
-  std::string NumberOf(const ReliefPiece& piece) const {
-    return std::to_string(&piece - pieces_.data());
-  }
-  void Uneven(const ReliefPiece& piece, Grid<float>* shape) const;
-  // Rock is rough.
-  void Weather(Grid<float>* land_m) const;
-  struct Laid;
-  void LayThings(const Grid<float>& level_m, Grid<float>* land_m) const;
-  void Gully(const Grid<float>& laid, const Grid<float>& level_m, Grid<float>* land_m) const;
+  // How far inside an area: 0 at its rim, 1 where it is widest; summits stand where it is more.
+  Grid<float> Inward(const Area& area) const;
+  // The distance from the axis of a valley, or from the water that it follows, in half widths.
+  Grid<float> FromFloor(const ReliefPiece& valley) const;
+  void RaiseBeside(const ReliefPiece& valley, Grid<float>* steepness_m) const;
+  void ScaleArea(const Area& area, const Grid<float>& foot_m, Grid<float>* land_m) const;
+  void ScaleValley(const ReliefPiece& valley, const Grid<float>& foot_m, Grid<float>* land_m) const;
   void LayTilt(const Area& area, Grid<float>* land_m) const;
   void LayDunes(const Area& area, Grid<float>* land_m) const;
-  // The distance from the axis in half widths; its lines waver.
-  Grid<float> AxisDistance(const ReliefPiece& piece) const;
-  Grid<float> ShapeOf(const ReliefPiece& piece) const;
-  Grid<float> RoomFor(const ReliefPiece& piece) const;
 
   std::vector<ReliefPiece> pieces_;
   std::vector<Area> areas_;

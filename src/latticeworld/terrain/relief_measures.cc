@@ -10,6 +10,7 @@
 #include "latticeworld/geomorphology/resample.h"
 #include "latticeworld/geomorphology/slope.h"
 #include "latticeworld/terrain/components.h"
+#include "latticeworld/terrain/relief_natures.h"
 
 namespace latticeworld::internal {
 namespace {
@@ -28,11 +29,6 @@ void ForEachSample(const GridGeometry& geometry, Visit visit) {
 
 double MedianOf(std::vector<float>* values) {
   return values->empty() ? std::numeric_limits<double>::quiet_NaN() : Quantile(0.5, values);
-}
-
-bool IsSunk(ReliefKind kind) {
-  return kind == ReliefKind::kValley || kind == ReliefKind::kGorge || kind == ReliefKind::kCanyon ||
-         kind == ReliefKind::kBasin;
 }
 
 bool InArea(const ReliefPiece& piece, const GridGeometry& geometry, CellIndex cell) {
@@ -89,6 +85,33 @@ Plane PlaneOf(const std::vector<WorldPoint>& at, const std::vector<float>& heigh
   }
   plane.deviation = std::sqrt(std::max(0.0, (hh - plane.by_x * xh - plane.by_y * yh) / n));
   return plane;
+}
+
+// Places along an axis, so far apart [m], from one half width before its one end to as much behind
+// its other.
+std::vector<WorldPoint> StationsAlong(const ReliefPiece& piece, double apart_m) {
+  std::vector<WorldPoint> line = piece.axis;
+  const auto extended = [&piece](WorldPoint end, WorldPoint before) {
+    const double length = std::max(std::hypot(end.x_m - before.x_m, end.y_m - before.y_m), 1e-9);
+    const double share = piece.half_width_m / length;
+    return WorldPoint{end.x_m + share * (end.x_m - before.x_m),
+                      end.y_m + share * (end.y_m - before.y_m)};
+  };
+  if (line.size() > 1) {
+    line.insert(line.begin(), extended(line[0], line[1]));
+    line.push_back(extended(line[line.size() - 1], line[line.size() - 2]));
+  }
+  std::vector<WorldPoint> stations;
+  double left_m = 0.5 * apart_m;  // until the next one
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double dx = line[i + 1].x_m - line[i].x_m, dy = line[i + 1].y_m - line[i].y_m;
+    const double length = std::hypot(dx, dy);
+    for (; left_m < length; left_m += apart_m) {
+      stations.push_back({line[i].x_m + dx * left_m / length, line[i].y_m + dy * left_m / length});
+    }
+    left_m -= length;
+  }
+  return stations;
 }
 
 }  // namespace
@@ -150,6 +173,96 @@ double Amplitude_m(const ReliefPiece& piece, const GridGeometry& geometry,
   if (!round || level) return sunk ? foot_m - MedianOf(&top) : MedianOf(&top) - foot_m;
   return sunk ? foot_m - *std::min_element(top.begin(), top.end())
               : *std::max_element(top.begin(), top.end()) - foot_m;
+}
+
+double FootLevel_m(const ReliefPiece& piece, const GridGeometry& geometry,
+                   const Grid<float>& height_m) {
+  std::vector<float> foot;
+  ForEachSample(geometry, [&](CellIndex cell) {
+    const double u = DistanceToAxis_m(piece, geometry.CenterOf(cell)) / piece.half_width_m;
+    if (u >= 1.0 && u <= 1.25) foot.push_back(height_m[cell]);
+  });
+  return MedianOf(&foot);
+}
+
+double Width_m(const ReliefPiece& piece, const GridGeometry& geometry,
+               const Grid<float>& height_m) {
+  const int step = std::max(1, geometry.rows() / kMostCells);
+  const double ring_m = std::max(1.0 * step * geometry.resolution_m(), piece.half_width_m / 24.0);
+  std::vector<std::vector<float>> rings(
+      static_cast<std::size_t>(1.25 * piece.half_width_m / ring_m) + 1);
+  ForEachSample(geometry, [&](CellIndex cell) {
+    const auto ring =
+        static_cast<std::size_t>(DistanceToAxis_m(piece, geometry.CenterOf(cell)) / ring_m);
+    if (ring < rings.size()) rings[ring].push_back(height_m[cell]);
+  });
+  const double foot_m = FootLevel_m(piece, geometry, height_m);
+  const double near_m = 0.1 * Amplitude_m(piece, geometry, height_m);
+  double highest_m = -1e9, rim_m = 0.0;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    if (rings[i].empty()) continue;
+    const double level_m = MedianOf(&rings[i]);
+    const double width_m = 2.0 * (static_cast<double>(i) + 0.5) * ring_m;
+    if (piece.kind == ReliefKind::kCrater) {
+      if (level_m <= highest_m) continue;
+      highest_m = level_m;
+      rim_m = width_m;
+    } else if (IsSunk(piece.kind) ? level_m >= foot_m - near_m : level_m <= foot_m + near_m) {
+      return width_m;
+    }
+  }
+  return rim_m;
+}
+
+double Length_m(const ReliefPiece& piece, const GridGeometry& geometry,
+                const Grid<float>& height_m) {
+  const std::vector<WorldPoint> stations = StationsAlong(piece, 0.25 * piece.half_width_m);
+  std::vector<std::vector<float>> core(stations.size()), ring(stations.size());
+  ForEachSample(geometry, [&](CellIndex cell) {
+    const WorldPoint at = geometry.CenterOf(cell);
+    std::size_t nearest = 0;
+    double least_m = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      const double off_m = std::hypot(at.x_m - stations[i].x_m, at.y_m - stations[i].y_m);
+      if (off_m >= least_m) continue;
+      least_m = off_m;
+      nearest = i;
+    }
+    const double u = least_m / piece.half_width_m;
+    if (u <= 0.25) core[nearest].push_back(height_m[cell]);
+    if (u >= 1.0 && u <= 1.25) ring[nearest].push_back(height_m[cell]);
+  });
+  const double half_m = 0.5 * Amplitude_m(piece, geometry, height_m);
+  const double foot_m = FootLevel_m(piece, geometry, height_m);
+  int high = 0;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    if (core[i].empty()) continue;
+    const double around_m = ring[i].empty() ? foot_m : MedianOf(&ring[i]);
+    const double rise_m = MedianOf(&core[i]) - around_m;
+    if ((IsSunk(piece.kind) ? -rise_m : rise_m) >= half_m) ++high;
+  }
+  return high * 0.25 * piece.half_width_m;
+}
+
+WorldPoint MiddleOf(const ReliefPiece& piece, const GridGeometry& geometry,
+                    const Grid<float>& height_m) {
+  if (piece.has_area()) {
+    const LayoutMask::Point at = piece.area.Centroid();
+    const double cell_m = geometry.size_m() / kLayoutSize, half_m = geometry.size_m() / 2.0;
+    return {(at.col + 0.5) * cell_m - half_m, half_m - (at.row + 0.5) * cell_m};
+  }
+  if (piece.axis.size() > 1) return piece.axis[piece.axis.size() / 2];
+  const float sign = IsSunk(piece.kind) || piece.kind == ReliefKind::kCrater ? -1.0f : 1.0f;
+  WorldPoint middle = piece.axis.front();
+  float best = -std::numeric_limits<float>::infinity();
+  ForEachSample(geometry, [&](CellIndex cell) {
+    const WorldPoint at = geometry.CenterOf(cell);
+    if (DistanceToAxis_m(piece, at) > 0.5 * piece.half_width_m) return;
+    if (sign * height_m[cell] <= best) return;
+    best = sign * height_m[cell];
+    middle = at;
+  });
+  return middle;
 }
 
 double FlankSlope_deg(const ReliefPiece& piece, const GridGeometry& geometry,

@@ -5,73 +5,15 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "latticeworld/layout/mask_measures.h"
+#include "latticeworld/terrain/relief_measures.h"
+#include "latticeworld/terrain/relief_natures.h"
 
 namespace latticeworld::internal {
 namespace {
-
-// The natural measures of a kind as shares of the world's size.
-struct Nature {
-  double half_width;  // of the size
-  double height;      // of the half width
-};
-Nature NatureOf(ReliefKind kind) {
-  switch (kind) {
-    case ReliefKind::kHill:
-      return {0.13, 0.30};
-    case ReliefKind::kRidge:
-      return {0.10, 0.45};
-    case ReliefKind::kMoraine:
-      return {0.04, 0.40};
-    case ReliefKind::kPlateau:
-      return {0.20, 0.22};
-    case ReliefKind::kMesa:
-      return {0.12, 0.50};
-    case ReliefKind::kCrater:
-      return {0.12, 0.35};
-    case ReliefKind::kBasin:
-      return {0.15, 0.14};
-    case ReliefKind::kValley:
-      return {0.14, 0.25};
-    case ReliefKind::kGorge:
-      return {0.05, 0.90};
-    case ReliefKind::kCanyon:
-      return {0.11, 0.60};
-    case ReliefKind::kCliff:
-      return {0.03, 1.60};
-    case ReliefKind::kSlope:
-      return {0.50, 0.12};
-    case ReliefKind::kDunes:
-      return {0.06, 0.20};
-    case ReliefKind::kTerraces:
-      return {0.20, 0.25};
-    case ReliefKind::kFlat:
-      return {0.50, 0.004};
-    case ReliefKind::kGentle:
-      return {0.50, 0.025};
-    case ReliefKind::kRolling:
-      return {0.50, 0.05};
-    case ReliefKind::kHilly:
-      return {0.50, 0.11};
-    case ReliefKind::kRugged:
-      return {0.50, 0.25};
-    case ReliefKind::kSteep:
-      return {0.50, 0.30};
-    default:
-      return {0.50, 0.605};  // mountains
-  }
-}
-
-bool IsMountain(ReliefKind kind) {
-  return kind == ReliefKind::kMountain || kind == ReliefKind::kPeak;
-}
-
-bool IsSunk(ReliefKind kind) {
-  return kind == ReliefKind::kValley || kind == ReliefKind::kGorge || kind == ReliefKind::kCanyon ||
-         kind == ReliefKind::kBasin;
-}
 
 // Squared distances [cells] from every cell to the nearest cell of a mask; a large number without.
 struct Distances {
@@ -107,8 +49,16 @@ class Placer {
     }
   }
 
-  void Place(int index, const ReliefWish& wish, std::vector<ReliefPiece>* pieces) {
-    int count = wish.count > 0 ? wish.count : wish.plural ? 3 : 1;
+  // has_pass: a saddle is said to lie between the wish's pieces.
+  void Place(int index, const ReliefWish& wish, bool has_pass, std::vector<ReliefPiece>* pieces) {
+    placed_ = pieces;
+    if (wish.kind == ReliefKind::kSaddle) return PlaceSaddle(index, wish);
+    if (has_pass && wish.plural && (wish.count == 0 || wish.count == 2)) {
+      return PlacePair(index, wish);
+    }
+    // Cliffs are one line, and terraces one flight, where no number is said.
+    const bool one = wish.kind == ReliefKind::kCliff || wish.kind == ReliefKind::kTerraces;
+    int count = wish.count > 0 ? wish.count : wish.plural && !one ? 3 : 1;
     const bool area = IsTexture(wish.kind) || (IsMountain(wish.kind) && HasArea(wish)) ||
                       wish.kind == ReliefKind::kDunes || wish.kind == ReliefKind::kSlope;
     if (area) count = 1;
@@ -117,11 +67,16 @@ class Placer {
       piece.wish = index;
       piece.kind = wish.kind;
       if (wish.heading.east != 0 || wish.heading.south != 0) piece.heading = wish.heading;
-      const LayoutMask zone = ZoneOf(wish, i);
+      piece.carries_built = i == 0 && CarriesBuilt(wish);
+      LayoutMask zone = ZoneOf(wish, i);
+      if (!area && !IsCourse(wish.kind) && wish.letter != '\0') {
+        const LayoutMask shown = Letters(wish.letter, zone);
+        if (!shown.empty()) zone = shown;
+      }
       if (area) {
         PlaceArea(wish, zone, &piece);
       } else {
-        PlaceAxis(wish, zone, &piece);
+        PlaceAxis(wish, zone, i == 0, &piece);
       }
       pieces->push_back(std::move(piece));
     }
@@ -141,8 +96,34 @@ class Placer {
   }
   static LayoutMask ZoneOf(const ReliefWish& wish, int piece) {
     if (wish.zones.empty()) return LayoutMask::All();
-    if (wish.count == 0 && !wish.plural) return Union(wish.zones);
+    const bool one = wish.kind == ReliefKind::kCliff || wish.kind == ReliefKind::kTerraces;
+    if (wish.count == 0 && (one || !wish.plural)) return Union(wish.zones);
     return latticeworld::MaskOf(wish.zones[static_cast<std::size_t>(piece) % wish.zones.size()]);
+  }
+
+  static bool CarriesBuilt(const ReliefWish& wish) {
+    return std::any_of(wish.ties.begin(), wish.ties.end(), [](const ReliefTie& tie) {
+      return tie.kind == ReliefTie::Kind::kUnder && tie.letter == 'B';
+    });
+  }
+
+  // How far what is built on a form or in it reaches [m].
+  double CarriedRadius(const ReliefWish& wish) const {
+    int most = 0;
+    for (const ReliefTie& tie : wish.ties) {
+      const LayoutMask cells = CellsOf(tie);
+      if (tie.kind != ReliefTie::Kind::kUnder || tie.letter != 'B' || cells.empty()) continue;
+      most = std::max(most, cells.Pieces().front().count());
+    }
+    return std::sqrt(most / M_PI) * cell_m_;
+  }
+
+  // The first piece of a wish, or none.
+  const ReliefPiece* PieceOf(int wish) const {
+    for (const ReliefPiece& piece : *placed_) {
+      if (piece.wish == wish) return &piece;
+    }
+    return nullptr;
   }
 
   // Mountains that the layout shows, or that are all there is.
@@ -165,7 +146,9 @@ class Placer {
       if (!sand.empty()) area = sand;
     }
     piece->area = area.empty() ? zone : area;
-    piece->half_width_m = HalfWidth(piece->area);
+    piece->half_width_m = HalfWidth(piece->area, false);
+    piece->shown_half_width_m = HalfWidth(piece->area, true);
+    piece->rises_by_class = RisesByClass(wish);
     if (wish.kind == ReliefKind::kDunes) {
       piece->half_width_m = wish.width_m ? *wish.width_m / 2.0
                                          : std::min(0.25 * piece->half_width_m,
@@ -173,25 +156,44 @@ class Placer {
     }
     if (wish.kind == ReliefKind::kSlope) piece->half_width_m = size_m_ / 2.0;
     SetHeight(wish, piece);
+    if (piece->rises_by_class) {
+      piece->height_m = 1.2 * kLeastMountain * 2.0 * piece->shown_half_width_m;
+    }
   }
 
-  // How far the middle of an area lies from its rim [m]; beyond the world's edge it goes on.
-  double HalfWidth(const LayoutMask& area) const {
+  // Rock and snow beside other land, of which nothing more is said than where they are, rise to
+  // mountains in the landscape evolution by themselves.
+  bool RisesByClass(const ReliefWish& wish) const {
+    const bool more = wish.alone || wish.height_m || wish.slope_deg || wish.width_m ||
+                      wish.size != 1.0 || wish.steepness != 1.0 || !wish.ties.empty();
+    return IsMountain(wish.kind) && layout_.vocabulary == Vocabulary::kWild && !more;
+  }
+
+  // How far the middle of an area lies from its rim [m]. Beyond the world's edge it goes on, or
+  // there it ends.
+  double HalfWidth(const LayoutMask& area, bool ends_at_edge) const {
     const LayoutMask outside = LayoutMask::All() - area;
     const Distances to(outside);
     float most = 0.5f;
-    ForEachCell(area, [&](CellIndex cell) { most = std::max(most, to.cells[cell]); });
+    ForEachCell(area, [&](CellIndex cell) {
+      const int edge = 1 + std::min({cell.row, cell.col, kLayoutSize - 1 - cell.row,
+                                     kLayoutSize - 1 - cell.col});
+      const float rim = to.cells[cell];
+      most = std::max(most, ends_at_edge ? std::min(rim, static_cast<float>(edge)) : rim);
+    });
     return std::min(static_cast<double>(most) * cell_m_, size_m_ / 2.0);
   }
 
   void SetHeight(const ReliefWish& wish, ReliefPiece* piece) const {
-    const Nature nature = NatureOf(wish.kind);
+    const ReliefNature nature = NatureOf(wish.kind);
     const double steepest = SteepestFlank(wish.kind) * piece->half_width_m;
     const std::optional<double>& asked = IsSunk(wish.kind) && wish.depth_m ? wish.depth_m
                                          : wish.height_m                   ? wish.height_m
                                                                            : wish.depth_m;
     if (asked) {
       piece->height_m = *asked;
+    } else if (wish.slope_deg && wish.kind == ReliefKind::kSlope) {
+      piece->height_m = size_m_ * std::tan(*wish.slope_deg * M_PI / 180.0);
     } else if (wish.slope_deg && !IsTexture(wish.kind)) {
       piece->height_m =
           kFlankShare * piece->half_width_m * std::tan(*wish.slope_deg * M_PI / 180.0);
@@ -201,11 +203,36 @@ class Placer {
     piece->height_m = std::clamp(piece->height_m, 0.05, steepest);
   }
 
+  // What a tie leaves of a zone. What the layout shows stays there, unless the tie is to a form,
+  // of which the layout knows nothing.
+  static LayoutMask Within(const LayoutMask& zone, const LayoutMask& tied, const ReliefTie& tie) {
+    const LayoutMask both = zone & tied;
+    if (!both.empty()) return both;
+    return tie.wish >= 0 && !tied.empty() ? tied : zone;
+  }
+
+  // The cells of what a tie is about.
+  LayoutMask CellsOf(const ReliefTie& tie) const {
+    if (tie.wish < 0) return Letters(tie.letter, Union(tie.zones));
+    const ReliefPiece* piece = PieceOf(tie.wish);
+    if (piece == nullptr) return LayoutMask();
+    if (piece->has_area()) return piece->area;
+    const GridGeometry cells = GridGeometry::FromCells(kLayoutSize, size_m_);
+    LayoutMask mask;
+    ForEachCell(LayoutMask::All(), [&](CellIndex cell) {
+      if (DistanceToAxis_m(*piece, cells.CenterOf(cell)) <= piece->half_width_m) mask.Add(cell);
+    });
+    return mask;
+  }
+
   // Where a tie says that the piece lies, and what is no obstacle to it.
-  LayoutMask TiedZone(const ReliefWish& wish, LayoutMask zone, LayoutMask* obstacles) const {
+  LayoutMask TiedZone(const ReliefWish& wish, LayoutMask zone, bool first,
+                      LayoutMask* obstacles) const {
     for (const ReliefTie& tie : wish.ties) {
-      const LayoutMask cells = Letters(tie.letter, Union(tie.zones));
+      const LayoutMask cells = CellsOf(tie);
       if (cells.empty()) continue;
+      // One of several pieces carries what lies on one of them.
+      if (tie.kind == ReliefTie::Kind::kUnder && !first) continue;
       if (tie.kind == ReliefTie::Kind::kUnder) {
         *obstacles = *obstacles - cells;
         LayoutMask middle;
@@ -222,10 +249,10 @@ class Placer {
               (cell.col - at.col) * tie.heading.south - (cell.row - at.row) * tie.heading.east;
           if (along > 2.0 && std::abs(across) <= 0.7 * along) beyond.Add(cell);
         });
-        if (!(zone & beyond).empty()) zone = zone & beyond;
+        zone = Within(zone, beyond, tie);
       } else {
         const LayoutMask around = cells.Grown8(tie.kind == ReliefTie::Kind::kClimbed ? 8 : 6);
-        if (!(zone & around).empty()) zone = zone & around;
+        zone = Within(zone, around, tie);
       }
     }
     return zone;
@@ -257,13 +284,13 @@ class Placer {
     return {(col + 0.5) * cell_m_ - size_m_ / 2.0, size_m_ / 2.0 - (row + 0.5) * cell_m_};
   }
 
-  void PlaceAxis(const ReliefWish& wish, const LayoutMask& zone, ReliefPiece* piece) {
-    const Nature nature = NatureOf(wish.kind);
+  void PlaceAxis(const ReliefWish& wish, const LayoutMask& zone, bool first, ReliefPiece* piece) {
+    const ReliefNature nature = NatureOf(wish.kind);
     double half_m = nature.half_width * size_m_ * std::sqrt(wish.size);
     if (IsMountain(wish.kind)) half_m = 0.22 * size_m_ * std::sqrt(wish.size);
     const std::optional<double>& asked = wish.height_m ? wish.height_m : wish.depth_m;
     if (wish.width_m) {
-      half_m = *wish.width_m / 2.0;
+      half_m = *wish.width_m / 2.0 / WidthShare(wish.kind);
     } else if (asked) {
       // As wide as its height wants to be, within the world.
       const double natural_slope = wish.slope_deg
@@ -271,15 +298,17 @@ class Placer {
                                        : nature.height * 1.2 * wish.steepness;
       half_m = std::clamp(*asked / std::max(natural_slope, 0.02), 0.03 * size_m_, 0.42 * size_m_);
     }
+    if (piece->carries_built && !wish.width_m) half_m = std::max(half_m, 1.8 * CarriedRadius(wish));
     half_m = std::min(half_m, 0.45 * size_m_);
     LayoutMask obstacles = taken_;
-    const LayoutMask tied = TiedZone(wish, zone, &obstacles);
+    const LayoutMask tied = TiedZone(wish, zone, first, &obstacles);
     if (IsCourse(wish.kind)) {
       piece->half_width_m = half_m;
       PlaceCourse(wish, tied, obstacles, piece);
       if (piece->axis.size() == 2) {
         piece->axis = Bent(piece->axis, wish.kind == ReliefKind::kCliff ? 0.025 : 0.055);
       }
+      MarkCourse(*piece);
     } else {
       double room_cells = 0.0;
       const CellIndex at = Freest(tied, obstacles | laid_, half_m / cell_m_, &room_cells);
@@ -290,6 +319,17 @@ class Placer {
       MarkLaid(at, half_m / cell_m_);
     }
     SetHeight(wish, piece);
+    // The water itself takes room, and its banks are gentle.
+    if (piece->follows_water && !wish.width_m) {
+      piece->half_width_m = std::max(piece->half_width_m, 2.5 * cell_m_);
+    }
+  }
+
+  void MarkCourse(const ReliefPiece& piece) {
+    const GridGeometry cells = GridGeometry::FromCells(kLayoutSize, size_m_);
+    ForEachCell(LayoutMask::All(), [&](CellIndex cell) {
+      if (DistanceToAxis_m(piece, cells.CenterOf(cell)) < piece.half_width_m) laid_.Add(cell);
+    });
   }
 
   void MarkLaid(CellIndex at, double radius_cells) {
@@ -311,18 +351,37 @@ class Placer {
 
   void PlaceCourse(const ReliefWish& wish, const LayoutMask& zone, const LayoutMask& obstacles,
                    ReliefPiece* piece) {
-    if (FollowWater(wish, piece) || FollowLetter(wish, zone, piece)) return;
+    if (FollowWater(wish, piece)) return;
+    if (FollowLetter(wish, zone, piece)) {
+      if (wish.length_m) CutTo(AxisLength(wish, piece->half_width_m), &piece->axis);
+      return;
+    }
     if (!wish.from.empty() && !wish.to.empty()) {
       piece->axis = {EndOf(wish.from.front()), EndOf(wish.to.front())};
+      if (wish.length_m) CutTo(AxisLength(wish, piece->half_width_m), &piece->axis);
       return;
     }
     const double half_m = piece->half_width_m;
     double room_cells = 0.0;
     const CellIndex at = Freest(zone, obstacles | laid_, half_m / cell_m_, &room_cells);
     MarkLaid(at, 1.5 * half_m / cell_m_);
-    const double length_m =
-        wish.length_m ? *wish.length_m : std::min(0.9, 0.6 * std::sqrt(wish.size)) * size_m_;
+    const double length_m = wish.length_m ? AxisLength(wish, half_m)
+                                          : std::min(0.9, 0.6 * std::sqrt(wish.size)) * size_m_;
     LayThrough(wish, PointOf(at.row, at.col), length_m, obstacles, piece);
+  }
+
+  // A form goes on beyond the ends of its axis: by half its half width it is half as high.
+  double AxisLength(const ReliefWish& wish, double half_m) const {
+    return std::max(*wish.length_m - half_m, 0.5 * cell_m_);
+  }
+
+  // Makes a line straight and so long about its middle.
+  static void CutTo(double length_m, std::vector<WorldPoint>* ends) {
+    const WorldPoint a = ends->front(), b = ends->back();
+    const double is_m = std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
+    const double cut = 0.5 - 0.5 * length_m / std::max(is_m, 1e-9);
+    const double dx = cut * (b.x_m - a.x_m), dy = cut * (b.y_m - a.y_m);
+    *ends = {{a.x_m + dx, a.y_m + dy}, {b.x_m - dx, b.y_m - dy}};
   }
 
   // "The river runs through the gorge."
@@ -405,7 +464,13 @@ class Placer {
       };
       auto [ahead, ahead_edge] = reach(1);
       auto [behind, behind_edge] = reach(-1);
-      if (drains) {
+      if (drains && wish.length_m) {
+        // From the nearer edge on.
+        double& out = ahead_edge < behind_edge ? ahead : behind;
+        double& in = ahead_edge < behind_edge ? behind : ahead;
+        out = std::min(ahead_edge, behind_edge);
+        in = std::min(std::max(ahead_edge, behind_edge), length_m - out);
+      } else if (drains) {
         if (wish.zones.empty()) {
           ahead = ahead_edge;
           behind = behind_edge;
@@ -443,48 +508,113 @@ class Placer {
     return line;
   }
 
+  // "Two hills" with a pass between them lie side by side, as a saddle's own rises do.
+  void PlacePair(int index, const ReliefWish& wish) {
+    for (ReliefPiece& rise : RisesOf(index, wish)) placed_->push_back(std::move(rise));
+  }
+
+  // Two rises and the ridge that joins them: its middle is the pass.
+  void PlaceSaddle(int index, const ReliefWish& wish) {
+    std::vector<ReliefPiece> rises = SaidRises(wish);
+    const bool said = rises.size() >= 2;
+    if (!said) rises = RisesOf(index, wish);
+    ReliefPiece ridge;
+    ridge.wish = index;
+    ridge.kind = ReliefKind::kRidge;
+    ridge.axis = {rises[0].axis.front(), rises[1].axis.front()};
+    // Its ends run out on the flanks of the rises.
+    const double apart_m =
+        std::hypot(ridge.axis[1].x_m - ridge.axis[0].x_m, ridge.axis[1].y_m - ridge.axis[0].y_m);
+    CutTo(std::max(apart_m - kOnFlanks * (rises[0].half_width_m + rises[1].half_width_m),
+                   0.1 * apart_m),
+          &ridge.axis);
+    ridge.half_width_m = 0.8 * std::min(rises[0].half_width_m, rises[1].half_width_m);
+    ridge.height_m = kPassShare * std::min(rises[0].height_m, rises[1].height_m);
+    placed_->push_back(std::move(ridge));
+    if (!said) placed_->insert(placed_->end(), rises.begin(), rises.end());
+  }
+
+  std::vector<ReliefPiece> SaidRises(const ReliefWish& wish) const {
+    std::vector<ReliefPiece> rises;
+    for (const int other : wish.between) {
+      for (const ReliefPiece& piece : *placed_) {
+        if (piece.wish == other && piece.axis.size() == 1) rises.push_back(piece);
+      }
+    }
+    return rises;
+  }
+
+  // Two rises on either side of a saddle's place, for a wish: the saddle's own, or "two hills" that
+  // it is said to lie between.
+  std::vector<ReliefPiece> RisesOf(int index, const ReliefWish& wish) {
+    const ReliefNature nature = NatureOf(ReliefKind::kSaddle);
+    ReliefPiece rise;
+    rise.wish = index;
+    rise.kind = wish.kind == ReliefKind::kSaddle ? ReliefKind::kHill : wish.kind;
+    rise.half_width_m = nature.half_width * size_m_ * std::sqrt(wish.size);
+    std::optional<double> asked = wish.height_m;
+    if (asked && wish.kind == ReliefKind::kSaddle) *asked /= kPassShare;
+    if (asked) {
+      rise.half_width_m = std::clamp(*asked / nature.height, 0.03 * size_m_, 0.2 * size_m_);
+    }
+    rise.height_m = asked ? *asked : nature.height * rise.half_width_m * wish.steepness;
+    rise.height_m = std::min(rise.height_m, SteepestFlank(rise.kind) * rise.half_width_m);
+    const double apart_m = 2.2 * rise.half_width_m;
+    LayoutMask obstacles = taken_;
+    const LayoutMask zone = TiedZone(wish, ZoneOf(wish, 0), true, &obstacles);
+    double room_cells = 0.0;
+    const CellIndex at =
+        Freest(zone, obstacles | laid_, 2.1 * rise.half_width_m / cell_m_, &room_cells);
+    ReliefPiece line;
+    LayThrough(wish, PointOf(at.row, at.col), apart_m, obstacles, &line);
+    MarkLaid(at, apart_m / cell_m_);
+    std::vector<ReliefPiece> rises;
+    for (const WorldPoint& top : line.axis) {
+      rise.axis = {top};
+      rises.push_back(rise);
+    }
+    return rises;
+  }
+
+  // Of its rises' height, how high a pass lies.
+  static constexpr double kPassShare = 0.5;
+  // Of a rise's half width, how far from its top the ridge to the pass begins.
+  static constexpr double kOnFlanks = 0.66;
   // Of a flank's width the share that is not rounded off at foot and top.
   static constexpr double kFlankShare = 0.75;
 
   const SymbolicLayout& layout_;
   const double size_m_;
   const double cell_m_;
-  LayoutMask taken_;  // by water, roads, buildings and fields
-  LayoutMask laid_;   // by pieces of relief so far
+  std::vector<ReliefPiece>* placed_ = nullptr;  // of all wishes so far
+  LayoutMask taken_;                            // by water, roads, buildings and fields
+  LayoutMask laid_;                             // by pieces of relief so far
 };
 
-}  // namespace
-
-double SteepestFlank(ReliefKind kind) {
-  switch (kind) {
-    case ReliefKind::kHill:
-    case ReliefKind::kMoraine:
-    case ReliefKind::kTerraces:
-      return 0.60;
-    case ReliefKind::kDunes:
-      return 0.45;
-    case ReliefKind::kBasin:
-    case ReliefKind::kValley:
-    case ReliefKind::kSlope:
-      return 0.60;
-    case ReliefKind::kGorge:
-      return 1.6;
-    case ReliefKind::kCliff:
-      return 3.0;
-    case ReliefKind::kCanyon:
-    case ReliefKind::kMesa:
-      return 1.2;
-    default:
-      return 0.80;
-  }
+// Whether a wish goes where layout or words have it, whatever else there is.
+bool IsSet(const ReliefWish& wish) {
+  const bool by_other = std::any_of(wish.ties.begin(), wish.ties.end(),
+                                    [](const ReliefTie& tie) { return tie.wish >= 0; });
+  return !by_other && wish.kind != ReliefKind::kSaddle &&
+         (wish.letter != '\0' || !wish.from.empty());
 }
+
+}  // namespace
 
 std::vector<ReliefPiece> PlaceReliefs(const std::vector<ReliefWish>& wishes,
                                       const SymbolicLayout& layout, double size_m) {
   Placer placer(layout, size_m);
   std::vector<ReliefPiece> pieces;
-  for (std::size_t i = 0; i < wishes.size(); ++i) {
-    placer.Place(static_cast<int>(i), wishes[i], &pieces);
+  // What the layout shows or the words lay out comes first; the others find room beside it.
+  for (const bool set : {true, false}) {
+    for (std::size_t i = 0; i < wishes.size(); ++i) {
+      if (IsSet(wishes[i]) != set) continue;
+      const std::vector<int> alone = {static_cast<int>(i)};
+      const bool has_pass = std::any_of(wishes.begin(), wishes.end(), [&](const ReliefWish& wish) {
+        return wish.between == alone;
+      });
+      placer.Place(static_cast<int>(i), wishes[i], has_pass, &pieces);
+    }
   }
   return pieces;
 }

@@ -20,7 +20,10 @@ struct ReliefPiece {
   bool follows_water = false;  // the axis is the water of `area`
   double half_width_m = 0.0;   // from the axis to the foot, or to the rim; of an area: to its rim
   double height_m = 0.0;       // from foot to top, or from rim to floor; > 0
-  Claim::Heading heading{0, -1};  // that it rises to: kCliff, kSlope, kDunes, kTerraces
+  Claim::Heading heading{0, -1};    // that it rises to: kCliff, kSlope, kDunes, kTerraces
+  double shown_half_width_m = 0.0;  // of an area: the same, where the world's edge is a rim too
+  bool rises_by_class = false;      // of an area: its class makes the mountains that are asked for
+  bool carries_built = false;       // what is built is said to stand in it or on it
   bool has_area() const { return axis.empty(); }
 };
 
@@ -29,9 +32,6 @@ struct ReliefPiece {
 // rise. A function of its arguments alone, so that who measures finds what was laid.
 std::vector<ReliefPiece> PlaceReliefs(const std::vector<ReliefWish>& wishes,
                                       const SymbolicLayout& layout, double size_m);
-
-// The steepest mean slope [m/m] of flanks of a kind, whatever is asked.
-double SteepestFlank(ReliefKind kind);
 
 }  // namespace latticeworld::internal
 

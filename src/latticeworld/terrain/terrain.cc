@@ -17,6 +17,7 @@
 #include "latticeworld/terrain/cover.h"
 #include "latticeworld/terrain/land.h"
 #include "latticeworld/terrain/lattice.h"
+#include "latticeworld/terrain/relief_covers.h"
 #include "latticeworld/terrain/relief_forms.h"
 #include "latticeworld/terrain/relief_places.h"
 #include "latticeworld/terrain/render.h"
@@ -31,11 +32,10 @@ namespace {
 // Borders wide and ragged enough that the squares of the layout do not show in the land.
 DecodeOptions BorderOptions(const GridGeometry& geometry, bool fords) {
   constexpr double kBlendWidth_cells = 0.6;
-  constexpr double kShallow_m = 0.3;  // rivers that are forded by any road
   DecodeOptions options;
   options.blend_width_m = kBlendWidth_cells * geometry.size_m() / kLayoutSize;
   options.noise_amplitude = 1.0;
-  options.fords = fords || internal::RiverDepth_m(geometry.size_m()) <= kShallow_m;
+  options.fords = fords;
   return options;
 }
 
@@ -101,6 +101,23 @@ Grid<float> DepthNearRoads(const GridGeometry& lattice, const Grid<unsigned char
     }
   }
   return depth_m;
+}
+
+// The least of each cell and its neighbours: a floor between steep sides is no steep ground.
+Grid<float> LeastAround(const Grid<float>& values) {
+  const int rows = values.rows(), cols = values.cols();
+  Grid<float> along(rows, cols), least(rows, cols);
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < cols; ++c) {
+      along(r, c) = std::min({values(r, c), values.Clamped(r, c - 1), values.Clamped(r, c + 1)});
+    }
+  }
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < cols; ++c) {
+      least(r, c) = std::min({along(r, c), along.Clamped(r - 1, c), along.Clamped(r + 1, c)});
+    }
+  }
+  return least;
 }
 
 // The mask without what lies so near bridges that roads climb to them there.
@@ -232,7 +249,8 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
   }
   LW_RETURN_IF_ERROR(advance(0.6));
 
-  const Grid<float> slope = GradientMagnitude(plan.height_m, lattice.resolution_m());
+  const Grid<float> slope = LeastAround(GradientMagnitude(plan.height_m, lattice.resolution_m()));
+  internal::CoverByHeight(request.covers, plan.height_m, &lines.masks);
   plan.masks = std::move(lines.masks);
   plan.level_m = banks.level_everywhere_m();
   plan.lowest_m = banks.lowest_m();

@@ -39,7 +39,7 @@ struct TerrainOptions {
                                   // up to twice as steep
   double max_bank_slope = 0.6;    // of the land beside water, [0.1, 1]
   double ford_depth_m = 0.12;     // of water over a ford, [0.02, 0.14]
-  bool fords = false;             // roads ford all narrow rivers, not only those that are shallow
+  bool fords = false;             // roads ford narrow rivers; see RiversAreShallow
 };
 std::vector<Violation> Validate(const TerrainOptions& options);
 
@@ -48,6 +48,7 @@ struct TerrainRequest {
   const SymbolicLayout* layout = nullptr;  // never null
   const Relief* relief = nullptr;          // variable-height scene; null: gentle procedural relief
   std::vector<ReliefWish> reliefs;         // only without a relief: given land stays as it is
+  std::vector<HeightCover> covers;         // what lies above and below heights, over the layout
   std::uint64_t seed = 0;
   TerrainOptions options;
   int threads = 0;  // 0: as many as cores; the terrain is the same with any
@@ -58,8 +59,8 @@ struct TerrainRequest {
 // With one it stays as given but for what is built into it. Either way rivers fall along their
 // course into lakes, the sea or over the world's edge, still water is level and held by its shores,
 // roads keep to their slope, building land and fields on slopes lie in level steps. Roads cross
-// water on bridges, and the water runs on below; they ford rivers that are up to three layout cells
-// wide where these are shallow, no deeper than 0.3 m in their middle, or where the options say so.
+// water on bridges, and the water runs on below; where the options say so they ford rivers that are
+// up to three layout cells wide, which suits those that are shallow (shallow_rivers.h).
 // Errors: INVALID_ARGUMENT (options), CANCELLED.
 Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& progress);
 

@@ -16,9 +16,16 @@ void RoughenSlopes(const GridGeometry& lattice, double share, std::uint64_t seed
                    Grid<float>* land_m);
 
 // Brings the summits of a range to about one height, as nature's are (Brozovic, Burbank and Meigs
-// 1997, "Climatic limits on landscape development in the northwestern Himalaya"): what is higher is
-// lowered more, to 1 / (1 + strength) of its height at the highest. Flow keeps its ways.
-void LowerSummits(double strength, Grid<float>* land_m);
+// 1997, "Climatic limits on landscape development in the northwestern Himalaya"). What is as high
+// above its foot as a tenth of the land is or more is lowered to 1 / (1 + strength) of that or
+// less, what is lower less; heights keep their order. What lies no higher than its foot stays.
+void LowerSummits(double strength, const Grid<float>& foot_m, Grid<float>* land_m);
+
+// Lets rain cut valleys into land that stands already, such as a hill. It rises as fast as rain
+// takes it down, on the mean of some cells around, so that its form stays: where water gathers it
+// sinks, between there it rises to spurs. outlet: 1 where water leaves, which stays.
+void Dissect(const GridGeometry& lattice, const Grid<unsigned char>& outlet, std::uint64_t seed,
+             Grid<float>* land_m);
 
 }  // namespace latticeworld::internal
 

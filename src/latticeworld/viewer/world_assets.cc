@@ -68,8 +68,8 @@ AssetTable MakeAssetTable(const Scene& scene) {
     group.material = scene.catalogue->materials(type)[example.material].name;
     group.first = table.bytes.size() / kAssetBytes;
     group.count = numbers.size();
-    const Proportions stretch =
-        ProportionsOf(scene.environment.coarse.artistic_style, example.kind);
+    const Proportions stretch = ProportionsOf(scene.environment.coarse.artistic_style,
+                                              scene.catalogue->models()[example.model]);
     group.wider = stretch.width;
     group.higher = stretch.height;
     for (const std::uint32_t number : numbers) AppendAsset(scene, number, &table.bytes);

@@ -65,6 +65,22 @@ TEST_F(ReadingLayoutsTest, SentencesOfTheLanguageAreLaidOutAtOnce) {
             std::string::npos);
 }
 
+TEST_F(ReadingLayoutsTest, SingleThingsOfTheTextComeBeforeThoseOfTheSentences) {
+  request_.instruction = "A well, three lamps along the road, and somewhere to rest by the well";
+  server_->Say(R"({"sentences": ["A road.", "A bench is near a tower."]})");
+  const auto reading =
+      MakeInterpretingReader(server_, {})->ReadLayout(request_, progress_, &replies_);
+  ASSERT_TRUE(reading.ok()) << reading.status().ToString();
+  const std::vector<ThingWish>& things = reading->plan.things;
+  ASSERT_EQ(things.size(), 4u);
+  EXPECT_EQ(things[0].kind, "well");
+  EXPECT_EQ(things[1].kind, "lamp");
+  EXPECT_EQ(things[2].kind, "tower");
+  EXPECT_EQ(things[3].kind, "bench");
+  EXPECT_EQ(things[3].target.wish, 2);  // the tower, not what is third of the sentences
+  EXPECT_EQ(server_->requests()[0].messages.back().text.find("lamps"), std::string::npos);
+}
+
 TEST_F(ReadingLayoutsTest, WarningsOfTheServerComeFirst) {
   FakeChatServer::Answer said;
   said.text = kLake;

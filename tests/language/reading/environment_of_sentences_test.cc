@@ -31,6 +31,18 @@ TEST(EnvironmentOfSentencesTest, TheLaterOfTwoThatCannotBothBeCounts) {
   EXPECT_NE(heard.warnings[0].find("Weather: fog"), std::string::npos);
 }
 
+TEST(EnvironmentOfSentencesTest, NumbersOutOfRangeAreSaidAndTheNearestIsTaken) {
+  for (const char* text : {"Wind: 300 m/s.", "Building scale: 0.",
+                           "Snow slope: at least 200 degrees.", "Stones density: 120 %."}) {
+    const HeardEnvironment heard = Read(text);
+    ASSERT_EQ(heard.warnings.size(), 1u) << text;
+    EXPECT_NE(heard.warnings[0].find("is out of range"), std::string::npos) << heard.warnings[0];
+    ASSERT_EQ(heard.fine.size(), 1u) << text;
+    EXPECT_TRUE(Validate(heard.fine[0].claim).empty()) << text;
+  }
+  EXPECT_TRUE(Read("Wind: 12 m/s. Stones density: at least 90 %.").warnings.empty());
+}
+
 TEST(EnvironmentOfSentencesTest, EveryValueOfTheLanguageIsOneOfTheCatalogue) {
   for (const char* text : {"Grass: lush.",
                            "Grass: meadow mix.",

@@ -49,6 +49,18 @@ TEST_F(ModelReaderTest, TheSmallLanguageIsReadWithoutTheModel) {
   EXPECT_TRUE(server_->requests().empty());
 }
 
+TEST_F(ModelReaderTest, SingleThingsAreTakenOutBeforeTheModelReads) {
+  server_->Say("A village.");
+  const auto reading = Read("Three oaks in a row beside a neighborhood.");
+  ASSERT_TRUE(reading.ok()) << reading.status().ToString();
+  ASSERT_EQ(reading->plan.things.size(), 1u);
+  EXPECT_EQ(reading->plan.things[0].kind, "oak");
+  EXPECT_EQ(reading->plan.things[0].count, 3);
+  ASSERT_EQ(server_->requests().size(), 1u);
+  EXPECT_EQ(server_->requests().front().messages.back().text, "a neighborhood.");
+  EXPECT_TRUE(reading->plan.not_understood.empty());
+}
+
 // What is known and no sentence speaks of is never dropped in silence.
 TEST_F(ModelReaderTest, LandThatNoSentenceCarriesIsNotUnderstood) {
   server_->Say("A lake in the north.");

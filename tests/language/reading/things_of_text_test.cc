@@ -58,6 +58,34 @@ TEST(ThingsOfTextTest, ALoneTreeAndASpacingAndAPlaceAreHeard) {
   EXPECT_EQ(taken.things[1].spacing_m, 20.0);
 }
 
+TEST(ThingsOfTextTest, PiersTentsAndRuinsThatAreCountedAreSingle) {
+  const TextThings taken = Take("A pier at the lake. Two tents beside the lake. A ruin.");
+  ASSERT_EQ(taken.things.size(), 3u);
+  EXPECT_EQ(taken.things[0].target.letter, 'W');
+  EXPECT_EQ(taken.things[1].count, 2);
+  EXPECT_EQ(taken.things[2].kind, "ruin");
+}
+
+TEST(ThingsOfTextTest, MoreIsSaidOfThingsThatWereAskedFor) {
+  const TextThings taken = Take(
+      "A well in front of a lone church. Three lamps. The lamps are in a row every 6 m. The church "
+      "faces the lake.");
+  ASSERT_EQ(taken.things.size(), 3u);
+  EXPECT_EQ(taken.things[0].kind, "church");
+  EXPECT_EQ(taken.things[0].facing.letter, 'W');
+  EXPECT_EQ(taken.things[1].target.wish, 0);
+  EXPECT_EQ(taken.things[2].arrangement, ThingArrangement::kRow);
+  EXPECT_EQ(taken.things[2].spacing_m, 6.0);
+}
+
+TEST(ThingsOfTextTest, PartsOfLandAreThatLand) {
+  const TextThings taken = Take("Three crates in the middle of the dense forest.");
+  ASSERT_EQ(taken.things.size(), 1u);
+  EXPECT_EQ(taken.things[0].relation, ThingRelation::kIn);
+  EXPECT_EQ(taken.things[0].target.letter, 'F');
+  EXPECT_EQ(taken.rest, "the dense forest.");
+}
+
 TEST(ThingsOfTextTest, LandIsLeftAsItIs) {
   for (const char* text :
        {"A river winds from the north to the south between dense forest in the upper left and "

@@ -5,6 +5,9 @@ import { clamp } from '../protocol/payloads.js';
 
 const kLeastVisibility_m = 12;
 const kVeiled_m = [60, 500];  // nothing of the sky is seen, all of it
+// Eyes get used to the dark: nights show shapes.
+const kMoonlight = 0.7;
+const kNightSky = 1.1;
 const kFarthestSight_m = 3000;  // on a clear day, so that the land ends in haze
 
 /** Colours by the sun's elevation: [sine of it, zenith, horizon, sun]; in between they blend. */
@@ -35,7 +38,7 @@ export class Atmosphere {
       time: { value: 0 }, wind: { value: new THREE.Vector3() }, wetness: { value: 0 }, snowCover: { value: 0 },
       sunDirection: { value: new THREE.Vector3(0, 0, 1) }, sunColor: { value: new THREE.Color() },
       zenith: { value: new THREE.Color() }, horizon: { value: new THREE.Color() },
-      clouds: { value: 0 }, night: { value: 0 }, veil: { value: 0 },
+      clouds: { value: 0 }, night: { value: 0 }, veil: { value: 0 }, lamps: { value: 0 },
     };
     this.sun = new THREE.DirectionalLight(0xffffff, 3);
     this.sky = new THREE.HemisphereLight(0xffffff, 0x806a50, 1);
@@ -64,6 +67,7 @@ export class Atmosphere {
     skyColor(sine, 2, u.sunColor.value);
     u.clouds.value = cover;
     u.night.value = 1 - clamp((sine + 0.15) / 0.2, 0, 1);
+    u.lamps.value = 1 - clamp((sine + 0.02) / 0.1, 0, 1);
     u.wetness.value = clamp(w.ground_wetness ?? 0, 0, 1);
     u.snowCover.value = clamp((w.snow_depth_m ?? 0) / 0.05, 0, 1);
     u.wind.value.fromArray(w.wind_mps ?? [1, 0, 0]);
@@ -74,12 +78,12 @@ export class Atmosphere {
     if (up) this.lightDirection.z = Math.max(this.lightDirection.z, 0.12);
     this.lightDirection.normalize();
     this.sun.color.copy(up ? u.sunColor.value : new THREE.Color(0x7f95c8));
-    this.sun.intensity = up ? 3.0 * clamp(w.sun_intensity ?? 1, 0, 1) * clamp(0.25 + sine * 4, 0, 1) : 0.25;
+    this.sun.intensity = up ? 3.0 * clamp(w.sun_intensity ?? 1, 0, 1) * clamp(0.25 + sine * 4, 0, 1) : kMoonlight * (1 - 0.6 * cover);
     // The sky's light has the sky's tint, and a brightness of its own: skies look dark where eyes adapt.
     const tint = (color) => color.multiplyScalar(1 / Math.max(color.r, color.g, color.b, 0.001)).lerp(new THREE.Color(0xffffff), 0.4);
     this.sky.color.copy(tint(u.zenith.value.clone().lerp(u.horizon.value, 0.4)));
     this.sky.groundColor.copy(tint(u.horizon.value.clone())).multiplyScalar(0.6).lerp(new THREE.Color(0x8a7558), 0.35);
-    this.sky.intensity = 0.45 + 2.4 * (0.45 + 0.55 * clamp(w.ambient_intensity ?? 0.4, 0, 1)) * day;
+    this.sky.intensity = kNightSky + (0.45 - kNightSky) * day + 2.4 * (0.45 + 0.55 * clamp(w.ambient_intensity ?? 0.4, 0, 1)) * day;
 
     this.fog.color.copy(u.horizon.value);
     const sight_m = clamp(w.visibility_m ?? kFarthestSight_m, kLeastVisibility_m, kFarthestSight_m);

@@ -79,14 +79,20 @@ function mergeNode(node) {
   return geometry;
 }
 
-/** Marks the vertices whose part takes the thing's own colour: attribute tinted, 0 or 1. */
+/**
+ * Marks the vertices whose part takes the thing's own colour, and those of windows and lamps: attributes
+ * tinted and glass, 0 or 1.
+ */
 export function tinted(geometry, mainPart) {
   const marks = new Uint8Array(geometry.attributes.position.count);
+  const glass = new Uint8Array(geometry.attributes.position.count);
   for (const { name, first, count } of geometry.userData.parts ?? []) {
     if (name === mainPart) marks.fill(1, first, first + count);
+    if (name === 'window') glass.fill(1, first, first + count);
   }
   const result = geometry.clone();
   result.setAttribute('tinted', new THREE.BufferAttribute(marks, 1));
+  result.setAttribute('glass', new THREE.BufferAttribute(glass, 1));
   if (mainPart === 'leaves') roundCrown(result, marks);
   return result;
 }
@@ -141,6 +147,7 @@ export function farHull(geometry, sides = 5) {
   hull.computeVertexNormals();
   hull.setAttribute('shade', new THREE.BufferAttribute(new Float32Array(corners.length).fill(0.1), 3));
   hull.setAttribute('tinted', new THREE.BufferAttribute(new Uint8Array(corners.length / 3).fill(1), 1));
+  hull.setAttribute('glass', new THREE.BufferAttribute(new Uint8Array(corners.length / 3), 1));
   return hull;
 }
 

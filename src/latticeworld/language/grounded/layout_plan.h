@@ -119,6 +119,7 @@ struct LayoutPlan {
   std::vector<PlannedOrder> orders;
   std::vector<PlannedAbsence> absences;
   std::vector<ReliefWish> reliefs;  // of the land's form, whatever lies on it (relief_reading.h)
+  std::vector<HeightCover> covers;  // of classes by height
   std::vector<ThingWish> things;    // single ones; they take no land
   char background = '\0';           // what nothing else takes; always a letter of the vocabulary
   std::vector<Claim> claims;        // what the layout is measured by

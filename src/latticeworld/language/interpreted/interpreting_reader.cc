@@ -10,6 +10,7 @@
 #include "latticeworld/language/interpreted/interpretation.h"
 #include "latticeworld/language/interpreted/prompts.h"
 #include "latticeworld/language/interpreted/sentences.h"
+#include "latticeworld/language/reading/beside_things.h"
 #include "latticeworld/language/reading/reading_of_sentences.h"
 #include "latticeworld/language/remote/conversation.h"
 
@@ -30,24 +31,8 @@ class InterpretingReader final : public InstructionReader {
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& progress,
                                    std::vector<ModelReply>* replies) override {
     LW_RETURN_IF_ERROR(latticeworld::Validate(request));
-    // Where nothing is asked of the map, the person's own words are nearest to it.
-    LW_ASSIGN_OR_RETURN(LayoutReading own, rules_->ReadLayout(request, progress, replies));
-    if (Trimmed(request.instruction).empty()) return own;
-    progress.Report("layout", 0.0);
-    Interpretation interpretation = AskedOf(request.instruction, request.seed);
-    interpretation.purpose = kLayoutWords;
-    interpretation.kind = SentenceKind::kLayout;
-    interpretation.vocabulary = request.vocabulary;
-    interpretation.messages = LayoutWordsMessages(request);
-    interpretation.max_tokens = options_.layout_max_tokens;
-    const std::size_t before = replies->size();
-    LW_ASSIGN_OR_RETURN(std::vector<std::string> sentences,
-                        Interpret(server_.get(), interpretation, progress, replies));
-    LayoutReading reading =
-        sentences.empty() ? own : ReadingOfSentences(request, std::move(sentences));
-    reading.second = std::move(own.plan.claims);
-    PutFirst(ServerWarnings(*replies, before), &reading.plan.warnings);
-    return reading;
+    return ReadBesideThings(
+        request, [&](const LayoutRequest& rest) { return ReadLand(rest, progress, replies); });
   }
 
   Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& request,
@@ -75,6 +60,28 @@ class InterpretingReader final : public InstructionReader {
   }
 
  private:
+  Result<LayoutReading> ReadLand(const LayoutRequest& request, const Progress& progress,
+                                 std::vector<ModelReply>* replies) {
+    // Where nothing is asked of the map, the person's own words are nearest to it.
+    LW_ASSIGN_OR_RETURN(LayoutReading own, rules_->ReadLayout(request, progress, replies));
+    if (Trimmed(request.instruction).empty()) return own;
+    progress.Report("layout", 0.0);
+    Interpretation interpretation = AskedOf(request.instruction, request.seed);
+    interpretation.purpose = kLayoutWords;
+    interpretation.kind = SentenceKind::kLayout;
+    interpretation.vocabulary = request.vocabulary;
+    interpretation.messages = LayoutWordsMessages(request);
+    interpretation.max_tokens = options_.layout_max_tokens;
+    const std::size_t before = replies->size();
+    LW_ASSIGN_OR_RETURN(std::vector<std::string> sentences,
+                        Interpret(server_.get(), interpretation, progress, replies));
+    LayoutReading reading =
+        sentences.empty() ? own : ReadingOfSentences(request, std::move(sentences));
+    reading.second = std::move(own.plan.claims);
+    PutFirst(ServerWarnings(*replies, before), &reading.plan.warnings);
+    return reading;
+  }
+
   Interpretation AskedOf(const std::string& text, std::uint64_t seed) const {
     Interpretation interpretation;
     interpretation.text = text;

@@ -3,6 +3,7 @@
 #include "latticeworld/language/reading/environment_of_sentences.h"
 #include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/language/reading/layout_of_sentences.h"
+#include "latticeworld/language/reading/text_warnings.h"
 #include "latticeworld/language/sentences/sentence.h"
 
 namespace latticeworld {
@@ -26,6 +27,7 @@ class ControlledReader final : public InstructionReader {
     reading.sentences = SplitSentences(request.instruction);
     reading.of_sentences = true;
     reading.plan = LayoutOfSentences(reading.sentences, request.vocabulary);
+    WarnOfText(request.instruction, SentenceKind::kLayout, &reading.plan.warnings);
     reading.coverage =
         CoverageOf(request.instruction, Readable(reading.sentences, SentenceKind::kLayout),
                    SentenceKind::kLayout, request.vocabulary);
@@ -38,6 +40,7 @@ class ControlledReader final : public InstructionReader {
     EnvironmentReading reading;
     reading.sentences = SplitSentences(request.instruction);
     reading.heard = EnvironmentOfSentences(reading.sentences, *request.catalogue);
+    WarnOfText(request.instruction, SentenceKind::kEnvironment, &reading.heard.warnings);
     reading.coverage =
         CoverageOf(request.instruction, Readable(reading.sentences, SentenceKind::kEnvironment),
                    SentenceKind::kEnvironment, request.layout->vocabulary);

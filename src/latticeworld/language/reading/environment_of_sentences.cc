@@ -31,6 +31,7 @@ struct Meant {
   double value = 0.0;
   double least = 0.0;
   double most = 0.0;
+  bool beyond = false;  // more was said than is legal, and the nearest that is was taken
 };
 
 // room: what a single number leaves to either side.
@@ -42,6 +43,7 @@ Meant MeantBy(const Phrase& range, double room, const Range& legal) {
   meant.least = std::min(first, last);
   meant.most = std::max(first, last);
   meant.value = (meant.least + meant.most) / 2.0;
+  meant.beyond = meant.least < legal.low || meant.most > legal.high;
   if (StartsWith(range.text, "at least")) {
     meant.most = legal.high;
     meant.value = meant.least + room;
@@ -250,6 +252,13 @@ class EnvironmentTeller {
                               Quote(Slot("values")->text));
   }
 
+  void WarnOfRange(const Meant& meant, const Range& legal) {
+    if (!meant.beyond) return;
+    heard_.warnings.push_back(Quote(words_) + " is out of range: " + FormatDouble(legal.low) +
+                              " to " + FormatDouble(legal.high) +
+                              " is legal, and the nearest of it is taken");
+  }
+
   void SayDensity() {
     FineWish wish;
     wish.claim.kind = EnvironmentClaimKind::kDensity;
@@ -257,7 +266,9 @@ class EnvironmentTeller {
     wish.claim.words = words_;
     const Phrase& amount = *Slot("amount");
     if (const Phrase* percent = amount.Find("percent"); percent != nullptr) {
-      const Meant meant = MeantBy(*percent, 100.0 * kPercentRoom, {0.0, 100.0});
+      const Range legal = {0.0, 100.0};
+      const Meant meant = MeantBy(*percent, 100.0 * kPercentRoom, legal);
+      WarnOfRange(meant, legal);
       wish.value = meant.value / 100.0;
       wish.claim.least = meant.least / 100.0;
       wish.claim.most = meant.most / 100.0;
@@ -288,7 +299,9 @@ class EnvironmentTeller {
     };
     for (const Parameter& parameter : kParameters) {
       if (!Is(parameter.form)) continue;
-      const Meant meant = MeantBy(*Slot("range"), parameter.room, RangeOf(parameter.key));
+      const Range legal = RangeOf(parameter.key);
+      const Meant meant = MeantBy(*Slot("range"), parameter.room, legal);
+      WarnOfRange(meant, legal);
       FineWish wish;
       wish.claim.kind = EnvironmentClaimKind::kParameter;
       wish.claim.asset = parameter.asset;

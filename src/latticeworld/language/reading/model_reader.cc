@@ -6,6 +6,7 @@
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/language/reading/beside_things.h"
 #include "latticeworld/language/reading/reading_of_sentences.h"
 #include "latticeworld/language/sentences/sentence.h"
 #include "latticeworld/language/sentences/sentence_grammar.h"
@@ -34,13 +35,12 @@ class ModelReader final : public InstructionReader {
 
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& progress,
                                    std::vector<ModelReply>* replies) override {
-    double log_probability = 0.0;
-    LW_ASSIGN_OR_RETURN(std::vector<std::string> sentences,
-                        Read(request.instruction, SentenceKind::kLayout, request.seed, progress,
-                             replies, &log_probability));
-    LayoutReading reading = ReadingOfSentences(request, std::move(sentences));
-    reading.log_probability = log_probability;
-    return reading;
+    std::vector<std::string> sentences = SplitSentences(request.instruction);
+    if (IsControlled(sentences, SentenceKind::kLayout)) {
+      return ReadingOfSentences(request, std::move(sentences));
+    }
+    return ReadBesideThings(
+        request, [&](const LayoutRequest& rest) { return ReadLand(rest, progress, replies); });
   }
 
   Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& request,
@@ -56,6 +56,17 @@ class ModelReader final : public InstructionReader {
   }
 
  private:
+  Result<LayoutReading> ReadLand(const LayoutRequest& request, const Progress& progress,
+                                 std::vector<ModelReply>* replies) {
+    double log_probability = 0.0;
+    LW_ASSIGN_OR_RETURN(std::vector<std::string> sentences,
+                        Read(request.instruction, SentenceKind::kLayout, request.seed, progress,
+                             replies, &log_probability));
+    LayoutReading reading = ReadingOfSentences(request, std::move(sentences));
+    reading.log_probability = log_probability;
+    return reading;
+  }
+
   Result<std::vector<std::string>> Read(const std::string& text, SentenceKind kind,
                                         std::uint64_t seed, const Progress& progress,
                                         std::vector<ModelReply>* replies, double* log_probability) {

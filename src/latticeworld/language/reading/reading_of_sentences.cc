@@ -6,17 +6,11 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/reading/environment_of_sentences.h"
-#include "latticeworld/language/reading/foreign_text.h"
 #include "latticeworld/language/reading/layout_of_sentences.h"
+#include "latticeworld/language/reading/text_warnings.h"
 
 namespace latticeworld {
 namespace {
-
-void WarnOfOtherLanguage(std::string_view text, std::vector<std::string>* warnings) {
-  if (!SeemsForeign(text)) return;
-  warnings->push_back("the text does not seem to be English, which alone is read well: " +
-                      Quote(text));
-}
 
 // The words of a text that sentences come from, in the place of the sentences.
 class Quotes {
@@ -43,7 +37,7 @@ LayoutReading ReadingOfSentences(const LayoutRequest& request, std::vector<std::
   reading.sentences = std::move(sentences);
   reading.of_sentences = true;
   reading.plan = LayoutOfSentences(reading.sentences, request.vocabulary);
-  WarnOfOtherLanguage(request.instruction, &reading.plan.warnings);
+  WarnOfText(request.instruction, SentenceKind::kLayout, &reading.plan.warnings);
   reading.coverage =
       CoverageOf(request.instruction, reading.sentences, SentenceKind::kLayout, request.vocabulary);
   AddLost(reading.coverage, {}, &reading.plan.not_understood);
@@ -58,7 +52,7 @@ EnvironmentReading ReadingOfSentences(const EnvironmentRequest& request,
   EnvironmentReading reading;
   reading.sentences = std::move(sentences);
   reading.heard = EnvironmentOfSentences(reading.sentences, *request.catalogue);
-  WarnOfOtherLanguage(request.instruction, &reading.heard.warnings);
+  WarnOfText(request.instruction, SentenceKind::kEnvironment, &reading.heard.warnings);
   const Vocabulary vocabulary = request.layout->vocabulary;
   reading.coverage =
       CoverageOf(request.instruction, reading.sentences, SentenceKind::kEnvironment, vocabulary);

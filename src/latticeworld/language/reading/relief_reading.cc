@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,64 +9,45 @@
 #include <vector>
 
 #include "latticeworld/common/text.h"
-#include "latticeworld/language/class_words.h"
-#include "latticeworld/language/extents.h"
 #include "latticeworld/language/places.h"
+#include "latticeworld/language/reading/relief_attributes.h"
+#include "latticeworld/language/reading/relief_sentence.h"
+#include "latticeworld/language/reading/relief_ties.h"
 #include "latticeworld/language/reading/relief_words.h"
 #include "latticeworld/language/sentences/sentence.h"
-#include "latticeworld/language/tokens.h"
 
 namespace latticeworld {
 namespace {
 
-using Words = std::initializer_list<std::string_view>;
-
-bool IsIn(std::string_view word, Words words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-// A relief noun or adjective in a sentence.
-struct Mention {
-  ReliefKind kind = ReliefKind::kHill;
-  std::size_t begin = 0;  // tokens
-  std::size_t end = 0;
-  const ClassWord* noun = nullptr;  // that the layout knows it by, or none
-  bool plural = false;
-  int wish = -1;
-};
-
-// Another thing in the same sentence.
-struct OtherThing {
-  const ClassWord* noun = nullptr;
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
-
+// Gathers the wishes of a text, sentence by sentence.
 class ReliefReader {
  public:
   explicit ReliefReader(LayoutReading* reading) : plan_(reading->plan) {}
 
-  void Read(const std::string& sentence) {
-    sentence_ = sentence;
-    tokens_ = Tokenize(sentence);
-    mentions_.clear();
-    others_.clear();
-    FindMentions();
-    bool read = ReadRise();
-    for (std::size_t i = 0; i < mentions_.size(); ++i) {
-      Resolve(&mentions_[i]);
-      if (mentions_[i].wish < 0) continue;
-      ReadAttributes(i);
-      ReadTies(mentions_[i]);
+  void Read(const std::string& words) {
+    ReliefSentence sentence(words, plan_.vocabulary);
+    bool read = ReadRise(&sentence);
+    for (const HeightCover& cover : sentence.covers()) {
+      AddCover(cover);
       read = true;
     }
+    ResolveAll(&sentence);
+    for (std::size_t i = 0; i < sentence.mentions().size(); ++i) {
+      const ReliefMention& mention = sentence.mentions()[i];
+      if (mention.wish < 0) continue;
+      ReadReliefAttributes(i, &sentence, &WishOf(mention), &plan_.warnings);
+      read = true;
+    }
+    ReadReliefTies(sentence, &plan_);
     if (!read) return;
-    TakeOffWarnings();
-    quotes_.push_back(Trimmed());
+    TakeOffWarnings(sentence.words());
+    taken_.insert(sentence.taken().begin(), sentence.taken().end());
+    quotes_.push_back(sentence.words());
   }
 
   void Finish() {
     AddFeatures();
+    DropContradicted();
     for (ReliefWish& wish : plan_.reliefs) Settle(&wish);
     TakeOffNotUnderstood();
   }
@@ -76,385 +56,190 @@ class ReliefReader {
   const std::vector<std::string>& quotes() const { return quotes_; }
 
  private:
-  std::string_view Word(std::size_t at) const {
-    return at < tokens_.size() && tokens_[at].kind == TokenKind::kWord
-               ? std::string_view(tokens_[at].text)
-               : std::string_view();
-  }
-  ReliefWish& WishOf(const Mention& mention) {
+  static constexpr std::size_t kMostWishes = 24;
+
+  ReliefWish& WishOf(const ReliefMention& mention) {
     return plan_.reliefs[static_cast<std::size_t>(mention.wish)];
   }
 
-  void FindMentions() {
-    for (std::size_t i = 0; i < tokens_.size();) {
-      i = FindMention(i);
+  // A saddle comes behind the rises that it lies between.
+  void ResolveAll(ReliefSentence* sentence) {
+    std::vector<ReliefMention>& mentions = sentence->mentions();
+    const auto is_saddle = [](const ReliefMention& m) { return m.kind == ReliefKind::kSaddle; };
+    for (ReliefMention& mention : mentions) {
+      if (!is_saddle(mention)) Resolve(*sentence, &mention);
+    }
+    for (std::size_t i = 0; i < mentions.size(); ++i) {
+      if (!is_saddle(mentions[i])) continue;
+      Resolve(*sentence, &mentions[i]);
+      if (mentions[i].wish >= 0) ReadBetween(*sentence, i);
     }
   }
 
-  // Looks at what begins at a token; returns where to go on.
-  std::size_t FindMention(std::size_t at) {
-    if (const ClassWordMatch match = MatchClassWord(tokens_, at); match.word != nullptr) {
-      const std::size_t end = at + match.tokens;
-      const std::optional<ReliefKind> kind = ReliefOfNoun(match.word->phrase);
-      const char letter = match.word->LetterIn(plan_.vocabulary);
-      if (kind && letter != 'W') {
-        const bool plural = match.plural || EndsWith(match.word->phrase, "s");
-        mentions_.push_back({*kind, at, end, match.word, plural, -1});
-      } else {
-        others_.push_back({match.word, at, end});
-      }
-      return end;
-    }
-    const std::string_view word = Word(at);
-    const std::string singular = Singular(word);
-    std::optional<ReliefKind> kind = ReliefOfWord(word);
-    const bool plural = !kind && singular != word;
-    if (!kind) kind = ReliefOfWord(singular);
-    if (!kind) return at + 1;
-    if (IsTexture(*kind)) {
-      if (SaysLand(at)) mentions_.push_back({*kind, at, at + 1, nullptr, false, -1});
-    } else if (IsNounHere(word, at)) {
-      mentions_.push_back({*kind, at, at + 1, nullptr, plural, -1});
-    }
-    return at + 1;
-  }
-
-  // "a level" is no land, and neither is who passes.
-  bool IsNounHere(std::string_view word, std::size_t at) const {
-    const std::string_view before = at > 0 ? Word(at - 1) : std::string_view();
-    if (word == "slope" || word == "slopes") {
-      if (Word(at + 1) == "of") return false;  // "a slope of 15 degrees", "the slope of the hill"
-    }
-    if (IsIn(word, {"hollow", "depression", "crest", "summit"})) {
-      return IsIn(before, {"a", "the", "small", "large", "deep", "round", "high"});
-    }
-    return true;
-  }
-
-  // Whether an adjective is about land: "rolling country", "the land is hilly", "rolling meadows".
-  bool SaysLand(std::size_t at) const {
-    if (IsLandWord(Singular(Word(at + 1)))) return true;
-    const ClassWordMatch next = MatchClassWord(tokens_, at + 1);
-    if (next.word != nullptr && next.word->shape == WordShape::kMass) {
-      const std::optional<ReliefKind> own = ReliefOfNoun(next.word->phrase);
-      return !own || IsTexture(*own);
-    }
-    bool is = false;
-    for (std::size_t i = at; i-- > 0;) {
-      if (IsIn(Word(i), {"is", "are"})) is = true;
-      if (is && IsLandWord(Singular(Word(i)))) return true;
-    }
-    return false;
-  }
-
-  bool IsDefinite(const Mention& mention) const {
+  static bool IsDefinite(const ReliefSentence& sentence, const ReliefMention& mention) {
     for (std::size_t i = mention.begin; i-- > 0;) {
-      if (Word(i) == "the") return true;
-      if (mention.begin - i > 3 || IsIn(Word(i), {"a", "an", "of", "in"})) return false;
+      if (sentence.Is(i, {"the"})) return true;
+      if (mention.begin - i > 3 || sentence.Is(i, {"a", "an", "of", "in"})) return false;
     }
     return false;
+  }
+
+  static bool IsDenied(const ReliefSentence& sentence, const ReliefMention& mention) {
+    const std::size_t begin = mention.begin < 2 ? 0 : mention.begin - 2;
+    return sentence.Has(begin, mention.begin, {"no", "not", "without"});
   }
 
   // The wish that a mention means: one that was said before, or a new one.
-  void Resolve(Mention* mention) {
-    if (IsDefinite(*mention)) {
+  void Resolve(const ReliefSentence& sentence, ReliefMention* mention) {
+    if (!mention->label.empty() || IsDefinite(sentence, *mention)) {
       for (std::size_t i = plan_.reliefs.size(); i-- > 0;) {
-        if (plan_.reliefs[i].kind != mention->kind) continue;
+        const ReliefWish& known = plan_.reliefs[i];
+        const bool same = mention->label.empty() || known.label == mention->label;
+        if (known.kind != mention->kind || !same) continue;
         mention->wish = static_cast<int>(i);
         return;
       }
     }
-    if (IsDenied(*mention) || plan_.reliefs.size() >= kMostWishes) return;
+    if (IsDenied(sentence, *mention) || plan_.reliefs.size() >= kMostWishes) return;
     ReliefWish wish;
     wish.kind = mention->kind;
     wish.plural = mention->plural;
-    wish.words = Trimmed();
-    if (mention->noun != nullptr) {
-      if (const int feature = FeatureOf(*mention); feature >= 0) {
-        const PlannedFeature& said = plan_.features[static_cast<std::size_t>(feature)];
-        wish.letter = said.letter;
-        wish.zones = said.zones;
-        told_.insert(feature);
-      }
-    }
+    wish.label = mention->label;
+    wish.words = sentence.words();
+    if (mention->noun != nullptr) TakeFeature(*mention->noun, &wish);
     plan_.reliefs.push_back(std::move(wish));
     mention->wish = static_cast<int>(plan_.reliefs.size()) - 1;
   }
 
-  bool IsDenied(const Mention& mention) const {
-    for (std::size_t i = mention.begin; i-- > 0 && mention.begin - i <= 2;) {
-      if (IsIn(Word(i), {"no", "not", "without"})) return true;
-    }
-    return false;
-  }
-
-  int FeatureOf(const Mention& mention) const {
+  // The layout knows the form by its class, and where it is.
+  void TakeFeature(const ClassWord& noun, ReliefWish* wish) {
     for (std::size_t i = 0; i < plan_.features.size(); ++i) {
       const PlannedFeature& feature = plan_.features[i];
-      if (feature.noun == mention.noun->phrase && told_.count(static_cast<int>(i)) == 0) {
-        return static_cast<int>(i);
-      }
-    }
-    return -1;
-  }
-
-  std::string Trimmed() const {
-    std::string words = sentence_;
-    while (!words.empty() && (words.back() == '.' || words.back() == ' ')) words.pop_back();
-    return words;
-  }
-
-  // What stands between the things around a mention is said of it.
-  void ReadAttributes(std::size_t index) {
-    const Mention& mention = mentions_[index];
-    const std::size_t begin = index == 0 ? 0 : mentions_[index - 1].end;
-    const std::size_t end =
-        index + 1 < mentions_.size() ? mentions_[index + 1].begin : tokens_.size();
-    ReadNumber(mention);
-    for (std::size_t i = begin; i < end; ++i) {
-      const bool before = i < mention.begin;
-      // Adjectives stand close before their noun, or come after "is".
-      if (before && !Leads(i, mention.begin) && !IsNumber(i)) continue;
-      ReadSize(mention, i);
-      ReadMeasure(mention, i, begin);
-    }
-    if (WishOf(mention).zones.empty()) ReadZones(mention, begin, end);
-    if (IsCourse(mention.kind)) ReadCourse(mention, end);
-  }
-
-  bool IsNumber(std::size_t at) const {
-    return at < tokens_.size() && tokens_[at].kind == TokenKind::kNumber;
-  }
-
-  bool Leads(std::size_t at, std::size_t noun) const {
-    for (std::size_t i = at; i < noun; ++i) {
-      if (IsIn(Word(i), {"of", "in", "with", "to", "and", "is", "are"})) return false;
-      if (tokens_[i].kind == TokenKind::kStop) return false;
-    }
-    return noun - at <= 5;
-  }
-
-  void ReadNumber(const Mention& mention) {
-    for (std::size_t i = mention.begin; i-- > 0 && mention.begin - i <= 4;) {
-      const CountMatch count = MatchCount(tokens_, i);
-      if (count.tokens == 0 && IsIn(Word(i), {"a", "an", "and", "in", "to", "than"})) return;
-      if (count.tokens == 0 || IsIn(Word(i + count.tokens), {"m", "metre", "meter", "degree"})) {
-        continue;
-      }
-      const int most = count.most == CountMatch::kUnbounded ? count.least : count.most;
-      WishOf(mention).count = std::max(count.least, (count.least + most + 1) / 2);
-      Take(i, i + count.tokens);
+      if (feature.noun != noun.phrase || !told_.insert(static_cast<int>(i)).second) continue;
+      wish->zones = feature.zones;
+      if (wish->kind != ReliefKind::kSaddle) wish->letter = feature.letter;
       return;
     }
   }
 
-  void ReadSize(const Mention& mention, std::size_t at) {
-    ReliefWish& wish = WishOf(mention);
-    const std::string_view word = Word(at);
-    if (at >= mention.begin && at < mention.end) return;
-    if (word == "steep" || word == "sheer") {
-      wish.steepness = 1.5;
-    } else if (word == "gentle" || word == "low" || word == "shallow") {
-      wish.steepness = 0.5;
-    } else if (IsIn(word, {"high", "tall", "deep", "towering"}) &&
-               !IsIn(at > 0 ? Word(at - 1) : "", {"m", "metres", "meters", "metre", "meter"})) {
-      wish.steepness = std::max(wish.steepness, 1.25);
-    } else if (const SizeMatch size = MatchSize(tokens_, at);
-               size.tokens > 0 && at < mention.begin) {
-      wish.size = size.factor * size.width;
-    } else {
+  // "A saddle between two peaks", "the pass between hill A and hill B".
+  void ReadBetween(const ReliefSentence& sentence, std::size_t index) {
+    const ReliefMention& saddle = sentence.mentions()[index];
+    std::vector<int>& between = WishOf(saddle).between;
+    for (std::size_t i = index + 1; i < sentence.mentions().size(); ++i) {
+      const ReliefMention& rise = sentence.mentions()[i];
+      const bool rises = rise.kind == ReliefKind::kMountain || rise.kind == ReliefKind::kPeak ||
+                         rise.kind == ReliefKind::kHill;
+      if (!rises || rise.wish < 0) continue;
+      if (!sentence.Has(saddle.end, rise.begin, {"between"})) continue;
+      between.push_back(rise.wish);
+      WishOf(rise).letter = '\0';  // tops of their own, not an area
+    }
+  }
+
+  void AddCover(const HeightCover& cover) {
+    ForgetFeature(cover.words);
+    const ClassWord* noun = MatchClassWord(Tokenize(cover.words), 0).word;
+    if (noun != nullptr && !noun->IsExactIn(plan_.vocabulary)) {
+      plan_.warnings.push_back(Quote(cover.words) + " is laid as " +
+                               std::string(FindClass(plan_.vocabulary, cover.letter)->name) +
+                               ", the nearest class of the " +
+                               std::string(NameOf(plan_.vocabulary)) + " vocabulary");
+    }
+    for (HeightCover& known : plan_.covers) {
+      if (known.letter != cover.letter || known.above != cover.above) continue;
+      if (known.height_m != cover.height_m) {
+        plan_.warnings.push_back(Quote(known.words) + " and " + Quote(cover.words) +
+                                 " cannot both be: the later height counts");
+      }
+      known = cover;
       return;
     }
-    Take(at, at + 1);
+    plan_.covers.push_back(cover);
   }
 
-  // "120 m high", "rises 40 m", "15 degrees".
-  void ReadMeasure(const Mention& mention, std::size_t at, std::size_t clause) {
-    if (!IsNumber(at)) return;
-    ReliefWish& wish = WishOf(mention);
-    const double value = std::strtod(tokens_[at].text.c_str(), nullptr);
-    std::size_t next = at + 1;
-    const bool metres = IsIn(Word(next), {"m", "metre", "metres", "meter", "meters"});
-    if (IsIn(Word(next), {"degree", "degrees"})) {
-      Keep("slope", value, &wish.slope_deg, &wish.slope_words);
-      Take(at, next + 1);
-      return;
-    }
-    if (!metres) return;
-    const std::string_view how = Word(next + 1);
-    const bool rises = HasWord(clause, at, {"rises", "rise", "rising", "towers", "height"});
-    if (IsIn(how, {"high", "tall", "in"}) || rises) {
-      Keep("height", value, &wish.height_m, &wish.height_words);
-    } else if (how == "deep" || HasWord(clause, at, {"depth"})) {
-      Keep("depth", value, &wish.depth_m, &wish.depth_words);
-    } else if (IsIn(how, {"wide", "across", "broad"})) {
-      Keep("width", value, &wish.width_m, &wish.width_words);
-    } else if (how == "long") {
-      Keep("length", value, &wish.length_m, &wish.length_words);
-    } else {
-      return;
-    }
-    Take(at, next + 2);
-  }
-
-  bool HasWord(std::size_t begin, std::size_t end, Words words) const {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (IsIn(Word(i), words)) return true;
-    }
-    return false;
-  }
-
-  // The last word counts where two say different things, and it is told.
-  void Keep(const char* what, double value, std::optional<double>* kept, std::string* words) {
-    if (kept->has_value() && **kept != value) {
-      plan_.warnings.push_back(Quote(*words) + " and " + Quote(Trimmed()) +
-                               " cannot both be: the later " + what + " counts");
-    }
-    *kept = value;
-    *words = Trimmed();
-  }
-
-  void ReadZones(const Mention& mention, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (!IsIn(Word(i), {"in", "at", "on", "across", "along", "over", "to"})) continue;
-      const PlaceMatch match = MatchPlaceAfter(Word(i), tokens_, i + 1);
-      if (match.tokens == 0 || match.of_other) continue;
-      for (const Place& place : match.places) WishOf(mention).zones.push_back(place.zone);
-      Take(i, i + 1 + match.tokens);
-      i += match.tokens;
+  // What the words of a cover were taken for before: land somewhere on the map, north of others.
+  void ForgetFeature(const std::string& words) {
+    const auto is_said = [&words](const std::string& said) {
+      return !said.empty() &&
+             (words.find(said) != std::string::npos || said.find(words) != std::string::npos);
+    };
+    const auto forget = [&is_said](auto* all) {
+      all->erase(std::remove_if(all->begin(), all->end(),
+                                [&](const auto& one) { return is_said(one.words); }),
+                 all->end());
+    };
+    forget(&plan_.claims);
+    forget(&plan_.relations);
+    forget(&plan_.orders);
+    for (int i = static_cast<int>(plan_.features.size()) - 1; i >= 0; --i) {
+      PlannedFeature& feature = plan_.features[static_cast<std::size_t>(i)];
+      if (!is_said(feature.words)) continue;
+      feature.supposed = true;  // where others need it, it stays and asks for nothing
+      TakeOff(i);
     }
   }
 
-  void ReadCourse(const Mention& mention, std::size_t end) {
-    for (std::size_t i = mention.end; i + 1 < end; ++i) {
-      if (Word(i) != "from") continue;
-      const PlaceMatch from = MatchPlace(tokens_, i + 1);
-      std::size_t to_at = i + 1 + from.tokens;
-      if (from.tokens == 0 || Word(to_at) != "to") continue;
-      const PlaceMatch to = MatchPlace(tokens_, to_at + 1);
-      if (to.tokens == 0) continue;
-      ReliefWish& wish = WishOf(mention);
-      wish.from = {RimOf(from.places.front())};
-      wish.to = {RimOf(to.places.front())};
-      wish.zones.clear();
-      Take(i, to_at + 1 + to.tokens);
-      return;
-    }
-  }
-
-  // "From the north" begins at the edge.
-  static Zone RimOf(const Place& place) {
-    return place.main == Region::kAnywhere ? place.zone : RimZoneOf(HeadingOf(place.main));
-  }
-
-  void ReadTies(const Mention& mention) {
-    // Where the layout has the relief itself, it has its relations too.
-    const bool laid = WishOf(mention).letter != '\0';
-    for (const OtherThing& other : others_) {
-      const char letter = other.noun->LetterIn(plan_.vocabulary);
-      if (letter == '\0') continue;
-      ReliefTie tie;
-      tie.letter = letter;
-      for (const PlannedFeature& feature : plan_.features) {
-        if (feature.noun == other.noun->phrase) tie.zones = feature.zones;
-      }
-      if (other.end <= mention.begin ? TieOfOther(other, mention, laid, &tie)
-                                     : TieToOther(mention, other, laid, &tie)) {
-        WishOf(mention).ties.push_back(std::move(tie));
+  template <typename Visit>
+  void ForEachReference(Visit visit) {
+    for (PlannedRelation& relation : plan_.relations) {
+      for (int* index : {&relation.subject, &relation.object, &relation.second_object}) {
+        visit(index);
       }
     }
+    for (PlannedOrder& order : plan_.orders) {
+      for (int& index : order.features) visit(&index);
+    }
+    for (PlannedFeature& feature : plan_.features) {
+      if (feature.from) visit(&feature.from->feature);
+      if (feature.to) visit(&feature.to->feature);
+      for (Waypoint& waypoint : feature.via) visit(&waypoint.feature);
+    }
   }
 
-  // "The village is inside the valley", "the road climbs the hill", "the lake is north of the
-  // hill".
-  bool TieOfOther(const OtherThing& other, const Mention& mention, bool laid,
-                  ReliefTie* tie) const {
-    const bool road = tie->letter == 'R' && plan_.vocabulary == Vocabulary::kSuburb;
-    const bool up = HasWord(other.end, mention.begin, {"climbs", "climb", "up", "ascends", "top"});
-    if (road && up) {
-      tie->kind = ReliefTie::Kind::kClimbed;
-      return true;
+  // Takes a feature that nothing refers to off the plan.
+  void TakeOff(int index) {
+    bool needed = false;
+    ForEachReference([&](const int* other) { needed = needed || *other == index; });
+    if (needed) return;
+    plan_.features.erase(plan_.features.begin() + index);
+    const auto renumber = [index](int other) { return other > index ? other - 1 : other; };
+    ForEachReference([&](int* other) { *other = renumber(*other); });
+    std::set<int> told;
+    for (const int other : told_) {
+      if (other != index) told.insert(renumber(other));
     }
-    if (laid) return false;
-    for (std::size_t i = mention.begin; i-- > other.end;) {
-      if (IsIn(Word(i), {"inside", "in", "within", "on", "through", "atop", "into"})) {
-        tie->kind = ReliefTie::Kind::kUnder;
-        return true;
-      }
-      if (IsIn(Word(i), {"near", "beside", "by", "below", "under", "touches"})) {
-        tie->kind = ReliefTie::Kind::kBeside;
-        return true;
-      }
-      const HeadingMatch heading = MatchHeading(tokens_, i);
-      if (heading.tokens > 0 && Word(i + heading.tokens) == "of") {
-        tie->kind = ReliefTie::Kind::kToward;
-        tie->heading = {-heading.heading.east, -heading.heading.south};
-        return true;
-      }
-    }
-    return false;
-  }
-
-  // "A hill north of the lake", "a gorge with a river", "a hill near the village".
-  bool TieToOther(const Mention& mention, const OtherThing& other, bool laid,
-                  ReliefTie* tie) const {
-    if (laid) return false;
-    for (std::size_t i = mention.end; i < other.begin; ++i) {
-      const HeadingMatch heading = MatchHeading(tokens_, i);
-      if (heading.tokens > 0 && Word(i + heading.tokens) == "of") {
-        tie->kind = ReliefTie::Kind::kToward;
-        tie->heading = {heading.heading.east, heading.heading.south};
-        return true;
-      }
-      if (IsIn(Word(i), {"near", "beside", "by", "behind", "above", "touches"})) {
-        tie->kind = ReliefTie::Kind::kBeside;
-        return true;
-      }
-      if (Word(i) == "with") {
-        tie->kind = tie->letter == 'R' ? ReliefTie::Kind::kClimbed : ReliefTie::Kind::kUnder;
-        return true;
-      }
-    }
-    return false;
+    told_ = std::move(told);
   }
 
   // "The land rises by 30 m to north."
-  bool ReadRise() {
-    for (std::size_t i = 1; i < tokens_.size(); ++i) {
-      if (!IsIn(Word(i), {"rises", "rise", "climbs", "slopes"})) continue;
-      if (!IsLandWord(Singular(Word(i - 1)))) continue;
+  bool ReadRise(ReliefSentence* sentence) {
+    const std::size_t end = sentence->tokens().size();
+    for (std::size_t i = 1; i < end; ++i) {
+      const bool moves =
+          sentence->Is(i, {"rises", "rise", "climbs", "slopes", "falls", "descends", "drops"});
+      if (!moves || !IsLandWord(Singular(sentence->Word(i - 1)))) continue;
       ReliefWish wish;
       wish.kind = ReliefKind::kSlope;
-      wish.words = Trimmed();
-      for (std::size_t k = i + 1; k < tokens_.size(); ++k) {
-        if (IsNumber(k) && IsIn(Word(k + 1), {"m", "metres", "meters"})) {
-          wish.height_m = std::strtod(tokens_[k].text.c_str(), nullptr);
-          wish.height_words = wish.words;
-        }
-        if (IsIn(Word(k), {"to", "toward", "towards"})) {
-          const std::size_t at = Word(k + 1) == "the" ? k + 2 : k + 1;
-          const HeadingMatch heading = MatchHeading(tokens_, at);
-          if (heading.tokens > 0) wish.heading = {heading.heading.east, heading.heading.south};
-        }
-      }
+      wish.words = sentence->words();
+      wish.heading = RiseOf(*sentence, i, end);
       if (wish.heading.east == 0 && wish.heading.south == 0) return false;
-      Take(0, tokens_.size());
+      for (std::size_t k = i + 1; k < end; ++k) {
+        const std::optional<double> metres = sentence->MetresAt(k);
+        if (!metres) continue;
+        wish.height_m = metres;
+        wish.height_words = wish.words;
+      }
+      sentence->Take(0, end);
       plan_.reliefs.push_back(std::move(wish));
       return true;
     }
     return false;
   }
 
-  void Take(std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < std::min(end, tokens_.size()); ++i) {
-      taken_.insert(tokens_[i].text);
-    }
-  }
-
   // The sentence planner says of what it cannot lay that it cannot; here it was read.
-  void TakeOffWarnings() {
-    for (const Mention& mention : mentions_) Take(mention.begin, mention.end);
-    const std::string quote = Quote(Trimmed());
+  void TakeOffWarnings(const std::string& words) {
+    const std::string quote = Quote(words);
     const std::string not_laid = "read, but land cannot be laid by it yet: " + quote;
     const std::string not_climbed = "heard in part: " + quote + ": it is laid near, not up";
     auto& warnings = plan_.warnings;
@@ -466,7 +251,7 @@ class ReliefReader {
   }
 
   void TakeOffNotUnderstood() {
-    if (plan_.reliefs.empty()) return;
+    if (plan_.reliefs.empty() && plan_.covers.empty()) return;
     auto& rest = plan_.not_understood;
     const auto is_read = [this](const std::string& words) {
       const std::vector<Token> tokens = Tokenize(words);
@@ -483,8 +268,9 @@ class ReliefReader {
     for (std::size_t i = 0; i < plan_.features.size(); ++i) {
       const PlannedFeature& feature = plan_.features[i];
       const std::optional<ReliefKind> kind = ReliefOfNoun(feature.noun);
-      if (feature.noun.empty() || !kind || feature.letter == 'W' || feature.supposed ||
-          told_.count(static_cast<int>(i)) == 1 || plan_.reliefs.size() >= kMostWishes) {
+      if (feature.noun.empty() || !kind || kind == ReliefKind::kSlope || feature.letter == 'W' ||
+          feature.supposed || told_.count(static_cast<int>(i)) == 1 ||
+          plan_.reliefs.size() >= kMostWishes) {
         continue;
       }
       const bool known =
@@ -505,19 +291,46 @@ class ReliefReader {
 
   void Settle(ReliefWish* wish) {
     const bool mountain = wish->kind == ReliefKind::kMountain || wish->kind == ReliefKind::kPeak;
-    wish->alone = mountain && plan_.reliefs.size() == 1 && wish->zones.empty() &&
-                  plan_.features.size() <= 1 && wish->size == 1.0 && !wish->width_m;
+    const auto said = std::count_if(plan_.features.begin(), plan_.features.end(),
+                                    [](const PlannedFeature& one) { return !one.supposed; });
+    wish->alone = mountain && plan_.reliefs.size() == 1 && wish->zones.empty() && said <= 1 &&
+                  wish->size == 1.0 && !wish->width_m;
     // Hills that roll are land as a whole.
     if (IsTexture(wish->kind)) wish->letter = '\0';
   }
 
-  static constexpr std::size_t kMostWishes = 24;
+  // Land as a whole is one way or the other, and rises to one side: the later words count.
+  void DropContradicted() {
+    std::vector<ReliefWish>& all = plan_.reliefs;
+    for (std::size_t later = 1; later < all.size(); ++later) {
+      for (std::size_t earlier = 0; earlier < later; ++earlier) {
+        if (!Contradict(all[earlier], all[later])) continue;
+        plan_.warnings.push_back(Quote(all[earlier].words) + " and " + Quote(all[later].words) +
+                                 " are said of the same land: the later counts");
+        Drop(static_cast<int>(earlier));
+        --later;
+        break;
+      }
+    }
+  }
+
+  static bool Contradict(const ReliefWish& a, const ReliefWish& b) {
+    if (a.zones != b.zones) return false;
+    if (IsTexture(a.kind) && IsTexture(b.kind)) return a.kind != b.kind;
+    return a.kind == ReliefKind::kSlope && b.kind == ReliefKind::kSlope &&
+           a.heading.east * b.heading.east + a.heading.south * b.heading.south < 0;
+  }
+
+  // Takes a wish off the plan; none refers to land as a whole.
+  void Drop(int index) {
+    plan_.reliefs.erase(plan_.reliefs.begin() + index);
+    for (ReliefWish& wish : plan_.reliefs) {
+      for (int& other : wish.between) other -= other > index ? 1 : 0;
+      for (ReliefTie& tie : wish.ties) tie.wish -= tie.wish > index ? 1 : 0;
+    }
+  }
 
   LayoutPlan& plan_;
-  std::string sentence_;
-  std::vector<Token> tokens_;
-  std::vector<Mention> mentions_;
-  std::vector<OtherThing> others_;
   std::set<int> told_;  // features that a wish has
   std::vector<std::string> quotes_;
   std::set<std::string> taken_;  // words that were read
@@ -555,16 +368,6 @@ void ReadRelief(std::string_view text, LayoutReading* reading) {
   for (const std::string& sentence : sentences) reader.Read(sentence);
   reader.Finish();
   if (!reading->of_sentences) CountQuoted(text, reader.quotes(), reading);
-}
-
-void LeaveToTheirClass(LayoutPlan* plan) {
-  const auto rises_anyway = [](const ReliefWish& wish) {
-    const bool mountain = wish.kind == ReliefKind::kMountain || wish.kind == ReliefKind::kPeak;
-    return mountain && wish.letter != '\0' && !wish.alone && !wish.height_m && !wish.slope_deg &&
-           !wish.width_m && wish.ties.empty();
-  };
-  plan->reliefs.erase(std::remove_if(plan->reliefs.begin(), plan->reliefs.end(), rises_anyway),
-                      plan->reliefs.end());
 }
 
 void AddTerrainType(const EnvironmentReading& environment, LayoutReading* layout) {

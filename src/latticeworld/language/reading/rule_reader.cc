@@ -3,10 +3,10 @@
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
 #include "latticeworld/language/grounded/environment/environment_parser.h"
 #include "latticeworld/language/grounded/reading/layout_parser.h"
+#include "latticeworld/language/reading/beside_things.h"
 #include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/language/reading/sentences_of_claims.h"
-#include "latticeworld/language/reading/text_units.h"
-#include "latticeworld/language/reading/things_of_text.h"
+#include "latticeworld/language/reading/text_warnings.h"
 
 namespace latticeworld {
 namespace {
@@ -25,21 +25,7 @@ class RuleReader final : public InstructionReader {
 
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& /*progress*/,
                                    std::vector<ModelReply>* /*replies*/) override {
-    LayoutReading reading;
-    // The rules are of land.
-    TextThings things = TakeThings(request.instruction, request.vocabulary);
-    reading.plan = ParseLayoutInstruction(things.rest, request.vocabulary);
-    reading.plan.things = std::move(things.things);
-    reading.sentences = SentencesOf(reading.plan.claims, request.vocabulary);
-    reading.coverage =
-        CoverageOf(things.rest, reading.sentences, SentenceKind::kLayout, request.vocabulary);
-    AddLost(reading.coverage, ToldOf(reading.plan.claims, reading.plan.warnings),
-            &reading.plan.not_understood);
-    const auto of_things =
-        static_cast<int>(UnitsOf(things.taken, SentenceKind::kLayout, request.vocabulary).size());
-    reading.coverage.words += of_things;
-    reading.coverage.carried += of_things;
-    return reading;
+    return ReadBesideThings(request, ReadLand);
   }
 
   Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& request,
@@ -47,12 +33,26 @@ class RuleReader final : public InstructionReader {
                                              std::vector<ModelReply>* /*replies*/) override {
     EnvironmentReading reading;
     reading.heard = ParseEnvironmentInstruction(request.instruction, *request.catalogue);
+    WarnOfText(request.instruction, SentenceKind::kEnvironment, &reading.heard.warnings);
     const std::vector<EnvironmentClaim> claims = ClaimsOf(reading.heard, request.layout);
     reading.sentences = SentencesOf(claims);
     reading.coverage = CoverageOf(request.instruction, reading.sentences,
                                   SentenceKind::kEnvironment, request.layout->vocabulary);
     AddLost(reading.coverage, ToldOf(claims, reading.heard.warnings),
             &reading.heard.not_understood);
+    return reading;
+  }
+
+ private:
+  static Result<LayoutReading> ReadLand(const LayoutRequest& request) {
+    LayoutReading reading;
+    reading.plan = ParseLayoutInstruction(request.instruction, request.vocabulary);
+    WarnOfText(request.instruction, SentenceKind::kLayout, &reading.plan.warnings);
+    reading.sentences = SentencesOf(reading.plan.claims, request.vocabulary);
+    reading.coverage = CoverageOf(request.instruction, reading.sentences, SentenceKind::kLayout,
+                                  request.vocabulary);
+    AddLost(reading.coverage, ToldOf(reading.plan.claims, reading.plan.warnings),
+            &reading.plan.not_understood);
     return reading;
   }
 };

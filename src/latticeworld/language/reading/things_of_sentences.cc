@@ -11,6 +11,7 @@
 #include "latticeworld/language/reading/sentence_things.h"
 #include "latticeworld/language/tokens.h"
 #include "latticeworld/layout/thing_kinds.h"
+#include "latticeworld/layout/thing_wishes.h"
 
 namespace latticeworld {
 namespace {
@@ -42,6 +43,16 @@ bool IsSaidSingly(const Phrase& thing) {
 
 double SizeOf(std::string_view word) {
   return word == "tiny" ? 0.5 : word == "small" ? 0.7 : word == "large" ? 1.4 : 1.8;
+}
+
+// From the middle of the map to that of a zone; east where the zone is the middle.
+double HeadingTo(const Zone& zone) {
+  double x = 0.0, y = 0.0;
+  for (const UnitBox& box : zone.boxes) {
+    x += 0.5 * (box.u_min + box.u_max) - 0.5;
+    y += 0.5 - 0.5 * (box.v_min + box.v_max);
+  }
+  return std::atan2(y, x);
 }
 
 ThingWish NewWish(const ThingKind& kind, const Phrase& thing, const std::string& words) {
@@ -86,6 +97,10 @@ ThingTarget SentenceThings::TargetOf(const Phrase& thing, const std::string& wor
   ThingTarget target;
   target.wish = WishOf(thing, words);
   if (target.wish >= 0) return target;
+  if (const Phrase* relief = thing.Find("relief"); relief != nullptr) {
+    target.letter = GroundNamed(relief->text);
+    return target;
+  }
   const NounPhrase phrase = NounOf(thing);
   if (phrase.noun != nullptr) target.letter = phrase.noun->LetterIn(vocabulary_);
   return target;
@@ -101,7 +116,11 @@ bool SentenceThings::Relate(const Sentence& sentence, ThingWish wish, int index,
                    [&](const RelationForm& each) { return each.form == form; });
   if (to == nullptr || (found == std::end(kRelationForms) && form != "facing")) return false;
   if (to->slot == "end" && to->Has("zone")) {
-    wish.zone = form == "facing" ? wish.zone : EndZoneOf(*to);
+    if (form == "facing") {
+      wish.heading_rad = HeadingTo(EndZoneOf(*to));
+    } else {
+      wish.zone = EndZoneOf(*to);
+    }
     wishes_[static_cast<std::size_t>(index)] = wish;
     return true;
   }
@@ -118,6 +137,7 @@ bool SentenceThings::Relate(const Sentence& sentence, ThingWish wish, int index,
     wish.relation = found->relation;
     wish.target = target;
     if (form == "near_metres") wish.distance_m = NumberOf(*sentence.whole.Find("n"));
+    if (wish.count == 1 && wish.count_most == 1) FillRun(&wish);
   }
   wishes_[static_cast<std::size_t>(index)] = wish;
   return true;

@@ -1,6 +1,7 @@
 #include "latticeworld/language/reading/things_of_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "latticeworld/language/places.h"
 #include "latticeworld/language/tokens.h"
 #include "latticeworld/layout/thing_kinds.h"
+#include "latticeworld/layout/thing_wishes.h"
 
 namespace latticeworld {
 namespace {
@@ -44,10 +46,15 @@ struct RelationWords {
 
 // Words that may follow a noun that stands by itself.
 constexpr std::string_view kFollowers[] = {
-    "in",     "on",     "at",       "by",   "near",   "beside", "next",   "along",
-    "around", "and",    "with",     "is",   "are",    "stand",  "stands", "form",
-    "forms",  "every",  "spaced",   "that", "behind", "facing", "close",  "lie",
-    "lies",   "placed", "arranged", "line", "lines",  "from",   "to",     "surrounding"};
+    "in",     "on",     "at",        "by",       "near",   "beside", "next",      "along",
+    "around", "and",    "with",      "is",       "are",    "stand",  "stands",    "form",
+    "forms",  "every",  "spaced",    "that",     "behind", "facing", "close",     "lie",
+    "lies",   "placed", "arranged",  "line",     "lines",  "from",   "to",        "surrounding",
+    "inside", "within", "surrounds", "surround", "face",   "faces",  "alongside", "which"};
+
+// That may follow "the trees" where more is said of them.
+constexpr std::string_view kVerbs[] = {"is",   "are",   "stand",    "stands",    "lie",  "lies",
+                                       "face", "faces", "surround", "surrounds", "form", "forms"};
 
 template <typename List>
 bool Has(const List& list, std::string_view word) {
@@ -61,7 +68,8 @@ class Taker {
 
   TextThings Take() {
     for (std::size_t at = 0; at < tokens_.size();) {
-      const std::size_t end = TakeOrderly(at) ? at_ : TakePhrase(at) ? at_ : at + 1;
+      const bool taken = TakeOrderly(at) || TakeMore(at) || TakePhrase(at);
+      const std::size_t end = taken ? at_ : at + 1;
       at = std::max(end, at + 1);
     }
     TextThings taken;
@@ -124,7 +132,12 @@ class Taker {
     return nullptr;
   }
 
-  bool IsLand(std::size_t at) const { return MatchClassWord(tokens_, at).word != nullptr; }
+  // Whether a noun is land too. Piers, tents and ruins, which no class but buildings comes near,
+  // are not.
+  bool IsLand(std::size_t at) const {
+    const ClassWord* word = MatchClassWord(tokens_, at).word;
+    return word != nullptr && (word->suburb != 'B' || word->suburb_exact);
+  }
 
   // "organized chambers, trees, and rocks": each in a grid.
   bool TakeOrderly(std::size_t begin) {
@@ -154,7 +167,7 @@ class Taker {
   }
 
   // A number, an article or an arrangement before the noun. 0: nothing that counts.
-  int TakeQuantity(ThingWish* wish, bool* counted) {
+  int TakeQuantity(ThingWish* wish, bool* counted, bool* lone) {
     int count = 0;
     const std::size_t begin = at_;
     TakeAny({"a", "an", "one", "the"});
@@ -173,18 +186,19 @@ class Taker {
     if (number.tokens > 0) {
       *counted = number.value > 1;
       at_ += number.tokens;
+      *lone = TakeAny({"lone", "single", "solitary"});
       return std::max(1, number.value);
     }
     if (TakeAny({"a", "an"})) count = 1;
-    if (count == 1 && TakeAny({"lone", "single", "solitary"})) *counted = true;
+    if (count == 1 && TakeAny({"lone", "single", "solitary"})) *counted = *lone = true;
     return count;
   }
 
   bool TakePhrase(std::size_t begin) {
     at_ = begin;
     ThingWish wish;
-    bool counted = false, plural = false;
-    const int count = TakeQuantity(&wish, &counted);
+    bool counted = false, plural = false, lone = false;
+    const int count = TakeQuantity(&wish, &counted, &lone);
     if (count == 0) return false;
     for (bool more = true; more;) {
       more = false;
@@ -211,17 +225,86 @@ class Taker {
     if (things >= static_cast<std::size_t>(kMostThingWishes)) return false;
     std::vector<std::pair<std::size_t, std::size_t>> parts = {{begin, end}};
     const bool by_thing = TakeRelation(&wish, &end, &parts);
-    if (is_land && !arranged && !(grows && counted) && !by_thing) {
+    if (is_land && !arranged && !(grows && counted) && !by_thing && !lone) {
       things_.resize(things);
       return false;
     }
-    const std::size_t spaced_from = end;
-    TakeArrangement(&wish, &end);
-    if (end > spaced_from) parts.push_back({spaced_from, end});
-    TakeZone(&wish, &end, &parts);
+    TakeRest(&wish, &end, &parts);
     wish.words = Words(begin, end);
+    if (count == 1) FillRun(&wish);
     for (std::size_t i = things; i < things_.size(); ++i) things_[i].words = wish.words;
     things_.push_back(wish);
+    for (const auto& [from, to] : parts) Remove(from, to);
+    at_ = end;
+    return true;
+  }
+
+  // What may follow the relation, in any order.
+  void TakeRest(ThingWish* wish, std::size_t* end,
+                std::vector<std::pair<std::size_t, std::size_t>>* parts) {
+    for (std::size_t from = *end;; from = *end) {
+      TakeArrangement(wish, end);
+      if (*end > from) parts->push_back({from, *end});
+      TakeZone(wish, end, parts);
+      TakeFacing(wish, end, parts);
+      if (*end == from) return;
+    }
+  }
+
+  // "facing the lake", "that faces north". Land stays in the text.
+  void TakeFacing(ThingWish* wish, std::size_t* end,
+                  std::vector<std::pair<std::size_t, std::size_t>>* parts) {
+    at_ = *end;
+    if (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::kComma) ++at_;
+    TakeAny({"that", "which", "and"});
+    if (!TakeAny({"facing", "face", "faces"})) return;
+    const std::size_t target_at = at_;
+    TakeAny({"the"});
+    if (const HeadingMatch match = MatchHeading(tokens_, at_); match.tokens > 0) {
+      wish->heading_rad = std::atan2(-match.heading.south, match.heading.east);
+      parts->push_back({*end, at_ + match.tokens});
+      *end = at_ + match.tokens;
+      return;
+    }
+    at_ = target_at;
+    const std::size_t things = things_.size();
+    ThingTarget target = TakeThingTarget();
+    const bool is_thing = target.wish >= 0 && things_.size() == things;  // that stands already
+    if (!is_thing) {
+      things_.resize(things);
+      at_ = target_at;
+      target = LandTarget();
+    }
+    if (target.is_nothing()) return;
+    wish->facing = target;
+    parts->push_back({*end, is_thing ? at_ : target_at});
+    *end = at_;
+  }
+
+  // "The trees are near the village", where trees were asked for: more of the same wish.
+  bool TakeMore(std::size_t begin) {
+    at_ = begin;
+    bool plural = false;
+    if (!TakeAny({"the"})) return false;
+    const ThingKind* kind = TakeKind(&plural);
+    if (kind == nullptr || !Has(kVerbs, WordAt(at_))) return false;
+    int known = static_cast<int>(things_.size()) - 1;
+    while (known >= 0 && things_[static_cast<std::size_t>(known)].kind != kind->name) --known;
+    if (known < 0) return false;
+    ThingWish wish = things_[static_cast<std::size_t>(known)];
+    std::size_t end = at_;
+    std::vector<std::pair<std::size_t, std::size_t>> parts = {{begin, end}};
+    const std::size_t things = things_.size();
+    TakeRelation(&wish, &end, &parts);
+    TakeRest(&wish, &end, &parts);
+    // What it stands by has to stand before it.
+    if (parts.size() == 1 || things_.size() > things || wish.target.wish >= known ||
+        wish.facing.wish >= known) {
+      things_.resize(things);
+      return false;
+    }
+    wish.words += ". " + Words(begin, end);
+    things_[static_cast<std::size_t>(known)] = wish;
     for (const auto& [from, to] : parts) Remove(from, to);
     at_ = end;
     return true;
@@ -232,8 +315,10 @@ class Taker {
       more = false;
       at_ = *end;
       if (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::kComma) ++at_;
-      TakeAny({"arranged", "standing", "placed", "planted"});
-      if (TakeWords({"in", "a"}) && ArrangementAt(at_) != nullptr && WordAt(at_ + 1) != "of") {
+      TakeCopula();
+      TakeAny({"arranged", "placed", "planted"});
+      if ((TakeWords({"in", "a"}) || (TakeAny({"form", "forms", "forming"}) && TakeAny({"a"}))) &&
+          ArrangementAt(at_) != nullptr && WordAt(at_ + 1) != "of") {
         wish->arrangement = ArrangementAt(at_++)->arrangement;
         more = true;
       } else if (const double spacing_m = TakeSpacing(*end); spacing_m > 0.0) {
@@ -244,40 +329,63 @@ class Taker {
     }
   }
 
-  // "every 20 m", "20 metres apart", "spaced 20 m". 0: none.
+  // "is", "that stand", "standing": says nothing by itself.
+  void TakeCopula() {
+    TakeAny({"that", "which"});
+    TakeAny({"is", "are", "stand", "stands", "standing", "lie", "lies", "lying"});
+  }
+
+  // "every 20 m", "20 metres apart", "spaced 20 m", "at intervals of 20 m". 0: none.
   double TakeSpacing(std::size_t begin) {
     at_ = begin;
     if (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::kComma) ++at_;
-    const bool every = TakeAny({"every"}), spaced = TakeAny({"spaced"});
+    TakeCopula();
+    const bool said = TakeAny({"every"}) || TakeAny({"spaced"}) ||
+                      TakeWords({"at", "intervals", "of"}) ||
+                      TakeWords({"with", "a", "spacing", "of"});
+    TakeAny({"at"});
     const NumberMatch number = MatchNumber(tokens_, at_);
     at_ += number.tokens;
-    if (number.tokens == 0 || !TakeAny({"m", "metres", "meters", "metre", "meter"})) return 0.0;
-    const bool apart = TakeAny({"apart"});
-    return every || spaced || apart ? number.value : 0.0;
+    if (number.tokens == 0 || !TakeMetres()) return 0.0;
+    const bool apart =
+        TakeAny({"apart"}) || TakeAny({"intervals"}) || TakeWords({"between", "them"});
+    return said || apart ? number.value : 0.0;
   }
+
+  bool TakeMetres() { return TakeAny({"m", "metres", "meters", "metre", "meter"}); }
 
   // What the thing stands by; true: it is another thing. Land stays in the text.
   bool TakeRelation(ThingWish* wish, std::size_t* end,
                     std::vector<std::pair<std::size_t, std::size_t>>* parts) {
-    static const RelationWords kRelations[] = {{{"in", "front", "of"}, ThingRelation::kInFront},
-                                               {{"around"}, ThingRelation::kAround},
-                                               {{"surrounding"}, ThingRelation::kAround},
-                                               {{"along"}, ThingRelation::kAlong},
-                                               {{"beside"}, ThingRelation::kNear},
-                                               {{"next", "to"}, ThingRelation::kNear},
-                                               {{"close", "to"}, ThingRelation::kNear},
-                                               {{"near"}, ThingRelation::kNear},
-                                               {{"by"}, ThingRelation::kNear},
-                                               {{"at"}, ThingRelation::kNear}};
+    static const RelationWords kRelations[] = {
+        {{"in", "front", "of"}, ThingRelation::kInFront},
+        {{"on", "both", "sides", "of"}, ThingRelation::kAlong},
+        {{"on", "top", "of"}, ThingRelation::kIn},
+        {{"around"}, ThingRelation::kAround},
+        {{"surrounding"}, ThingRelation::kAround},
+        {{"surround"}, ThingRelation::kAround},
+        {{"surrounds"}, ThingRelation::kAround},
+        {{"along"}, ThingRelation::kAlong},
+        {{"alongside"}, ThingRelation::kAlong},
+        {{"beside"}, ThingRelation::kNear},
+        {{"next", "to"}, ThingRelation::kNear},
+        {{"close", "to"}, ThingRelation::kNear},
+        {{"near"}, ThingRelation::kNear},
+        {{"by"}, ThingRelation::kNear},
+        {{"at"}, ThingRelation::kNear},
+        {{"on"}, ThingRelation::kIn},
+        {{"in"}, ThingRelation::kIn},
+        {{"inside"}, ThingRelation::kIn},
+        {{"within"}, ThingRelation::kIn}};
     const std::size_t begin = *end;
     at_ = begin;
-    TakeAny({"stand", "stands", "standing"});
+    TakeCopula();
     const std::size_t number_at = at_;
     const NumberMatch number = MatchNumber(tokens_, at_);
     at_ += number.tokens;
     double distance_m = 0.0;
     std::optional<ThingRelation> relation;
-    if (number.tokens > 0 && TakeAny({"m", "metres", "meters"}) && TakeAny({"from"})) {
+    if (number.tokens > 0 && TakeMetres() && (TakeWords({"away", "from"}) || TakeAny({"from"}))) {
       relation = ThingRelation::kNear;
       distance_m = number.value;
     } else {
@@ -289,7 +397,8 @@ class Taker {
         }
       }
     }
-    if (!relation) return false;
+    if (!relation || IsPlaceHere()) return false;
+    TakePlaceOf();
     const std::size_t target_at = at_;
     ThingTarget target = TakeThingTarget();
     const bool is_thing = target.wish >= 0;
@@ -297,7 +406,7 @@ class Taker {
       at_ = target_at;
       target = LandTarget();
     }
-    if (target.is_nothing()) return false;
+    if (target.is_nothing() || (is_thing && *relation == ThingRelation::kIn)) return false;
     wish->relation = *relation;
     wish->target = target;
     wish->distance_m = distance_m;
@@ -306,10 +415,34 @@ class Taker {
     return is_thing;
   }
 
+  // The place that begins there; what is said behind "facing" is not of it.
+  PlaceMatch PlaceAt(std::size_t at) const {
+    const auto is_other = [](const Token& token) {
+      return token.kind == TokenKind::kWord && (token.text == "facing" || token.text == "that");
+    };
+    const auto from = tokens_.begin() + static_cast<std::ptrdiff_t>(std::min(at, tokens_.size()));
+    return MatchPlace({tokens_.begin(), std::find_if(from, tokens_.end(), is_other)}, at);
+  }
+
+  // "in the north" says where on the map, "in the north of the forest" where in the forest.
+  bool IsPlaceHere() const {
+    const PlaceMatch match = PlaceAt(at_ + (WordAt(at_) == "the" ? 1 : 0));
+    return match.tokens > 0 && !match.of_other;
+  }
+
+  // "the middle of" the forest: the forest.
+  void TakePlaceOf() {
+    const std::size_t at = at_ + (WordAt(at_) == "the" ? 1 : 0);
+    const PlaceMatch match = PlaceAt(at);
+    if (match.tokens == 0 || !match.of_other || WordAt(at + match.tokens) != "of") return;
+    at_ = at + match.tokens + 1;
+  }
+
   ThingTarget TakeThingTarget() {
     ThingTarget target;
     const bool definite = TakeAny({"the"});
     const bool indefinite = !definite && TakeAny({"a", "an", "one"});
+    TakeAny({"lone", "single", "solitary"});
     const bool is_land = IsLand(at_);
     bool plural = false;
     const ThingKind* kind = TakeKind(&plural);
@@ -332,6 +465,11 @@ class Taker {
     constexpr std::size_t kMostWordsBefore = 4;  // articles and adjectives
     ThingTarget target;
     for (std::size_t ahead = 0; ahead < kMostWordsBefore && !WordAt(at_ + ahead).empty(); ++ahead) {
+      if (const char ground = GroundNamed(Singular(WordAt(at_ + ahead))); ground != '\0') {
+        target.letter = ground;
+        at_ += ahead + 1;
+        break;
+      }
       const ClassWordMatch match = MatchClassWord(tokens_, at_ + ahead);
       if (match.word == nullptr) continue;
       target.letter = match.word->LetterIn(vocabulary_);
@@ -347,7 +485,7 @@ class Taker {
     at_ = *end;
     if (!TakeAny({"in", "at", "on", "near"})) return;
     TakeAny({"the"});
-    const PlaceMatch match = MatchPlace(tokens_, at_);
+    const PlaceMatch match = PlaceAt(at_);
     if (match.tokens == 0 || match.of_other || match.places.empty()) return;
     wish->zone = match.places.front().zone;
     const std::size_t begin = *end;

@@ -1,0 +1,18 @@
+#ifndef LATTICEWORLD_LAYOUT_THING_WISHES_H_
+#define LATTICEWORLD_LAYOUT_THING_WISHES_H_
+
+#include <vector>
+
+#include "latticeworld/layout/thing_wish.h"
+
+namespace latticeworld {
+
+// Puts wishes behind those that there are; their targets still are the wishes that they were.
+void AppendWishes(const std::vector<ThingWish>& wishes, std::vector<ThingWish>* to);
+// Where no number was said of a fence, hedge or wall along or around something: as many of its
+// pieces as there is room for.
+void FillRun(ThingWish* wish);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LAYOUT_THING_WISHES_H_
