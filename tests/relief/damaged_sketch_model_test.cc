@@ -1,10 +1,12 @@
 // Networks that say nonsense: each is refused, fails with words, or gives heights.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -110,6 +112,11 @@ TEST(OnnxCheckTest, AFileIsOneNetwork) {
     EXPECT_EQ(internal::CheckOnnxNetwork(file).code(), StatusCode::kInvalidArgument);
 }
 
+// Tests run side by side, each in a process of its own.
+std::string TempFile(const std::string& name) {
+  return ::testing::TempDir() + "/latticeworld_" + std::to_string(getpid()) + "_" + name;
+}
+
 // What became of damaged files.
 struct Outcomes {
   int refused = 0, failed = 0, ran = 0;
@@ -120,7 +127,7 @@ struct Outcomes {
 Outcomes RunDamaged(const std::string& path, int seeds, int most_changes, std::size_t first) {
   const std::string whole = ReadFile(path, 16 << 20).value();
   const int last = static_cast<int>(std::min(first, whole.size())) - 1;
-  const std::string file = ::testing::TempDir() + "/latticeworld_damaged.onnx";
+  const std::string file = TempFile("damaged.onnx");
   Outcomes outcomes;
   for (int seed = 0; seed < seeds; ++seed) {
     RandomStream random(seed, "damage");
@@ -152,6 +159,7 @@ Outcomes RunDamaged(const std::string& path, int seeds, int most_changes, std::s
         std::all_of(height->begin(), height->end(), [](float h) { return std::isfinite(h); }))
         << "seed " << seed;
   }
+  std::filesystem::remove(file);
   return outcomes;
 }
 
@@ -180,9 +188,10 @@ TEST(DamagedSketchModelTest, AConvolutionWithoutItsWeightsIsRefused) {
   std::string network = ReadFile(LATTICEWORLD_SKETCH_MODELS "/unet.onnx", 16 << 20).value();
   // Each name is there first where a node takes it.
   for (const std::string name : {"first", "first_bias"}) network[network.find(name)] = '?';
-  const std::string file = ::testing::TempDir() + "/latticeworld_no_weights.onnx";
+  const std::string file = TempFile("no_weights.onnx");
   ASSERT_TRUE(WriteFile(file, network).ok());
   const Status status = SketchModel::Load(file).status();
+  std::filesystem::remove(file);
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
   EXPECT_NE(status.message().find("takes \"?irst\", which nothing before it makes"),
             std::string::npos)

@@ -1,10 +1,12 @@
 #include "latticeworld/relief/sketch_model.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -132,11 +134,13 @@ TEST(SketchModelTest, RefusesFilesThatAreNoSuchNetwork) {
   ExpectRefused(kModels + "/two_channels_out.onnx", StatusCode::kInvalidArgument,
                 "1 x 2 x 64 x 64");
   const std::string whole = ReadFile(kModels + "/unet.onnx", 1 << 20).value();
-  const std::string cut = ::testing::TempDir() + "/latticeworld_cut.onnx";
+  const std::string cut =
+      ::testing::TempDir() + "/latticeworld_cut_" + std::to_string(getpid()) + ".onnx";
   ASSERT_TRUE(WriteFile(cut, whole.substr(0, whole.size() / 2)).ok());
-  ExpectRefused(cut, StatusCode::kInvalidArgument, "latticeworld_cut.onnx");
+  ExpectRefused(cut, StatusCode::kInvalidArgument, "latticeworld_cut");
   ASSERT_TRUE(WriteFile(cut, "").ok());
-  ExpectRefused(cut, StatusCode::kInvalidArgument, "latticeworld_cut.onnx");
+  ExpectRefused(cut, StatusCode::kInvalidArgument, "latticeworld_cut");
+  std::filesystem::remove(cut);
 }
 
 TEST(SketchModelTest, SaysWhenANetworkGivesWhatIsNoLand) {

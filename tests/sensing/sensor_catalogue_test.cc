@@ -1,6 +1,7 @@
 // The suites that ship, what users' files do to them, and what is wrong with such files.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -201,7 +202,8 @@ TEST(SensorCatalogueTest, SuitesThatExtendWhatIsNotThereOrThemselvesAreRefused) 
 
 TEST(SensorCatalogueTest, FilesAndFoldersAreLoaded) {
   namespace fs = std::filesystem;
-  const fs::path folder = fs::path(testing::TempDir()) / "latticeworld_sensors";
+  const fs::path folder =
+      fs::path(testing::TempDir()) / ("latticeworld_sensors_" + std::to_string(getpid()));
   fs::remove_all(folder);
   fs::create_directory(folder);
   EXPECT_EQ(SensorCatalogue::Load({folder}).status().code(), StatusCode::kNotFound);
