@@ -13,6 +13,7 @@
 #include "latticeworld/mapping/traversability.h"
 #include "latticeworld/scene/standing_elements.h"
 #include "latticeworld/terrain/bridge.h"
+#include "terrain/gorge_bridge.h"
 
 namespace latticeworld {
 namespace {
@@ -24,16 +25,8 @@ Scene Gorge(BridgeKind kind = BridgeKind::kGirder) {
   Scene scene =
       MakeScene(128, 64.0, [](double x_m, double) { return std::abs(x_m) < 6.0 ? kBed_m : 0.0; });
   auto terrain = std::make_shared<Terrain>(*scene.terrain);
-  Bridge bridge;
+  Bridge bridge = BridgeOverGorge(9.0, kBed_m, 1000.0);
   bridge.kind = kind;
-  bridge.line = {{-9.0, 0.0}, {9.0, 0.0}};
-  bridge.width_m = 5.0;
-  bridge.deck_z_m = 0.01;
-  bridge.thickness_m = 0.4;
-  bridge.water_level_m = kBed_m;
-  bridge.railing_m = 1.0;
-  bridge.load_kg = 1000.0;
-  bridge.supports_m = {3.0, 9.0, 15.0};
   terrain->bridges = {bridge};
   scene.terrain = terrain;
   return scene;

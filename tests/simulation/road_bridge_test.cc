@@ -6,6 +6,7 @@
 
 #include "latticeworld/sensing/ray_scene.h"
 #include "latticeworld/terrain/terrain.h"
+#include "terrain/gorge_bridge.h"
 #include "test_scene.h"
 
 namespace latticeworld {
@@ -21,16 +22,7 @@ std::shared_ptr<const Scene> Gorge() {
   made.height_m = [](double x, double) { return std::abs(x) < kHalfGorge_m ? kBed_m : 0.0; };
   auto scene = std::make_shared<Scene>(*made.Build());
   auto terrain = std::make_shared<Terrain>(*scene->terrain);
-  Bridge bridge;
-  bridge.line = {{-13.0, 0.0}, {13.0, 0.0}};
-  bridge.width_m = 5.0;
-  bridge.deck_z_m = 0.01;
-  bridge.thickness_m = 0.4;
-  bridge.water_level_m = kBed_m;
-  bridge.railing_m = 1.0;
-  bridge.load_kg = 40e3;
-  bridge.supports_m = {3.0, 13.0, 23.0};
-  terrain->bridges = {bridge};
+  terrain->bridges = {BridgeOverGorge(13.0, kBed_m, 40e3)};
   scene->terrain = std::move(terrain);
   return scene;
 }

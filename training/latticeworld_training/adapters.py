@@ -1,13 +1,14 @@
 """Low-rank adapters (Hu et al. 2021): a few weights beside a base model's own, which stay as they are."""
 
 import math
+import os
 
 import torch
 from torch import nn
 
+from . import gguf
+
 ADAPTED = ("query", "key", "value", "attention_output", "gate", "up", "down")
-
-
 SCALE = 2.0  # of what adapters add
 
 
@@ -37,15 +38,16 @@ def adapt(model, rank, scale=SCALE):
             setattr(layer, name, AdaptedLinear(getattr(layer, name), rank, scale))
 
 
-def adapter_tensors(model):
-    """Name -> weights of all adapters, as a file holds them: layers.N.PART.a and .b, the scale in b."""
-    tensors = {}
-    for number, layer in enumerate(model.layers):
-        for name in ADAPTED:
-            part = getattr(layer, name)
-            tensors[f"layers.{number}.{name}.a"] = part.a.detach()
-            tensors[f"layers.{number}.{name}.b"] = part.b.detach() * part.scale
-    return tensors
+def read_adapters(path):
+    """Name -> weights of a run's folder, or of a file that export_reader made, as they are trained: without the scale."""
+    if os.path.isdir(path):
+        return torch.load(os.path.join(path, "adapter.pt"), weights_only=False)["adapters"]
+    state = {}
+    for name, values in gguf.read_gguf(path)[1].items():
+        _, number, part, _, which = name.split(".")
+        scale = SCALE if which == "b" else 1.0
+        state[f"layers.{number}.{gguf.LLAMA_PARTS[part]}.{which}"] = torch.from_numpy(values / scale)
+    return state
 
 
 def joined(model):

@@ -5,14 +5,8 @@ import torch
 import gguf
 from tokenizers import Tokenizer, decoders, models, pre_tokenizers
 
+from .gguf import LLAMA_PARTS
 from .llama import Llama, LlamaSizes
-
-NAMES = {
-    "attn_norm": "attention_norm", "attn_q": "query", "attn_k": "key", "attn_v": "value",
-    "attn_output": "attention_output", "ffn_norm": "feed_forward_norm", "ffn_gate": "gate", "ffn_up": "up",
-    "ffn_down": "down",
-}
-
 
 def _field(reader, key):
     return reader.get_field(key).contents()
@@ -40,7 +34,7 @@ def read_base(path):
             state["output_norm.weight"] = values
         elif tensor.name.startswith("blk."):
             _, number, part, _ = tensor.name.split(".")
-            state[f"layers.{number}.{NAMES[part]}.weight"] = values
+            state[f"layers.{number}.{LLAMA_PARTS[part]}.weight"] = values
     model.load_state_dict(state, assign=True)
     return model, byte_tokenizer(_field(reader, "tokenizer.ggml.tokens"), _field(reader, "tokenizer.ggml.merges"))
 

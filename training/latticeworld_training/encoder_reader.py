@@ -11,7 +11,6 @@ replaced by what was read: `latticeworld score --examples said.jsonl --reader co
 """
 
 import argparse
-import glob
 import json
 import math
 import os
@@ -27,7 +26,7 @@ from torch import nn
 from torch.nn import functional
 
 from . import small_language
-from .reader_examples import read_examples
+from .reader_examples import add_lesson_arguments, batches_of, chosen_examples, paths_of, read_examples
 
 SYMBOLS = re.compile(r"\d|[A-Za-z]+(?:-[A-Za-z]+)*|\S")
 PAD, BEGIN, END, GLUE = range(4)  # GLUE: the next symbol follows without a blank
@@ -150,19 +149,6 @@ def read_encoder(folder):
     return config, load_file(os.path.join(folder, "model.safetensors")), tokenizer
 
 
-def batches_of(sizes, draws):
-    order = sorted(range(len(sizes)), key=lambda i: sizes[i] + draws.random() * 16)
-    batches, batch = [], []
-    for i in order:
-        if batch and (len(batch) + 1) * sizes[i] > PIECES_AT_ONCE:
-            batches.append(batch)
-            batch = []
-        batch.append(i)
-    batches.append(batch)
-    draws.shuffle(batches)
-    return batches
-
-
 def padded(rows):
     out = torch.zeros(len(rows), max(map(len, rows)), dtype=torch.long)
     for row, ids in enumerate(rows):
@@ -174,9 +160,7 @@ def train(given):
     torch.set_num_threads(given.threads)
     torch.manual_seed(given.seed)
     config, weights, tokenizer = read_encoder(given.encoder)
-    examples = read_examples([path for pattern in given.data for path in sorted(glob.glob(pattern))])
-    random.Random(given.seed).shuffle(examples)
-    examples = examples[: max(1, round(given.share * len(examples)))]
+    examples = chosen_examples(given)
     said = [symbols_of(example) for example in examples]
     names = ["", "", "", ""] + sorted({symbol for row in said for symbol in row if symbol != GLUE})
     place = {name: i for i, name in enumerate(names) if name} | {GLUE: GLUE}
@@ -199,7 +183,7 @@ def train(given):
     began, told, step, epoch, recent, counted = time.process_time(), time.monotonic(), 0, 0, 0.0, 0
     sizes = [max(len(a), len(b)) for a, b in zip(pieces, answers)]
     while worked() < given.minutes:
-        for batch in batches_of(sizes, random.Random(f"{given.seed} {epoch}")):
+        for batch in batches_of(sizes, PIECES_AT_ONCE, random.Random(f"{given.seed} {epoch}")):
             done = worked() / given.minutes
             if done >= 1.0:
                 break
@@ -264,7 +248,7 @@ def read(given):
     model.eval()
     illegal = count = exact = 0
     began = time.monotonic()
-    for example in read_examples([path for pattern in given.data for path in sorted(glob.glob(pattern))])[: given.first]:
+    for example in read_examples(paths_of(given))[: given.first]:
         with torch.no_grad():
             memory, mask = model.encode(torch.tensor([tokenizer.encode(example["text"]).ids]),
                                         torch.tensor([int(example["kind"] == "environment")]))
@@ -283,21 +267,16 @@ def read(given):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("what", choices=("train", "read"))
+    add_lesson_arguments(parser, rate=1e-3, minutes=15.0)
     parser.add_argument("--encoder", required=True, help="folder of the encoder")
-    parser.add_argument("--data", nargs="+", required=True, help="JSON Lines")
     parser.add_argument("--out", help="train: folder of the run")
     parser.add_argument("--run", help="read: folder of the run")
     parser.add_argument("--left-out", nargs="*", help="train: JSON Lines that are measured in the end")
     parser.add_argument("--blank", type=int, default=0, help="1: the encoder begins from nothing too [0]")
     parser.add_argument("--first", type=int, default=None, help="read: so many examples at most")
-    parser.add_argument("--share", type=float, default=1.0, help="of the examples [1]")
     parser.add_argument("--layers", type=int, default=4, help="of the decoder [4]")
     parser.add_argument("--drop", type=float, default=0.1, help="share of embeddings' values that are dropped [0.1]")
-    parser.add_argument("--rate", type=float, default=1e-3, help="of the decoder's learning [1e-3]")
     parser.add_argument("--slower", type=float, default=0.2, help="the encoder's rate over the decoder's [0.2]")
-    parser.add_argument("--minutes", type=float, default=15.0, help="of the processors' time [15]")
-    parser.add_argument("--threads", type=int, default=2, help="[2]")
-    parser.add_argument("--seed", type=int, default=1, help="[1]")
     given = parser.parse_args()
     (train if given.what == "train" else read)(given)
 

@@ -4,13 +4,9 @@
 """
 
 import argparse
-import os
-
-import torch
 
 from . import gguf
-from .adapters import SCALE
-from .base_model import NAMES
+from .adapters import SCALE, read_adapters
 from .join_reader import KEY, sha256_of
 
 
@@ -18,13 +14,17 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     for name in ("run", "base", "out"):
         parser.add_argument(f"--{name}", required=True)
+    parser.add_argument("--mean-with", help="a run or file of the same shape, halfway to which the weights are taken")
     given = parser.parse_args(arguments)
-    state = torch.load(os.path.join(given.run, "adapter.pt"), weights_only=False)["adapters"]
+    state = read_adapters(given.run)
+    if given.mean_with:
+        other = read_adapters(given.mean_with)
+        state = {name: 0.5 * (weights.float() + other[name].float()) for name, weights in state.items()}
     writer = gguf.GgufWriter()
     writer.add("general.architecture", gguf.STRING, "latticeworld-reader-adapter")
     writer.add("general.name", gguf.STRING, "latticeworld reader")
     writer.add(KEY, gguf.STRING, sha256_of(given.base))
-    parts = {ours: theirs for theirs, ours in NAMES.items()}
+    parts = {ours: theirs for theirs, ours in gguf.LLAMA_PARTS.items()}
     for name, weights in state.items():
         _, number, part, which = name.split(".")
         values = weights.float() * (SCALE if which == "b" else 1.0)

@@ -13,6 +13,12 @@ FORMS = {0: "B", 1: "b", 2: "H", 3: "h", UINT32: "I", INT32: "i", FLOAT32: "f", 
 F32, F16, Q4_1, Q8_0 = 0, 1, 3, 8
 TENSOR_TYPES = {"f32": F32, "f16": F16, "q8_0": Q8_0}
 Q8_BLOCK = 32
+# What the format calls the parts of a layer of a LLaMA, and llama.py does.
+LLAMA_PARTS = {
+    "attn_norm": "attention_norm", "attn_q": "query", "attn_k": "key", "attn_v": "value",
+    "attn_output": "attention_output", "ffn_norm": "feed_forward_norm", "ffn_gate": "gate", "ffn_up": "up",
+    "ffn_down": "down",
+}
 
 
 def _string(text):

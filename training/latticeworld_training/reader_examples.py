@@ -10,7 +10,9 @@ Writes such files from the texts of authors, "V:", "T:" or "W:" and "S:" lines:
 """
 
 import argparse
+import glob
 import json
+import random
 import sys
 
 from . import small_language
@@ -29,6 +31,42 @@ def read_examples(paths, without=(), only=None):
                 if example["author"] not in without and (only is None or example["author"] in only):
                     examples.append(example)
     return examples
+
+
+def add_lesson_arguments(parser, rate, minutes):
+    """What every program that teaches a reader is told: examples, rate, time, threads, seed."""
+    parser.add_argument("--data", nargs="+", required=True, help="JSON Lines")
+    parser.add_argument("--share", type=float, default=1.0, help="of the examples, for a learning curve [1]")
+    parser.add_argument("--rate", type=float, default=rate, help=f"of learning [{rate:g}]")
+    parser.add_argument("--minutes", type=float, default=minutes,
+                        help=f"of the processors' time, over which the rate falls to nothing [{minutes:g}]")
+    parser.add_argument("--threads", type=int, default=2, help="of the processor [2]")
+    parser.add_argument("--seed", type=int, default=1, help="[1]")
+
+
+def paths_of(given):
+    return [path for pattern in given.data for path in sorted(glob.glob(pattern))]
+
+
+def chosen_examples(given, without=()):
+    """The share of the examples that is asked for, in an order drawn from the seed."""
+    examples = read_examples(paths_of(given), without=without)
+    random.Random(given.seed).shuffle(examples)
+    return examples[: max(1, round(given.share * len(examples)))]
+
+
+def batches_of(lengths, most, draws):
+    """Indices of what is of like length, at most so much together, in a drawn order."""
+    order = sorted(range(len(lengths)), key=lambda i: lengths[i] + draws.random() * 16)
+    batches, batch = [], []
+    for i in order:
+        if batch and (len(batch) + 1) * lengths[i] > most:
+            batches.append(batch)
+            batch = []
+        batch.append(i)
+    batches.append(batch)
+    draws.shuffle(batches)
+    return batches
 
 
 def answer_of(example):

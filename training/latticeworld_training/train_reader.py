@@ -8,7 +8,6 @@ The loss runs over the tokens that some answer has, as the grammar lets a reader
 """
 
 import argparse
-import glob
 import json
 import math
 import os
@@ -18,9 +17,10 @@ import time
 import torch
 from torch.nn import functional
 
-from . import adapters, gguf, llama
-from .base_model import NAMES, read_base
-from .reader_examples import END, PROMPT, answer_of, read_examples
+from . import adapters, llama
+from .base_model import read_base
+from .reader_examples import (END, PROMPT, add_lesson_arguments, answer_of, batches_of, chosen_examples, paths_of,
+                              read_examples)
 
 TOKENS_AT_ONCE = 3072
 SAVED_EVERY_S = 300.0  # of the processors' time; what is interrupted begins its epoch anew
@@ -72,20 +72,6 @@ def encode(tokenizer, example):
     return asked + tokenizer.encode(answer_of(example) + END).ids, len(asked)
 
 
-def batches_of(encoded, draws):
-    """Indices of examples of like length, at most TOKENS_AT_ONCE together, in a drawn order."""
-    order = sorted(range(len(encoded)), key=lambda i: len(encoded[i][0]) + draws.random() * 16)
-    batches, batch = [], []
-    for i in order:
-        if batch and (len(batch) + 1) * len(encoded[i][0]) > TOKENS_AT_ONCE:
-            batches.append(batch)
-            batch = []
-        batch.append(i)
-    batches.append(batch)
-    draws.shuffle(batches)
-    return batches
-
-
 def tensors_of(encoded, indices, place_of):
     """Tokens (batch, length) and the answers' targets among the answers' tokens, -100 elsewhere."""
     length = max(len(encoded[i][0]) for i in indices)
@@ -132,23 +118,8 @@ def unseen_loss(model, lesson):
 
 
 def read_lesson(tokenizer, given):
-    paths = [path for pattern in given.data for path in sorted(glob.glob(pattern))]
-    examples = read_examples(paths, without=given.leave_out)
-    random.Random(given.seed).shuffle(examples)
-    examples = examples[: max(1, round(given.share * len(examples)))]
-    return Lesson(tokenizer, examples, read_examples(paths, only=given.leave_out) if given.leave_out else [])
-
-
-def adapters_of(path):
-    """The adapters of a run's folder, or of a file that export_reader made."""
-    if os.path.isdir(path):
-        return torch.load(os.path.join(path, "adapter.pt"), weights_only=False)["adapters"]
-    state = {}
-    for name, values in gguf.read_gguf(path)[1].items():
-        _, number, part, _, which = name.split(".")
-        scale = adapters.SCALE if which == "b" else 1.0
-        state[f"layers.{number}.{NAMES[part]}.{which}"] = torch.from_numpy(values / scale)
-    return state
+    left_out = read_examples(paths_of(given), only=given.leave_out) if given.leave_out else []
+    return Lesson(tokenizer, chosen_examples(given, without=given.leave_out), left_out)
 
 
 def save(path, model, optimizer, **rest):
@@ -160,18 +131,13 @@ def save(path, model, optimizer, **rest):
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    add_lesson_arguments(parser, rate=2e-3, minutes=40.0)
     parser.add_argument("--base", required=True, help="GGUF file")
-    parser.add_argument("--data", nargs="+", required=True, help="JSON Lines")
     parser.add_argument("--leave-out", nargs="*", default=[], help="authors that are not trained on")
     parser.add_argument("--out", required=True, help="folder of the run")
     parser.add_argument("--begin-with", help="run's folder, or file of export_reader, whose adapters this one begins with")
-    parser.add_argument("--share", type=float, default=1.0, help="of the examples, for a learning curve [1]")
     parser.add_argument("--rank", type=int, default=32, help="of the adapters [32]")
     parser.add_argument("--layers", type=int, default=0, help="of the base that are kept, from below; 0: all [0]")
-    parser.add_argument("--rate", type=float, default=2e-3, help="of learning [2e-3]")
-    parser.add_argument("--minutes", type=float, default=40.0, help="of the processors' time, over which the rate falls to nothing [40]")
-    parser.add_argument("--threads", type=int, default=2, help="of the processor [2]")
-    parser.add_argument("--seed", type=int, default=1, help="[1]")
     parser.add_argument("--compile", type=int, default=1, help="1: compile the layers [1]")
     given = parser.parse_args(arguments)
 
@@ -199,7 +165,7 @@ def main(arguments=None):
         optimizer.load_state_dict(state["optimizer"])
         step, spent, epoch = state["step"], state["spent"], state["epoch"]
     elif given.begin_with:
-        model.load_state_dict(adapters_of(given.begin_with), strict=False)
+        model.load_state_dict(adapters.read_adapters(given.begin_with), strict=False)
     # A processor that others use as well does not shorten the lesson.
     worked = lambda: spent + (time.process_time() - began) / given.threads
     began = time.process_time()
@@ -210,7 +176,7 @@ def main(arguments=None):
         if epoch > 0:
             lesson = read_lesson(tokenizer, given)  # files may have grown
         encoded, place_of, answers = lesson.encoded, lesson.place_of, lesson.answers
-        for indices in batches_of(encoded, random.Random(f"{given.seed} {epoch}")):
+        for indices in batches_of([len(ids) for ids, _ in encoded], TOKENS_AT_ONCE, random.Random(f"{given.seed} {epoch}")):
             done = worked() / limit
             if done >= 1.0:
                 break

@@ -47,6 +47,20 @@ CellRange CellsIn(const ExportRegion& region, const GridGeometry& geometry) {
           first(geometry.ColOf(region.west_m)), last(geometry.ColOf(region.east_m))};
 }
 
+Status ValidateGround(const std::optional<ExportRegion>& region, const GridGeometry& geometry,
+                      const std::string& what, std::vector<Violation>* violations) {
+  if (!region) return Status();
+  LW_RETURN_IF_ERROR(Validate(*region, geometry));
+  const CellRange cells = CellsIn(*region, geometry);
+  if (cells.rows() < 2 || cells.cols() < 2) {
+    violations->push_back({"too_small", "region",
+                           what + " a side: legal is a region that holds the centres of two cells "
+                                  "of the world's grid a side",
+                           ""});
+  }
+  return Status();
+}
+
 ExportRegion BetweenCenters(const CellRange& cells, const GridGeometry& geometry) {
   const WorldPoint north_west = geometry.CenterOf({cells.first_row, cells.first_col});
   const WorldPoint south_east = geometry.CenterOf({cells.last_row, cells.last_col});

@@ -1,6 +1,10 @@
 #ifndef LATTICEWORLD_INTERCHANGE_EXPORT_REGION_H_
 #define LATTICEWORLD_INTERCHANGE_EXPORT_REGION_H_
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "latticeworld/common/status.h"
 #include "latticeworld/geometry/grid_geometry.h"
 
@@ -26,6 +30,10 @@ ExportRegion WholeWorld(const GridGeometry& geometry);
 // INVALID_ARGUMENT saying what is legal: not finite, smaller than kMinExport_m a side, outside of
 // the world.
 Status Validate(const ExportRegion& region, const GridGeometry& geometry);
+// The same, and a violation where a ground of the centres that it holds would have no area; `what`
+// says what has two a side at least: "a ground has at least two vertices". Legal: no region.
+Status ValidateGround(const std::optional<ExportRegion>& region, const GridGeometry& geometry,
+                      const std::string& what, std::vector<Violation>* violations);
 
 // Cells of a grid, both ends included.
 struct CellRange {

@@ -392,16 +392,8 @@ class MjcfBuilder {
 
 Status Validate(const MjcfOptions& options, const Scene& scene) {
   std::vector<Violation> violations;
-  if (options.region) {
-    LW_RETURN_IF_ERROR(Validate(*options.region, scene.geometry()));
-    const CellRange cells = CellsIn(*options.region, scene.geometry());
-    if (cells.rows() < 2 || cells.cols() < 2) {
-      violations.push_back({"too_small", "region",
-                            "a height field has at least two values a side: legal is a region that "
-                            "holds the centres of two cells of the world's grid a side",
-                            ""});
-    }
-  }
+  LW_RETURN_IF_ERROR(ValidateGround(options.region, scene.geometry(),
+                                    "a height field has at least two values", &violations));
   CheckRange("texture_px", options.texture_px, {16, 8192}, " px", &violations);
   CheckRange("detail", options.detail, {0, kMeshDetails - 1}, "", &violations);
   return Status::FromViolations("MJCF", std::move(violations));

@@ -311,16 +311,8 @@ class UsdBuilder {
 
 Status Validate(const UsdOptions& options, const Scene& scene) {
   std::vector<Violation> violations;
-  if (options.region) {
-    LW_RETURN_IF_ERROR(Validate(*options.region, scene.geometry()));
-    const CellRange cells = CellsIn(*options.region, scene.geometry());
-    if (cells.rows() < 2 || cells.cols() < 2) {
-      violations.push_back({"too_small", "region",
-                            "a ground has at least two vertices a side: legal is a region that "
-                            "holds the centres of two cells of the world's grid a side",
-                            ""});
-    }
-  }
+  LW_RETURN_IF_ERROR(ValidateGround(options.region, scene.geometry(),
+                                    "a ground has at least two vertices", &violations));
   if (options.ground_step_m)
     CheckRange("ground_step_m", *options.ground_step_m, {0.05, 100.0}, " m", &violations);
   CheckRange("texture_px", options.texture_px, {16, 8192}, " px", &violations);
