@@ -10,9 +10,9 @@
 #include <string>
 #include <thread>
 
-#include "latticeworld/dataset/dataset_writer.h"
-#include "latticeworld/dataset/generated_source.h"
-#include "latticeworld/dataset/written_annotator.h"
+#include "latticeworld/dataset/captions/written_annotator.h"
+#include "latticeworld/dataset/sources/generated_source.h"
+#include "latticeworld/dataset/writing/dataset_writer.h"
 
 namespace latticeworld {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "example_world.h"
-#include "latticeworld/generation/bundle.h"
+#include "latticeworld/generation/bundle/bundle.h"
 #include "latticeworld/generation/world_generator.h"
 
 namespace latticeworld {

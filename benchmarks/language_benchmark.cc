@@ -7,7 +7,7 @@
 #include <chrono>
 #include <vector>
 
-#include "latticeworld/generation/fidelity_benchmark.h"
+#include "latticeworld/generation/fidelity/fidelity_benchmark.h"
 #include "latticeworld/language/drawn/grounded.h"
 
 namespace latticeworld {

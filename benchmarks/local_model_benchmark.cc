@@ -21,11 +21,11 @@
 
 #include "language/local/tiny_model.h"
 #include "latticeworld/common/work_crew.h"
-#include "latticeworld/language/local/gguf_file.h"
-#include "latticeworld/language/local/large_memory.h"
-#include "latticeworld/language/local/llama_decoder.h"
-#include "latticeworld/language/local/llama_model.h"
+#include "latticeworld/language/local/decoding/llama_decoder.h"
+#include "latticeworld/language/local/decoding/llama_model.h"
 #include "latticeworld/language/local/local.h"
+#include "latticeworld/language/local/weights/gguf_file.h"
+#include "latticeworld/language/local/weights/large_memory.h"
 #include "latticeworld/language/remote/forms.h"
 
 namespace latticeworld {

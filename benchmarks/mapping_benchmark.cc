@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "latticeworld/common/random.h"
-#include "latticeworld/mapping/octree.h"
-#include "latticeworld/mapping/octree_stream.h"
+#include "latticeworld/mapping/octree/octree.h"
+#include "latticeworld/mapping/octree/octree_stream.h"
 #include "latticeworld/mapping/traversability.h"
 #include "latticeworld/scene/scene.h"
 

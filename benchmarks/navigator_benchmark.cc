@@ -18,8 +18,8 @@
 #include "latticeworld/common/random.h"
 #include "latticeworld/navigation/distance_field.h"
 #include "latticeworld/navigation/navigable_map.h"
-#include "latticeworld/navigator/navigator.h"
-#include "latticeworld/navigator/travel_field.h"
+#include "latticeworld/reference_navigator/navigator.h"
+#include "latticeworld/reference_navigator/travel_field.h"
 
 namespace latticeworld {
 namespace {

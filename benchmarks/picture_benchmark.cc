@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "latticeworld/common/random.h"
-#include "latticeworld/exporting/close_view.h"
-#include "latticeworld/exporting/picture.h"
+#include "latticeworld/rendering/picture.h"
+#include "latticeworld/rendering/views/close_view.h"
 #include "latticeworld/scene/scene.h"
-#include "latticeworld/sensing/ray_scene.h"
+#include "latticeworld/sensing/solids/ray_scene.h"
 #include "wood.h"
 
 namespace latticeworld {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "latticeworld/generation/fidelity_benchmark.h"
+#include "latticeworld/generation/fidelity/fidelity_benchmark.h"
 #include "latticeworld/language/local/local.h"
 #include "latticeworld/language/reading/model_reader.h"
 

@@ -15,8 +15,8 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/environment/environment_config.h"
-#include "latticeworld/scene/blue_noise.h"
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/scene/vegetation/blue_noise.h"
 
 namespace {
 

@@ -11,13 +11,13 @@
 
 #include "latticeworld/common/parallel.h"
 #include "latticeworld/common/random.h"
-#include "latticeworld/sensing/asset_tiles.h"
-#include "latticeworld/sensing/camera_renderer.h"
-#include "latticeworld/sensing/lidar_caster.h"
+#include "latticeworld/sensing/camera/camera_renderer.h"
+#include "latticeworld/sensing/lidar/lidar_caster.h"
 #include "latticeworld/sensing/sensed_world.h"
 #include "latticeworld/sensing/sensor_scene.h"
 #include "latticeworld/sensing/sensor_suite.h"
-#include "latticeworld/sensing/surface_geometry.h"
+#include "latticeworld/sensing/solids/asset_tiles.h"
+#include "latticeworld/sensing/solids/surface_geometry.h"
 #include "sensing_rays.h"
 #include "wood.h"
 

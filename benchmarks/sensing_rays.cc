@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "latticeworld/sensing/ray_packet.h"
+#include "latticeworld/sensing/lidar/ray_packet.h"
 
 namespace latticeworld {
 namespace {

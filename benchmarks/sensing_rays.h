@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "latticeworld/scene/scene.h"
-#include "latticeworld/sensing/ray_scene.h"
+#include "latticeworld/sensing/solids/ray_scene.h"
 
 namespace latticeworld {
 

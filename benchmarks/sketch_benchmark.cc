@@ -19,9 +19,9 @@
 #include "latticeworld/geomorphology/erosion.h"
 #include "latticeworld/geomorphology/noise.h"
 #include "latticeworld/geomorphology/resample.h"
-#include "latticeworld/relief/elevation_survey.h"
-#include "latticeworld/relief/sketch.h"
-#include "latticeworld/relief/sketch_model.h"
+#include "latticeworld/relief/elevation/elevation_survey.h"
+#include "latticeworld/relief/sketch/sketch.h"
+#include "latticeworld/relief/sketch/sketch_model.h"
 
 namespace latticeworld {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "latticeworld/layout/thing_wish.h"
+#include "latticeworld/scene/props/thing_claims.h"
 #include "latticeworld/scene/scene.h"
-#include "latticeworld/scene/thing_claims.h"
 
 namespace latticeworld {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "latticeworld/scene/scene.h"
-#include "latticeworld/sensing/embree_handles.h"
+#include "latticeworld/sensing/solids/embree_handles.h"
 
 namespace latticeworld {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "latticeworld/common/files.h"
-#include "latticeworld/exporting/picture.h"
 #include "latticeworld/generation/world_generator.h"
+#include "latticeworld/rendering/picture.h"
 
 namespace lw = latticeworld;
 

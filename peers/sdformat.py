@@ -13,7 +13,7 @@ import PIL.Image
 from ground import Ground
 from peer import FOLDER, Peer, export, run
 
-SOURCE = pathlib.Path(__file__).resolve().parents[1] / "tests/interchange/check_sdf.cc"
+SOURCE = pathlib.Path(__file__).resolve().parents[1] / "tests/exporting/check_sdf.cc"
 
 
 def check_height_map(peer, folder, ground):

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "latticeworld/simulation/agents/bodies.h"
+#include "latticeworld/simulation/agents/bodies/bodies.h"
 #include "latticeworld/simulation/ode/ode_world.h"
 #include "latticeworld/species/species_catalogue.h"
 #include "simulation/bare_ode.h"

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "latticeworld/learning/robot_view.h"
-#include "latticeworld/scene/elements.h"
+#include "latticeworld/scene/props/props.h"
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/simulation/sensed.h"
 
@@ -249,20 +249,20 @@ std::string Spawn(PySimulation& self, const std::string& name, const std::string
   return Value(use->simulator()->Spawn(request));
 }
 
-std::string SpawnElement(PySimulation& self, const std::string& kind, double x_m, double y_m,
-                         double heading_rad, const std::string& name) {
+std::string SpawnProp(PySimulation& self, const std::string& kind, double x_m, double y_m,
+                      double heading_rad, const std::string& name) {
   const Use use(&self);
-  const auto known = FromName<ElementKind>(kind);
+  const auto known = FromName<PropKind>(kind);
   if (!known) {
     std::string names;
-    for (const auto& entry : EnumNames(ElementKind{})) names += ", " + std::string(entry.name);
+    for (const auto& entry : EnumNames(PropKind{})) names += ", " + std::string(entry.name);
     Check(InvalidArgument("kind is \"" + kind + "\"; legal are " + names.substr(2)));
   }
-  Element element = UsualElement(*known);
-  element.name = name;
-  element.position = {x_m, y_m};
-  element.yaw_rad = heading_rad;
-  return Value(use->simulator()->SpawnElement(element));
+  Prop prop = UsualProp(*known);
+  prop.name = name;
+  prop.position = {x_m, y_m};
+  prop.yaw_rad = heading_rad;
+  return Value(use->simulator()->SpawnProp(prop));
 }
 
 }  // namespace
@@ -317,7 +317,7 @@ void BindSimulation(nb::module_& module) {
            nb::arg("policy") = "",
            "A new agent at a position (x, y) or at a place in words; its name. team: 0: what suits "
            "the species, -1: neutral.")
-      .def("spawn_element", &SpawnElement, nb::arg("kind"), nb::arg("x_m"), nb::arg("y_m"),
+      .def("spawn_element", &SpawnProp, nb::arg("kind"), nb::arg("x_m"), nb::arg("y_m"),
            nb::arg("heading_rad") = 0.0, nb::arg("name") = "", "A crate, gate ...; its name.")
       .def(
           "remove",

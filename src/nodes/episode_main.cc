@@ -12,7 +12,7 @@
 #include "latticeworld/common/files.h"
 #include "latticeworld/episode/episode_text.h"
 #include "latticeworld/episode/track_picture.h"
-#include "latticeworld_ros/episode_reader.h"
+#include "latticeworld_ros/episode/episode_reader.h"
 
 namespace {
 

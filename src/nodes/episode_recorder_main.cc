@@ -10,9 +10,9 @@
 #include <memory>
 #include <thread>
 
-#include "latticeworld_ros/episode_recorder.h"
-#include "latticeworld_ros/episode_recorder_options.h"
-#include "latticeworld_ros/node_start.h"
+#include "latticeworld_ros/episode/episode_recorder.h"
+#include "latticeworld_ros/episode/episode_recorder_options.h"
+#include "latticeworld_ros/node/node_start.h"
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow fails to be written, no more

@@ -10,9 +10,9 @@
 #include <memory>
 #include <utility>
 
-#include "latticeworld_ros/navigator_node.h"
-#include "latticeworld_ros/navigator_node_options.h"
-#include "latticeworld_ros/node_start.h"
+#include "latticeworld_ros/navigator/navigator_node.h"
+#include "latticeworld_ros/navigator/navigator_node_options.h"
+#include "latticeworld_ros/node/node_start.h"
 
 int main(int argc, char** argv) {
   // The robot is told to stand before ROS ends: what this handler asks for is done by main.

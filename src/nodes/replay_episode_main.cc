@@ -17,9 +17,9 @@
 
 #include "latticeworld/episode/journal_json.h"
 #include "latticeworld/episode/replay.h"
-#include "latticeworld_ros/episode_player.h"
-#include "latticeworld_ros/episode_reader.h"
-#include "latticeworld_ros/node_start.h"
+#include "latticeworld_ros/episode/episode_player.h"
+#include "latticeworld_ros/episode/episode_reader.h"
+#include "latticeworld_ros/node/node_start.h"
 
 namespace {
 

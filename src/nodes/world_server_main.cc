@@ -12,12 +12,12 @@
 #include <utility>
 
 #include "latticeworld/catalogue/catalogue.h"
-#include "latticeworld/generation/load_language.h"
+#include "latticeworld/generation/bundle/load_language.h"
 #include "latticeworld/generation/sketch_translator.h"
-#include "latticeworld_ros/node_start.h"
-#include "latticeworld_ros/parameters.h"
-#include "latticeworld_ros/shutdown_guard.h"
-#include "latticeworld_ros/world_server.h"
+#include "latticeworld_ros/node/node_start.h"
+#include "latticeworld_ros/node/parameters.h"
+#include "latticeworld_ros/node/shutdown_guard.h"
+#include "latticeworld_ros/server/world_server.h"
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow fails to be written, no more

@@ -10,10 +10,10 @@
 #include <thread>
 #include <utility>
 
-#include "latticeworld_ros/node_start.h"
-#include "latticeworld_ros/shutdown_guard.h"
-#include "latticeworld_ros/viewer_node.h"
-#include "latticeworld_ros/viewer_options.h"
+#include "latticeworld_ros/node/node_start.h"
+#include "latticeworld_ros/node/shutdown_guard.h"
+#include "latticeworld_ros/viewer/viewer_node.h"
+#include "latticeworld_ros/viewer/viewer_options.h"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "world_viewer");

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "latticeworld/common/result.h"
-#include "latticeworld/dataset/annotator.h"
-#include "latticeworld/dataset/instance_source.h"
+#include "latticeworld/dataset/captions/annotator.h"
+#include "latticeworld/dataset/sources/instance_source.h"
 
 namespace CLI {
 class App;

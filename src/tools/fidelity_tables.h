@@ -4,8 +4,8 @@
 #include <iosfwd>
 #include <string_view>
 
-#include "latticeworld/generation/fidelity.h"
-#include "latticeworld/generation/fidelity_benchmark.h"
+#include "latticeworld/generation/fidelity/fidelity.h"
+#include "latticeworld/generation/fidelity/fidelity_benchmark.h"
 
 namespace latticeworld::tools {
 

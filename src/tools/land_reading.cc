@@ -7,8 +7,8 @@
 
 #include "latticeworld/common/files.h"
 #include "latticeworld/common/text.h"
-#include "latticeworld/generation/bundle.h"
-#include "latticeworld/relief/elevation_survey.h"
+#include "latticeworld/generation/bundle/bundle.h"
+#include "latticeworld/relief/elevation/elevation_survey.h"
 #include "latticeworld/relief/relief.h"
 
 namespace latticeworld::tools {

@@ -6,7 +6,7 @@
 
 #include "latticeworld/common/result.h"
 #include "latticeworld/geometry/grid.h"
-#include "latticeworld/relief/elevation.h"
+#include "latticeworld/relief/elevation/elevation.h"
 
 namespace latticeworld::tools {
 

@@ -2,7 +2,7 @@
 #define LATTICEWORLD_TOOLS_LANGUAGE_ARGUMENTS_H_
 
 #include "latticeworld/common/result.h"
-#include "latticeworld/generation/load_language.h"
+#include "latticeworld/generation/bundle/load_language.h"
 
 namespace CLI {
 class App;

@@ -139,10 +139,10 @@ void PrintAssets(const std::vector<Asset>& assets, std::ostream* out) {
   PrintLine("assets", text, out);
 }
 
-void PrintElements(const std::vector<Element>& elements, std::ostream* out) {
-  std::map<ElementKind, int> counts;
-  for (const Element& element : elements) ++counts[element.kind];
-  std::string text = std::to_string(elements.size());
+void PrintProps(const std::vector<Prop>& props, std::ostream* out) {
+  std::map<PropKind, int> counts;
+  for (const Prop& prop : props) ++counts[prop.kind];
+  std::string text = std::to_string(props.size());
   std::string_view separator = ": ";
   for (const auto& [kind, count] : counts) {
     text.append(separator).append(std::to_string(count)).append(" ").append(NameOf(kind));
@@ -173,7 +173,7 @@ void PrintSummary(const World& world, bool color, std::ostream* out) {
   PrintCoarse(world.environment.coarse, out);
   PrintAgents(world.scene->agents, out);
   PrintAssets(world.scene->assets, out);
-  PrintElements(world.scene->elements, out);
+  PrintProps(world.scene->props, out);
   PrintStages(world.stages, out);
   for (const std::string& warning : world.warnings) PrintLine("warning", warning, out);
 }

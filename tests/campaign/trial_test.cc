@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "latticeworld/campaign/stacks/way_stack.h"
 #include "latticeworld/campaign/trial_result.h"
-#include "latticeworld/campaign/way_stack.h"
 #include "latticeworld/mapping/traversability.h"
 #include "simulation/test_scene.h"
 
@@ -137,7 +137,7 @@ TEST(TrialTest, AStackThatCannotBeginOrGivesUpIsAFailureWithItsReason) {
 
 TEST(TrialTest, AWallIsStraightHoweverTheRobotTurnsWhileItIsSwept) {
   Course course;
-  Element& crate = course.scene.AddElement("crate", ElementKind::kCrate, 0.0, 0.0);
+  Prop& crate = course.scene.AddProp("crate", PropKind::kCrate, 0.0, 0.0);
   crate.size_m = {1.0, 20.0, 2.0};  // across its way: its west face is at x = -0.5
   crate.mass_kg = 5000.0;
   // Least squares of what is before the robot: how far the face seems turned, leftwards where the

@@ -1,4 +1,4 @@
-#include "answering_server.h"
+#include "dataset/answering_server.h"
 
 #include <fcntl.h>
 #include <signal.h>

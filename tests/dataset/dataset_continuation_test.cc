@@ -6,7 +6,7 @@
 #include "dataset/scratch_dataset.h"
 #include "dataset/test_source.h"
 #include "latticeworld/common/folder_lock.h"
-#include "latticeworld/dataset/dataset_writer.h"
+#include "latticeworld/dataset/writing/dataset_writer.h"
 
 // Data sets that are broken off and gone on with, and folders that are not theirs.
 namespace latticeworld {

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "latticeworld/dataset/environment_sample.h"
-#include "latticeworld/dataset/written_annotator.h"
+#include "dataset/made_layouts.h"
+#include "latticeworld/dataset/captions/written_annotator.h"
+#include "latticeworld/dataset/sources/environment_sample.h"
 #include "latticeworld/environment/environment_claims.h"
 #include "latticeworld/language/drawn/grounded.h"
 #include "latticeworld/layout/measures.h"
-#include "made_layouts.h"
 
 // Environments that the written annotator draws, and its words for them.
 namespace latticeworld {

@@ -1,4 +1,4 @@
-#include "made_layouts.h"
+#include "dataset/made_layouts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "latticeworld/common/files.h"
-#include "latticeworld/dataset/written_annotator.h"
+#include "latticeworld/dataset/captions/written_annotator.h"
 
 namespace latticeworld {
 

@@ -8,9 +8,9 @@
 #include <memory>
 #include <string>
 
-#include "latticeworld/dataset/annotator.h"
-#include "latticeworld/dataset/dataset_writer.h"
-#include "latticeworld/dataset/instance_source.h"
+#include "latticeworld/dataset/captions/annotator.h"
+#include "latticeworld/dataset/sources/instance_source.h"
+#include "latticeworld/dataset/writing/dataset_writer.h"
 
 namespace latticeworld {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "latticeworld/dataset/annotator.h"
-#include "latticeworld/dataset/generated_source.h"
-#include "latticeworld/dataset/instance_source.h"
+#include "latticeworld/dataset/captions/annotator.h"
+#include "latticeworld/dataset/sources/generated_source.h"
+#include "latticeworld/dataset/sources/instance_source.h"
 
 namespace latticeworld {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "bounds_text.h"
-#include "coarse_combinations.h"
+#include "environment/bounds_text.h"
+#include "environment/coarse_combinations.h"
 
 namespace latticeworld {
 namespace {

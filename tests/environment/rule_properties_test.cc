@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "bounds_text.h"
 #include "catalogue/larch.h"
-#include "coarse_combinations.h"
+#include "environment/bounds_text.h"
+#include "environment/coarse_combinations.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/environment/environment_config.h"
 #include "latticeworld/environment/rule_book.h"

@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
-#include "bounds_text.h"
-#include "coarse_combinations.h"
+#include "environment/bounds_text.h"
+#include "environment/coarse_combinations.h"
 #include "latticeworld/environment/environment_config.h"
 #include "latticeworld/environment/rule_book.h"
 

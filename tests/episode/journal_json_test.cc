@@ -81,24 +81,24 @@ TEST(JournalJsonTest, ASpawnKeepsWhatWasGivenAndWhatWasNot) {
   EXPECT_EQ(full.answer, "a_7");
 }
 
-TEST(JournalJsonTest, AnElementKeepsItsShapeAndPlace) {
-  Element element;
-  element.name = "gate_1";
-  element.kind = ElementKind::kGate;
-  element.position = {-0.1, 1.0 / 3.0};
-  element.z_m = 12.75;
-  element.yaw_rad = M_PI / 7.0;
-  element.size_m = {0.1, 0.2, 0.3};
-  element.mass_kg = 1.0 / 7.0;
-  element.strength = 2.0 / 3.0;
-  const SpawnElementCall back = RoundTrip(SpawnElementCall{element, "gate_1"});
-  EXPECT_EQ(back.element.kind, ElementKind::kGate);
-  EXPECT_TRUE(SameBits(back.element.position.y_m, element.position.y_m));
-  EXPECT_TRUE(SameBits(back.element.z_m, element.z_m));
-  EXPECT_TRUE(SameBits(back.element.yaw_rad, element.yaw_rad));
-  EXPECT_EQ(back.element.size_m, element.size_m);
-  EXPECT_TRUE(SameBits(back.element.mass_kg, element.mass_kg));
-  EXPECT_TRUE(SameBits(back.element.strength, element.strength));
+TEST(JournalJsonTest, AnPropKeepsItsShapeAndPlace) {
+  Prop prop;
+  prop.name = "gate_1";
+  prop.kind = PropKind::kGate;
+  prop.position = {-0.1, 1.0 / 3.0};
+  prop.z_m = 12.75;
+  prop.yaw_rad = M_PI / 7.0;
+  prop.size_m = {0.1, 0.2, 0.3};
+  prop.mass_kg = 1.0 / 7.0;
+  prop.strength = 2.0 / 3.0;
+  const SpawnPropCall back = RoundTrip(SpawnPropCall{prop, "gate_1"});
+  EXPECT_EQ(back.prop.kind, PropKind::kGate);
+  EXPECT_TRUE(SameBits(back.prop.position.y_m, prop.position.y_m));
+  EXPECT_TRUE(SameBits(back.prop.z_m, prop.z_m));
+  EXPECT_TRUE(SameBits(back.prop.yaw_rad, prop.yaw_rad));
+  EXPECT_EQ(back.prop.size_m, prop.size_m);
+  EXPECT_TRUE(SameBits(back.prop.mass_kg, prop.mass_kg));
+  EXPECT_TRUE(SameBits(back.prop.strength, prop.strength));
 }
 
 TEST(JournalJsonTest, WeatherKeepsWhatIsToStay) {
@@ -121,7 +121,7 @@ TEST(JournalJsonTest, TheOtherCallsKeepTheirWords) {
   EXPECT_EQ(RoundTrip(RestoreCall{4}).snapshot, 4u);
   EXPECT_EQ(RoundTrip(StrikeCall{"goblin_1"}).agent, "goblin_1");
   EXPECT_EQ(RoundTrip(RemoveCall{"goblin_1"}).agent, "goblin_1");
-  EXPECT_EQ(RoundTrip(RemoveElementCall{"crate_1"}).element, "crate_1");
+  EXPECT_EQ(RoundTrip(RemovePropCall{"crate_1"}).prop, "crate_1");
   EXPECT_EQ(RoundTrip(OpenGateCall{"g", 1.0 / 3.0}).opening_rad, 1.0 / 3.0);
   EXPECT_EQ(RoundTrip(SetPolicyCall{{"", 2, "ambusher"}}).change.team, 2);
   EXPECT_EQ(RoundTrip(SetPolicyCall{{"a", std::nullopt, ""}}).change.agent, "a");

@@ -72,7 +72,7 @@ class Recording {
   ReplayPlan plan_;
 };
 
-// Commands, agents and elements that come and go, a gate, weather, a policy, a strike, a snapshot.
+// Commands, agents and props that come and go, a gate, weather, a policy, a strike, a snapshot.
 void ActEverything(Recording* recording) {
   JournaledSimulator& simulator = recording->simulator();
   recording->Drive(0.7, 60);
@@ -86,14 +86,14 @@ void ActEverything(Recording* recording) {
   rover.category = AgentCategory::kWheeledRobot;
   rover.controllable = true;
   ASSERT_TRUE(simulator.Spawn(rover).ok());
-  Element gate;
-  gate.kind = ElementKind::kGate;
+  Prop gate;
+  gate.kind = PropKind::kGate;
   gate.size_m = {2.0, 0.1, 1.0};
   gate.mass_kg = 20.0;
   bool placed = false;
   for (double x_m = -24.0; x_m < 28.0 && !placed; x_m += 3.0) {
     gate.position = {x_m, 10.0};
-    placed = simulator.SpawnElement(gate).ok();
+    placed = simulator.SpawnProp(gate).ok();
   }
   ASSERT_TRUE(placed);
   recording->Steps(20);
@@ -112,7 +112,7 @@ void ActEverything(Recording* recording) {
   ASSERT_TRUE(simulator.Restore(*snapshot).ok());
   recording->Hash();
   recording->Steps(30);
-  ASSERT_TRUE(simulator.RemoveElement("gate_1").ok());
+  ASSERT_TRUE(simulator.RemoveProp("gate_1").ok());
   recording->Drive(0.3, 30);
 }
 

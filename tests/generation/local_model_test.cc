@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "language/local/tiny_model.h"
-#include "latticeworld/generation/load_language.h"
-#include "latticeworld/generation/rebuild.h"
+#include "latticeworld/generation/bundle/load_language.h"
+#include "latticeworld/generation/bundle/rebuild.h"
 #include "latticeworld/generation/world_generator.h"
 
 namespace latticeworld {

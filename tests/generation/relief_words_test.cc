@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "latticeworld/generation/fidelity.h"
+#include "latticeworld/generation/fidelity/fidelity.h"
 #include "latticeworld/language/drawn/grounded.h"
-#include "latticeworld/language/reading/relief_reading.h"
+#include "latticeworld/language/reading/relief/relief_reading.h"
 
 namespace latticeworld {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "latticeworld/environment/environment_claims.h"
-#include "latticeworld/generation/load_language.h"
+#include "latticeworld/generation/bundle/load_language.h"
 #include "latticeworld/language/drawn/grounded.h"
-#include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/claims/claims.h"
 
 namespace latticeworld {
 namespace {

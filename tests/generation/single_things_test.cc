@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "latticeworld/generation/things_json.h"
+#include "latticeworld/generation/bundle/things_json.h"
 #include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/layout/thing_kinds.h"
-#include "latticeworld/scene/thing_claims.h"
+#include "latticeworld/scene/props/thing_claims.h"
 #include "scene/test_world.h"
 
 namespace latticeworld {

@@ -8,9 +8,9 @@
 #include <cstring>
 #include <limits>
 
-#include "latticeworld/generation/elements_json.h"
-#include "latticeworld/generation/world_id.h"
-#include "latticeworld/scene/elements.h"
+#include "latticeworld/generation/bundle/props_json.h"
+#include "latticeworld/generation/bundle/world_id.h"
+#include "latticeworld/scene/props/props.h"
 
 namespace latticeworld {
 namespace {
@@ -117,12 +117,12 @@ std::vector<AgentStart> MakeAgents() {
   return agents;
 }
 
-std::vector<Element> MakeElements() {
-  Element crate = UsualElement(ElementKind::kCrate);
+std::vector<Prop> MakeProps() {
+  Prop crate = UsualProp(PropKind::kCrate);
   crate.name = "crate_1";
   crate.position = {5.0 / 3.0, 9.1};
   crate.yaw_rad = 1.0 / 7.0;
-  Element post = UsualElement(ElementKind::kPost);
+  Prop post = UsualProp(PropKind::kPost);
   post.name = "post_1";
   post.position = {-7.25, 1.0 / 3.0};
   return {crate, post};
@@ -278,7 +278,7 @@ std::shared_ptr<World> MakeTestWorld() {
   scene->index = AssetIndex(geometry.size_m(), scene->assets);
   scene->atmosphere = MakeAtmosphere();
   scene->agents = MakeAgents();
-  scene->elements = MakeElements();
+  scene->props = MakeProps();
   world->scene = scene;
   world->fidelity.claims = {
       {InstructionPart::kLayout, "present", "A wood in the upper left", true, 0.0, "it is there"},
@@ -316,7 +316,7 @@ void ExpectSameWorld(const World& a, const World& b) {
   EXPECT_EQ(a.scene->index.largest_solid_radius_m(), b.scene->index.largest_solid_radius_m());
   ExpectSameAtmosphere(a.scene->atmosphere, b.scene->atmosphere);
   ExpectSameAgents(a.scene->agents, b.scene->agents);
-  EXPECT_EQ(EncodeElements(a.scene->elements), EncodeElements(b.scene->elements));
+  EXPECT_EQ(EncodeProps(a.scene->props), EncodeProps(b.scene->props));
   ExpectSameFidelity(a.fidelity, b.fidelity);
   ExpectSameReplies(a.replies, b.replies);
   EXPECT_EQ(a.warnings, b.warnings);

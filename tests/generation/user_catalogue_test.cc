@@ -8,10 +8,10 @@
 #include "catalogue/larch.h"
 #include "generation/test_world.h"
 #include "latticeworld/common/files.h"
-#include "latticeworld/generation/bundle.h"
-#include "latticeworld/generation/catalogue_json.h"
-#include "latticeworld/generation/load_language.h"
-#include "latticeworld/generation/rebuild.h"
+#include "latticeworld/generation/bundle/bundle.h"
+#include "latticeworld/generation/bundle/catalogue_json.h"
+#include "latticeworld/generation/bundle/load_language.h"
+#include "latticeworld/generation/bundle/rebuild.h"
 #include "latticeworld/generation/world_generator.h"
 
 namespace latticeworld {

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "generation/test_world.h"
-#include "latticeworld/generation/bundle.h"
-#include "latticeworld/generation/rebuild.h"
+#include "latticeworld/generation/bundle/bundle.h"
+#include "latticeworld/generation/bundle/rebuild.h"
 #include "latticeworld/generation/world_generator.h"
 
 namespace latticeworld {

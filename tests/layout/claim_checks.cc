@@ -1,4 +1,4 @@
-#include "claim_checks.h"
+#include "layout/claim_checks.h"
 
 #include <gtest/gtest.h>
 

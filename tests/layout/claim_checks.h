@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/claims/claims.h"
 
 namespace latticeworld {
 

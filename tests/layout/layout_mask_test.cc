@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "latticeworld/layout/mask_measures.h"
-#include "layouts.h"
+#include "latticeworld/layout/claims/mask_measures.h"
+#include "layout/layouts.h"
 
 namespace latticeworld {
 namespace {

@@ -1,4 +1,4 @@
-#include "layouts.h"
+#include "layout/layouts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "layouts.h"
+#include "layout/layouts.h"
 
 namespace latticeworld {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "latticeworld/common/random.h"
-#include "layouts.h"
+#include "layout/layouts.h"
 
 namespace latticeworld {
 namespace {

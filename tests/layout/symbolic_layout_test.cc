@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "latticeworld/common/random.h"
-#include "layouts.h"
+#include "layout/layouts.h"
 
 namespace latticeworld {
 namespace {

@@ -7,12 +7,12 @@
 #include <memory>
 #include <vector>
 
-#include "hand_made_scene.h"
 #include "latticeworld/mapping/bridge_decks.h"
-#include "latticeworld/mapping/octree.h"
+#include "latticeworld/mapping/octree/octree.h"
 #include "latticeworld/mapping/traversability.h"
-#include "latticeworld/scene/standing_elements.h"
-#include "latticeworld/terrain/bridge.h"
+#include "latticeworld/scene/props/standing_props.h"
+#include "latticeworld/terrain/ways/bridge.h"
+#include "mapping/hand_made_scene.h"
 #include "terrain/gorge_bridge.h"
 
 namespace latticeworld {
@@ -94,13 +94,13 @@ TEST(BridgeMapsTest, TheLayerOfDecksHasTheirTopsAndNothingBesideThem) {
 
 TEST(BridgeMapsTest, ABrokenBridgeLeavesTheLayerOfDecks) {
   SceneChanges changes;
-  changes.elements = std::make_shared<const StandingElements>();
+  changes.props = std::make_shared<const StandingProps>();
   for (const float deck_m : BuildDeckHeight(Gorge(), changes)) ASSERT_TRUE(std::isnan(deck_m));
 }
 
 TEST(BridgeMapsTest, OfTwoDecksTheHigherIsToldAbove) {
   const GridGeometry geometry = GridGeometry::FromCells(64, 64.0);
-  std::vector<ElementDeck> decks(2);
+  std::vector<PropDeck> decks(2);
   decks[0].footprint = {{-31.0, 31.0}, 0.3, 4.0, 2.0};
   decks[0].top_m = 3.0;
   decks[1] = decks[0];

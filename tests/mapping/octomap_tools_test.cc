@@ -10,9 +10,9 @@
 #include <sstream>
 #include <string>
 
-#include "latticeworld/mapping/octree.h"
-#include "scene_of_everything.h"
-#include "voxels_of.h"
+#include "latticeworld/mapping/octree/octree.h"
+#include "mapping/scene_of_everything.h"
+#include "mapping/voxels_of.h"
 
 namespace latticeworld {
 namespace {

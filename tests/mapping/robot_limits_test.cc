@@ -8,7 +8,7 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/mapping/traversability.h"
-#include "scene_of_everything.h"
+#include "mapping/scene_of_everything.h"
 
 namespace latticeworld {
 namespace {

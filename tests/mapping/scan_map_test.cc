@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "hand_made_scene.h"
 #include "latticeworld/mapping/traversability.h"
+#include "mapping/hand_made_scene.h"
 
 namespace latticeworld {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "latticeworld/mapping/octree.h"
+#include "latticeworld/mapping/octree/octree.h"
 #include "latticeworld/mapping/traversability.h"
-#include "scene_of_everything.h"
-#include "voxels_of.h"
+#include "mapping/scene_of_everything.h"
+#include "mapping/voxels_of.h"
 
 namespace latticeworld {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "hand_made_scene.h"
 #include "latticeworld/common/random.h"
+#include "mapping/hand_made_scene.h"
 
 namespace latticeworld {
 

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "hand_made_scene.h"
-#include "latticeworld/mapping/octree.h"
+#include "latticeworld/mapping/octree/octree.h"
 #include "latticeworld/mapping/scan_map.h"
 #include "latticeworld/mapping/traversability.h"
+#include "mapping/hand_made_scene.h"
 
 namespace latticeworld {
 namespace {

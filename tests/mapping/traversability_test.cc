@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "hand_made_scene.h"
 #include "latticeworld/common/random.h"
+#include "mapping/hand_made_scene.h"
 
 namespace latticeworld {
 namespace {

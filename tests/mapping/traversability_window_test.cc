@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "latticeworld/common/random.h"
-#include "latticeworld/scene/elements.h"
-#include "latticeworld/scene/standing_elements.h"
-#include "scene_of_everything.h"
+#include "latticeworld/scene/props/props.h"
+#include "latticeworld/scene/props/standing_props.h"
+#include "mapping/scene_of_everything.h"
 
 namespace latticeworld {
 namespace {
@@ -21,18 +21,18 @@ RobotLimits Limits(double radius_m) {
 }
 
 // Crates, posts, gates and bridges anywhere.
-StandingElements SomeElements(RandomStream* random) {
-  StandingElements elements;
+StandingProps SomeProps(RandomStream* random) {
+  StandingProps props;
   for (int i = 0; i < 12; ++i) {
-    Element element = UsualElement(static_cast<ElementKind>(random->UniformInt(0, 4)));
-    element.position = {random->Uniform(-17.0, 17.0), random->Uniform(-17.0, 17.0)};
-    element.yaw_rad = random->Uniform(-3.0, 3.0);
-    element.z_m = random->Uniform(-1.0, 3.0);
-    const StandingElements one = StandingAtBegin({element});
-    elements.blocks.insert(elements.blocks.end(), one.blocks.begin(), one.blocks.end());
-    elements.decks.insert(elements.decks.end(), one.decks.begin(), one.decks.end());
+    Prop prop = UsualProp(static_cast<PropKind>(random->UniformInt(0, 4)));
+    prop.position = {random->Uniform(-17.0, 17.0), random->Uniform(-17.0, 17.0)};
+    prop.yaw_rad = random->Uniform(-3.0, 3.0);
+    prop.z_m = random->Uniform(-1.0, 3.0);
+    const StandingProps one = StandingAtBegin({prop});
+    props.blocks.insert(props.blocks.end(), one.blocks.begin(), one.blocks.end());
+    props.decks.insert(props.decks.end(), one.decks.begin(), one.decks.end());
   }
-  return elements;
+  return props;
 }
 
 // Some trees lie, some assets of any kind are gone.
@@ -57,7 +57,7 @@ TEST(TraversabilityWindowTest, HoldsWhatTheWholeMapHoldsThere) {
     RandomStream random(seed, "windows");
     SceneChanges changes = seed % 2 == 0 ? SceneChanges() : SomeChanges(scene, &random);
     if (seed % 3 != 0) {
-      changes.elements = std::make_shared<const StandingElements>(SomeElements(&random));
+      changes.props = std::make_shared<const StandingProps>(SomeProps(&random));
     }
     if (seed % 2 != 0) changes.ground = GroundState{random.Uniform(), random.Uniform(), 0.0};
     const RobotLimits limits = Limits(random.Uniform(0.0, 2.0));

@@ -1,4 +1,4 @@
-#include "silhouette.h"
+#include "meshes/silhouette.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/navigation/surface_path.h"
-#include "made_map.h"
+#include "navigation/made_map.h"
 
 namespace latticeworld {
 namespace {

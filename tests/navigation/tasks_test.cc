@@ -8,7 +8,7 @@
 #include "latticeworld/common/random.h"
 #include "latticeworld/navigation/distance_field.h"
 #include "latticeworld/navigation/navigable_map.h"
-#include "latticeworld/scene/spawn_rules.h"
+#include "latticeworld/scene/agents/spawn_rules.h"
 #include "simulation/test_scene.h"
 
 namespace latticeworld {

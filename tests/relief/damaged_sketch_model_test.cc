@@ -13,9 +13,9 @@
 
 #include "latticeworld/common/files.h"
 #include "latticeworld/common/random.h"
-#include "latticeworld/relief/onnx_check.h"
-#include "latticeworld/relief/sketch.h"
-#include "latticeworld/relief/sketch_model.h"
+#include "latticeworld/relief/sketch/onnx_check.h"
+#include "latticeworld/relief/sketch/sketch.h"
+#include "latticeworld/relief/sketch/sketch_model.h"
 
 namespace latticeworld {
 namespace {

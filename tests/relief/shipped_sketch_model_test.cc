@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "latticeworld/relief/sketch.h"
-#include "latticeworld/relief/sketch_model.h"
-#include "sketch_round_trip.h"
+#include "latticeworld/relief/sketch/sketch.h"
+#include "latticeworld/relief/sketch/sketch_model.h"
+#include "relief/sketch_round_trip.h"
 
 namespace latticeworld {
 namespace {

@@ -1,4 +1,4 @@
-#include "sketch_pictures.h"
+#include "relief/sketch_pictures.h"
 
 #include <gtest/gtest.h>
 

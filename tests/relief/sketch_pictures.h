@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "latticeworld/relief/sketch.h"
+#include "latticeworld/relief/sketch/sketch.h"
 
 namespace latticeworld {
 

@@ -1,4 +1,4 @@
-#include "sketch_round_trip.h"
+#include "relief/sketch_round_trip.h"
 
 #include <algorithm>
 #include <cmath>

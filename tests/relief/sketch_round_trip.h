@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "latticeworld/geometry/grid.h"
-#include "latticeworld/relief/sketch.h"
+#include "latticeworld/relief/sketch/sketch.h"
 
 // Land, the sketch of it, and the land that is made of the sketch.
 namespace latticeworld {

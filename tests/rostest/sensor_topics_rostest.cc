@@ -11,7 +11,7 @@
 
 #include "latticeworld/sensing/sensor_suite.h"
 #include "latticeworld/species/species_catalogue.h"
-#include "latticeworld_ros/sensor_topics.h"
+#include "latticeworld_ros/publishing/sensor_topics.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/scene/solid_set.h"
-#include "test_world.h"
+#include "scene/test_world.h"
 
 namespace latticeworld {
 namespace {

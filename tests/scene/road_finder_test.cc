@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "latticeworld/common/random.h"
-#include "test_world.h"
+#include "scene/test_world.h"
 
 namespace latticeworld {
 namespace {

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "latticeworld/common/random.h"
-#include "latticeworld/scene/densities.h"
 #include "latticeworld/scene/footprint.h"
 #include "latticeworld/scene/placement.h"
-#include "latticeworld/scene/settlement_rules.h"
-#include "test_world.h"
+#include "latticeworld/scene/settlements/settlement_rules.h"
+#include "latticeworld/scene/vegetation/densities.h"
+#include "scene/test_world.h"
 
 namespace latticeworld {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "test_world.h"
+#include "scene/test_world.h"
 
 namespace latticeworld {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "latticeworld/scene/densities.h"
-#include "test_world.h"
+#include "latticeworld/scene/vegetation/densities.h"
+#include "scene/test_world.h"
 
 namespace latticeworld {
 namespace {

@@ -1,4 +1,4 @@
-#include "test_world.h"
+#include "scene/test_world.h"
 
 #include <gtest/gtest.h>
 

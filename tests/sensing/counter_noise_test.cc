@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "latticeworld/sensing/wandering_bias.h"
+#include "latticeworld/sensing/motion/wandering_bias.h"
 
 namespace latticeworld {
 namespace {

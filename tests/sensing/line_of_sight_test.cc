@@ -5,10 +5,10 @@
 #include <cmath>
 #include <memory>
 
-#include "../mapping/hand_made_scene.h"
 #include "latticeworld/common/random.h"
+#include "latticeworld/scene/props/standing_props.h"
 #include "latticeworld/scene/scene_changes.h"
-#include "latticeworld/scene/standing_elements.h"
+#include "mapping/hand_made_scene.h"
 
 namespace latticeworld {
 namespace {
@@ -73,19 +73,19 @@ TEST(LineOfSightTest, ATreeThatFellOrWentHidesNothing) {
 
 TEST(LineOfSightTest, AClosedGateHidesAndAnOpenOneDoesNot) {
   Scene scene = Flat();
-  Element gate;
-  gate.kind = ElementKind::kGate;
+  Prop gate;
+  gate.kind = PropKind::kGate;
   gate.size_m = {4.0, 0.06, 1.5};
   gate.position = {-2.0, 0.0};
   gate.z_m = 0.0;
-  scene.elements = {gate};
+  scene.props = {gate};
   EXPECT_FALSE(HasLineOfSight(scene, {0, -10, 1}, {0, 10, 1}));
   EXPECT_TRUE(HasLineOfSight(scene, {0, -10, 1.6}, {0, 10, 1.6}));
   EXPECT_TRUE(HasLineOfSight(scene, {3, -10, 1}, {3, 10, 1}));
   EXPECT_TRUE(HasLineOfSight(scene, {0, -10, 1}, {0, -1, 1}));
   gate.yaw_rad = M_PI / 2.0;
   SceneChanges open;
-  open.elements = std::make_shared<const StandingElements>(StandingAtBegin({gate}));
+  open.props = std::make_shared<const StandingProps>(StandingAtBegin({gate}));
   EXPECT_TRUE(HasLineOfSight(scene, open, {0, -10, 1}, {0, 10, 1}));
   EXPECT_FALSE(HasLineOfSight(scene, open, {-5, 1, 1}, {5, 1, 1}));
 }

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <vector>
 
-#include "../mapping/hand_made_scene.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/meshes/mesh.h"
 #include "latticeworld/scene/scene_changes.h"
-#include "latticeworld/sensing/agent_body.h"
-#include "latticeworld/sensing/ray_scene.h"
+#include "latticeworld/sensing/solids/agent_body.h"
+#include "latticeworld/sensing/solids/ray_scene.h"
+#include "mapping/hand_made_scene.h"
 
 namespace latticeworld {
 namespace {

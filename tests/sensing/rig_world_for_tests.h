@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "../mapping/hand_made_scene.h"
 #include "latticeworld/sensing/sensor_rig.h"
+#include "mapping/hand_made_scene.h"
 
 namespace latticeworld {
 
@@ -43,12 +43,12 @@ inline SensedWorld WorldAt(std::uint64_t step, std::vector<SensedAgent> agents) 
   return world;
 }
 
-inline SensedElement CrateAt(const Eigen::Vector3d& base_m, const Eigen::Vector3d& size_m) {
-  SensedElement crate;
+inline SensedProp CrateAt(const Eigen::Vector3d& base_m, const Eigen::Vector3d& size_m) {
+  SensedProp crate;
   crate.name = "crate_1";
-  crate.kind = ElementKind::kCrate;
+  crate.kind = PropKind::kCrate;
   crate.size_m = size_m;
-  crate.map_from_element.translation() = base_m;
+  crate.map_from_prop.translation() = base_m;
   return crate;
 }
 

@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include "latticeworld/sensing/ray_scene.h"
 #include "latticeworld/sensing/sensed_world.h"
+#include "latticeworld/sensing/solids/ray_scene.h"
 
 namespace latticeworld {
 
@@ -22,13 +22,13 @@ inline SensedAgent MakeRobot(const Eigen::Vector3d& base_m, double yaw_rad = 0.0
   return agent;
 }
 
-inline SensedElement MakeElement(ElementKind kind, const Eigen::Vector3d& size_m,
-                                 const Eigen::Vector3d& base_m, double yaw_rad = 0.0) {
-  SensedElement element;
-  element.kind = kind;
-  element.size_m = size_m;
-  element.map_from_element = PoseAt(base_m, yaw_rad);
-  return element;
+inline SensedProp MakeProp(PropKind kind, const Eigen::Vector3d& size_m,
+                           const Eigen::Vector3d& base_m, double yaw_rad = 0.0) {
+  SensedProp prop;
+  prop.kind = kind;
+  prop.size_m = size_m;
+  prop.map_from_prop = PoseAt(base_m, yaw_rad);
+  return prop;
 }
 
 inline Ray MakeRay(const Eigen::Vector3f& origin_m, const Eigen::Vector3f& direction) {

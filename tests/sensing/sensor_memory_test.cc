@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "../mapping/hand_made_scene.h"
-#include "latticeworld/sensing/asset_tiles.h"
-#include "latticeworld/sensing/moving_things.h"
-#include "sensed_things.h"
+#include "latticeworld/sensing/solids/asset_tiles.h"
+#include "latticeworld/sensing/solids/moving_things.h"
+#include "mapping/hand_made_scene.h"
+#include "sensing/sensed_things.h"
 
 namespace latticeworld {
 namespace {

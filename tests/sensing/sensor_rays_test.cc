@@ -11,14 +11,14 @@
 #include <utility>
 #include <vector>
 
-#include "../mapping/hand_made_scene.h"
 #include "latticeworld/common/parallel.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/meshes/mesh.h"
 #include "latticeworld/scene/scene_changes.h"
-#include "latticeworld/sensing/asset_meshes.h"
 #include "latticeworld/sensing/sensor_scene.h"
-#include "sensed_things.h"
+#include "latticeworld/sensing/solids/asset_meshes.h"
+#include "mapping/hand_made_scene.h"
+#include "sensing/sensed_things.h"
 
 namespace latticeworld {
 namespace {
@@ -69,7 +69,7 @@ SensedWorld Crowd(std::uint64_t seed) {
   SensedWorld world;
   for (int i = 0; i < 20; ++i) world.agents.push_back(MakeRobot(place(), 0.3 * i));
   for (int i = 0; i < 5; ++i)
-    world.elements.push_back(MakeElement(ElementKind::kCrate, {1.0, 2.0, 1.0}, place(), 0.7 * i));
+    world.props.push_back(MakeProp(PropKind::kCrate, {1.0, 2.0, 1.0}, place(), 0.7 * i));
   world.felled = {{3, place(), place()}, {8, place(), place()}};
   world.gone = {4};
   return world;

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "latticeworld/common/digest.h"
-#include "rig_world_for_tests.h"
+#include "sensing/rig_world_for_tests.h"
 
 namespace latticeworld {
 namespace {

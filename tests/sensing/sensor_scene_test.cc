@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "../mapping/hand_made_scene.h"
 #include "latticeworld/meshes/mesh.h"
-#include "sensed_things.h"
+#include "mapping/hand_made_scene.h"
+#include "sensing/sensed_things.h"
 
 namespace latticeworld {
 namespace {
@@ -38,34 +38,33 @@ RayHit TraceOne(const SensorScene& scene, const Ray& ray, RaySights sights = kSe
 TEST(SensorSceneTest, ACrateIsMetWhereItStandsAndWhereItIsMovedTo) {
   SensorScene sensors = SensorsOf(Plain());
   SensedWorld world;
-  world.elements = {MakeElement(ElementKind::kCrate, {2.0, 1.0, 1.0}, {6.0, 0.0, 1.0})};
+  world.props = {MakeProp(PropKind::kCrate, {2.0, 1.0, 1.0}, {6.0, 0.0, 1.0})};
   ASSERT_TRUE(sensors.Update(world).ok());
   const Ray east = MakeRay({0.0f, 0.0f, 1.5f}, Vector3f::UnitX());
   const RayHit hit = TraceOne(sensors, east);
-  EXPECT_EQ(hit.target, RayTarget::kElement);
+  EXPECT_EQ(hit.target, RayTarget::kProp);
   EXPECT_EQ(hit.index, 0u);
   EXPECT_NEAR(hit.distance_m, 5.0f, 1e-5f);
   EXPECT_NEAR((hit.normal + Vector3f::UnitX()).norm(), 0.0f, 1e-6f);
   EXPECT_EQ(TraceOne(sensors, east, kSeesAgents | kSeesWater).target, RayTarget::kNothing);
   // After a quarter turn its short side lies along the ray.
-  world.elements[0] =
-      MakeElement(ElementKind::kCrate, {2.0, 1.0, 1.0}, {9.0, 0.0, 1.0}, 0.5 * M_PI);
+  world.props[0] = MakeProp(PropKind::kCrate, {2.0, 1.0, 1.0}, {9.0, 0.0, 1.0}, 0.5 * M_PI);
   ASSERT_TRUE(sensors.Update(world).ok());
   EXPECT_NEAR(TraceOne(sensors, east).distance_m, 8.5f, 1e-5f);
-  world.elements.clear();
+  world.props.clear();
   ASSERT_TRUE(sensors.Update(world).ok());
   EXPECT_EQ(TraceOne(sensors, east).target, RayTarget::kNothing);
 }
 
-TEST(SensorSceneTest, ElementsAreAsLargeAsTheirBodies) {
+TEST(SensorSceneTest, PropsAreAsLargeAsTheirBodies) {
   SensorScene sensors = SensorsOf(Plain());
   SensedWorld world;
   // The stone's middle is 0.795 of its radius above its origin, the gate's panel begins at its
   // hinge.
-  world.elements = {MakeElement(ElementKind::kLooseStone, {2.0, 2.0, 2.0}, {0.0, 0.0, 1.0}),
-                    MakeElement(ElementKind::kGate, {3.0, 0.2, 1.5}, {0.0, 10.0, 1.0}),
-                    MakeElement(ElementKind::kBridge, {6.0, 2.0, 0.3}, {0.0, -10.0, 1.0}),
-                    MakeElement(ElementKind::kPost, {0.2, 0.2, 2.0}, {10.0, 0.0, 1.0})};
+  world.props = {MakeProp(PropKind::kLooseStone, {2.0, 2.0, 2.0}, {0.0, 0.0, 1.0}),
+                 MakeProp(PropKind::kGate, {3.0, 0.2, 1.5}, {0.0, 10.0, 1.0}),
+                 MakeProp(PropKind::kBridge, {6.0, 2.0, 0.3}, {0.0, -10.0, 1.0}),
+                 MakeProp(PropKind::kPost, {0.2, 0.2, 2.0}, {10.0, 0.0, 1.0})};
   ASSERT_TRUE(sensors.Update(world).ok());
   const auto down = [&](float x_m, float y_m) {
     return TraceOne(sensors, MakeRay({x_m, y_m, 21.0f}, -Vector3f::UnitZ()));
@@ -85,7 +84,7 @@ TEST(SensorSceneTest, AnAgentIsMetWhereItIsButNotByItsOwnRays) {
   SensorScene sensors = SensorsOf(Plain());
   SensedWorld world;
   for (const double x_m : {0.0, 5.0, 9.0}) world.agents.push_back(MakeRobot({x_m, 0.0, 1.0}));
-  world.elements = {MakeElement(ElementKind::kCrate, {1.0, 1.0, 1.0}, {20.0, 0.0, 1.0})};
+  world.props = {MakeProp(PropKind::kCrate, {1.0, 1.0, 1.0}, {20.0, 0.0, 1.0})};
   ASSERT_TRUE(sensors.Update(world).ok());
   const Ray east = MakeRay({-3.0f, 0.0f, 1.3f}, Vector3f::UnitX());
   EXPECT_EQ(TraceOne(sensors, east).target, RayTarget::kAgent);
@@ -100,7 +99,7 @@ TEST(SensorSceneTest, AnAgentIsMetWhereItIsButNotByItsOwnRays) {
   EXPECT_FALSE(sensors.IsBlocked(MakeRay({8.5f, 0.0f, 1.3f}, Vector3f::UnitX()), kSeesAgents, 2));
   // What is no agent is not passed through, whatever its number in the scene.
   for (const std::uint32_t except : {2u, 3u, 4u, SensorScene::kNoAgent})
-    EXPECT_EQ(TraceOne(sensors, east, kSeesSolid, except).target, RayTarget::kElement);
+    EXPECT_EQ(TraceOne(sensors, east, kSeesSolid, except).target, RayTarget::kProp);
 }
 
 TEST(SensorSceneTest, BodiesHaveTheSizeOfTheirSpecies) {
@@ -193,7 +192,7 @@ TEST(SensorSceneTest, WhatIsNowhereIsNotMet) {
   SensedWorld world;
   world.agents = {MakeRobot({kNan, 0.0, 1.0}), MakeRobot({5.0, 0.0, 1.0}),
                   MakeRobot({1e300, 0.0, 1.0})};
-  world.elements = {MakeElement(ElementKind::kCrate, {0.0, 1.0, 1.0}, {3.0, 0.0, 1.0})};
+  world.props = {MakeProp(PropKind::kCrate, {0.0, 1.0, 1.0}, {3.0, 0.0, 1.0})};
   world.felled = {{0, Vector3d::Zero(), Vector3d::Zero()}};
   ASSERT_TRUE(sensors.Update(world).ok());
   ASSERT_TRUE(sensors.Focus({{kNan, 0.0, 0.0}, {1e300, -1e300, 0.0}, {0.0, 0.0, 0.0}}).ok());
@@ -232,15 +231,15 @@ TEST(SensorSceneTest, RaysThatAreNoneMeetNothingAndHarmNoOther) {
 TEST(SensorSceneTest, TreesThatTheWorldHasNotAreAnErrorThatChangesNothing) {
   SensorScene sensors = SensorsOf(Plain({MakeTree(0.0f, 0.0f, 12.0f, 3.0f, 0.3f)}));
   SensedWorld world;
-  world.elements = {MakeElement(ElementKind::kCrate, {2.0, 1.0, 1.0}, {6.0, 6.0, 1.0})};
+  world.props = {MakeProp(PropKind::kCrate, {2.0, 1.0, 1.0}, {6.0, 6.0, 1.0})};
   ASSERT_TRUE(sensors.Update(world).ok());
-  world.elements.clear();
+  world.props.clear();
   world.felled = {{1, {0.0, 0.0, 1.0}, {1.0, 0.0, 1.0}}};
   const Status status = sensors.Update(world);
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
   EXPECT_NE(status.message().find("1 asset"), std::string::npos) << status.message();
   EXPECT_EQ(TraceOne(sensors, MakeRay({0.0f, 6.0f, 1.5f}, Vector3f::UnitX())).target,
-            RayTarget::kElement);
+            RayTarget::kProp);
 }
 
 TEST(SensorSceneTest, OptionsOutOfRangeAreErrors) {

@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "../mapping/hand_made_scene.h"
-#include "latticeworld/sensing/asset_tiles.h"
-#include "latticeworld/sensing/moving_things.h"
-#include "sensed_things.h"
+#include "latticeworld/sensing/solids/asset_tiles.h"
+#include "latticeworld/sensing/solids/moving_things.h"
+#include "mapping/hand_made_scene.h"
+#include "sensing/sensed_things.h"
 
 namespace latticeworld {
 namespace {
@@ -29,8 +29,8 @@ std::vector<RayHit> HitsOn(const char* processor) {
   SensedWorld world;
   for (int i = 0; i < 30; ++i)
     world.agents.push_back(MakeRobot({0.9 * i - 14.0, 5.0 * std::sin(i), 0.0}, i));
-  world.elements = {
-      MakeElement(ElementKind::kLooseStone, {2.0, 2.0, 2.0}, {-8.0, 2.0, 0.0}),
+  world.props = {
+      MakeProp(PropKind::kLooseStone, {2.0, 2.0, 2.0}, {-8.0, 2.0, 0.0}),
   };
   EXPECT_TRUE(moving->Prepare(world, scene.assets, tiles.get()).ok());
   moving->Use();
@@ -65,7 +65,7 @@ TEST(SensorWidthsTest, WideAndNarrowProcessorsMeetTheSame) {
   for (const RayHit& hit : expected) {
     trees += hit.target == RayTarget::kAsset ? 1 : 0;
     robots += hit.target == RayTarget::kAgent ? 1 : 0;
-    stones += hit.target == RayTarget::kElement ? 1 : 0;
+    stones += hit.target == RayTarget::kProp ? 1 : 0;
     EXPECT_FALSE(hit.target == RayTarget::kAgent && hit.index == 7);
   }
   EXPECT_GT(trees, 5);

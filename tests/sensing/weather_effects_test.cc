@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "latticeworld/scene/atmosphere.h"
+#include "latticeworld/scene/weather/atmosphere.h"
 
 namespace latticeworld {
 namespace {

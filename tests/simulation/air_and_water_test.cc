@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "test_scene.h"
+#include "simulation/test_scene.h"
 
 namespace latticeworld {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "latticeworld/simulation/world_state.h"
-#include "test_scene.h"
+#include "simulation/test_scene.h"
 
 namespace latticeworld {
 namespace {
@@ -16,24 +16,23 @@ namespace {
 Scene SceneWithThings() {
   TestScene made;
   made.AddTree(10.0, 5.0);
-  made.AddElement("box", ElementKind::kCrate, -4.0, 2.0);
-  made.AddElement("post_1", ElementKind::kPost, 0.0, 0.0);
+  made.AddProp("box", PropKind::kCrate, -4.0, 2.0);
+  made.AddProp("post_1", PropKind::kPost, 0.0, 0.0);
   Scene scene = *made.Build();
   scene.things = {{"big_tree", "oak", 0, 0, {10.0, 5.0}, 0.0},
                   {"box", "crate", 1, -1, {-4.0, 2.0}, 0.0}};
   return scene;
 }
 
-ElementSnapshot SnapshotOf(const std::string& name, ElementKind kind,
-                           const Eigen::Vector3d& position_m) {
-  ElementSnapshot snapshot;
+PropSnapshot SnapshotOf(const std::string& name, PropKind kind, const Eigen::Vector3d& position_m) {
+  PropSnapshot snapshot;
   snapshot.name = name;
   snapshot.kind = kind;
   snapshot.position_m = position_m;
   return snapshot;
 }
 
-TEST(FoundThingsTest, WithoutNamesThingsComeFirstAndOtherElementsAfterThem) {
+TEST(FoundThingsTest, WithoutNamesThingsComeFirstAndOtherPropsAfterThem) {
   const auto all = FindThings(SceneWithThings(), nullptr, {});
   ASSERT_TRUE(all.ok());
   ASSERT_EQ(all->size(), 3u);
@@ -49,7 +48,7 @@ TEST(FoundThingsTest, WithoutNamesThingsComeFirstAndOtherElementsAfterThem) {
 TEST(FoundThingsTest, WhatMovedFellBrokeOrWentIsAnsweredAsItIsNow) {
   const Scene scene = SceneWithThings();
   WorldState state;
-  state.elements = {SnapshotOf("box", ElementKind::kCrate, {-1.0, 2.5, 0.1})};
+  state.props = {SnapshotOf("box", PropKind::kCrate, {-1.0, 2.5, 0.1})};
   state.felled = {{{0, {10.0, 5.0, 0.0}, {18.0, 5.0, 0.0}}, true}};
   const auto things = FindThings(scene, &state, {"box", "post_1", "big_tree"});
   ASSERT_TRUE(things.ok()) << things.status().ToString();
@@ -58,7 +57,7 @@ TEST(FoundThingsTest, WhatMovedFellBrokeOrWentIsAnsweredAsItIsNow) {
   EXPECT_EQ((*things)[1].condition, ThingCondition::kGone);
   EXPECT_EQ((*things)[2].condition, ThingCondition::kFelled);
   EXPECT_NEAR(((*things)[2].orientation * Eigen::Vector3d::UnitZ()).x(), 1.0, 1e-9);
-  state.elements.front().broken = true;
+  state.props.front().broken = true;
   EXPECT_EQ((*FindThings(scene, &state, {"box"}))[0].condition, ThingCondition::kBroken);
 }
 

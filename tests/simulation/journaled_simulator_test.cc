@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "test_scene.h"
+#include "simulation/test_scene.h"
 
 namespace latticeworld {
 namespace {
@@ -16,7 +16,7 @@ TestScene Scenery() {
   TestScene scene;
   scene.AddAgent("robot", AgentCategory::kWheeledRobot, 0.0, 0.0).controllable = true;
   scene.AddAgent("goblin_1", AgentCategory::kGoblin, 12.0, 0.0);
-  scene.AddElement("gate", ElementKind::kGate, 0.0, 15.0);
+  scene.AddProp("gate", PropKind::kGate, 0.0, 15.0);
   return scene;
 }
 
@@ -34,12 +34,12 @@ TEST(JournaledSimulatorTest, EveryCallThatSucceedsIsWrittenDownWithItsMoment) {
   const auto name = simulator->Spawn(RequestFor("goblin", "", -8.0, 8.0));
   ASSERT_TRUE(name.ok()) << name.status().ToString();
   EXPECT_TRUE(simulator->Remove(*name).ok());
-  Element crate;
+  Prop crate;
   crate.position = {8.0, -8.0};
   crate.mass_kg = 20.0;
-  const auto crate_name = simulator->SpawnElement(crate);
+  const auto crate_name = simulator->SpawnProp(crate);
   ASSERT_TRUE(crate_name.ok()) << crate_name.status().ToString();
-  EXPECT_TRUE(simulator->RemoveElement(*crate_name).ok());
+  EXPECT_TRUE(simulator->RemoveProp(*crate_name).ok());
   EXPECT_TRUE(simulator->OpenGate("gate", 0.5).ok());
   WeatherChange rain;
   rain.weather = Weather::kRain;
@@ -53,7 +53,7 @@ TEST(JournaledSimulatorTest, EveryCallThatSucceedsIsWrittenDownWithItsMoment) {
   }
   EXPECT_EQ(std::get<CommandCall>(entries[0].call).agent, "robot");
   EXPECT_EQ(std::get<SpawnCall>(entries[3].call).answer, *name);
-  EXPECT_EQ(std::get<SpawnElementCall>(entries[5].call).answer, *crate_name);
+  EXPECT_EQ(std::get<SpawnPropCall>(entries[5].call).answer, *crate_name);
   EXPECT_EQ(std::get<OpenGateCall>(entries[7].call).opening_rad, 0.5);
   EXPECT_EQ(simulator->last_number(), 9u);
   EXPECT_EQ(simulator->run(), 7u);
@@ -69,7 +69,7 @@ TEST(JournaledSimulatorTest, WhatIsRefusedChangesNothingAndIsNotTold) {
   EXPECT_FALSE(simulator->SetPolicy({"goblin_1", 2, "pursuer"}).ok());
   EXPECT_FALSE(simulator->Spawn(RequestFor("goblin", "robot", 5.0, 5.0)).ok());
   EXPECT_FALSE(simulator->Remove("nobody").ok());
-  EXPECT_FALSE(simulator->RemoveElement("nothing").ok());
+  EXPECT_FALSE(simulator->RemoveProp("nothing").ok());
   EXPECT_FALSE(simulator->OpenGate("gate", 99.0).ok());
   WeatherChange wrong;
   wrong.visibility_m = -1.0;

@@ -1,10 +1,10 @@
-#include "kinematic_world.h"
+#include "simulation/kinematic_world.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "latticeworld/common/check.h"
-#include "latticeworld/simulation/agents/steering.h"
+#include "latticeworld/simulation/agents/ways/steering.h"
 #include "latticeworld/simulation/ode/ode_world.h"
 
 namespace latticeworld {

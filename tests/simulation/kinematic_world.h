@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "latticeworld/scene/wind.h"
-#include "latticeworld/simulation/agents/agent_grid.h"
-#include "latticeworld/simulation/agents/path_finder.h"
-#include "latticeworld/simulation/agents/surroundings.h"
+#include "latticeworld/scene/weather/wind.h"
+#include "latticeworld/simulation/agents/minds/surroundings.h"
+#include "latticeworld/simulation/agents/ways/agent_grid.h"
+#include "latticeworld/simulation/agents/ways/path_finder.h"
 #include "latticeworld/species/species_catalogue.h"
-#include "test_scene.h"
+#include "simulation/test_scene.h"
 
 namespace latticeworld {
 

@@ -4,10 +4,10 @@
 #include <memory>
 #include <utility>
 
-#include "latticeworld/sensing/ray_scene.h"
+#include "latticeworld/sensing/solids/ray_scene.h"
 #include "latticeworld/terrain/terrain.h"
+#include "simulation/test_scene.h"
 #include "terrain/gorge_bridge.h"
-#include "test_scene.h"
 
 namespace latticeworld {
 namespace {

@@ -5,8 +5,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "latticeworld/sensing/wheel_odometry.h"
-#include "test_scene.h"
+#include "latticeworld/sensing/motion/wheel_odometry.h"
+#include "simulation/test_scene.h"
 
 namespace latticeworld {
 namespace {
@@ -24,7 +24,7 @@ const SensedAgent& Find(const SensedWorld& world, const std::string& name) {
 TEST(SensedTest, ItIsTheStateOfTheEpisode) {
   TestScene scene;
   scene.AddAgent("sheep", AgentCategory::kSheep, 5.0, 3.0);
-  scene.AddElement("box", ElementKind::kCrate, -4.0, 2.0);
+  scene.AddProp("box", PropKind::kCrate, -4.0, 2.0);
   const auto simulator = MakeSimulator(scene);
   RunFor(simulator.get(), 0.2);
   simulator->Reset(simulator->seed());
@@ -32,9 +32,9 @@ TEST(SensedTest, ItIsTheStateOfTheEpisode) {
   const SensedWorld world = Sense(*simulator);
   EXPECT_EQ(world.step, 10u);
   EXPECT_NEAR(world.time_s, 0.1, 1e-9);
-  ASSERT_EQ(world.elements.size(), 1u);
-  EXPECT_EQ(world.elements[0].name, "box");
-  EXPECT_NEAR(world.elements[0].map_from_element.translation().x(), -4.0, 0.01);
+  ASSERT_EQ(world.props.size(), 1u);
+  EXPECT_EQ(world.props[0].name, "box");
+  EXPECT_NEAR(world.props[0].map_from_prop.translation().x(), -4.0, 0.01);
   const SensedAgent& sheep = Find(world, "sheep");
   EXPECT_EQ(sheep.category, AgentCategory::kSheep);
   EXPECT_FALSE(sheep.has_sensors);

@@ -1,4 +1,4 @@
-#include "test_scene.h"
+#include "simulation/test_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "latticeworld/common/check.h"
-#include "latticeworld/scene/agent_placement.h"
-#include "latticeworld/scene/elements.h"
+#include "latticeworld/scene/agents/agent_placement.h"
+#include "latticeworld/scene/props/props.h"
 #include "latticeworld/species/species_catalogue.h"
 
 namespace latticeworld {
@@ -53,13 +53,13 @@ AgentStart& TestScene::AddAgent(const std::string& name, AgentCategory category,
   return agents.back();
 }
 
-Element& TestScene::AddElement(const std::string& name, ElementKind kind, double x_m, double y_m) {
-  Element element = UsualElement(kind);
-  element.name = name;
-  element.position = {x_m, y_m};
-  element.z_m = height_m(x_m, y_m);
-  elements.push_back(element);
-  return elements.back();
+Prop& TestScene::AddProp(const std::string& name, PropKind kind, double x_m, double y_m) {
+  Prop prop = UsualProp(kind);
+  prop.name = name;
+  prop.position = {x_m, y_m};
+  prop.z_m = height_m(x_m, y_m);
+  props.push_back(prop);
+  return props.back();
 }
 
 std::shared_ptr<const Scene> TestScene::Build() const {
@@ -84,9 +84,9 @@ std::shared_ptr<const Scene> TestScene::Build() const {
   scene->assets = assets;
   scene->index = AssetIndex(geometry.size_m(), assets);
   scene->agents = agents;
-  scene->elements = elements;
-  std::sort(scene->elements.begin(), scene->elements.end(),
-            [](const Element& a, const Element& b) { return a.name < b.name; });
+  scene->props = props;
+  std::sort(scene->props.begin(), scene->props.end(),
+            [](const Prop& a, const Prop& b) { return a.name < b.name; });
   scene->atmosphere = atmosphere;
   scene->environment = environment;
   return scene;
@@ -132,9 +132,9 @@ AgentSnapshot Now(const Simulator& simulator, const std::string& name) {
   return Find(*simulator.State(), name);
 }
 
-ElementSnapshot ElementNow(const Simulator& simulator, const std::string& name) {
-  for (const ElementSnapshot& element : simulator.State()->elements) {
-    if (element.name == name) return element;
+PropSnapshot PropNow(const Simulator& simulator, const std::string& name) {
+  for (const PropSnapshot& prop : simulator.State()->props) {
+    if (prop.name == name) return prop;
   }
   LW_CHECK(false, "no element " + name);
   return {};

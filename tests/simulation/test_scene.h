@@ -22,7 +22,7 @@ struct TestScene {
   };
   std::vector<Asset> assets;
   std::vector<AgentStart> agents;
-  std::vector<Element> elements;
+  std::vector<Prop> props;
   Atmosphere atmosphere;
   EnvironmentConfig environment;  // without values: every surface is as it is by itself
 
@@ -31,7 +31,7 @@ struct TestScene {
                    double yaw_rad = 0.0);
   AgentStart& AddAgent(const std::string& name, AgentCategory category, double x_m, double y_m);
   // Of the usual size, mass and strength, on the ground.
-  Element& AddElement(const std::string& name, ElementKind kind, double x_m, double y_m);
+  Prop& AddProp(const std::string& name, PropKind kind, double x_m, double y_m);
   std::shared_ptr<const Scene> Build() const;
 };
 
@@ -47,7 +47,7 @@ SpawnRequest RequestFor(const std::string& species, const std::string& name, dou
 void MustSpawn(Simulator* simulator, const SpawnRequest& request);
 const AgentSnapshot& Find(const WorldState& state, const std::string& name);
 AgentSnapshot Now(const Simulator& simulator, const std::string& name);
-ElementSnapshot ElementNow(const Simulator& simulator, const std::string& name);
+PropSnapshot PropNow(const Simulator& simulator, const std::string& name);
 VelocityCommand Forward(double speed_mps, double yaw_rate_radps = 0.0);
 // Steps for that long; a command is given anew before every step when there is one.
 void RunFor(Simulator* simulator, double seconds);

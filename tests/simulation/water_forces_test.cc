@@ -7,7 +7,7 @@
 
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/simulation/ode/ode_world.h"
-#include "test_scene.h"
+#include "simulation/test_scene.h"
 
 namespace latticeworld {
 namespace {

@@ -1,7 +1,7 @@
 #ifndef LATTICEWORLD_TESTS_TERRAIN_GORGE_BRIDGE_H_
 #define LATTICEWORLD_TESTS_TERRAIN_GORGE_BRIDGE_H_
 
-#include "latticeworld/terrain/bridge.h"
+#include "latticeworld/terrain/ways/bridge.h"
 
 namespace latticeworld {
 

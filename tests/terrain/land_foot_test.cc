@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "terrain_building.h"
+#include "terrain/terrain_building.h"
 
 namespace latticeworld::internal {
 namespace {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "latticeworld/geomorphology/flow.h"
-#include "latticeworld/terrain/relief_claims.h"
-#include "latticeworld/terrain/relief_measures.h"
-#include "latticeworld/terrain/relief_places.h"
-#include "terrain_building.h"
+#include "latticeworld/terrain/forms/relief_claims.h"
+#include "latticeworld/terrain/forms/relief_measures.h"
+#include "latticeworld/terrain/forms/relief_places.h"
+#include "terrain/terrain_building.h"
 
 namespace latticeworld {
 namespace {

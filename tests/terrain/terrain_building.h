@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "latticeworld/geomorphology/slope.h"
-#include "latticeworld/terrain/shallow_rivers.h"
 #include "latticeworld/terrain/terrain.h"
-#include "test_layouts.h"
+#include "latticeworld/terrain/water/shallow_rivers.h"
+#include "terrain/test_layouts.h"
 
 namespace latticeworld {
 

@@ -12,7 +12,7 @@
 #include "latticeworld/common/random.h"
 #include "latticeworld/terrain/components.h"
 #include "latticeworld/terrain/cover.h"
-#include "terrain_building.h"
+#include "terrain/terrain_building.h"
 
 namespace latticeworld {
 namespace {

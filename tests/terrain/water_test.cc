@@ -6,7 +6,7 @@
 
 #include "latticeworld/geomorphology/distance.h"
 #include "latticeworld/terrain/components.h"
-#include "terrain_building.h"
+#include "terrain/terrain_building.h"
 
 namespace latticeworld {
 namespace {

@@ -18,12 +18,12 @@
 #include <vector>
 
 #include "latticeworld/common/files.h"
-#include "latticeworld/language/local/chat_text.h"
-#include "latticeworld/language/local/gguf_file.h"
-#include "latticeworld/language/local/height_eyes.h"
-#include "latticeworld/language/local/llama_decoder.h"
-#include "latticeworld/language/local/llama_model.h"
-#include "latticeworld/language/local/tokenizer.h"
+#include "latticeworld/language/local/decoding/height_eyes.h"
+#include "latticeworld/language/local/decoding/llama_decoder.h"
+#include "latticeworld/language/local/decoding/llama_model.h"
+#include "latticeworld/language/local/tokens/chat_text.h"
+#include "latticeworld/language/local/tokens/tokenizer.h"
+#include "latticeworld/language/local/weights/gguf_file.h"
 
 namespace latticeworld {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "latticeworld/common/files.h"
-#include "latticeworld/relief/sketch_model.h"
+#include "latticeworld/relief/sketch/sketch_model.h"
 
 namespace {
 

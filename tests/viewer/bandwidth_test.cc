@@ -5,7 +5,7 @@
 #include <string>
 
 #include "latticeworld/simulation/simulator.h"
-#include "latticeworld/viewer/outbox.h"
+#include "latticeworld/viewer/server/outbox.h"
 #include "latticeworld/viewer/viewer_feed.h"
 #include "simulation/test_scene.h"
 #include "viewer/stream_decoder.h"

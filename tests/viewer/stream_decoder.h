@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "latticeworld/viewer/state_stream.h"
+#include "latticeworld/viewer/payloads/state_stream.h"
 
 namespace latticeworld {
 

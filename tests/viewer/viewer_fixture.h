@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
-#include "latticeworld/viewer/page_files.h"
+#include "latticeworld/viewer/server/page_files.h"
+#include "latticeworld/viewer/server/viewer_server.h"
 #include "latticeworld/viewer/viewer_backend.h"
-#include "latticeworld/viewer/viewer_server.h"
 #include "viewer/plain_client.h"
 
 namespace latticeworld {

@@ -9,8 +9,8 @@
 
 #include "latticeworld/common/files.h"
 #include "latticeworld/common/random.h"
-#include "latticeworld/viewer/points_message.h"
-#include "latticeworld/viewer/state_stream.h"
+#include "latticeworld/viewer/payloads/points_message.h"
+#include "latticeworld/viewer/payloads/state_stream.h"
 
 namespace latticeworld {
 namespace {

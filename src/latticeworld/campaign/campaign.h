@@ -10,7 +10,7 @@
 
 #include "latticeworld/mapping/traversability.h"
 #include "latticeworld/navigation/tasks.h"
-#include "latticeworld/scene/weather_change.h"
+#include "latticeworld/scene/weather/weather_change.h"
 
 namespace latticeworld {
 

@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
-#include "latticeworld/campaign/child_process.h"
-#include "latticeworld/campaign/robot_stack.h"
-#include "latticeworld/campaign/world_section.h"
+#include "latticeworld/campaign/reports/world_section.h"
+#include "latticeworld/campaign/stacks/child_process.h"
+#include "latticeworld/campaign/stacks/robot_stack.h"
 #include "latticeworld/campaign/yaml_reader.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/environment/attributes.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "latticeworld/campaign/trial_sensors.h"
+#include "latticeworld/campaign/stacks/trial_sensors.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/simulation/simulator.h"
 

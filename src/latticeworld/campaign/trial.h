@@ -6,7 +6,7 @@
 #include <string>
 
 #include "latticeworld/campaign/campaign.h"
-#include "latticeworld/campaign/robot_stack.h"
+#include "latticeworld/campaign/stacks/robot_stack.h"
 #include "latticeworld/campaign/trial_recorder.h"
 #include "latticeworld/common/result.h"
 #include "latticeworld/navigation/trial_metrics.h"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "latticeworld/campaign/metric_fields.h"
+#include "latticeworld/campaign/reports/metric_fields.h"
 #include "latticeworld/common/files.h"
 
 namespace latticeworld {

@@ -4,9 +4,9 @@
 #include <system_error>
 #include <utility>
 
-#include "latticeworld/campaign/result_files.h"
+#include "latticeworld/campaign/reports/result_files.h"
 #include "latticeworld/common/files.h"
-#include "latticeworld/generation/bundle.h"
+#include "latticeworld/generation/bundle/bundle.h"
 #include "latticeworld/generation/world_generator.h"
 
 namespace latticeworld {

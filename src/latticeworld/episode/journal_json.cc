@@ -104,23 +104,18 @@ Json ToJson(const SpawnCall& it) {
           {"answer", it.answer}};
 }
 Json ToJson(const RemoveCall& it) { return {{"call", "remove"}, {"agent", it.agent}}; }
-Json ToJson(const SpawnElementCall& it) {
-  const Element& element = it.element;
-  return {{"call", "spawn_element"},
-          {"name", element.name},
-          {"kind", NameOf(element.kind)},
-          {"position_m", {element.position.x_m, element.position.y_m, element.z_m}},
-          {"yaw_rad", element.yaw_rad},
-          {"size_m", {element.size_m.x(), element.size_m.y(), element.size_m.z()}},
-          {"mass_kg", element.mass_kg},
-          {"strength", element.strength},
-          {"answer", it.answer}};
+Json ToJson(const SpawnPropCall& it) {
+  const Prop& prop = it.prop;
+  return {
+      {"call", "spawn_element"},   {"name", prop.name},
+      {"kind", NameOf(prop.kind)}, {"position_m", {prop.position.x_m, prop.position.y_m, prop.z_m}},
+      {"yaw_rad", prop.yaw_rad},   {"size_m", {prop.size_m.x(), prop.size_m.y(), prop.size_m.z()}},
+      {"mass_kg", prop.mass_kg},   {"strength", prop.strength},
+      {"answer", it.answer}};
 }
-Json ToJson(const RemoveElementCall& it) {
-  return {{"call", "remove_element"}, {"element", it.element}};
-}
+Json ToJson(const RemovePropCall& it) { return {{"call", "remove_element"}, {"element", it.prop}}; }
 Json ToJson(const OpenGateCall& it) {
-  return {{"call", "open_gate"}, {"element", it.element}, {"opening_rad", it.opening_rad}};
+  return {{"call", "open_gate"}, {"element", it.prop}, {"opening_rad", it.opening_rad}};
 }
 Json ToJson(const SetWeatherCall& it) {
   const WeatherChange& change = it.change;
@@ -189,20 +184,20 @@ SpawnCall ToSpawn(const Json& json) {
   return it;
 }
 
-SpawnElementCall ToSpawnElement(const Json& json) {
+SpawnPropCall ToSpawnProp(const Json& json) {
   jf::ExpectKeys(json, {"call", "name", "kind", "position_m", "yaw_rad", "size_m", "mass_kg",
                         "strength", "answer"});
   const std::vector<double> position_m = Numbers(json, "position_m", 3);
   const std::vector<double> size_m = Numbers(json, "size_m", 3);
-  SpawnElementCall it;
-  it.element.name = jf::Text(json, "name");
-  it.element.kind = jf::Named<ElementKind>(json, "kind");
-  it.element.position = {position_m[0], position_m[1]};
-  it.element.z_m = position_m[2];
-  it.element.yaw_rad = jf::Number(json, "yaw_rad");
-  it.element.size_m = {size_m[0], size_m[1], size_m[2]};
-  it.element.mass_kg = jf::Number(json, "mass_kg");
-  it.element.strength = jf::Number(json, "strength");
+  SpawnPropCall it;
+  it.prop.name = jf::Text(json, "name");
+  it.prop.kind = jf::Named<PropKind>(json, "kind");
+  it.prop.position = {position_m[0], position_m[1]};
+  it.prop.z_m = position_m[2];
+  it.prop.yaw_rad = jf::Number(json, "yaw_rad");
+  it.prop.size_m = {size_m[0], size_m[1], size_m[2]};
+  it.prop.mass_kg = jf::Number(json, "mass_kg");
+  it.prop.strength = jf::Number(json, "strength");
   it.answer = jf::Text(json, "answer");
   return it;
 }
@@ -252,8 +247,8 @@ JournalCall Decode(std::string_view text) {
   if (name == "set_policy") return ToSetPolicy(json);
   if (name == "spawn") return ToSpawn(json);
   if (name == "remove") return RemoveCall{OnlyText(json, "agent")};
-  if (name == "spawn_element") return ToSpawnElement(json);
-  if (name == "remove_element") return RemoveElementCall{OnlyText(json, "element")};
+  if (name == "spawn_element") return ToSpawnProp(json);
+  if (name == "remove_element") return RemovePropCall{OnlyText(json, "element")};
   if (name == "set_weather") return ToSetWeather(json);
   if (name == "reset") return ResetCall{OnlyUnsigned(json, "seed")};
   if (name == "save") return SaveCall{OnlyUnsigned(json, "snapshot")};

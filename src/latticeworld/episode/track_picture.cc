@@ -8,12 +8,12 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "latticeworld/exporting/footer.h"
-#include "latticeworld/exporting/furniture.h"
-#include "latticeworld/exporting/ground_colors.h"
-#include "latticeworld/exporting/painting.h"
-#include "latticeworld/exporting/picture_encoding.h"
-#include "latticeworld/exporting/top_view.h"
+#include "latticeworld/rendering/looks/furniture.h"
+#include "latticeworld/rendering/looks/ground_colors.h"
+#include "latticeworld/rendering/picture_encoding.h"
+#include "latticeworld/rendering/views/footer.h"
+#include "latticeworld/rendering/views/painting.h"
+#include "latticeworld/rendering/views/top_view.h"
 
 namespace latticeworld {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "latticeworld/common/result.h"
 #include "latticeworld/episode/episode_record.h"
-#include "latticeworld/exporting/picture.h"
+#include "latticeworld/rendering/picture.h"
 #include "latticeworld/scene/scene.h"
 
 namespace latticeworld {

@@ -10,7 +10,7 @@
 
 #include "latticeworld/common/files.h"
 #include "latticeworld/common/text.h"
-#include "latticeworld/generation/bundle.h"
+#include "latticeworld/generation/bundle/bundle.h"
 
 namespace latticeworld {
 namespace {

@@ -1,13 +1,18 @@
 #ifndef LATTICEWORLD_EXPORTING_BRIDGE_COLORS_H_
 #define LATTICEWORLD_EXPORTING_BRIDGE_COLORS_H_
 
-#include "latticeworld/common/rgb.h"
-#include "latticeworld/terrain/bridge.h"
+#include <string>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld/rendering/looks/bridge_looks.h"
 
 namespace latticeworld {
 
-// The natural colour of a part of a bridge; top: of what is driven on.
-Rgb RgbOfBridge(BridgeKind kind, BridgePartKind part, bool top);
+// Red, green, blue and opacity in [0, 1], as SDF and MJCF write them.
+inline std::string ExportedColorOf(BridgeKind kind, BridgePartKind part) {
+  const Color bgr = ColorOfBridge(kind, part, part == BridgePartKind::kDeck);
+  return FormatDouble(bgr[2]) + " " + FormatDouble(bgr[1]) + " " + FormatDouble(bgr[0]) + " 1";
+}
 
 }  // namespace latticeworld
 

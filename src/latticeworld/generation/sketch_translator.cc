@@ -4,7 +4,7 @@
 
 #include "latticeworld/common/digest.h"
 #include "latticeworld/common/files.h"
-#include "latticeworld/relief/sketch_model.h"
+#include "latticeworld/relief/sketch/sketch_model.h"
 
 namespace latticeworld {
 namespace {

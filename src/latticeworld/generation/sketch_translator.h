@@ -8,7 +8,7 @@
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
 #include "latticeworld/relief/relief.h"
-#include "latticeworld/relief/sketch.h"
+#include "latticeworld/relief/sketch/sketch.h"
 
 namespace latticeworld {
 

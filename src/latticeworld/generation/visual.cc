@@ -7,8 +7,8 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/text.h"
-#include "latticeworld/relief/elevation.h"
-#include "latticeworld/relief/sketch.h"
+#include "latticeworld/relief/elevation/elevation.h"
+#include "latticeworld/relief/sketch/sketch.h"
 
 namespace latticeworld {
 namespace {

@@ -11,11 +11,11 @@
 
 #include "latticeworld/common/enum_names.h"
 #include "latticeworld/environment/environment_config.h"
-#include "latticeworld/generation/fidelity.h"
+#include "latticeworld/generation/fidelity/fidelity.h"
 #include "latticeworld/geometry/grid_geometry.h"
 #include "latticeworld/language/generator.h"
 #include "latticeworld/layout/symbolic_layout.h"
-#include "latticeworld/relief/elevation.h"
+#include "latticeworld/relief/elevation/elevation.h"
 #include "latticeworld/relief/relief.h"
 #include "latticeworld/scene/scene.h"
 

@@ -12,12 +12,12 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/text.h"
-#include "latticeworld/generation/crossing_words.h"
-#include "latticeworld/generation/things_json.h"
+#include "latticeworld/generation/bundle/things_json.h"
+#include "latticeworld/generation/bundle/world_id.h"
+#include "latticeworld/generation/fidelity/crossing_words.h"
 #include "latticeworld/generation/visual.h"
-#include "latticeworld/generation/world_id.h"
-#include "latticeworld/language/reading/relief_reading.h"
-#include "latticeworld/terrain/relief_claims.h"
+#include "latticeworld/language/reading/relief/relief_reading.h"
+#include "latticeworld/terrain/forms/relief_claims.h"
 
 namespace latticeworld {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "latticeworld/geometry/grid.h"
 #include "latticeworld/geometry/grid_geometry.h"
-#include "latticeworld/layout/crossings.h"
+#include "latticeworld/layout/claims/crossings.h"
 #include "latticeworld/layout/symbolic_layout.h"
 #include "latticeworld/layout/weight_grid.h"
 

@@ -1,8 +1,8 @@
 #ifndef LATTICEWORLD_LAYOUT_LETTER_FIELD_H_
 #define LATTICEWORLD_LAYOUT_LETTER_FIELD_H_
 
-#include "latticeworld/layout/course_lines.h"
-#include "latticeworld/layout/crossings.h"
+#include "latticeworld/layout/claims/course_lines.h"
+#include "latticeworld/layout/claims/crossings.h"
 #include "latticeworld/layout/symbolic_layout.h"
 
 namespace latticeworld::internal {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "latticeworld/layout/mask_measures.h"
+#include "latticeworld/layout/claims/mask_measures.h"
 #include "latticeworld/layout/zone.h"
 
 namespace latticeworld {

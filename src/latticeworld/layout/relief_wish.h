@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "latticeworld/common/enum_names.h"
-#include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/claims/claims.h"
 #include "latticeworld/layout/zone.h"
 
 namespace latticeworld {

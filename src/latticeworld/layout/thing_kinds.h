@@ -13,16 +13,16 @@ namespace latticeworld {
 
 // What stands for a kind of single things.
 enum class ThingSource : std::uint8_t {
-  kAsset,   // whatever model of an asset kind grows or lies where it stands
-  kModel,   // one model of the catalogue; it stays where it is, or is felled
-  kRun,     // a model too, of which many stand end to end: fences, hedges, walls
-  kElement  // an element, which can be moved
+  kAsset,  // whatever model of an asset kind grows or lies where it stands
+  kModel,  // one model of the catalogue; it stays where it is, or is felled
+  kRun,    // a model too, of which many stand end to end: fences, hedges, walls
+  kProp    // a prop, which can be moved
 };
 constexpr std::array<EnumName<ThingSource>, 4> EnumNames(ThingSource) {
   return {{{ThingSource::kAsset, "asset"},
            {ThingSource::kModel, "model"},
            {ThingSource::kRun, "run"},
-           {ThingSource::kElement, "element"}}};
+           {ThingSource::kProp, "element"}}};
 }
 
 struct ThingKind {

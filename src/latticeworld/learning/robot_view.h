@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "latticeworld/sensing/lidar_model.h"
+#include "latticeworld/sensing/lidar/lidar_model.h"
 #include "latticeworld/simulation/world_state.h"
 
 namespace latticeworld {

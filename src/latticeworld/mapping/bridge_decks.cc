@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "latticeworld/common/parallel.h"
-#include "latticeworld/mapping/element_boxes.h"
+#include "latticeworld/mapping/prop_boxes.h"
 #include "latticeworld/scene/scene.h"
 
 namespace latticeworld {
@@ -21,7 +21,7 @@ int TileAlong(double from_m, double size_m) {
 
 }  // namespace
 
-BridgeDecks::BridgeDecks(const GridGeometry& geometry, const std::vector<ElementDeck>& decks)
+BridgeDecks::BridgeDecks(const GridGeometry& geometry, const std::vector<PropDeck>& decks)
     : geometry_(geometry), decks_(decks) {
   if (decks.empty()) return;
   tiles_.resize(kTiles * kTiles);
@@ -44,11 +44,11 @@ std::size_t BridgeDecks::TileOf(WorldPoint point) const {
   return TileAlong(point.y_m + half_m, size_m) * kTiles + TileAlong(point.x_m + half_m, size_m);
 }
 
-const ElementDeck* BridgeDecks::At(WorldPoint point) const {
+const PropDeck* BridgeDecks::At(WorldPoint point) const {
   if (empty()) return nullptr;
-  const ElementDeck* highest = nullptr;
+  const PropDeck* highest = nullptr;
   for (const std::size_t i : tiles_[TileOf(point)]) {
-    const ElementDeck& deck = decks_[i];
+    const PropDeck& deck = decks_[i];
     const Footprint& footprint = deck.footprint;
     const double dx = point.x_m - footprint.centre.x_m, dy = point.y_m - footprint.centre.y_m;
     const double cosine = std::cos(footprint.yaw_rad), sine = std::sin(footprint.yaw_rad);
@@ -61,14 +61,14 @@ const ElementDeck* BridgeDecks::At(WorldPoint point) const {
 
 Grid<float> BuildDeckHeight(const Scene& scene, const SceneChanges& changes, int threads) {
   const GridGeometry& geometry = scene.geometry();
-  const std::shared_ptr<const StandingElements> elements = ElementsIn(scene, changes);
-  const BridgeDecks decks(geometry, elements->decks);
+  const std::shared_ptr<const StandingProps> props = PropsIn(scene, changes);
+  const BridgeDecks decks(geometry, props->decks);
   Grid<float> height_m(geometry.rows(), geometry.cols(), std::numeric_limits<float>::quiet_NaN());
   if (decks.empty()) return height_m;
   ParallelFor(geometry.rows(), threads, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       for (int col = 0; col < geometry.cols(); ++col) {
-        const ElementDeck* deck = decks.At(geometry.CenterOf({row, col}));
+        const PropDeck* deck = decks.At(geometry.CenterOf({row, col}));
         if (deck != nullptr) height_m(row, col) = static_cast<float>(deck->top_m);
       }
     }
@@ -79,10 +79,10 @@ Grid<float> BuildDeckHeight(const Scene& scene, const SceneChanges& changes, int
 HeightField DrivenSurface(const Scene& scene, const RobotLimits& limits,
                           const SceneChanges& changes) {
   const HeightField& ground = scene.terrain->ground;
-  const std::shared_ptr<const StandingElements> elements = ElementsIn(scene, changes);
+  const std::shared_ptr<const StandingProps> props = PropsIn(scene, changes);
   Grid<float> height_m = ground.height_m();
   const CellWindow all = {0, height_m.rows(), 0, height_m.cols()};
-  for (const ElementDeck& deck : elements->decks) {
+  for (const PropDeck& deck : props->decks) {
     if (deck.carries_kg < limits.mass_kg) continue;
     ForEachCellOf(deck, ground, limits, all, [&](int row, int col, DeckEffect) {
       float& height = height_m(row, col);

@@ -7,29 +7,29 @@
 #include "latticeworld/geometry/grid.h"
 #include "latticeworld/geometry/grid_geometry.h"
 #include "latticeworld/geometry/height_field.h"
+#include "latticeworld/scene/props/standing_props.h"
 #include "latticeworld/scene/scene_changes.h"
-#include "latticeworld/scene/standing_elements.h"
 
 namespace latticeworld {
 
 struct RobotLimits;
 struct Scene;
 
-// The decks of bridges, of roads and of elements, by place.
+// The decks of bridges, of roads and of props, by place.
 class BridgeDecks {
  public:
   // Looks at decks as long as it lives. geometry: of the world that they stand in.
-  BridgeDecks(const GridGeometry& geometry, const std::vector<ElementDeck>& decks);
+  BridgeDecks(const GridGeometry& geometry, const std::vector<PropDeck>& decks);
 
   bool empty() const { return decks_.empty(); }
   // The highest deck above the point, its edges included; null: there is none.
-  const ElementDeck* At(WorldPoint point) const;
+  const PropDeck* At(WorldPoint point) const;
 
  private:
   std::size_t TileOf(WorldPoint point) const;
 
   const GridGeometry& geometry_;
-  const std::vector<ElementDeck>& decks_;
+  const std::vector<PropDeck>& decks_;
   // Of each tile the decks that may reach into it, as indices into decks_.
   std::vector<std::vector<std::size_t>> tiles_;
 };

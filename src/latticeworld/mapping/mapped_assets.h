@@ -8,8 +8,8 @@
 
 namespace latticeworld {
 
-// An asset as maps see it: standing as the scene says, or a tree that lies. Elements are boxes like
-// buildings (element_boxes.h).
+// An asset as maps see it: standing as the scene says, or a tree that lies. Props are boxes like
+// buildings (prop_boxes.h).
 struct MappedAsset {
   Asset asset;  // of a tree that lies, position and z_m are those of its stem's foot
   // Of a tree that lies: direction of its stem from foot to tip, 0 east, counter-clockwise, and the

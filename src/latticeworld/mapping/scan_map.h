@@ -16,7 +16,7 @@ inline constexpr double kScanHeight_m = 0.45;
 // What a level scan at that height above the ground can meet: (rows x cols) of the scene's
 // geometry, row 0 north, 100 where something stands that reaches so high, else 0. That is another
 // map than that of where a robot can go: crops, bushes and tall grass are on it, water, steep
-// ground and low stones are not, and nothing is grown by a robot's radius. Elements and trees that
+// ground and low stones are not, and nothing is grown by a robot's radius. Props and trees that
 // lie are on it however low they are. Ground that rises into the scan is not on it either, for that
 // depends on where the scanner is. scan_height_m: finite, above 0. changes and threads: as
 // BuildOccupancy.

@@ -7,10 +7,10 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/parallel.h"
 #include "latticeworld/geomorphology/distance.h"
-#include "latticeworld/mapping/asset_blocks.h"
-#include "latticeworld/mapping/element_boxes.h"
 #include "latticeworld/mapping/ground_effort.h"
 #include "latticeworld/mapping/mapped_assets.h"
+#include "latticeworld/mapping/octree/asset_blocks.h"
+#include "latticeworld/mapping/prop_boxes.h"
 #include "latticeworld/scene/scene.h"
 
 namespace latticeworld {
@@ -28,7 +28,7 @@ Grid<T> BuildMap(const Scene& scene, const RobotLimits& limits, const SceneChang
   LW_CHECK(Validate(changes, scene).ok(), "scene changes are validated where they enter");
   const GroundEffort ground(*scene.terrain, limits, SurfacesIn(scene, changes));
   const AssetBlocks blocks(scene.terrain->ground, limits);
-  const std::shared_ptr<const StandingElements> elements = ElementsIn(scene, changes);
+  const std::shared_ptr<const StandingProps> props = PropsIn(scene, changes);
   const std::vector<MappedAsset> assets = AssetsToMap(scene, changes);
   const double least_half_m = LeastHalfOf(limits, scene.geometry().resolution_m());
   const Grid<float>& ground_m = scene.terrain->ground.height_m();
@@ -42,22 +42,22 @@ Grid<T> BuildMap(const Scene& scene, const RobotLimits& limits, const SceneChang
       for (int col = 0; col < cols; ++col) values[col] = value_of(effort[col]);
     }
     const auto block = [&](int row, int col) { map(row, col) = blocked; };
-    const auto block_all = [&](const std::vector<ElementBlock>& all) {
-      for (const ElementBlock& one : all) {
+    const auto block_all = [&](const std::vector<PropBlock>& all) {
+      for (const PropBlock& one : all) {
         blocks.ForEachBlocked(BoxOf(one, least_half_m), begin, end, [&](int row, int col) {
           if (IsInTheWay(one, limits, ground_m(row, col))) block(row, col);
         });
       }
     };
-    block_all(elements->below);
-    for (const ElementDeck& deck : elements->decks) {
+    block_all(props->below);
+    for (const PropDeck& deck : props->decks) {
       ForEachCellOf(deck, scene.terrain->ground, limits, {begin, end, 0, cols},
                     [&](int row, int col, DeckEffect effect) {
                       map(row, col) = effect == DeckEffect::kCarries ? value_of(0.0f) : blocked;
                     });
     }
     for (const MappedAsset& asset : assets) blocks.ForEachBlocked(asset, begin, end, block);
-    block_all(elements->blocks);
+    block_all(props->blocks);
   });
   return map;
 }

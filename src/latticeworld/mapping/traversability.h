@@ -32,11 +32,11 @@ struct RobotLimits {
 };
 
 // All of them legal: RobotLimits finite, none below 0, max_slope_rad in (0, pi/2), grip above 0.
-// changes: trees that fell, assets that went, elements that moved and what weather made of the
+// changes: trees that fell, assets that went, props that moved and what weather made of the
 // ground since the world began; a fallen trunk blocks as it lies, and so does its crown where
 // clearance_m is above 0. Crates, loose stones, posts and gates' panels block as they stand;
 // bridges that carry the robot are level open ground in their middle and block it beside that;
-// others block it where they leave it no room below (element_boxes.h). threads: at most; 0: as many
+// others block it where they leave it no room below (prop_boxes.h). threads: at most; 0: as many
 // as the machine has cores; the result is the same.
 
 // (rows x cols) of the scene's geometry, in [0, 1]: 0 impassable, 1 level open ground. Slopes and

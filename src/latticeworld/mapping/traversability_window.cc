@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "latticeworld/common/check.h"
-#include "latticeworld/mapping/asset_blocks.h"
-#include "latticeworld/mapping/element_boxes.h"
 #include "latticeworld/mapping/ground_effort.h"
 #include "latticeworld/mapping/mapped_assets.h"
+#include "latticeworld/mapping/octree/asset_blocks.h"
+#include "latticeworld/mapping/prop_boxes.h"
 
 namespace latticeworld {
 
@@ -37,7 +37,7 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
     for (std::size_t i = 0; i < cols; ++i) values_of_row[i] = TraversabilityOf(values_of_row[i]);
   }
 
-  const std::shared_ptr<const StandingElements> elements = ElementsIn(scene_, changes);
+  const std::shared_ptr<const StandingProps> props = PropsIn(scene_, changes);
   const AssetBlocks blocks(scene_.terrain->ground, limits_);
   const auto block_where = [&](const MappedAsset& asset, const auto& is_in_the_way) {
     blocks.ForEachBlocked(asset, window.row_begin, window.row_end, [&](int row, int col) {
@@ -56,7 +56,7 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
   const double around_m =
       0.5 * std::hypot(window.rows(), window.cols()) * geometry.resolution_m() + limits_.radius_m;
   const double least_half_m = LeastHalfOf(limits_, geometry.resolution_m());
-  const auto block_near = [&](const ElementBlock& one) {
+  const auto block_near = [&](const PropBlock& one) {
     const double reach_m = one.footprint.radius_m() + geometry.resolution_m() + around_m;
     if (std::abs(one.footprint.centre.x_m - middle.x_m) < reach_m &&
         std::abs(one.footprint.centre.y_m - middle.y_m) < reach_m)
@@ -64,8 +64,8 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
         return IsInTheWay(one, limits_, scene_.terrain->ground.height_m()(row, col));
       });
   };
-  for (const ElementBlock& pier : elements->below) block_near(pier);
-  for (const ElementDeck& deck : elements->decks) {
+  for (const PropBlock& pier : props->below) block_near(pier);
+  for (const PropDeck& deck : props->decks) {
     ForEachCellOf(
         deck, scene_.terrain->ground, limits_, window,
         [&](int row, int col, DeckEffect effect) {
@@ -88,7 +88,7 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
         std::abs(lying.asset.y_m - middle.y_m) < reach_m)
       block(lying);
   }
-  for (const ElementBlock& one : elements->blocks) block_near(one);
+  for (const PropBlock& one : props->blocks) block_near(one);
 }
 
 }  // namespace latticeworld

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "latticeworld/common/result.h"
-#include "latticeworld/exporting/picture.h"
 #include "latticeworld/navigation/tasks.h"
+#include "latticeworld/rendering/picture.h"
 
 namespace latticeworld {
 

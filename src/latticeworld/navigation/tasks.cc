@@ -10,8 +10,8 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/navigation/distance_field.h"
 #include "latticeworld/navigation/navigable_map.h"
+#include "latticeworld/scene/agents/spawn_site.h"
 #include "latticeworld/scene/scene.h"
-#include "latticeworld/scene/spawn_site.h"
 
 namespace latticeworld {
 namespace {

@@ -56,9 +56,9 @@ Status Validate(const TaskWishes& wishes);
 
 // Draws goals evenly from what is free, and starts from what has a way there of a wanted length,
 // until `count` are of the wanted difficulty. The robot's disc lies within the world less its
-// outermost cells all along, and at a start where agents are put (scene/spawn_rules.h). The same
-// scene and wishes: the same tasks. A thousand ways are tried for each task at most. Reports the
-// stage "tasks". Errors: INVALID_ARGUMENT; FAILED_PRECONDITION: too few were found, naming the
+// outermost cells all along, and at a start where agents are put (scene/agents/spawn_rules.h). The
+// same scene and wishes: the same tasks. A thousand ways are tried for each task at most. Reports
+// the stage "tasks". Errors: INVALID_ARGUMENT; FAILED_PRECONDITION: too few were found, naming the
 // ranges that kept the ways out and what the world offers; CANCELLED.
 Result<std::vector<NavigationTask>> SampleTasks(const Scene& scene, const TaskWishes& wishes,
                                                 const Progress& progress);

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "latticeworld/common/random.h"
-#include "latticeworld/scene/settlement_rules.h"
+#include "latticeworld/scene/settlements/settlement_rules.h"
 
 namespace latticeworld {
 namespace {

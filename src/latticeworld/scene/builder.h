@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "latticeworld/scene/building_models.h"
 #include "latticeworld/scene/footprint.h"
-#include "latticeworld/scene/model_mixture.h"
 #include "latticeworld/scene/placement.h"
-#include "latticeworld/scene/settlement_map.h"
+#include "latticeworld/scene/settlements/building_models.h"
+#include "latticeworld/scene/settlements/settlement_map.h"
+#include "latticeworld/scene/vegetation/model_mixture.h"
 
 namespace latticeworld {
 

@@ -10,13 +10,13 @@
 #include "latticeworld/environment/environment_config.h"
 #include "latticeworld/scene/asset.h"
 #include "latticeworld/scene/asset_index.h"
-#include "latticeworld/scene/canopy.h"
-#include "latticeworld/scene/densities.h"
 #include "latticeworld/scene/point_random.h"
 #include "latticeworld/scene/site.h"
 #include "latticeworld/scene/solid_set.h"
 #include "latticeworld/scene/tally.h"
-#include "latticeworld/scene/thinning.h"
+#include "latticeworld/scene/vegetation/canopy.h"
+#include "latticeworld/scene/vegetation/densities.h"
+#include "latticeworld/scene/vegetation/thinning.h"
 #include "latticeworld/terrain/terrain.h"
 
 namespace latticeworld {

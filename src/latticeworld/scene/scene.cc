@@ -11,11 +11,11 @@
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/random.h"
-#include "latticeworld/scene/agent_placement.h"
-#include "latticeworld/scene/elements.h"
-#include "latticeworld/scene/fields.h"
+#include "latticeworld/scene/agents/agent_placement.h"
 #include "latticeworld/scene/placement.h"
-#include "latticeworld/scene/things.h"
+#include "latticeworld/scene/props/props.h"
+#include "latticeworld/scene/props/things.h"
+#include "latticeworld/scene/vegetation/fields.h"
 
 namespace latticeworld {
 namespace {
@@ -50,8 +50,8 @@ void GiveOwnNames(Scene* scene, std::vector<std::string>* warnings) {
     const std::string name = thing.name + "_thing";
     warnings->push_back("the thing " + thing.name + " is called " + name +
                         ": an agent has its name");
-    for (Element& element : scene->elements) {
-      if (element.name == thing.name) element.name = name;
+    for (Prop& prop : scene->props) {
+      if (prop.name == thing.name) prop.name = name;
     }
     thing.name = name;
   }
@@ -95,7 +95,7 @@ Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& prog
   if (!request.things.empty()) {
     PlacedThings placed = PlaceThings(request.things, &placement);
     scene->things = std::move(placed.things);
-    scene->elements = std::move(placed.elements);
+    scene->props = std::move(placed.props);
     for (std::string& warning : placed.warnings) answer.warnings.push_back(std::move(warning));
   }
   for (const auto place : {PlaceOrchards, PlaceTrees, PlaceStones}) {
@@ -122,7 +122,7 @@ Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& prog
   }
   scene->agents = PlaceAgents(*scene, request.seed, &answer.warnings);
   GiveOwnNames(scene.get(), &answer.warnings);
-  scene->elements = PlaceElements(*scene, request.seed);
+  scene->props = PlaceProps(*scene, request.seed);
   LW_RETURN_IF_ERROR(step());
   answer.scene = std::move(scene);
   return answer;

@@ -13,9 +13,9 @@
 #include "latticeworld/layout/thing_wish.h"
 #include "latticeworld/scene/asset.h"
 #include "latticeworld/scene/asset_index.h"
-#include "latticeworld/scene/atmosphere.h"
-#include "latticeworld/scene/element.h"
-#include "latticeworld/scene/thing.h"
+#include "latticeworld/scene/props/prop.h"
+#include "latticeworld/scene/props/thing.h"
+#include "latticeworld/scene/weather/atmosphere.h"
 #include "latticeworld/terrain/terrain.h"
 
 namespace latticeworld {
@@ -47,7 +47,7 @@ struct Scene {
   AssetIndex index;  // over assets
   Atmosphere atmosphere;
   std::vector<AgentStart> agents;
-  std::vector<Element> elements;   // crates, gates, bridges ...; sorted by name
+  std::vector<Prop> props;         // crates, gates, bridges ...; sorted by name
   std::vector<SceneThing> things;  // that were asked for one by one, in the order of the wishes
 
   const GridGeometry& geometry() const { return terrain->geometry(); }
@@ -76,8 +76,8 @@ struct SceneAnswer {
   std::vector<std::string> warnings;  // what could not be placed and why
 };
 
-// Psi_C: places assets, agents and elements by class weights, density and rules (densities.h has
-// the numbers a hectare, placement.h and elements.h the rules), and what is asked for one by one
+// Psi_C: places assets, agents and props by class weights, density and rules (densities.h has
+// the numbers a hectare, placement.h and props.h the rules), and what is asked for one by one
 // (things.h). Nothing solid overlaps, and nothing
 // stands in water, on a road or outside. Every stage draws from its own stream of the seed: the
 // same request gives the same bytes. Reports the stage "scene". Errors: CANCELLED.

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/scene/props/standing_props.h"
 #include "latticeworld/scene/scene.h"
-#include "latticeworld/scene/standing_elements.h"
 
 namespace latticeworld {
 namespace {
@@ -73,8 +73,8 @@ bool operator==(const SceneChanges& a, const SceneChanges& b) {
       !std::equal(a.fallen.begin(), a.fallen.end(), b.fallen.begin(), b.fallen.end(), same_tree)) {
     return false;
   }
-  if (a.elements == nullptr || b.elements == nullptr) return a.elements == b.elements;
-  return a.elements == b.elements || *a.elements == *b.elements;
+  if (a.props == nullptr || b.props == nullptr) return a.props == b.props;
+  return a.props == b.props || *a.props == *b.props;
 }
 
 Status Validate(const SceneChanges& changes, const Scene& scene) {
@@ -118,9 +118,9 @@ Status Validate(const SceneChanges& changes, const Scene& scene) {
     check("gone/" + std::to_string(i), changes.gone[i],
           i == 0 || changes.gone[i - 1] <= changes.gone[i]);
   }
-  if (changes.elements != nullptr) {
-    const std::vector<Violation> of_elements = Validate(*changes.elements);
-    violations.insert(violations.end(), of_elements.begin(), of_elements.end());
+  if (changes.props != nullptr) {
+    const std::vector<Violation> of_props = Validate(*changes.props);
+    violations.insert(violations.end(), of_props.begin(), of_props.end());
   }
   if (changes.ground.has_value()) Check(*changes.ground, &violations);
   return Status::FromViolations("illegal scene changes", std::move(violations));

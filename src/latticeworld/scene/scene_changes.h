@@ -13,7 +13,7 @@
 namespace latticeworld {
 
 struct Scene;
-struct StandingElements;
+struct StandingProps;
 
 // A tree that lies: its stem from foot to tip, map frame, as long as it was high, its crown around
 // the upper part.
@@ -23,23 +23,23 @@ struct FallenTree {
   Eigen::Vector3d tip_m = Eigen::Vector3d::Zero();
 };
 
-// What has become of a scene's assets, elements and ground since the world began; a Scene itself
+// What has become of a scene's assets, props and ground since the world began; a Scene itself
 // never changes. An asset stands in neither list or in one of them, once.
 struct SceneChanges {
   std::vector<FallenTree> fallen;  // by asset
   std::vector<std::uint32_t>
       gone;  // indices into Scene::assets, increasing: no longer there at all
-  // null: the elements are where the scene has them. See ElementsIn (standing_elements.h).
-  std::shared_ptr<const StandingElements> elements{};
+  // null: the props are where the scene has them. See PropsIn (standing_props.h).
+  std::shared_ptr<const StandingProps> props{};
   // What weather has made of the ground; none: what the scene's atmosphere has.
   std::optional<GroundState> ground{};
 
-  // Whether all assets stand; elements and ground are not looked at.
+  // Whether all assets stand; props and ground are not looked at.
   bool empty() const { return fallen.empty() && gone.empty(); }
   // Whether the asset is where the scene has it.
   bool Stands(std::uint32_t asset) const;
 };
-// Elements by what they are; null is not the same as a list of where they began.
+// Props by what they are; null is not the same as a list of where they began.
 bool operator==(const SceneChanges& a, const SceneChanges& b);
 // Errors: INVALID_ARGUMENT with every violation.
 Status Validate(const SceneChanges& changes, const Scene& scene);

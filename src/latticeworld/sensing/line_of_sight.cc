@@ -5,9 +5,9 @@
 #include <tuple>
 #include <utility>
 
+#include "latticeworld/scene/props/standing_props.h"
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/scene/scene_changes.h"
-#include "latticeworld/scene/standing_elements.h"
 
 namespace latticeworld {
 namespace {
@@ -137,10 +137,10 @@ bool AnyAssetHides(const Scene& scene, const SceneChanges& changes, const Segmen
   return false;
 }
 
-bool AnyBlockHides(const std::vector<ElementBlock>& blocks, const Segment& segment) {
+bool AnyBlockHides(const std::vector<PropBlock>& blocks, const Segment& segment) {
   const Eigen::Vector3d end = segment.At(1.0);
   const Eigen::Vector3d low = segment.start.cwiseMin(end), high = segment.start.cwiseMax(end);
-  for (const ElementBlock& block : blocks) {
+  for (const PropBlock& block : blocks) {
     const WorldPoint middle = block.footprint.centre;
     if (block.top_m <= low.z() || block.bottom_m >= high.z()) continue;
     const double reach_m = block.footprint.half_length_m + block.footprint.half_width_m;
@@ -159,8 +159,8 @@ bool AnyBlockHides(const std::vector<ElementBlock>& blocks, const Segment& segme
 }
 
 // Decks are seen past, as footbridges are.
-bool AnyElementHides(const StandingElements& elements, const Segment& segment) {
-  return AnyBlockHides(elements.blocks, segment) || AnyBlockHides(elements.below, segment);
+bool AnyPropHides(const StandingProps& props, const Segment& segment) {
+  return AnyBlockHides(props.blocks, segment) || AnyBlockHides(props.below, segment);
 }
 
 }  // namespace
@@ -171,8 +171,8 @@ bool HasLineOfSight(const Scene& scene, const SceneChanges& changes, const Eigen
   const auto key = [](const Eigen::Vector3d& p) { return std::make_tuple(p.x(), p.y(), p.z()); };
   const bool swap = key(to) < key(from);
   const Segment segment = {swap ? to : from, swap ? from - to : to - from};
-  if (changes.elements != nullptr ? AnyElementHides(*changes.elements, segment)
-                                  : AnyElementHides(StandingAtBegin(scene), segment)) {
+  if (changes.props != nullptr ? AnyPropHides(*changes.props, segment)
+                               : AnyPropHides(StandingAtBegin(scene), segment)) {
     return false;
   }
   return !AnyAssetHides(scene, changes, segment) && !GroundHides(scene.terrain->ground, segment);

@@ -8,14 +8,14 @@ namespace latticeworld {
 struct Scene;
 struct SceneChanges;
 
-// True when neither ground nor a solid asset nor an element lies on the segment between two points
+// True when neither ground nor a solid asset nor a prop lies on the segment between two points
 // (map frame [m]); the same in both directions. The ground is tested exactly, at every edge of the
 // triangulation that the segment crosses; ground that it only touches does not hide. Trees are
 // vertical cylinders of their trunk's radius, stones of their own, buildings oriented boxes; all
 // reach down into the ground. Crates, loose stones, posts and gates are the boxes around them.
 // Crowns, bushes, bridges and what is not solid hide nothing.
 bool HasLineOfSight(const Scene& scene, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
-// After the (legal) changes: trees that fell or went hide nothing, elements hide where they are.
+// After the (legal) changes: trees that fell or went hide nothing, props hide where they are.
 bool HasLineOfSight(const Scene& scene, const SceneChanges& changes, const Eigen::Vector3d& from,
                     const Eigen::Vector3d& to);
 

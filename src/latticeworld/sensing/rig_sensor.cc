@@ -4,12 +4,12 @@
 #include <optional>
 #include <utility>
 
-#include "latticeworld/sensing/bumper.h"
 #include "latticeworld/sensing/counter_noise.h"
-#include "latticeworld/sensing/gnss.h"
-#include "latticeworld/sensing/imu.h"
-#include "latticeworld/sensing/magnetometer.h"
-#include "latticeworld/sensing/wheel_odometry.h"
+#include "latticeworld/sensing/motion/bumper.h"
+#include "latticeworld/sensing/motion/gnss.h"
+#include "latticeworld/sensing/motion/imu.h"
+#include "latticeworld/sensing/motion/magnetometer.h"
+#include "latticeworld/sensing/motion/wheel_odometry.h"
 
 namespace latticeworld {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "latticeworld/common/result.h"
-#include "latticeworld/sensing/lidar_surfaces.h"
+#include "latticeworld/sensing/lidar/lidar_surfaces.h"
 #include "latticeworld/sensing/sensor_rig.h"
 #include "latticeworld/sensing/sensor_scene.h"
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "latticeworld/environment/agent_group.h"
-#include "latticeworld/scene/atmosphere.h"
-#include "latticeworld/scene/element.h"
+#include "latticeworld/scene/props/prop.h"
 #include "latticeworld/scene/scene_changes.h"
+#include "latticeworld/scene/weather/atmosphere.h"
 
 namespace latticeworld {
 
@@ -41,11 +41,11 @@ struct SensedAgent {
   std::optional<SensedWheels> wheels;  // of those with sensors that have wheels
 };
 
-struct SensedElement {
+struct SensedProp {
   std::string name;
-  ElementKind kind = ElementKind::kCrate;
+  PropKind kind = PropKind::kCrate;
   Eigen::Vector3d size_m = Eigen::Vector3d::Ones();
-  Eigen::Isometry3d map_from_element = Eigen::Isometry3d::Identity();  // a gate's: of its panel
+  Eigen::Isometry3d map_from_prop = Eigen::Isometry3d::Identity();  // a gate's: of its panel
   bool broken = false;
 };
 
@@ -56,7 +56,7 @@ struct SensedWorld {
   double time_s = 0.0;
   Atmosphere atmosphere;
   std::vector<SensedAgent> agents;
-  std::vector<SensedElement> elements;
+  std::vector<SensedProp> props;
   std::vector<FallenTree> felled;   // trees that lie or are falling, as they are at this moment
   std::vector<std::uint32_t> gone;  // assets that are no longer there at all
 };

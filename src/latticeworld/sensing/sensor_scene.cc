@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "latticeworld/scene/scene.h"
-#include "latticeworld/sensing/asset_tiles.h"
-#include "latticeworld/sensing/bridge_shapes.h"
-#include "latticeworld/sensing/moving_things.h"
 #include "latticeworld/sensing/sensed_world.h"
-#include "latticeworld/sensing/surface_geometry.h"
+#include "latticeworld/sensing/solids/asset_tiles.h"
+#include "latticeworld/sensing/solids/bridge_shapes.h"
+#include "latticeworld/sensing/solids/moving_things.h"
+#include "latticeworld/sensing/solids/surface_geometry.h"
 
 namespace latticeworld {
 namespace {

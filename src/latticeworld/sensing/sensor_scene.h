@@ -9,7 +9,7 @@
 
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
-#include "latticeworld/sensing/ray_scene.h"
+#include "latticeworld/sensing/solids/ray_scene.h"
 
 namespace latticeworld {
 
@@ -33,8 +33,8 @@ struct SensorSceneOptions {
 };
 
 // A running world as sensors meet it, in Embree: the still part (ground, water, bridges, standing
-// assets) once, and a small scene of its own for what moves (agents, elements, felled trees), which
-// is made anew every step. Elements and felled trees are solid; the latter are hits of their asset.
+// assets) once, and a small scene of its own for what moves (agents, props, felled trees), which
+// is made anew every step. Props and felled trees are solid; the latter are hits of their asset.
 // Update and Focus by one thread, while no other traces; rays from as many as wanted.
 class SensorScene {
  public:
@@ -46,7 +46,7 @@ class SensorScene {
   SensorScene(SensorScene&&) noexcept;
   SensorScene& operator=(SensorScene&&) noexcept;
 
-  // Agents, elements and trees are where `world` has them from here on. About 0.3 us an agent; a
+  // Agents, props and trees are where `world` has them from here on. About 0.3 us an agent; a
   // tree that falls has its tile made anew. Errors are the device's and INVALID_ARGUMENT (trees
   // that the scene has not); everything stays as it was then.
   Status Update(const SensedWorld& world);

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "latticeworld/common/result.h"
-#include "latticeworld/sensing/camera_model.h"
-#include "latticeworld/sensing/lidar_model.h"
-#include "latticeworld/sensing/motion_sensors.h"
+#include "latticeworld/sensing/camera/camera_model.h"
+#include "latticeworld/sensing/lidar/lidar_model.h"
+#include "latticeworld/sensing/motion/motion_sensors.h"
 
 namespace latticeworld {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "latticeworld/scene/atmosphere.h"
+#include "latticeworld/scene/weather/atmosphere.h"
 
 namespace latticeworld {
 namespace {

@@ -11,7 +11,7 @@
 namespace latticeworld {
 
 // OK for a legal ROS base name (a letter, then letters, digits and underscores) of at most 64
-// characters; else INVALID_ARGUMENT that quotes it. For agents and elements.
+// characters; else INVALID_ARGUMENT that quotes it. For agents and props.
 Status CheckAgentName(std::string_view name);
 
 // "wheeled_robot_3" of "wheeled robot" and 3

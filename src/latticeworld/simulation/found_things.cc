@@ -27,24 +27,24 @@ FoundThing OfAsset(const Scene& scene, const SceneThing& thing) {
   return named;
 }
 
-FoundThing OfElement(const Element& element) {
+FoundThing OfProp(const Prop& prop) {
   FoundThing named;
-  named.name = element.name;
-  named.kind = std::string(NameOf(element.kind));
-  named.position_m = {element.position.x_m, element.position.y_m, element.z_m};
-  named.orientation = Turned(element.yaw_rad);
-  named.size_m = element.size_m;
+  named.name = prop.name;
+  named.kind = std::string(NameOf(prop.kind));
+  named.position_m = {prop.position.x_m, prop.position.y_m, prop.z_m};
+  named.orientation = Turned(prop.yaw_rad);
+  named.size_m = prop.size_m;
   return named;
 }
 
-FoundThing OfElement(const ElementSnapshot& element) {
+FoundThing OfProp(const PropSnapshot& prop) {
   FoundThing named;
-  named.name = element.name;
-  named.kind = std::string(NameOf(element.kind));
-  named.position_m = element.position_m;
-  named.orientation = element.orientation;
-  named.size_m = element.size_m;
-  if (element.broken) named.condition = ThingCondition::kBroken;
+  named.name = prop.name;
+  named.kind = std::string(NameOf(prop.kind));
+  named.position_m = prop.position_m;
+  named.orientation = prop.orientation;
+  named.size_m = prop.size_m;
+  if (prop.broken) named.condition = ThingCondition::kBroken;
   return named;
 }
 
@@ -59,38 +59,38 @@ void Fell(const WorldState& state, std::int32_t asset, FoundThing* named) {
   }
 }
 
-// Elements by their names: as they are now, or as they begin.
-std::map<std::string, FoundThing> ElementsOf(const Scene& scene, const WorldState* state) {
-  std::map<std::string, FoundThing> elements;
+// Props by their names: as they are now, or as they begin.
+std::map<std::string, FoundThing> PropsOf(const Scene& scene, const WorldState* state) {
+  std::map<std::string, FoundThing> props;
   if (state == nullptr) {
-    for (const Element& element : scene.elements) elements[element.name] = OfElement(element);
-    return elements;
+    for (const Prop& prop : scene.props) props[prop.name] = OfProp(prop);
+    return props;
   }
-  for (const ElementSnapshot& element : state->elements) {
-    elements[element.name] = OfElement(element);
+  for (const PropSnapshot& prop : state->props) {
+    props[prop.name] = OfProp(prop);
   }
-  for (const Element& element : scene.elements) {
-    FoundThing gone = OfElement(element);
+  for (const Prop& prop : scene.props) {
+    FoundThing gone = OfProp(prop);
     gone.condition = ThingCondition::kGone;
-    elements.emplace(element.name, std::move(gone));
+    props.emplace(prop.name, std::move(gone));
   }
-  return elements;
+  return props;
 }
 
 std::vector<FoundThing> AllThings(const Scene& scene, const WorldState* state) {
-  std::map<std::string, FoundThing> elements = ElementsOf(scene, state);
+  std::map<std::string, FoundThing> props = PropsOf(scene, state);
   std::vector<FoundThing> all;
   for (const SceneThing& thing : scene.things) {
     if (thing.asset >= 0) {
       all.push_back(OfAsset(scene, thing));
       if (state != nullptr) Fell(*state, thing.asset, &all.back());
-    } else if (const auto found = elements.find(thing.name); found != elements.end()) {
+    } else if (const auto found = props.find(thing.name); found != props.end()) {
       found->second.kind = thing.kind;
       all.push_back(std::move(found->second));
-      elements.erase(found);
+      props.erase(found);
     }
   }
-  for (auto& [name, element] : elements) all.push_back(std::move(element));
+  for (auto& [name, prop] : props) all.push_back(std::move(prop));
   return all;
 }
 

@@ -37,11 +37,11 @@ Status JournalPlayer::Apply(const JournalCall& call) {
           [&](const SetPolicyCall& it) { return simulator_->SetPolicy(it.change); },
           [&](const SpawnCall& it) { return CheckName(simulator_->Spawn(it.request), it.answer); },
           [&](const RemoveCall& it) { return simulator_->Remove(it.agent); },
-          [&](const SpawnElementCall& it) {
-            return CheckName(simulator_->SpawnElement(it.element), it.answer);
+          [&](const SpawnPropCall& it) {
+            return CheckName(simulator_->SpawnProp(it.prop), it.answer);
           },
-          [&](const RemoveElementCall& it) { return simulator_->RemoveElement(it.element); },
-          [&](const OpenGateCall& it) { return simulator_->OpenGate(it.element, it.opening_rad); },
+          [&](const RemovePropCall& it) { return simulator_->RemoveProp(it.prop); },
+          [&](const OpenGateCall& it) { return simulator_->OpenGate(it.prop, it.opening_rad); },
           [&](const SetWeatherCall& it) { return simulator_->SetWeather(it.change); },
           [&](const ResetCall& it) {
             simulator_->Reset(it.seed);

@@ -37,15 +37,15 @@ struct SpawnCall {
 struct RemoveCall {
   std::string agent;
 };
-struct SpawnElementCall {
-  Element element;
-  std::string answer;  // the element's name
+struct SpawnPropCall {
+  Prop prop;
+  std::string answer;  // the prop's name
 };
-struct RemoveElementCall {
-  std::string element;
+struct RemovePropCall {
+  std::string prop;
 };
 struct OpenGateCall {
-  std::string element;
+  std::string prop;
   double opening_rad = 0.0;
 };
 struct SetWeatherCall {
@@ -63,8 +63,8 @@ struct RestoreCall {
 };
 
 using JournalCall = std::variant<CommandCall, CommandJointsCall, StrikeCall, SetPolicyCall,
-                                 SpawnCall, RemoveCall, SpawnElementCall, RemoveElementCall,
-                                 OpenGateCall, SetWeatherCall, ResetCall, SaveCall, RestoreCall>;
+                                 SpawnCall, RemoveCall, SpawnPropCall, RemovePropCall, OpenGateCall,
+                                 SetWeatherCall, ResetCall, SaveCall, RestoreCall>;
 
 // A call that succeeded, and when. Refused calls change nothing and are not told.
 struct JournalEntry {

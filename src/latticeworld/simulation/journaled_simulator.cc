@@ -104,18 +104,18 @@ Status JournaledSimulator::Remove(const std::string& agent) {
   return Told(simulator_->Remove(agent), RemoveCall{agent});
 }
 
-Result<std::string> JournaledSimulator::SpawnElement(const Element& element) {
-  Result<std::string> name = simulator_->SpawnElement(element);
-  if (name.ok()) Add(SpawnElementCall{element, *name});
+Result<std::string> JournaledSimulator::SpawnProp(const Prop& prop) {
+  Result<std::string> name = simulator_->SpawnProp(prop);
+  if (name.ok()) Add(SpawnPropCall{prop, *name});
   return name;
 }
 
-Status JournaledSimulator::RemoveElement(const std::string& element) {
-  return Told(simulator_->RemoveElement(element), RemoveElementCall{element});
+Status JournaledSimulator::RemoveProp(const std::string& prop) {
+  return Told(simulator_->RemoveProp(prop), RemovePropCall{prop});
 }
 
-Status JournaledSimulator::OpenGate(const std::string& element, double opening_rad) {
-  return Told(simulator_->OpenGate(element, opening_rad), OpenGateCall{element, opening_rad});
+Status JournaledSimulator::OpenGate(const std::string& prop, double opening_rad) {
+  return Told(simulator_->OpenGate(prop, opening_rad), OpenGateCall{prop, opening_rad});
 }
 
 Status JournaledSimulator::SetWeather(const WeatherChange& change) {

@@ -52,9 +52,9 @@ class JournaledSimulator : public Simulator {
   std::vector<Event> TakeEvents() override { return simulator_->TakeEvents(); }
   Result<std::string> Spawn(const SpawnRequest& request) override;
   Status Remove(const std::string& agent) override;
-  Result<std::string> SpawnElement(const Element& element) override;
-  Status RemoveElement(const std::string& element) override;
-  Status OpenGate(const std::string& element, double opening_rad) override;
+  Result<std::string> SpawnProp(const Prop& prop) override;
+  Status RemoveProp(const std::string& prop) override;
+  Status OpenGate(const std::string& prop, double opening_rad) override;
   Status SetWeather(const WeatherChange& change) override;
   const Atmosphere& WeatherTarget() const override { return simulator_->WeatherTarget(); }
   void Reset(std::uint64_t seed) override;

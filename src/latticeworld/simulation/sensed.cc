@@ -88,13 +88,13 @@ SensedAgent SensedOf(const AgentSnapshot& agent, const SpeciesCatalogue& catalog
   return sensed;
 }
 
-SensedElement SensedOf(const ElementSnapshot& element) {
-  SensedElement sensed;
-  sensed.name = element.name;
-  sensed.kind = element.kind;
-  sensed.size_m = element.size_m;
-  sensed.map_from_element = Eigen::Translation3d(element.position_m) * element.orientation;
-  sensed.broken = element.broken;
+SensedProp SensedOf(const PropSnapshot& prop) {
+  SensedProp sensed;
+  sensed.name = prop.name;
+  sensed.kind = prop.kind;
+  sensed.size_m = prop.size_m;
+  sensed.map_from_prop = Eigen::Translation3d(prop.position_m) * prop.orientation;
+  sensed.broken = prop.broken;
   return sensed;
 }
 
@@ -113,8 +113,8 @@ SensedWorld Sensed(const WorldState& state, const SpeciesCatalogue& catalogue) {
   for (const AgentSnapshot& agent : state.agents) {
     world.agents.push_back(SensedOf(agent, catalogue));
   }
-  world.elements.reserve(state.elements.size());
-  for (const ElementSnapshot& element : state.elements) world.elements.push_back(SensedOf(element));
+  world.props.reserve(state.props.size());
+  for (const PropSnapshot& prop : state.props) world.props.push_back(SensedOf(prop));
   world.felled.reserve(state.felled.size());
   for (const FelledTree& felled : state.felled) world.felled.push_back(felled.tree);
   return world;

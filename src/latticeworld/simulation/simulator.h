@@ -9,7 +9,7 @@
 
 #include "latticeworld/common/result.h"
 #include "latticeworld/scene/scene.h"
-#include "latticeworld/scene/weather_change.h"
+#include "latticeworld/scene/weather/weather_change.h"
 #include "latticeworld/simulation/world_state.h"
 #include "latticeworld/species/species_catalogue.h"
 
@@ -77,7 +77,7 @@ class SimulatorSnapshot {
 // calls: the same states, bit for bit, on the same build.
 class Simulator {
  public:
-  // Begins with the scene's agents and elements. Errors: INVALID_ARGUMENT (options).
+  // Begins with the scene's agents and props. Errors: INVALID_ARGUMENT (options).
   static Result<std::unique_ptr<Simulator>> Create(std::shared_ptr<const Scene> scene,
                                                    const SimulatorOptions& options,
                                                    std::uint64_t seed);
@@ -109,13 +109,13 @@ class Simulator {
   // INVALID_ARGUMENT) with the reason; nothing changes then. The answer is the agent's name.
   virtual Result<std::string> Spawn(const SpawnRequest& request) = 0;
   virtual Status Remove(const std::string& agent) = 0;
-  // element.name "": "<kind>_<n>"; z_m is looked up: elements stand on the ground. Errors: as
+  // prop.name "": "<kind>_<n>"; z_m is looked up: props stand on the ground. Errors: as
   // Spawn.
-  virtual Result<std::string> SpawnElement(const Element& element) = 0;
-  virtual Status RemoveElement(const std::string& element) = 0;
+  virtual Result<std::string> SpawnProp(const Prop& prop) = 0;
+  virtual Status RemoveProp(const std::string& prop) = 0;
   // Turns a gate to that opening (0: closed). Errors: NOT_FOUND, FAILED_PRECONDITION (no gate),
   // OUT_OF_RANGE.
-  virtual Status OpenGate(const std::string& element, double opening_rad) = 0;
+  virtual Status OpenGate(const std::string& prop, double opening_rad) = 0;
 
   // From the next step on the weather moves to what the change says; an event tells when it begins
   // to and when it is there. Maps keep the waters' mean level. Errors: INVALID_ARGUMENT with every
@@ -124,13 +124,13 @@ class Simulator {
   // What the weather is once it stops moving.
   virtual const Atmosphere& WeatherTarget() const = 0;
 
-  // Back to the scene's agents, elements, trees and weather at episode step 0; step and time go on.
+  // Back to the scene's agents, props, trees and weather at episode step 0; step and time go on.
   // An event tells of the weather where it was another. The state afterwards is the start state of
   // that seed (only step and time_s differ).
   virtual void Reset(std::uint64_t seed) = 0;
 
   // The whole state, to go back to as often as wanted; taking one changes nothing. Restored, step
-  // and time go on, all else (episode step, agents, elements, trees, weather, seed, hash, future)
+  // and time go on, all else (episode step, agents, props, trees, weather, seed, hash, future)
   // is what it was. Errors of Restore: INVALID_ARGUMENT (of another scene or other options).
   virtual std::shared_ptr<const SimulatorSnapshot> Save() const = 0;
   virtual Status Restore(const SimulatorSnapshot& snapshot) = 0;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "latticeworld/scene/water_depth.h"
+#include "latticeworld/scene/weather/water_depth.h"
 #include "latticeworld/terrain/terrain.h"
 
 namespace latticeworld {

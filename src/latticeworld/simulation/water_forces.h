@@ -1,7 +1,7 @@
 #ifndef LATTICEWORLD_SIMULATION_WATER_FORCES_H_
 #define LATTICEWORLD_SIMULATION_WATER_FORCES_H_
 
-#include "latticeworld/scene/atmosphere.h"
+#include "latticeworld/scene/weather/atmosphere.h"
 #include "latticeworld/simulation/physics_world.h"
 
 namespace latticeworld {

@@ -11,7 +11,7 @@ SceneChanges ChangesOf(const WorldState& state) {
       changes.gone.push_back(felled.tree.asset);
     }
   }
-  changes.elements = state.standing;
+  changes.props = state.standing;
   changes.ground = state.map_ground;
   return changes;
 }

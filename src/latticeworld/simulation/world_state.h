@@ -12,9 +12,9 @@
 
 #include "latticeworld/common/enum_names.h"
 #include "latticeworld/environment/agent_group.h"
-#include "latticeworld/scene/atmosphere.h"
-#include "latticeworld/scene/element.h"
+#include "latticeworld/scene/props/prop.h"
 #include "latticeworld/scene/scene_changes.h"
+#include "latticeworld/scene/weather/atmosphere.h"
 
 namespace latticeworld {
 
@@ -86,10 +86,10 @@ struct AgentSnapshot {
   std::vector<JointSnapshot> joints;  // wheels and steering, or legs; of controllable agents alone
 };
 
-struct ElementSnapshot {
+struct PropSnapshot {
   std::string name;
-  ElementKind kind = ElementKind::kCrate;
-  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  // map_from_element
+  PropKind kind = PropKind::kCrate;
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  // map_from_prop
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d size_m = Eigen::Vector3d::Ones();
   double opening_rad = 0.0;  // gates: 0 is closed
@@ -148,7 +148,7 @@ constexpr std::array<EnumName<EventKind>, 19> EnumNames(EventKind) {
 struct Event {
   std::uint64_t step = 0;
   EventKind kind = EventKind::kSpawned;
-  std::string agent;  // who: an agent or an element; empty: the world
+  std::string agent;  // who: an agent or a prop; empty: the world
   // With or against whom or what; may be empty. kWeatherChanged: "rain begins" when the weather
   // begins to move there, "rain" once it is there. kFelledTree, kTreeCameToRest: "tree_<asset>".
   std::string other;
@@ -163,22 +163,22 @@ struct WorldState {
   double episode_time_s = 0.0;
   int contacts = 0;  // of the last step
   Atmosphere atmosphere;
-  double weather_change_s = 0.0;          // until the weather stops moving; 0: it does not move
-  std::vector<AgentSnapshot> agents;      // sorted by name
-  std::vector<ElementSnapshot> elements;  // sorted by name
-  std::vector<FelledTree> felled;         // by asset
-  // The elements as maps show them; null: where the scene has them.
-  std::shared_ptr<const StandingElements> standing;
+  double weather_change_s = 0.0;      // until the weather stops moving; 0: it does not move
+  std::vector<AgentSnapshot> agents;  // sorted by name
+  std::vector<PropSnapshot> props;    // sorted by name
+  std::vector<FelledTree> felled;     // by asset
+  // The props as maps show them; null: where the scene has them.
+  std::shared_ptr<const StandingProps> standing;
   // What maps show of what weather made of the ground; none: what the scene has.
   std::optional<GroundState> map_ground;
   // Grows whenever what maps show has changed: a tree has come to rest, or one that lies has moved
-  // or left the world; an element came, went or broke, was opened or closed, or stands still more
+  // or left the world; a prop came, went or broke, was opened or closed, or stands still more
   // than half a cell from where it was on maps; weather has changed how steep bodies climb on some
   // surface by more than 0.02 rad, or has come to its end with another ground than maps show.
   std::uint64_t map_version = 0;
 };
 // What maps and ray scenes made now should show: trees at rest where they lie, and none of those
-// that still fall; elements where they stood still last.
+// that still fall; props where they stood still last.
 SceneChanges ChangesOf(const WorldState& state);
 
 }  // namespace latticeworld

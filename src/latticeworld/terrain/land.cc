@@ -17,7 +17,7 @@
 #include "latticeworld/terrain/land_foot.h"
 #include "latticeworld/terrain/lattice.h"
 #include "latticeworld/terrain/uplands.h"
-#include "latticeworld/terrain/water_level.h"
+#include "latticeworld/terrain/water/water_level.h"
 
 namespace latticeworld::internal {
 namespace {

@@ -8,8 +8,8 @@
 #include "latticeworld/geometry/grid_geometry.h"
 #include "latticeworld/layout/class_weights.h"
 #include "latticeworld/relief/relief.h"
-#include "latticeworld/terrain/relief_forms.h"
-#include "latticeworld/terrain/water_bodies.h"
+#include "latticeworld/terrain/forms/relief_forms.h"
+#include "latticeworld/terrain/water/water_bodies.h"
 
 namespace latticeworld::internal {
 

@@ -3,7 +3,7 @@
 
 #include "latticeworld/geometry/grid.h"
 #include "latticeworld/geometry/grid_geometry.h"
-#include "latticeworld/terrain/water_bodies.h"
+#include "latticeworld/terrain/water/water_bodies.h"
 
 namespace latticeworld::internal {
 

@@ -13,8 +13,8 @@
 #include "latticeworld/layout/relief_wish.h"
 #include "latticeworld/layout/symbolic_layout.h"
 #include "latticeworld/relief/relief.h"
-#include "latticeworld/terrain/bridge.h"
 #include "latticeworld/terrain/surface.h"
+#include "latticeworld/terrain/ways/bridge.h"
 
 namespace latticeworld {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "latticeworld/common/status.h"
-#include "latticeworld/generation/bundle.h"
-#include "latticeworld/viewer/viewer_request.h"
+#include "latticeworld/generation/bundle/bundle.h"
+#include "latticeworld/viewer/server/viewer_request.h"
 
 namespace latticeworld {
 

@@ -16,13 +16,13 @@ StreamedState<AgentRow> Streamed(const std::vector<AgentSnapshot>& agents) {
   return state;
 }
 
-StreamedState<ElementRow> Streamed(const std::vector<ElementSnapshot>& elements) {
-  StreamedState<ElementRow> state;
-  for (const ElementSnapshot& element : elements) {
-    state.rows.push_back({element.name, std::string(NameOf(element.kind)), element.size_m});
-    StreamedThing thing = StreamedPose(element.position_m, element.orientation);
-    thing.behaviour = element.broken ? 1 : 0;
-    thing.health = OpeningByte(element.opening_rad);
+StreamedState<PropRow> Streamed(const std::vector<PropSnapshot>& props) {
+  StreamedState<PropRow> state;
+  for (const PropSnapshot& prop : props) {
+    state.rows.push_back({prop.name, std::string(NameOf(prop.kind)), prop.size_m});
+    StreamedThing thing = StreamedPose(prop.position_m, prop.orientation);
+    thing.behaviour = prop.broken ? 1 : 0;
+    thing.health = OpeningByte(prop.opening_rad);
     state.things.push_back(thing);
   }
   return state;
@@ -30,7 +30,7 @@ StreamedState<ElementRow> Streamed(const std::vector<ElementSnapshot>& elements)
 
 void ViewerFeed::Reset() {
   agents_.is_new = true;
-  elements_.is_new = true;
+  props_.is_new = true;
 }
 
 template <typename Row, typename Message>
@@ -53,9 +53,8 @@ void ViewerFeed::ShowAgents(double time_s, double wall_s, const StreamedState<Ag
   Show(time_s, wall_s, state, "agents", AgentsMessage, &agents_);
 }
 
-void ViewerFeed::ShowElements(double time_s, double wall_s,
-                              const StreamedState<ElementRow>& state) {
-  Show(time_s, wall_s, state, "elements", ElementsMessage, &elements_);
+void ViewerFeed::ShowProps(double time_s, double wall_s, const StreamedState<PropRow>& state) {
+  Show(time_s, wall_s, state, "elements", PropsMessage, &props_);
 }
 
 }  // namespace latticeworld

@@ -6,20 +6,20 @@
 #include <vector>
 
 #include "latticeworld/simulation/world_state.h"
-#include "latticeworld/viewer/server_messages.h"
-#include "latticeworld/viewer/state_stream.h"
-#include "latticeworld/viewer/viewer_server.h"
+#include "latticeworld/viewer/payloads/state_stream.h"
+#include "latticeworld/viewer/server/server_messages.h"
+#include "latticeworld/viewer/server/viewer_server.h"
 
 namespace latticeworld {
 
-// Agents or elements as the stream has them: rows of the table, and how each is.
+// Agents or props as the stream has them: rows of the table, and how each is.
 template <typename Row>
 struct StreamedState {
   std::vector<Row> rows;
   std::vector<StreamedThing> things;  // one a row
 };
 StreamedState<AgentRow> Streamed(const std::vector<AgentSnapshot>& agents);
-StreamedState<ElementRow> Streamed(const std::vector<ElementSnapshot>& elements);
+StreamedState<PropRow> Streamed(const std::vector<PropSnapshot>& props);
 
 // Turns states into tables and frames, and tells only what has changed. wall_s: a clock that never
 // falls. Not for several threads at once.
@@ -30,7 +30,7 @@ class ViewerFeed {
   // Another world: everything is told anew.
   void Reset();
   void ShowAgents(double time_s, double wall_s, const StreamedState<AgentRow>& state);
-  void ShowElements(double time_s, double wall_s, const StreamedState<ElementRow>& state);
+  void ShowProps(double time_s, double wall_s, const StreamedState<PropRow>& state);
 
  private:
   template <typename Row>
@@ -50,7 +50,7 @@ class ViewerFeed {
 
   ViewerServer* server_;
   Stream<AgentRow> agents_{StreamKind::kAgents};
-  Stream<ElementRow> elements_{StreamKind::kElements};
+  Stream<PropRow> props_{StreamKind::kProps};
 };
 
 }  // namespace latticeworld

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "language/chat/misbehaving_server.h"
 #include "latticeworld/language/chat/openai_client.h"
-#include "misbehaving_server.h"
 
 namespace latticeworld {
 namespace {

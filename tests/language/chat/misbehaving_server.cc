@@ -1,4 +1,4 @@
-#include "misbehaving_server.h"
+#include "language/chat/misbehaving_server.h"
 
 #include <fcntl.h>
 #include <signal.h>

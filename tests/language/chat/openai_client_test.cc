@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "misbehaving_server.h"
+#include "language/chat/misbehaving_server.h"
 
 namespace latticeworld {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/language/drawn/grounded.h"
-#include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/claims/claims.h"
 #include "latticeworld/layout/measures.h"
 #include "latticeworld/layout/zone.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "environment_country.h"
+#include "language/grounded/environment_country.h"
 
 namespace latticeworld {
 namespace {

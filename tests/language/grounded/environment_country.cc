@@ -1,4 +1,4 @@
-#include "environment_country.h"
+#include "language/grounded/environment_country.h"
 
 #include <gtest/gtest.h>
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "environment_country.h"
+#include "language/grounded/environment_country.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/environment/environment_claims.h"
 #include "latticeworld/language/drawn/grounded.h"
-#include "latticeworld/language/grounded/environment/coarse_reader.h"
+#include "latticeworld/language/grounded/environment/attributes/coarse_reader.h"
 #include "latticeworld/language/grounded/environment/environment_parser.h"
 #include "latticeworld/language/grounded/environment/inflection.h"
 #include "latticeworld/language/grounded/environment/word_tables.h"

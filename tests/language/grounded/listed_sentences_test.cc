@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // Lists of short sentences, each of which says one thing of what was named before.
 namespace latticeworld {

@@ -1,4 +1,4 @@
-#include "latticeworld/language/grounded/environment/mend_counts.h"
+#include "latticeworld/language/grounded/environment/mending/amounts/mend_counts.h"
 
 #include <gtest/gtest.h>
 
@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "latticeworld/language/grounded/environment/mend_asides.h"
-#include "latticeworld/language/grounded/environment/mend_denials.h"
-#include "latticeworld/language/grounded/environment/mend_each.h"
-#include "latticeworld/language/grounded/environment/mend_labels.h"
-#include "latticeworld/language/grounded/environment/mend_numerals.h"
-#include "latticeworld/language/grounded/environment/mend_robots.h"
+#include "latticeworld/language/grounded/environment/mending/amounts/mend_each.h"
+#include "latticeworld/language/grounded/environment/mending/amounts/mend_numerals.h"
+#include "latticeworld/language/grounded/environment/mending/mend_asides.h"
+#include "latticeworld/language/grounded/environment/mending/mend_denials.h"
+#include "latticeworld/language/grounded/environment/mending/mend_labels.h"
+#include "latticeworld/language/grounded/environment/mending/mend_robots.h"
 
 namespace latticeworld {
 namespace {

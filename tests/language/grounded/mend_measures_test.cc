@@ -1,4 +1,4 @@
-#include "latticeworld/language/grounded/environment/mend_measures.h"
+#include "latticeworld/language/grounded/environment/mending/amounts/mend_measures.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "latticeworld/language/grounded/environment/mend_ways.h"
+#include "latticeworld/language/grounded/environment/mending/mend_ways.h"
 
 namespace latticeworld {
 namespace {

@@ -1,4 +1,4 @@
-#include "latticeworld/language/grounded/environment/mend_nones.h"
+#include "latticeworld/language/grounded/environment/mending/amounts/mend_nones.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "latticeworld/language/drawn/grounded.h"
-#include "latticeworld/language/grounded/environment/mend_exceptions.h"
-#include "latticeworld/language/grounded/environment/mend_lacks.h"
+#include "latticeworld/language/grounded/environment/mending/mend_exceptions.h"
+#include "latticeworld/language/grounded/environment/mending/mend_lacks.h"
 
 namespace latticeworld {
 namespace {

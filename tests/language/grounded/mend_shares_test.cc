@@ -1,4 +1,4 @@
-#include "latticeworld/language/grounded/environment/mend_shares.h"
+#include "latticeworld/language/grounded/environment/mending/amounts/mend_shares.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "latticeworld/language/drawn/grounded.h"
-#include "latticeworld/language/grounded/environment/mend_multiples.h"
-#include "latticeworld/language/grounded/environment/mend_ranges.h"
-#include "latticeworld/language/grounded/environment/mend_sides.h"
+#include "latticeworld/language/grounded/environment/mending/amounts/mend_multiples.h"
+#include "latticeworld/language/grounded/environment/mending/amounts/mend_ranges.h"
+#include "latticeworld/language/grounded/environment/mending/mend_sides.h"
 
 namespace latticeworld {
 namespace {

@@ -1,4 +1,4 @@
-#include "latticeworld/language/grounded/environment/mend_speakers.h"
+#include "latticeworld/language/grounded/environment/mending/mend_speakers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "latticeworld/language/grounded/environment/mend_surfaces.h"
+#include "latticeworld/language/grounded/environment/mending/mend_surfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "environment_country.h"
+#include "language/grounded/environment_country.h"
 #include "latticeworld/language/drawn/grounded.h"
-#include "latticeworld/language/grounded/environment/mend_each.h"
+#include "latticeworld/language/grounded/environment/mending/amounts/mend_each.h"
 
 namespace latticeworld {
 namespace {

@@ -1,4 +1,4 @@
-#include "latticeworld/language/grounded/environment/mend_times.h"
+#include "latticeworld/language/grounded/environment/mending/mend_times.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "latticeworld/language/grounded/environment/mend_compounds.h"
-#include "latticeworld/language/grounded/environment/mend_fields.h"
-#include "latticeworld/language/grounded/environment/mend_speakers.h"
+#include "latticeworld/language/grounded/environment/mending/mend_compounds.h"
+#include "latticeworld/language/grounded/environment/mending/mend_fields.h"
+#include "latticeworld/language/grounded/environment/mending/mend_speakers.h"
 
 namespace latticeworld {
 namespace {

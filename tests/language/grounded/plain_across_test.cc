@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // What lies across, beside or on a side of a thing, and is not said of the whole map.
 namespace latticeworld {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // What fills places, how far what is said reaches, and what follows one upon another.
 namespace latticeworld {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // Rows that are told as a journey, what words point to, parts of the map and what the rest is.
 namespace latticeworld {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // People in a hurry, people whose first language is another, and gaps between things of one kind.
 namespace latticeworld {

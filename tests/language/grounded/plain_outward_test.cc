@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // Sizes told by other sizes, rings, what lies behind and between things, and what links them.
 namespace latticeworld {

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/language/grounded/reading/band_words.h"
 #include "latticeworld/language/grounded/reading/slants.h"
 #include "latticeworld/layout/layout_mask.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // Parts of the map that words number, cut off by a line or leave over; parts of a count.
 namespace latticeworld {

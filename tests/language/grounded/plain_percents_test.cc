@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // Shares told one after the other or of a place, parts of what there is, little and much elsewhere,
 // all places but one, numbers between bounds.

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // Ways around things, islands in rivers, things of one name in two places, and sides of one owner.
 namespace latticeworld {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // What lies within and without, at ends, is measured in cells, or is only part of the land.
 namespace latticeworld {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // Banks, flanks and crossings, rows of things, and second thoughts.
 namespace latticeworld {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // Keys and values, who uses the land, what divides it, twos and threes, and what the rest is.
 namespace latticeworld {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // Turns of phrase that are put in plainer words before they are read.
 namespace latticeworld {

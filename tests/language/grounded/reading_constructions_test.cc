@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 // Constructions of English that say more than their words do one by one: what is left out, what
 // points forward, what goes on.

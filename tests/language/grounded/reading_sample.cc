@@ -1,4 +1,4 @@
-#include "reading_sample.h"
+#include "language/grounded/reading_sample.h"
 
 #include <gtest/gtest.h>
 

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "language/grounded/reading_sample.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/language/generator.h"
 #include "latticeworld/language/grounded/reading/claims_of_plan.h"
 #include "latticeworld/language/grounded/reading/layout_parser.h"
 #include "latticeworld/language/grounded/reading/sense.h"
 #include "latticeworld/layout/vocabulary.h"
-#include "reading_sample.h"
 
 namespace latticeworld {
 namespace {

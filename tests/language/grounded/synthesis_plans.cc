@@ -1,4 +1,4 @@
-#include "synthesis_plans.h"
+#include "language/grounded/synthesis_plans.h"
 
 #include <ostream>
 #include <utility>

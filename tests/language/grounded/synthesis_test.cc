@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
+#include "language/grounded/synthesis_plans.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/language/grounded/synthesis/claim_search.h"
 #include "latticeworld/language/grounded/synthesis/draft.h"
 #include "latticeworld/language/grounded/synthesis/layout_from_relief.h"
 #include "latticeworld/language/grounded/synthesis/layout_synthesis.h"
-#include "latticeworld/language/grounded/synthesis/line_copies.h"
-#include "latticeworld/language/grounded/synthesis/line_router.h"
+#include "latticeworld/language/grounded/synthesis/lines/line_copies.h"
+#include "latticeworld/language/grounded/synthesis/lines/line_router.h"
+#include "latticeworld/language/grounded/synthesis/lines/polyline.h"
 #include "latticeworld/language/grounded/synthesis/naturalness.h"
 #include "latticeworld/language/grounded/synthesis/piece_wishes.h"
-#include "latticeworld/language/grounded/synthesis/polyline.h"
 #include "latticeworld/language/grounded/synthesis/relief_conflicts.h"
-#include "synthesis_plans.h"
 
 namespace latticeworld {
 namespace {

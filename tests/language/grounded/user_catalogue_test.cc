@@ -6,10 +6,10 @@
 #include <string>
 
 #include "catalogue/larch.h"
-#include "environment_country.h"
+#include "language/grounded/environment_country.h"
 #include "latticeworld/environment/rules.h"
 #include "latticeworld/language/drawn/grounded.h"
-#include "latticeworld/language/grounded/environment/added_values.h"
+#include "latticeworld/language/grounded/environment/attributes/added_values.h"
 
 namespace latticeworld {
 namespace {

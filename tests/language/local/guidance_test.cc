@@ -8,11 +8,11 @@
 
 #include "language/local/tiny_model.h"
 #include "language/remote/form_checkers.h"
-#include "latticeworld/language/local/chat_text.h"
-#include "latticeworld/language/local/gguf_file.h"
-#include "latticeworld/language/local/llama_decoder.h"
+#include "latticeworld/language/local/decoding/llama_decoder.h"
 #include "latticeworld/language/local/local.h"
-#include "latticeworld/language/local/tokenizer.h"
+#include "latticeworld/language/local/tokens/chat_text.h"
+#include "latticeworld/language/local/tokens/tokenizer.h"
+#include "latticeworld/language/local/weights/gguf_file.h"
 #include "latticeworld/language/remote/forms.h"
 
 namespace latticeworld {

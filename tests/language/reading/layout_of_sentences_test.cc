@@ -8,7 +8,7 @@
 
 #include "latticeworld/language/grounded/synthesis/layout_synthesis.h"
 #include "latticeworld/language/sentences/sentence.h"
-#include "latticeworld/layout/claims_json.h"
+#include "latticeworld/layout/claims/claims_json.h"
 
 namespace latticeworld {
 namespace {

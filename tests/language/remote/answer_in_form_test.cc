@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "form_checkers.h"
+#include "language/remote/form_checkers.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/environment/environment_config.h"
 #include "latticeworld/environment/fine_parameter.h"

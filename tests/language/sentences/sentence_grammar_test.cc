@@ -5,7 +5,7 @@
 #include <string>
 
 #include "latticeworld/common/random.h"
-#include "latticeworld/language/local/grammar.h"
+#include "latticeworld/language/local/tokens/grammar.h"
 #include "latticeworld/language/sentences/sentence.h"
 
 namespace latticeworld {

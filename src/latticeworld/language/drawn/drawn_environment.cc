@@ -7,8 +7,8 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/drawn/drawn.h"
-#include "latticeworld/language/grounded/environment/agent_fitting.h"
-#include "latticeworld/language/grounded/environment/attribute_fitting.h"
+#include "latticeworld/language/grounded/environment/agents/agent_fitting.h"
+#include "latticeworld/language/grounded/environment/attributes/attribute_fitting.h"
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
 
 namespace latticeworld {

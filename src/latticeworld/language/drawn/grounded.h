@@ -9,7 +9,7 @@
 #include "latticeworld/environment/environment_claims.h"
 #include "latticeworld/language/generator.h"
 #include "latticeworld/language/reading/instruction_reader.h"
-#include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/claims/claims.h"
 
 namespace latticeworld {
 

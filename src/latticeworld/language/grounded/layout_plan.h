@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/claims/claims.h"
 #include "latticeworld/layout/relief_wish.h"
 #include "latticeworld/layout/thing_wish.h"
 #include "latticeworld/layout/vocabulary.h"

@@ -10,8 +10,8 @@
 #include "latticeworld/language/interpreted/interpretation.h"
 #include "latticeworld/language/interpreted/prompts.h"
 #include "latticeworld/language/interpreted/sentences.h"
-#include "latticeworld/language/reading/beside_things.h"
 #include "latticeworld/language/reading/reading_of_sentences.h"
+#include "latticeworld/language/reading/things/beside_things.h"
 #include "latticeworld/language/remote/conversation.h"
 
 namespace latticeworld {

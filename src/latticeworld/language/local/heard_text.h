@@ -7,8 +7,8 @@
 
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/status.h"
-#include "latticeworld/language/local/llama_decoder.h"
-#include "latticeworld/language/local/llama_model.h"
+#include "latticeworld/language/local/decoding/llama_decoder.h"
+#include "latticeworld/language/local/decoding/llama_model.h"
 
 namespace latticeworld {
 

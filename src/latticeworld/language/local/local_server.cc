@@ -11,17 +11,17 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/work_crew.h"
-#include "latticeworld/language/local/chat_text.h"
-#include "latticeworld/language/local/gguf_file.h"
-#include "latticeworld/language/local/grammar.h"
+#include "latticeworld/language/local/decoding/height_eyes.h"
+#include "latticeworld/language/local/decoding/llama_model.h"
 #include "latticeworld/language/local/heard_text.h"
-#include "latticeworld/language/local/height_eyes.h"
-#include "latticeworld/language/local/llama_model.h"
 #include "latticeworld/language/local/local.h"
-#include "latticeworld/language/local/schema_grammar.h"
-#include "latticeworld/language/local/token_choice.h"
-#include "latticeworld/language/local/token_mask.h"
-#include "latticeworld/language/local/tokenizer.h"
+#include "latticeworld/language/local/tokens/chat_text.h"
+#include "latticeworld/language/local/tokens/grammar.h"
+#include "latticeworld/language/local/tokens/schema_grammar.h"
+#include "latticeworld/language/local/tokens/token_choice.h"
+#include "latticeworld/language/local/tokens/token_mask.h"
+#include "latticeworld/language/local/tokens/tokenizer.h"
+#include "latticeworld/language/local/weights/gguf_file.h"
 
 namespace latticeworld {
 namespace {

@@ -11,8 +11,8 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/place_zones.h"
-#include "latticeworld/language/reading/sentence_assets.h"
 #include "latticeworld/language/reading/sentence_places.h"
+#include "latticeworld/language/reading/things/sentence_assets.h"
 #include "latticeworld/language/sentences/sentence.h"
 
 namespace latticeworld {

@@ -7,8 +7,8 @@
 #include "latticeworld/catalogue/catalogue.h"
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
 #include "latticeworld/language/reading/environment_of_sentences.h"
-#include "latticeworld/language/reading/sentence_assets.h"
 #include "latticeworld/language/reading/sentences_of_claims.h"
+#include "latticeworld/language/reading/things/sentence_assets.h"
 #include "latticeworld/language/sentences/sentence.h"
 #include "latticeworld/language/sentences/sentence_writer.h"
 

@@ -3,10 +3,10 @@
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
 #include "latticeworld/language/grounded/environment/environment_parser.h"
 #include "latticeworld/language/grounded/reading/layout_parser.h"
-#include "latticeworld/language/reading/beside_things.h"
 #include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/language/reading/sentences_of_claims.h"
 #include "latticeworld/language/reading/text_warnings.h"
+#include "latticeworld/language/reading/things/beside_things.h"
 
 namespace latticeworld {
 namespace {

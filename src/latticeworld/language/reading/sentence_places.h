@@ -7,7 +7,7 @@
 
 #include "latticeworld/language/places.h"
 #include "latticeworld/language/sentences/sentence.h"
-#include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/claims/claims.h"
 #include "latticeworld/layout/zone.h"
 
 namespace latticeworld {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "latticeworld/environment/environment_claims.h"
-#include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/claims/claims.h"
 #include "latticeworld/layout/vocabulary.h"
 
 namespace latticeworld {

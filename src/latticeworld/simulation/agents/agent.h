@@ -9,7 +9,7 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/scene/scene.h"
-#include "latticeworld/simulation/agents/mind.h"
+#include "latticeworld/simulation/agents/minds/mind.h"
 #include "latticeworld/simulation/physics_world.h"
 #include "latticeworld/simulation/simulator.h"
 #include "latticeworld/simulation/world_state.h"

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "latticeworld/common/digest.h"
-#include "latticeworld/simulation/agents/thinking.h"
+#include "latticeworld/simulation/agents/minds/thinking.h"
 
 namespace latticeworld {
 namespace {

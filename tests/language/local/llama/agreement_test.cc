@@ -15,11 +15,11 @@
 
 #include "language/local/tiny_model.h"
 #include "latticeworld/common/random.h"
-#include "latticeworld/language/local/chat_text.h"
-#include "latticeworld/language/local/gguf_file.h"
-#include "latticeworld/language/local/llama_decoder.h"
-#include "latticeworld/language/local/llama_model.h"
-#include "latticeworld/language/local/tokenizer.h"
+#include "latticeworld/language/local/decoding/llama_decoder.h"
+#include "latticeworld/language/local/decoding/llama_model.h"
+#include "latticeworld/language/local/tokens/chat_text.h"
+#include "latticeworld/language/local/tokens/tokenizer.h"
+#include "latticeworld/language/local/weights/gguf_file.h"
 
 namespace latticeworld {
 namespace {

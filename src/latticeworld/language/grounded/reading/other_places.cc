@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "latticeworld/language/class_words.h"
-#include "latticeworld/language/grounded/reading/plain_turns.h"
+#include "latticeworld/language/grounded/reading/plain/places/plain_turns.h"
 #include "latticeworld/language/grounded/reading/side_words.h"
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/places.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "latticeworld/language/grounded/synthesis/line_router.h"
+#include "latticeworld/language/grounded/synthesis/lines/line_router.h"
 
 namespace latticeworld {
 namespace {

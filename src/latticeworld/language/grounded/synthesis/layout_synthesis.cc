@@ -8,7 +8,7 @@
 
 #include "latticeworld/language/grounded/synthesis/claim_search.h"
 #include "latticeworld/language/grounded/synthesis/draft.h"
-#include "latticeworld/language/grounded/synthesis/line_copies.h"
+#include "latticeworld/language/grounded/synthesis/lines/line_copies.h"
 #include "latticeworld/language/grounded/synthesis/naturalness.h"
 
 namespace latticeworld {

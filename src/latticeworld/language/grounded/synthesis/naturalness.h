@@ -1,7 +1,7 @@
 #ifndef LATTICEWORLD_LANGUAGE_GROUNDED_SYNTHESIS_NATURALNESS_H_
 #define LATTICEWORLD_LANGUAGE_GROUNDED_SYNTHESIS_NATURALNESS_H_
 
-#include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/claims/claims.h"
 
 namespace latticeworld {
 

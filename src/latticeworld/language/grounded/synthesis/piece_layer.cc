@@ -4,7 +4,7 @@
 #include "latticeworld/language/grounded/synthesis/area_grower.h"
 #include "latticeworld/language/grounded/synthesis/draft.h"
 #include "latticeworld/language/grounded/synthesis/piece_shape.h"
-#include "latticeworld/layout/mask_measures.h"
+#include "latticeworld/layout/claims/mask_measures.h"
 
 namespace latticeworld {
 namespace {

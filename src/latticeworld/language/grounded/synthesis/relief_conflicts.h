@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "latticeworld/layout/claims.h"
+#include "latticeworld/layout/claims/claims.h"
 #include "latticeworld/layout/vocabulary.h"
 #include "latticeworld/relief/relief.h"
 

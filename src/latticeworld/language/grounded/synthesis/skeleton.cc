@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "latticeworld/language/grounded/synthesis/line_stops.h"
+#include "latticeworld/language/grounded/synthesis/lines/line_stops.h"
 #include "latticeworld/language/grounded/synthesis/skeleton_energy.h"
 
 namespace latticeworld {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "latticeworld/language/grounded/synthesis/polyline.h"
+#include "latticeworld/language/grounded/synthesis/lines/polyline.h"
 #include "latticeworld/language/grounded/synthesis/skeleton_energy.h"
 
 namespace latticeworld {

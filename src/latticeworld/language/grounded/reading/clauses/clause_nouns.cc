@@ -1,0 +1,329 @@
+#include <string>
+#include <string_view>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/grounded/reading/clauses/clause_reader.h"
+#include "latticeworld/language/grounded/reading/place_phrases.h"
+
+namespace latticeworld {
+void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
+  const NounPhrase& phrase = chunk.phrase;
+  const bool zero = phrase.qualities.count.has_value() && phrase.qualities.count->most == 0;
+  const bool denied = phrase.negated || zero || (negating_ && phrase.noun != nullptr) ||
+                      (not_next_ && phrase.noun != nullptr);
+  // "linked with the lake by a straight road": the road joins them.
+  const bool joins = frame_.has_value() && frame_->sense == Sense::kConnectedBy &&
+                     frame_->objects.size() == 1 && !frame_->subjects.empty() &&
+                     !IsLine(frame_->objects[0]) && !IsLine(frame_->subjects.back()) &&
+                     phrase.noun != nullptr && phrase.noun->shape == WordShape::kLine;
+  if (joins) {
+    frame_->sense = Sense::kConnects;
+    frame_->objects.insert(frame_->objects.begin(), frame_->subjects.back());
+    frame_->fronted = true;
+    frame_->expecting = false;
+  }
+  if (skip_next_ && phrase.noun != nullptr) {
+    skip_next_ = false;
+    return;
+  }
+  if (phrase.head == Head::kMap) {
+    ReadMap(chunk);
+    return;
+  }
+  if (phrase.head == Head::kRest) {
+    ReadRest(chunk);
+    return;
+  }
+  // "half of it is forest": of the map.
+  const bool most_there =
+      (phrase.head == Head::kIt || phrase.head == Head::kThey) &&
+      phrase.qualities.share.has_value() && phrase.qualities.share->mostly && !subjects_.empty() &&
+      (IsKind(at_ + 1, ChunkKind::kPlace) || IsKind(at_ + 2, ChunkKind::kPlace));
+  if (most_there) return;  // "woods, most of it in the north"
+  if (phrase.head == Head::kIt && phrase.qualities.share.has_value()) {
+    ReadMap(chunk);
+    return;
+  }
+  // "none of them touching the border"
+  const bool none_of_them =
+      phrase.head == Head::kThey && (phrase.negated || zero || phrase.qualities.none);
+  if (none_of_them) {
+    BeginClause();
+    subjects_ = d_.Antecedent({}, /*many=*/true);
+    not_next_ = true;
+    return;
+  }
+  // "copses: four of them"
+  if (phrase.head == Head::kThey && phrase.qualities.count.has_value()) {
+    std::vector<int> about = subjects_;
+    if (about.empty()) about = d_.Antecedent({}, true);
+    if (about.size() == 1 && !SomeOf(phrase, about[0])) {
+      d_.Describe(phrase.qualities, about[0]);
+      d_.Extend(about[0], chunk.end);
+      if (subjects_.empty()) subjects_ = about;
+      return;
+    }
+  }
+  if (ReadLeftOut(chunk) || ReadPartOf(chunk)) return;
+  if (denied && phrase.noun != nullptr) {
+    not_next_ = false;
+    // "not a lake but a river"
+    if (!phrase.negated && !zero && !negating_ && IsSense(at_ + 1, Sense::kBut)) return;
+    // "no large lakes": there may be small ones.
+    const bool of_size = phrase.negated && phrase.qualities.size > 1.0 &&
+                         phrase.noun->shape != WordShape::kLine && !zero;
+    if (of_size) {
+      BeginClause();
+      return;
+    }
+    ReadAbsence(chunk);
+    return;
+  }
+  if (correcting_ && phrase.noun != nullptr) {
+    const int last = !subjects_.empty() ? subjects_.back() : d_.size() - 1;
+    if (last >= 0 && phrase.qualities.count.has_value() &&
+        phrase.noun->LetterIn(d_.plan().vocabulary) == d_.feature(last).letter) {
+      correcting_ = false;
+      d_.Describe(phrase.qualities, last);
+      return;
+    }
+  }
+  if (IsOtherWord(chunk)) return;
+  // "the river comes in as one stream"
+  const std::string own = ToLowerAscii(d_.Words(chunk.begin, chunk.end)).substr(0, 7);
+  const bool as_one = own == "as one " || own == "as a si";
+  if (as_one && phrase.noun != nullptr && LastSubject() >= 0 &&
+      phrase.noun->LetterIn(d_.plan().vocabulary) == d_.feature(LastSubject()).letter) {
+    d_.Extend(LastSubject(), chunk.end);
+    return;
+  }
+  // "three clearings, grassy ones"
+  const std::string after = ToLowerAscii(d_.Words(chunk.end, d_.instruction().size())).substr(0, 5);
+  if (after == " ones" && phrase.noun != nullptr && !subjects_.empty() && at_ > 0 &&
+      IsKind(at_ - 1, ChunkKind::kComma)) {
+    d_.Extend(subjects_.back(), chunk.end);
+    return;
+  }
+  if (phrase.head == Head::kOther && phrase.noun == nullptr && IsKind(at_ + 1, ChunkKind::kPlace) &&
+      IsMany(ZonesOf(chunks_[at_ + 1].lexeme.places))) {
+    if (!subjects_.empty()) BeginClause();
+    return;  // "the other corners"
+  }
+  const int before = d_.size();
+  const std::vector<int> found = Refer(chunk);
+  const bool is_new = d_.size() > before;
+  if (found.empty()) {
+    if (frame_.has_value() && frame_->expecting) frame_->expecting = false;
+    return;
+  }
+  for (const int index : found) d_.Extend(index, chunk.end);
+  if (comparing_) {
+    const int other = found.back();
+    Frame frame;
+    frame.sense = comparing_less_ ? Sense::kSmallerThan : Sense::kOutweighs;
+    frame.objects = {other};
+    if (!subjects_.empty()) Assert(frame, subjects_.back(), &d_);
+    comparing_ = false;
+    return;
+  }
+  // "The shore of the lake is sand all the way round."
+  const bool of_shore = at_ >= 2 && IsSense(at_ - 1, Sense::kBe) && IsThing(at_ - 2) &&
+                        chunks_[at_ - 2].phrase.shore && subjects_.size() == 1 &&
+                        !frame_.has_value();
+  if (of_shore) {
+    Frame frame;
+    frame.sense = SaysAround(at_ + 1) ? Sense::kSurrounds : Sense::kNextTo;
+    frame.objects = subjects_;
+    for (const int index : found) Assert(frame, index, &d_);
+    subjects_ = found;
+    return;
+  }
+  if (IsSameThing(found, is_new)) {
+    Merge(subjects_[0], found[0]);
+    subjects_ = found;
+    return;
+  }
+  if (frame_.has_value() && frame_->expecting) {
+    TakeObjects(found);
+  } else {
+    TakeSides(found);
+    TakeSubjects(found, is_new, chunk);
+  }
+  if (correcting_) correcting_ = false;
+}
+
+// "Half of the forest lies in the west", "most of the houses are in the north": so much of it is
+// there, and how much there is nobody says.
+bool ClauseReader::ReadPartOf(const Chunk& chunk) {
+  const NounPhrase& phrase = chunk.phrase;
+  if (phrase.noun == nullptr || !phrase.qualities.share.has_value() || phrase.negated ||
+      negating_ || frame_.has_value() || !lead_.empty()) {
+    return false;
+  }
+  const ShareMatch& share = *phrase.qualities.share;
+  const bool part = share.fraction ? share.of && phrase.definite : share.least >= 0.45;
+  std::size_t place = at_ + 1;
+  while (IsSense(place, Sense::kBe) || IsSense(place, Sense::kStands)) ++place;
+  if (!part || place == at_ + 1) return false;
+  if (IsSense(place, Sense::kIn)) ++place;
+  if (!IsKind(place, ChunkKind::kPlace)) return false;
+  const std::vector<Zone> zones = ZonesOf(chunks_[place].lexeme.places);
+  if (zones.size() != 1 || zones.front().is_anywhere()) return false;
+  Chunk whole = chunk;
+  whole.phrase.qualities.share.reset();
+  whole.phrase.qualities.mostly = false;
+  const double least = share.mostly ? 0.5 : share.least;
+  ReadNounPhrase(whole);
+  if (subjects_.size() != 1) return true;
+  d_.feature(subjects_[0]).located_in = zones.front();
+  d_.feature(subjects_[0]).located_least = least;
+  return true;
+}
+
+// "all the way round", "all around" right after a thing
+bool ClauseReader::SaysAround(std::size_t at) const {
+  if (EndsAt(at)) return false;
+  const std::string words =
+      ToLowerAscii(d_.Words(chunks_[at - 1].end, d_.instruction().size())).substr(0, 24);
+  return words.find("round") != std::string::npos;
+}
+
+// "The only water is one small reservoir": one thing, said twice.
+bool ClauseReader::IsSameThing(const std::vector<int>& found, bool is_new) const {
+  if (!is_new || found.size() != 1 || subjects_.size() != 1 || frame_.has_value() || at_ == 0 ||
+      !IsSense(at_ - 1, Sense::kBe)) {
+    return false;
+  }
+  const int known = subjects_[0];
+  return known != found[0] && d_.thing(known).sentence == d_.sentence() &&
+         d_.feature(known).letter == d_.feature(found[0]).letter &&
+         IsLine(known) == IsLine(found[0]);
+}
+
+// What was said of the one is said of the other, which stays.
+void ClauseReader::Merge(int known, int other) {
+  PlannedFeature& from = d_.feature(known);
+  PlannedFeature& to = d_.feature(other);
+  if (to.zones.empty()) to.zones = from.zones;
+  if (to.pieces_least == 0) {
+    to.pieces = from.pieces;
+    to.pieces_least = from.pieces_least;
+    to.pieces_most = from.pieces_most;
+  }
+  if (!to.share.has_value()) to.share = from.share;
+  to.dominant = to.dominant || from.dominant;
+  to.fills_rest = to.fills_rest || from.fills_rest;
+  d_.thing(other).begin = d_.thing(known).begin;
+  d_.Drop(known);
+}
+
+// "six trees or tree groups": the same things in other words.
+bool ClauseReader::IsOtherWord(const Chunk& chunk) const {
+  const NounPhrase& phrase = chunk.phrase;
+  const int last = LastSubject();
+  return at_ > 0 && IsSense(at_ - 1, Sense::kOr) && phrase.noun != nullptr && last >= 0 &&
+         !phrase.definite && !phrase.qualities.count.has_value() && !frame_.has_value() &&
+         phrase.noun->LetterIn(d_.plan().vocabulary) == d_.feature(last).letter &&
+         (phrase.noun->shape == WordShape::kLine) == IsLine(last);
+}
+
+void ClauseReader::ReadMap(const Chunk& chunk) {
+  const Qualities& said = chunk.phrase.qualities;
+  if (comparing_ && !subjects_.empty()) {
+    // "more water than land"
+    PlannedFeature& feature = d_.feature(subjects_.back());
+    feature.share = comparing_less_ ? 0.4 : 0.58;
+    (comparing_less_ ? feature.share_most : feature.share_least) = 0.5;
+    comparing_ = false;
+    return;
+  }
+  // "lots of water, almost no land"
+  if (said.share.has_value() && said.share->most < 0.2 && !subjects_.empty() &&
+      EndsWithWord(ToLowerAscii(d_.Words(chunk.begin, chunk.end)), "land")) {
+    d_.feature(subjects_.back()).dominant = true;
+    return;
+  }
+  // "forest on two fifths of the map"
+  const bool over =
+      frame_.has_value() && frame_->sense == Sense::kCrosses && LineOf(frame_->subjects) < 0;
+  if (frame_.has_value() && (frame_->sense == Sense::kIn || over) && frame_->objects.empty() &&
+      !frame_->fronted && said.share.has_value()) {
+    for (const int index : frame_->subjects) d_.Describe(said, index);
+    frame_.reset();
+    return;
+  }
+  if (frame_.has_value() && frame_->expecting && frame_->objects.empty()) {
+    // "forest covers half of the map", "a river crosses the map"
+    for (const int index : frame_->subjects) {
+      if (frame_->sense != Sense::kCovers && frame_->sense != Sense::kDominates) continue;
+      if (said.any && said.share.has_value()) {
+        d_.Describe(said, index);
+      } else {
+        d_.feature(index).dominant = true;
+      }
+      d_.Extend(index, chunk.end);
+    }
+    if (!IsCourse(frame_->sense)) {
+      frame_.reset();
+    } else if (frame_->sense == Sense::kCrosses) {
+      frame_->sense = Sense::kThrough;  // "two roads cross the map": not each other
+    }
+    return;
+  }
+  // "away from it the ground is stone"
+  if (frame_.has_value() && frame_->fronted && frame_->sense == Sense::kAway) {
+    frame_.reset();
+    rest_next_ = true;
+    return;
+  }
+  if (frame_.has_value() && frame_->fronted) return;  // "south of it everything is forest"
+  if (!subjects_.empty() && said.share.has_value()) {
+    std::vector<int> about = subjects_;
+    if (!list_has_and_) about = {about.back()};
+    for (const int index : about) d_.Describe(said, index);
+    return;
+  }
+  if (!subjects_.empty() && open_list_ && !verb_said_) return;
+  if (!subjects_.empty()) BeginClause();
+  // "Everything south of it is forest": what lies there.
+  if (Fronts(at_ + 1) &&
+      (IsKind(at_ + 1, ChunkKind::kDirection) || IsSense(at_ + 1, Sense::kAbove) ||
+       IsSense(at_ + 1, Sense::kBelow) || IsSense(at_ + 1, Sense::kBeyond) ||
+       IsSense(at_ + 1, Sense::kBehind) || IsSense(at_ + 1, Sense::kBetween))) {
+    lead_ = Lead();
+    return;
+  }
+  map_is_subject_ = true;
+  map_share_ = said.share;
+  share_of_map_ = true;
+  mostly_next_ = mostly_next_ || said.mostly;
+  // "everything forest": no verb between them.
+  if (IsThing(at_ + 1) && !chunks_[at_ + 1].phrase.negated) cover_next_ = true;
+}
+
+void ClauseReader::ReadRest(const Chunk& chunk) {
+  std::size_t next = SkipVerbs(at_ + 1);
+  if (IsKind(next, ChunkKind::kComma)) next = SkipVerbs(next + 1);
+  if (IsSense(next, Sense::kIn) || IsSense(next, Sense::kTo) || IsSense(next, Sense::kWith)) ++next;
+  if (IsPhrase(next) && chunks_[next].phrase.head == Head::kMap) next = SkipVerbs(next + 1);
+  if (IsSense(next, Sense::kWith) && IsThing(next + 1)) ++next;  // "the rest with grass"
+  if (IsKind(next, ChunkKind::kQualities)) ++next;
+  const bool is_last = !subjects_.empty() && IsKind(at_ + 1, ChunkKind::kComma);
+  if (IsThing(next) && !chunks_[next].phrase.negated && !is_last) {
+    BeginClause();
+    lead_ = Lead();
+    rest_next_ = true;
+    return;
+  }
+  // "forest: everything else"
+  const bool value = subjects_.empty() && at_ >= 2 && IsKind(at_ - 1, ChunkKind::kComma) &&
+                     IsThing(at_ - 2) && d_.LastMentioned() >= 0;
+  if (value) subjects_ = {d_.LastMentioned()};
+  for (const int index : subjects_) {
+    d_.feature(index).fills_rest = true;
+    d_.Extend(index, chunk.end);
+  }
+  if (frame_.has_value() && frame_->objects.empty()) frame_.reset();
+}
+
+}  // namespace latticeworld

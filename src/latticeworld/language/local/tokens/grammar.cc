@@ -1,0 +1,82 @@
+#include "latticeworld/language/local/tokens/grammar.h"
+
+#include <algorithm>
+#include <set>
+
+namespace latticeworld {
+namespace {
+
+using Node = Grammar::Node;
+
+// Rules within rules; what a grammar of answers has stays far below, and left
+// recursion ends here.
+constexpr std::size_t kMostStacks = 1u << 20;
+constexpr std::size_t kMostReached = 1u << 14;
+
+}  // namespace
+
+std::uint32_t GrammarMatcher::Push(Grammar::NodeId node, std::uint32_t below) {
+  const auto [found, fresh] =
+      known_.try_emplace({node, below}, static_cast<std::uint32_t>(stacks_.size()));
+  if (fresh) stacks_.push_back({node, below});
+  return found->second;
+}
+
+void GrammarMatcher::Reach(Thread thread, State* state) {
+  std::vector<Thread> open = {thread};
+  std::set<Thread> seen = {thread};
+  const auto visit = [&](Thread next) {
+    if (seen.size() < kMostReached && seen.insert(next).second) open.push_back(next);
+  };
+  while (!open.empty()) {
+    const Thread at = open.back();
+    open.pop_back();
+    const Node& node = grammar_.nodes()[at.node];
+    switch (node.kind) {
+      case Node::Kind::kBytes:
+        state->push_back(at);
+        break;
+      case Node::Kind::kSplit:
+        visit({node.next, at.stack});
+        visit({node.other, at.stack});
+        break;
+      case Node::Kind::kCall:
+        if (stacks_.size() < kMostStacks) visit({node.other, Push(node.next, at.stack)});
+        break;
+      case Node::Kind::kReturn:
+        if (at.stack == 0) {
+          state->push_back(at);
+        } else {
+          visit({stacks_[at.stack].node, stacks_[at.stack].below});
+        }
+        break;
+    }
+  }
+}
+
+GrammarMatcher::State GrammarMatcher::Begin() {
+  State state;
+  Reach({grammar_.root(), 0}, &state);
+  std::sort(state.begin(), state.end());
+  return state;
+}
+
+GrammarMatcher::State GrammarMatcher::After(const State& state, unsigned char byte) {
+  State next;
+  for (const Thread& thread : state) {
+    const Node& node = grammar_.nodes()[thread.node];
+    if (node.kind == Node::Kind::kBytes && grammar_.bytes(node.bytes)[byte])
+      Reach({node.next, thread.stack}, &next);
+  }
+  std::sort(next.begin(), next.end());
+  next.erase(std::unique(next.begin(), next.end()), next.end());
+  return next;
+}
+
+bool GrammarMatcher::Accepts(const State& state) const {
+  return std::any_of(state.begin(), state.end(), [&](const Thread& thread) {
+    return grammar_.nodes()[thread.node].kind == Node::Kind::kReturn;
+  });
+}
+
+}  // namespace latticeworld

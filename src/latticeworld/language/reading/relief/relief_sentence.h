@@ -1,0 +1,82 @@
+#ifndef LATTICEWORLD_LANGUAGE_READING_RELIEF_RELIEF_SENTENCE_H_
+#define LATTICEWORLD_LANGUAGE_READING_RELIEF_RELIEF_SENTENCE_H_
+
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latticeworld/language/class_words.h"
+#include "latticeworld/language/tokens.h"
+#include "latticeworld/layout/relief_wish.h"
+
+namespace latticeworld {
+
+// A relief noun or adjective in a sentence; positions are tokens.
+struct ReliefMention {
+  ReliefKind kind = ReliefKind::kHill;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  const ClassWord* noun = nullptr;  // that the layout knows it by, or none
+  bool plural = false;
+  std::string label;  // "A" of "hill A"
+  int wish = -1;      // that it means, once known
+};
+
+// Something of the layout in the same sentence.
+struct OtherMention {
+  const ClassWord* noun = nullptr;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+// One sentence: what it names, and the words of it that were read so far.
+class ReliefSentence {
+ public:
+  ReliefSentence(std::string_view sentence, Vocabulary vocabulary);
+
+  // Without the stop at its end.
+  const std::string& words() const { return words_; }
+  const std::vector<Token>& tokens() const { return tokens_; }
+  std::vector<ReliefMention>& mentions() { return mentions_; }
+  const std::vector<ReliefMention>& mentions() const { return mentions_; }
+  const std::vector<OtherMention>& others() const { return others_; }
+  // "Snow above 80 m"; the words of covers are no measures of a form.
+  const std::vector<HeightCover>& covers() const { return covers_; }
+
+  // The word at a token, or none.
+  std::string_view Word(std::size_t at) const;
+  bool Is(std::size_t at, std::initializer_list<std::string_view> words) const;
+  bool Has(std::size_t begin, std::size_t end, std::initializer_list<std::string_view> words) const;
+  bool IsNumber(std::size_t at) const;
+  bool IsOfCover(std::size_t at) const { return of_covers_.count(at) == 1; }
+  // The metres that a number and the unit behind it say, or none.
+  std::optional<double> MetresAt(std::size_t at) const;
+
+  // Notes words as read.
+  void Take(std::size_t begin, std::size_t end);
+  const std::set<std::string>& taken() const { return taken_; }
+
+ private:
+  std::size_t FindMention(std::size_t at, Vocabulary vocabulary);
+  void FindCover(Vocabulary vocabulary, std::size_t at);
+  bool IsNounHere(std::string_view word, std::size_t at) const;
+  bool SaysLand(std::size_t at) const;
+  void AddMention(ReliefKind kind, std::size_t begin, std::size_t end, const ClassWord* noun,
+                  bool plural);
+
+  std::string words_;
+  std::vector<Token> tokens_;
+  std::vector<ReliefMention> mentions_;
+  std::vector<OtherMention> others_;
+  std::vector<HeightCover> covers_;
+  std::set<std::size_t> of_covers_;
+  std::set<std::string> taken_;
+};
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_READING_RELIEF_RELIEF_SENTENCE_H_

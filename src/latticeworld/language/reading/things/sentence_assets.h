@@ -1,0 +1,16 @@
+#ifndef LATTICEWORLD_LANGUAGE_READING_THINGS_SENTENCE_ASSETS_H_
+#define LATTICEWORLD_LANGUAGE_READING_THINGS_SENTENCE_ASSETS_H_
+
+#include <string_view>
+
+#include "latticeworld/catalogue/asset_type.h"
+
+namespace latticeworld {
+
+// The asset type of a word of the list "asset" of the small language ("crops"), and its word.
+AssetType AssetOf(std::string_view word);
+std::string_view AssetWord(AssetType asset);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_READING_THINGS_SENTENCE_ASSETS_H_

@@ -1,0 +1,42 @@
+#ifndef LATTICEWORLD_LANGUAGE_READING_THINGS_THINGS_OF_SENTENCES_H_
+#define LATTICEWORLD_LANGUAGE_READING_THINGS_THINGS_OF_SENTENCES_H_
+
+#include <string>
+#include <vector>
+
+#include "latticeworld/language/sentences/sentence.h"
+#include "latticeworld/layout/thing_wish.h"
+#include "latticeworld/layout/vocabulary.h"
+
+namespace latticeworld {
+
+// Gathers what sentences of the small language say of single things: objects with an article or a
+// number ("a well", "3 trees", "the church"). Bare plurals ("trees are on both sides of the river")
+// are land, and bridges and fords are not of here.
+class SentenceThings {
+ public:
+  explicit SentenceThings(Vocabulary vocabulary) : vocabulary_(vocabulary) {}
+
+  // False: the sentence is about land.
+  bool Say(const Sentence& sentence, const std::string& words);
+
+  const std::vector<ThingWish>& wishes() const { return wishes_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  // The wish that a phrase of slot {thing} is about, a new one where none is known; -1: land.
+  int WishOf(const Phrase& thing, const std::string& words);
+  int Known(const std::string& kind) const;
+  ThingTarget TargetOf(const Phrase& thing, const std::string& words);
+  // beside: the wish that it is to stand by, where it was made for it; -1: what the words say.
+  bool Relate(const Sentence& sentence, ThingWish wish, int index, int beside,
+              const std::string& words);
+
+  const Vocabulary vocabulary_;
+  std::vector<ThingWish> wishes_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_READING_THINGS_THINGS_OF_SENTENCES_H_

@@ -1,0 +1,28 @@
+#ifndef LATTICEWORLD_LANGUAGE_READING_THINGS_THINGS_OF_TEXT_H_
+#define LATTICEWORLD_LANGUAGE_READING_THINGS_THINGS_OF_TEXT_H_
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "latticeworld/layout/thing_wish.h"
+#include "latticeworld/layout/vocabulary.h"
+
+namespace latticeworld {
+
+// Single things of free text, and the text without them.
+struct TextThings {
+  std::vector<ThingWish> things;
+  std::string rest;   // what is left for readers of land; the text itself where there are no things
+  std::string taken;  // the words that were taken out
+};
+
+// Takes out noun phrases of single things with how and where they stand: "three trees in a row
+// beside", "a well in front of a church", "a row of six lamps along". What land they stand by stays
+// in the text. Nouns that are land too (data/class_words.txt) count where an arrangement or, for
+// trees, bushes and boulders, a number says that single ones are meant.
+TextThings TakeThings(std::string_view text, Vocabulary vocabulary);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_LANGUAGE_READING_THINGS_THINGS_OF_TEXT_H_

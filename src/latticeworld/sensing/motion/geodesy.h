@@ -1,0 +1,36 @@
+#ifndef LATTICEWORLD_SENSING_MOTION_GEODESY_H_
+#define LATTICEWORLD_SENSING_MOTION_GEODESY_H_
+
+#include <Eigen/Core>
+
+#include "latticeworld/geometry/geo_origin.h"
+
+namespace latticeworld {
+
+// WGS 84 (NIMA TR8350.2, 2000).
+inline constexpr double kEarthSemiMajorAxis_m = 6378137.0;
+inline constexpr double kEarthFlattening = 1.0 / 298.257223563;
+
+// A place on the earth; the altitude is above the ellipsoid.
+using GeoPoint = GeoOrigin;
+
+// Earth-centred, earth-fixed: x towards the meridian of Greenwich, z towards the north pole [m].
+Eigen::Vector3d EcefOf(const GeoPoint& point);
+// By Heikkinen's closed form (1982, as in Zhu 1994): within micrometres for altitudes from
+// -5000 km up. Within 43 km of the earth's centre, where it has no answer: of the centre's
+// latitude 0. At the poles the longitude is that of the signs of zero, 0 or 180.
+GeoPoint GeoPointOf(const Eigen::Vector3d& ecef_m);
+
+// The tangent plane at an origin: rows are east, north and up in ECEF.
+Eigen::Matrix3d EnuFromEcef(const GeoPoint& origin);
+// Where a point of the frame map lies, whose origin lies there and whose x is east, y north.
+GeoPoint GeoPointAt(const GeoPoint& origin, const Eigen::Vector3d& map_m);
+
+// The field of the earth, east, north and up [T]: the dipole of IGRF-13 for 2020 (Alken et al.
+// 2021), which has nine tenths of the field. Strengths are off by 10 % on average and by up to 30 %
+// (South Atlantic), directions by 6 degrees on average, up to 25.
+Eigen::Vector3d MagneticField(const GeoPoint& point);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_SENSING_MOTION_GEODESY_H_

@@ -1,0 +1,32 @@
+#ifndef LATTICEWORLD_ROS_CONVERSION_SCENE_CONVERSION_H_
+#define LATTICEWORLD_ROS_CONVERSION_SCENE_CONVERSION_H_
+
+#include <ros/time.h>
+
+#include <string>
+
+#include "latticeworld/common/result.h"
+#include "latticeworld/scene/props/prop.h"
+#include "latticeworld/simulation/world_state.h"
+#include "latticeworld_ros/conversion/messages.h"
+
+namespace latticeworld {
+
+// Props and trees: what else changes in a world.
+
+latticeworld_msgs::ElementState ToRos(const PropSnapshot& prop);
+latticeworld_msgs::ElementStates ToElementStates(const WorldState& state, ros::Time stamp,
+                                                 const std::string& world_id);
+latticeworld_msgs::SceneChanges ToSceneChanges(const WorldState& state, ros::Time stamp,
+                                               const std::string& world_id);
+
+// What is left open is usual for the kind. Errors: INVALID_ARGUMENT with every violation (kind, a
+// name that is another frame's, numbers that are not finite or below 0).
+Result<Prop> ToProp(const latticeworld_msgs::SpawnElement::Request& request);
+
+// Opening that the request asks for [rad].
+double OpeningOf(const latticeworld_msgs::OpenGate::Request& request);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_ROS_CONVERSION_SCENE_CONVERSION_H_

@@ -1,0 +1,24 @@
+#ifndef LATTICEWORLD_ROS_CONVERSION_WEATHER_CONVERSION_H_
+#define LATTICEWORLD_ROS_CONVERSION_WEATHER_CONVERSION_H_
+
+#include <ros/time.h>
+
+#include <string>
+
+#include "latticeworld/common/result.h"
+#include "latticeworld/scene/weather/weather_change.h"
+#include "latticeworld_ros/conversion/messages.h"
+
+namespace latticeworld {
+
+// remaining_s: until the weather stops moving.
+latticeworld_msgs::Weather ToRos(const Atmosphere& atmosphere, double remaining_s, ros::Time stamp,
+                                 const std::string& world_id);
+
+// Errors: INVALID_ARGUMENT with every violation: unknown weather, more than one number for a value,
+// and what Validate finds.
+Result<WeatherChange> ToWeatherChange(const latticeworld_msgs::SetWeather::Request& request);
+
+}  // namespace latticeworld
+
+#endif  // LATTICEWORLD_ROS_CONVERSION_WEATHER_CONVERSION_H_

@@ -1,0 +1,125 @@
+#include "latticeworld_ros/episode/episode_listener.h"
+
+#include <ros/master.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "latticeworld/common/text.h"
+
+namespace latticeworld {
+namespace {
+
+constexpr std::size_t kMaxPatterns = 64;
+constexpr std::size_t kMaxPatternLength = 256;
+// Deep enough for what comes while a thread waits its turn.
+constexpr std::uint32_t kQueue = 10000;
+
+const std::vector<std::string>& UsualPatterns() {
+  static const std::vector<std::string> patterns = {
+      "/clock",
+      "/tf",
+      "/tf_static",
+      "/agents",
+      "/elements",
+      "/agent_events",
+      "/world/(?!height_).*",
+      ".*/(cmd_vel|joint_command|strike|odom|ground_truth|joint_states)"};
+  return patterns;
+}
+constexpr char kSensorPattern[] =
+    ".*/(scan|points|imu|fix|magnetic_field|wheel_odom|bumper|camera/.*)";
+
+}  // namespace
+
+Result<TopicFilter> TopicFilter::Create(const std::vector<std::string>& patterns, bool sensors) {
+  TopicFilter filter;
+  filter.patterns_ = patterns.empty() ? UsualPatterns() : patterns;
+  if (sensors) filter.patterns_.push_back(kSensorPattern);
+  if (filter.patterns_.size() > kMaxPatterns) {
+    return InvalidArgument("topics has " + std::to_string(filter.patterns_.size()) +
+                           " patterns; legal are at most " + std::to_string(kMaxPatterns));
+  }
+  for (const std::string& pattern : filter.patterns_) {
+    if (pattern.size() > kMaxPatternLength) {
+      return InvalidArgument("topics: " + Quote(pattern) + " is longer than " +
+                             std::to_string(kMaxPatternLength) + " characters");
+    }
+    try {
+      filter.expressions_.emplace_back(pattern, std::regex::ECMAScript | std::regex::optimize);
+    } catch (const std::regex_error& error) {
+      return InvalidArgument("topics: " + Quote(pattern) +
+                             " is no regular expression: " + error.what());
+    }
+  }
+  return filter;
+}
+
+bool TopicFilter::Matches(const std::string& topic) const {
+  return std::any_of(expressions_.begin(), expressions_.end(), [&topic](const std::regex& one) {
+    try {
+      return std::regex_match(topic, one);
+    } catch (const std::regex_error&) {  // too costly for this name
+      return false;
+    }
+  });
+}
+
+EpisodeListener::EpisodeListener(ros::NodeHandle node, TopicFilter filter,
+                                 const std::vector<std::string>& always, Sink sink)
+    : node_(std::move(node)), filter_(std::move(filter)), sink_(std::move(sink)) {
+  node_.setCallbackQueue(&queue_);
+  for (const std::string& topic : always) Subscribe(topic);
+  spinner_.start();
+}
+
+EpisodeListener::~EpisodeListener() {
+  for (auto& [topic, subscriber] : subscribers_) subscriber.shutdown();
+  spinner_.stop();
+}
+
+void EpisodeListener::Discover() {
+  ros::master::V_TopicInfo topics;
+  if (!ros::master::getTopics(topics)) return;
+  for (const ros::master::TopicInfo& topic : topics) {
+    if (filter_.Matches(topic.name)) Subscribe(topic.name);
+  }
+}
+
+std::optional<std::vector<std::string>> EpisodeListener::Unconnected() const {
+  ros::master::V_TopicInfo topics;
+  if (!ros::master::getTopics(topics)) return std::nullopt;
+  std::vector<std::string> unconnected;
+  for (const ros::master::TopicInfo& topic : topics) {
+    const auto subscriber = subscribers_.find(topic.name);
+    if (subscriber != subscribers_.end() && subscriber->second.getNumPublishers() == 0) {
+      unconnected.push_back(topic.name);
+    }
+  }
+  return unconnected;
+}
+
+void EpisodeListener::Subscribe(const std::string& topic) {
+  if (subscribers_.count(topic) != 0) return;
+  const boost::function<void(const ros::MessageEvent<topic_tools::ShapeShifter const>&)> hear =
+      [this, topic](const ros::MessageEvent<topic_tools::ShapeShifter const>& event) {
+        sink_({topic, std::max(ros::Time::now(), ros::TIME_MIN), event.getConstMessage(),
+               event.getConnectionHeaderPtr()});
+      };
+  ros::SubscribeOptions options;
+  options.topic = topic;
+  options.queue_size = kQueue;
+  options.md5sum = "*";
+  options.datatype = "*";
+  options.helper = boost::make_shared<
+      ros::SubscriptionCallbackHelperT<const ros::MessageEvent<topic_tools::ShapeShifter const>&>>(
+      hear);
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  try {
+    subscribers_[topic] = node_.subscribe(options);
+  } catch (const ros::Exception& error) {
+    ROS_WARN_STREAM("episodes hold nothing of " << topic << ": " << error.what());
+  }
+}
+
+}  // namespace latticeworld

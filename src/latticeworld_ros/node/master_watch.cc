@@ -1,0 +1,138 @@
+#include "latticeworld_ros/node/master_watch.h"
+
+#include <ros/connection_manager.h>
+#include <ros/console.h>
+#include <ros/init.h>
+#include <ros/master.h>
+#include <ros/network.h>
+#include <ros/this_node.h>
+#include <ros/topic_manager.h>
+#include <ros/xmlrpc_manager.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+namespace latticeworld {
+namespace {
+
+constexpr std::chrono::seconds kPeriod(3);
+
+std::optional<MasterState> AskMaster() {
+  XmlRpc::XmlRpcValue arguments, response, payload;
+  arguments[0] = ros::this_node::getName();
+  if (!ros::master::execute("getSystemState", arguments, response, payload, false)) {
+    return std::nullopt;
+  }
+  return MasterStateFrom(payload);
+}
+
+// Tells the master, as roscpp did first, that this node offers a service.
+void Announce(const std::string& service) {
+  if (ros::isShuttingDown()) return;
+  const std::string uri = "rosrpc://" + ros::network::getHost() + ":" +
+                          std::to_string(ros::ConnectionManager::instance()->getTCPPort());
+  XmlRpc::XmlRpcValue arguments, response, payload;
+  arguments[0] = ros::this_node::getName();
+  arguments[1] = service;
+  arguments[2] = uri;
+  arguments[3] = ros::XMLRPCManager::instance()->getServerURI();
+  if (!ros::master::execute("registerService", arguments, response, payload, false)) return;
+  ROS_INFO_STREAM("the master knew nobody who offers " << service << "; it is announced again");
+  if (!ros::isShuttingDown()) return;
+  // The node took leave meanwhile.
+  XmlRpc::XmlRpcValue leave;
+  leave[0] = ros::this_node::getName();
+  leave[1] = service;
+  leave[2] = uri;
+  (void)ros::master::execute("unregisterService", leave, response, payload, false);
+}
+
+std::vector<std::string> InBoth(std::vector<std::string> a, std::vector<std::string> b) {
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  std::vector<std::string> both;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
+}
+
+}  // namespace
+
+MasterWatch::~MasterWatch() { Stop(); }
+
+void MasterWatch::Start(std::vector<std::string> services) {
+  services_ = std::move(services);
+  report_.descriptors = CountDescriptors();
+  thread_ = std::thread([this] { Run(); });
+}
+
+void MasterWatch::Stop() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stopping_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+MasterReport MasterWatch::report() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return report_;
+}
+
+void MasterWatch::Run() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!changed_.wait_for(lock, kPeriod, [this] { return stopping_; })) {
+    lock.unlock();
+    Look();
+    lock.lock();
+  }
+}
+
+void MasterWatch::Look() {
+  MasterReport report;
+  report.descriptors = CountDescriptors();
+  const std::optional<MasterState> state = AskMaster();
+  if (!state) return;
+  const std::string node = ros::this_node::getName();
+  report.topics = CountTopics(*state, node);
+  // roscpp searches a list for each topic that is asked for.
+  std::vector<std::string> missing;
+  if (report.descriptors.is_short()) {
+    const ros::TopicManagerPtr topics = ros::TopicManager::instance();
+    missing = TopicsNotDelivered(
+        *state, node, [&](const std::string& topic) { return topics->getNumSubscribers(topic); },
+        [&](const std::string& topic) { return topics->getNumPublishers(topic); });
+    if (!short_told_) {
+      ROS_WARN_STREAM(report.descriptors.open << " of " << report.descriptors.limit
+                                              << " file descriptors are in use: topics are not "
+                                                 "delivered (diagnostics name them); raise the "
+                                                 "hard limit, ulimit -Hn");
+    }
+  }
+  short_told_ = report.descriptors.is_short();
+  // Connections take a while to stand: what misses one twice in a row has none.
+  report.not_delivered = InBoth(missing, unsure_);
+  unsure_ = std::move(missing);
+  ServiceStanding standing = StandingOf(*state, node, services_);
+  for (const std::string& service : standing.gone) Announce(service);
+  WarnOfTaken(standing.taken);
+  report.services = std::move(standing.taken);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  report_ = std::move(report);
+}
+
+void MasterWatch::WarnOfTaken(const std::vector<ServiceStanding::Taken>& taken) {
+  std::vector<std::string> told;
+  for (const ServiceStanding::Taken& one : taken) {
+    told.push_back(one.service);
+    if (std::find(told_.begin(), told_.end(), one.service) != told_.end()) continue;
+    ROS_WARN_STREAM(one.node << " has taken the service " << one.service
+                             << ": calls go there; remap it in one of the two nodes");
+  }
+  told_ = std::move(told);
+}
+
+}  // namespace latticeworld

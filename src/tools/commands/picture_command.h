@@ -1,0 +1,15 @@
+#ifndef LATTICEWORLD_TOOLS_COMMANDS_PICTURE_COMMAND_H_
+#define LATTICEWORLD_TOOLS_COMMANDS_PICTURE_COMMAND_H_
+
+namespace CLI {
+class App;
+}
+
+namespace latticeworld::tools {
+
+// Adds `latticeworld picture`; when it is called, it sets *exit_status.
+void AddPictureCommand(CLI::App* app, int* exit_status);
+
+}  // namespace latticeworld::tools
+
+#endif  // LATTICEWORLD_TOOLS_COMMANDS_PICTURE_COMMAND_H_

@@ -1,0 +1,56 @@
+#include "latticeworld/language/reading/things/things_of_sentences.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "latticeworld/language/reading/layout_of_sentences.h"
+
+namespace latticeworld {
+namespace {
+
+std::vector<ThingWish> Read(const std::string& text) {
+  return LayoutOfSentences(SplitSentences(text), Vocabulary::kSuburb).things;
+}
+
+TEST(ThingsOfSentencesTest, ARowOfTreesIsOneWishWithItsSpacing) {
+  const std::vector<ThingWish> things =
+      Read("3 trees are in a row every 9 m. The trees are near the village.");
+  ASSERT_EQ(things.size(), 1u);
+  EXPECT_EQ(things[0].count, 3);
+  EXPECT_EQ(things[0].arrangement, ThingArrangement::kRow);
+  EXPECT_EQ(things[0].spacing_m, 9.0);
+  EXPECT_EQ(things[0].relation, ThingRelation::kNear);
+  EXPECT_EQ(things[0].target.letter, 'B');
+}
+
+TEST(ThingsOfSentencesTest, RelationsNameThingsAndLand) {
+  const std::vector<ThingWish> things = Read(
+      "A church in the west. A well is in front of the church. The church faces the lake. "
+      "4 benches surround the well. 5 lamps are along the road. A barn is 20 m from the well.");
+  ASSERT_EQ(things.size(), 5u);
+  EXPECT_EQ(things[0].facing.letter, 'W');
+  EXPECT_EQ(things[1].relation, ThingRelation::kInFront);
+  EXPECT_EQ(things[1].target.wish, 0);
+  EXPECT_EQ(things[2].relation, ThingRelation::kAround);
+  EXPECT_EQ(things[2].target.wish, 1);
+  EXPECT_EQ(things[3].relation, ThingRelation::kAlong);
+  EXPECT_EQ(things[3].target.letter, 'R');
+  EXPECT_EQ(things[4].distance_m, 20.0);
+}
+
+TEST(ThingsOfSentencesTest, WhatIsNewOnBothSidesIsMadeOnce) {
+  const std::vector<ThingWish> things = Read("A well is 20 m from a barn.");
+  ASSERT_EQ(things.size(), 2u);
+  EXPECT_EQ(things[0].kind, "barn");
+  EXPECT_EQ(things[1].target.wish, 0);
+  EXPECT_EQ(things[1].distance_m, 20.0);
+}
+
+TEST(ThingsOfSentencesTest, BarePluralsAndBridgesAreLand) {
+  EXPECT_TRUE(Read("Trees are on both sides of the river. A bridge is over the river.").empty());
+}
+
+}  // namespace
+}  // namespace latticeworld
