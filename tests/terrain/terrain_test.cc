@@ -135,7 +135,7 @@ TEST(TerrainTest, WithoutReliefSoftGroundIsGentleAndNothingIsACliff) {
       EXPECT_LT(At(SlopesOfClass_deg(terrain, SurfaceClass::kGrass), 0.90), 20.0);
       EXPECT_LT(At(SlopesOfClass_deg(terrain, SurfaceClass::kForestFloor), 0.90), 20.0);
       for (const auto& entry : EnumNames(SurfaceClass{})) {
-        EXPECT_LT(At(SlopesOfClass_deg(terrain, entry.value), 0.999), 48.0) << entry.name;
+        EXPECT_LT(At(SlopesOfClass_deg(terrain, entry.value), 0.999), 42.0) << entry.name;
         EXPECT_LT(At(SlopesOfClass_deg(terrain, entry.value), 1.0), 50.0) << entry.name;
       }
     }

@@ -21,9 +21,9 @@ ClassTraits TraitsOf(Vocabulary vocabulary, char letter) {
     case SurfaceClass::kBuilding:
       return {0.10f, 0.15f, 1.00f, 0.00f, 0.002f};
     case SurfaceClass::kRock:
-      return {9.0f, 0.62f, 0.10f, 1.00f, 0.012f};
+      return {7.0f, 0.62f, 0.10f, 1.00f, 0.012f};
     case SurfaceClass::kSnow:
-      return {12.0f, 0.60f, 0.15f, 0.80f, 0.014f};
+      return {9.0f, 0.60f, 0.15f, 0.80f, 0.014f};
     case SurfaceClass::kWaterBed:
       return {0.10f, 0.20f, 1.00f, 0.00f, 0.002f};
   }

@@ -37,14 +37,22 @@ constexpr double kNeighbourSlope = 0.25;
 
 // What slides comes to rest a little below the talus.
 constexpr float kRest = 0.9f;
-// A region rises as a whole, so that soft land among mountains is high too: this share of the
-// uplift is that of the land around, as far as so many cells of the layout.
-constexpr double kRegionalShare = 0.4;
-constexpr double kRegion_cells = 14.0;
-constexpr float kWildness = 2.0f;
-// How much summits are brought together: most where half of the world is mountain.
-constexpr double kAccordance = 0.5;
-constexpr double kMountainAccordance = 3.0;
+// How the land of classes rises, and how much of that is the region's.
+struct Upheaval {
+  float lift;          // factor on the uplift of rock and snow in a world of kTraitSize_m ...
+  double lift_growth;  // ... and the power of the world's size that it grows with
+  float regional;      // share of the uplift that is that of the land around
+  float wildness;      // how much of that share land gets that is hardly built on
+  double accordance;   // brings summits together, most where half of the world is mountain
+};
+// Snow and rock rise above the land beside them ...
+constexpr Upheaval kByClass = {1.0f, 0.0, 0.4f, 2.0f, 1.0};
+// ... but where words say that they are mountains, the region rises as a whole, so that soft land
+// among them is high too. Small mountains are steeper than large ones: the height of land grows
+// with some power 0.7 to 0.8 of its width (self-affine land, Turcotte 1997).
+constexpr Upheaval kMountains = {1.77f, -0.25, 0.95f, 4.0f, 4.5};
+constexpr double kRegion_cells = 14.0;  // of the layout: how far the land around reaches
+constexpr double kAccordance = 0.5;     // of summits, wherever they stand
 constexpr double kMaxCreep_m = 6.0;
 // Concavity of channels.
 constexpr double kAreaExponent = 0.38;
@@ -67,11 +75,17 @@ struct Fields {
   std::uint64_t gully_seed = 0;
 };
 
-// Steepness from that of a world of kTraitSize_m, and how much of the world is mountain.
-double GrowWithSize(const GridGeometry& lattice, const Grid<float>& uneven,
+float LiftIn(const GridGeometry& lattice, const Upheaval& upheaval) {
+  return upheaval.lift *
+         static_cast<float>(std::pow(lattice.size_m() / kTraitSize_m, upheaval.lift_growth));
+}
+
+// Steepness from that of a world of kTraitSize_m, mountains' times `lift`, and how much of the
+// world is mountain.
+double GrowWithSize(const GridGeometry& lattice, const Grid<float>& uneven, float lift,
                     Grid<float>* steepness_m) {
   const double growth = lattice.size_m() / kTraitSize_m;
-  const auto hard = static_cast<float>(growth);
+  const float hard = lift * static_cast<float>(growth);
   const auto soft = static_cast<float>(std::min(growth, kMostSoftGrowth));
   double mountains = 0.0;
   for (std::size_t i = 0; i < uneven.size(); ++i) {
@@ -84,7 +98,8 @@ double GrowWithSize(const GridGeometry& lattice, const Grid<float>& uneven,
   return mountains / uneven.size();
 }
 
-Fields FieldsOf(const GridGeometry& lattice, const SmoothedMasks& masks, std::uint64_t seed) {
+Fields FieldsOf(const GridGeometry& lattice, const SmoothedMasks& masks, const Upheaval& upheaval,
+                std::uint64_t seed) {
   Fields fields{MixTrait(masks, &ClassTraits::steepness_m),
                 Grid<float>(),
                 MixTrait(masks, &ClassTraits::talus),
@@ -97,7 +112,8 @@ Fields FieldsOf(const GridGeometry& lattice, const SmoothedMasks& masks, std::ui
   options.wavelength_m = 0.2 * lattice.size_m();
   options.octaves = 3;
   const Grid<float> uneven = FractalNoise(lattice, options, StreamSeed(seed, "terrain/uplift"));
-  fields.mountain_share = GrowWithSize(lattice, uneven, &fields.steepness_m);
+  fields.mountain_share =
+      GrowWithSize(lattice, uneven, LiftIn(lattice, upheaval), &fields.steepness_m);
   Grid<float> smoothness = MixTrait(masks, &ClassTraits::smoothness);
   GaussianBlur(0.8 * LatticeCellsPerLayoutCell(lattice), &smoothness);
   Grid<float> regional = fields.steepness_m;
@@ -105,8 +121,8 @@ Fields FieldsOf(const GridGeometry& lattice, const SmoothedMasks& masks, std::ui
   for (std::size_t i = 0; i < regional.size(); ++i) {
     float& steepness = fields.steepness_m.data()[i];
     // Fields and villages lie where it is level.
-    const float wild = std::min(kWildness * (1.0f - smoothness.data()[i]), 1.0f);
-    steepness += static_cast<float>(kRegionalShare) * wild * (regional.data()[i] - steepness);
+    const float wild = std::min(upheaval.wildness * (1.0f - smoothness.data()[i]), 1.0f);
+    steepness += upheaval.regional * wild * (regional.data()[i] - steepness);
   }
   // Uneven rock turns rivers away from the lattice's eight directions.
   options.wavelength_m = 0.06 * lattice.size_m();
@@ -358,7 +374,8 @@ Result<ShapedLand> ShapeLand(const GridGeometry& lattice, const SmoothedMasks& m
   const double incision_m = std::min(kMaxIncision_m, kIncisionOfSize * size_m);
   const Grid<float> hills_m =
       ProceduralRelief(lattice, std::min(kHillsOfSize * size_m, kMaxHills_m), seed);
-  Fields fields = FieldsOf(lattice, masks, seed);
+  const Upheaval& upheaval = forms.MountainsByClass() ? kMountains : kByClass;
+  Fields fields = FieldsOf(lattice, masks, upheaval, seed);
   // Land that goes on beyond the edge is as its classes are, whatever words say of this world's.
   const Grid<float> edge_m = EdgeHeight(lattice, fields, hills_m);
   if (!forms.empty()) forms.Raise(&fields.steepness_m, &fields.slide_slope, &fields.talus);
@@ -386,10 +403,10 @@ Result<ShapedLand> ShapeLand(const GridGeometry& lattice, const SmoothedMasks& m
     land_m.data()[i] = std::max(land_m.data()[i], foot_m.data()[i]);
   }
   base = BaseLevelOf(OnFoot(foot_m, hills_m, edge_m), result.water_level_m, forms);
-  const Phase mature = {n / 2, 0.3, 3, 0.0, 1.2, 0.45, 6};
-  const Phase gullies = {n, 0.6, 2, 0.0, 1.3, 0.25, 2};
+  const Phase mature = {n / 2, 0.3, 3, 0.0, 1.2, 0.75, 6};
+  const Phase gullies = {n, 0.6, 2, 0.0, 1.3, 0.5, 2};
   const double mountains = fields.mountain_share;
-  const double accordance = (kAccordance + kMountainAccordance * mountains * (1.0 - mountains)) *
+  const double accordance = (kAccordance + upheaval.accordance * mountains * (1.0 - mountains)) *
                             (1.0 - forms.RaisedShare());
   for (const Phase& phase : {young, mature, gullies}) {
     Evolve(lattice, phase, base, fields, &land_m);

@@ -143,7 +143,9 @@ class Measurer {
     const std::string text = name_ + " has " + Metres(land.relief_m) +
                              " of relief and a median slope of " + Degrees(land.slope_deg);
     if (wish_->kind == ReliefKind::kMountain || wish_->kind == ReliefKind::kPeak) {
-      const double least_m = internal::kLeastMountain * 2.0 * piece.shown_half_width_m;
+      const double share =
+          piece.rises_by_class ? internal::kLeastMountains : internal::kLeastMountain;
+      const double least_m = share * 2.0 * piece.shown_half_width_m;
       const bool low = wish_->height_m && *wish_->height_m < least_m;
       const bool holds = low || (land.relief_m >= least_m && land.slope_deg >= kMountainSlope_deg);
       Add("relief_form", wish_->words, holds, 1.0 - land.relief_m / std::max(least_m, 0.1),

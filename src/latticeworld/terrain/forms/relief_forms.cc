@@ -140,6 +140,7 @@ void ReliefForms::Raise(Grid<float>* steepness_m, Grid<float>* slide_slope,
     steepness += things.data()[i] * (std::min(growth * kSoftSteepness_m, steepness) - steepness);
   }
   for (const Area& area : areas_) {
+    if (area.piece->rises_by_class) RaiseMiddle(area, steepness_m);
     if (!Evolves(area.piece->kind) || area.piece->rises_by_class) continue;
     const AreaTraits traits = TraitsOf(area.piece->kind);
     const bool mountain = IsMountain(area.piece->kind);
@@ -167,6 +168,14 @@ void ReliefForms::Raise(Grid<float>* steepness_m, Grid<float>* slide_slope,
   }
 }
 
+void ReliefForms::RaiseMiddle(const Area& area, Grid<float>* steepness_m) const {
+  constexpr float kAtRim = -0.25f, kInMiddle = 0.9f;  // of the uplift that the class has
+  const Grid<float> inward = Inward(area);
+  for (std::size_t i = 0; i < inward.size(); ++i) {
+    steepness_m->data()[i] *= 1.0f + area.share.data()[i] * (kAtRim + kInMiddle * inward.data()[i]);
+  }
+}
+
 Grid<float> ReliefForms::FromFloor(const ReliefPiece& valley) const {
   if (!valley.follows_water) return DistanceFromAxis(ground(), valley);
   const int n = lattice_.rows();
@@ -188,10 +197,13 @@ Grid<float> ReliefForms::FromFloor(const ReliefPiece& valley) const {
 }
 
 void ReliefForms::RaiseBeside(const ReliefPiece& valley, Grid<float>* steepness_m) const {
-  constexpr double kRiseByWater = 0.17, kRise = 0.03;  // uplift over erodibility by height
+  // Uplift over erodibility by height. Among mountains a valley is theirs: they rise beside it.
+  constexpr double kRiseByWater = 0.17, kRiseAmongMountains = 0.18, kRise = 0.03;
   const auto soft_m = kSoftSteepness_m * static_cast<float>(lattice_.size_m() / 512.0);
-  const auto rise_m =
-      static_cast<float>((valley.follows_water ? kRiseByWater : kRise) * valley.height_m);
+  const auto rise_m = static_cast<float>((valley.follows_water ? kRiseByWater
+                                          : MountainsByClass() ? kRiseAmongMountains
+                                                               : kRise) *
+                                         valley.height_m);
   const Grid<float> from = FromFloor(valley);
   for (std::size_t i = 0; i < from.size(); ++i) {
     const float u = from.data()[i];
@@ -245,6 +257,11 @@ void ReliefForms::Roughen(Grid<float>* smoothness) const {
   }
 }
 
+bool ReliefForms::MountainsByClass() const {
+  return std::any_of(areas_.begin(), areas_.end(),
+                     [](const Area& area) { return area.piece->rises_by_class; });
+}
+
 double ReliefForms::RaisedShare() const {
   double sum = 0.0;
   for (const Area& area : areas_) {
@@ -267,9 +284,10 @@ void ReliefForms::ScaleArea(const Area& area, const Grid<float>& foot_m,
   const float spread =
       mountain ? *high - *low : Quantile(0.98, &heights) - Quantile(0.02, &heights);
   // What rises by its class is only lifted where it is too low for a mountain.
-  const float least = area.piece->rises_by_class ? 1.0f : 0.05f;
+  const bool by_class = area.piece->rises_by_class;
+  const float least = by_class ? 1.0f : 0.05f, most = by_class ? 1.3f : 3.0f;
   const float factor =
-      std::clamp(static_cast<float>(area.piece->height_m) / std::max(spread, 0.01f), least, 3.0f);
+      std::clamp(static_cast<float>(area.piece->height_m) / std::max(spread, 0.01f), least, most);
   for (std::size_t i = 0; i < land_m->size(); ++i) {
     const float foot = foot_m.data()[i];
     float& land = land_m->data()[i];
@@ -277,31 +295,45 @@ void ReliefForms::ScaleArea(const Area& area, const Grid<float>& foot_m,
   }
 }
 
-// Land beside the floor is lifted or lowered by one factor, so that it drains as it did.
-void ReliefForms::ScaleValley(const ReliefPiece& valley, const Grid<float>& foot_m,
-                              Grid<float>* land_m) const {
+// Land beside the floors is lifted or lowered by one factor, so that it drains as it did: by that
+// of the valley that asks for most, where several lie side by side.
+void ReliefForms::ScaleValleys(const Grid<float>& foot_m, Grid<float>* land_m) const {
+  Grid<float> change(land_m->rows(), land_m->cols());  // of the height above the foot, as a share
+  for (const ReliefPiece& piece : pieces_) {
+    if (!RisesBeside(piece, water_)) continue;
+    const Grid<float> from = FromFloor(piece);
+    const float factor = ValleyFactor(piece, from, foot_m, *land_m);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const float u = from.data()[i];
+      const float beside = SmoothStep((u - 0.15f) / 0.5f) * (1.0f - SmoothStep((u - 1.4f) / 1.2f));
+      const float asked = beside * (factor - 1.0f);
+      float& most = change.data()[i];
+      if (std::abs(asked) > std::abs(most)) most = asked;
+    }
+  }
+  for (std::size_t i = 0; i < change.size(); ++i) {
+    const float foot = foot_m.data()[i];
+    float& land = land_m->data()[i];
+    if (land > foot) land = foot + (land - foot) * (1.0f + change.data()[i]);
+  }
+}
+
+float ReliefForms::ValleyFactor(const ReliefPiece& valley, const Grid<float>& from,
+                                const Grid<float>& foot_m, const Grid<float>& land_m) const {
   constexpr float kLeast = 0.6f;
   // What lies about a valley that is not a river's is its own land as much.
-  const float most = valley.follows_water ? 3.0f : 1.2f;
-  const Grid<float> from = FromFloor(valley);
+  const float most = valley.follows_water ? 3.0f : 1.3f;
   std::vector<float> rims, floors;
   for (std::size_t i = 0; i < from.size(); ++i) {
-    const float above_m = land_m->data()[i] - foot_m.data()[i];
+    const float above_m = land_m.data()[i] - foot_m.data()[i];
     if (from.data()[i] <= 0.15f) floors.push_back(above_m);
     if (from.data()[i] >= 1.0f && from.data()[i] <= 1.25f) rims.push_back(above_m);
   }
-  if (rims.empty()) return;
+  if (rims.empty()) return 1.0f;
   const float floor_m = floors.empty() ? 0.0f : Quantile(0.5, &floors);
   const float rim_m = Quantile(0.5, &rims);
-  const float factor = std::clamp(
-      (static_cast<float>(valley.height_m) + floor_m) / std::max(rim_m, 0.01f), kLeast, most);
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const float u = from.data()[i];
-    const float beside = SmoothStep((u - 0.15f) / 0.5f) * (1.0f - SmoothStep((u - 1.4f) / 1.2f));
-    const float foot = foot_m.data()[i];
-    float& land = land_m->data()[i];
-    if (land > foot) land = foot + (land - foot) * (1.0f + beside * (factor - 1.0f));
-  }
+  return std::clamp((static_cast<float>(valley.height_m) + floor_m) / std::max(rim_m, 0.01f),
+                    kLeast, most);
 }
 
 void ReliefForms::LayTilt(const Area& area, Grid<float>* land_m) const {
@@ -363,9 +395,7 @@ void ReliefForms::Lay(const Grid<float>& level_m, const Grid<float>& foot_m,
       ScaleArea(area, foot_m, land_m);
     }
   }
-  for (const ReliefPiece& piece : pieces_) {
-    if (RisesBeside(piece, water_)) ScaleValley(piece, foot_m, land_m);
-  }
+  ScaleValleys(foot_m, land_m);
   LayThings(ground(), pieces_, level_m, foot_m, land_m);
 }
 

@@ -34,6 +34,8 @@ class ReliefForms {
                  Grid<float>* height_m) const;
   // How much creep rounds the land, in [0, 1].
   void Roughen(Grid<float>* smoothness) const;
+  // Whether words say that land of a class, such as rock and snow, is mountains.
+  bool MountainsByClass() const;
   // How much of the world rises as words say: its summits are as high as they say, too.
   double RaisedShare() const;
   // Brings areas to their heights and lays things into the land [m]. level_m: of the water, NaN
@@ -52,11 +54,17 @@ class ReliefForms {
   Grid<float> ShareOf(const LayoutMask& area, bool off_built) const;
   // How far inside an area: 0 at its rim, 1 where it is widest; summits stand where it is more.
   Grid<float> Inward(const Area& area) const;
+  // Mountains of a class rise more in the middle of their area than at its rim.
+  void RaiseMiddle(const Area& area, Grid<float>* steepness_m) const;
   // The distance from the axis of a valley, or from the water that it follows, in half widths.
   Grid<float> FromFloor(const ReliefPiece& valley) const;
   void RaiseBeside(const ReliefPiece& valley, Grid<float>* steepness_m) const;
   void ScaleArea(const Area& area, const Grid<float>& foot_m, Grid<float>* land_m) const;
-  void ScaleValley(const ReliefPiece& valley, const Grid<float>& foot_m, Grid<float>* land_m) const;
+  void ScaleValleys(const Grid<float>& foot_m, Grid<float>* land_m) const;
+  // By what the land beside a valley's floor is to be multiplied so that its rims lie as high above
+  // the floor as the valley is deep. from: as FromFloor has it.
+  float ValleyFactor(const ReliefPiece& valley, const Grid<float>& from, const Grid<float>& foot_m,
+                     const Grid<float>& land_m) const;
   void LayTilt(const Area& area, Grid<float>* land_m) const;
   void LayDunes(const Area& area, Grid<float>* land_m) const;
 

@@ -15,8 +15,10 @@ ReliefNature NatureOf(ReliefKind kind);
 // The steepest mean slope [m/m] of flanks of a kind, whatever is asked.
 double SteepestFlank(ReliefKind kind);
 
-// The least height of a mountain by its width.
+// The least height of a mountain by its width, and of land that is several mountains by the width
+// of it all.
 inline constexpr double kLeastMountain = 0.15;
+inline constexpr double kLeastMountains = 0.10;
 
 // The width of a kind, as words mean it, by twice its half width: from where nine tenths of the
 // height are passed on one side to the same on the other; of a crater from rim to rim.

@@ -157,7 +157,7 @@ class Placer {
     if (wish.kind == ReliefKind::kSlope) piece->half_width_m = size_m_ / 2.0;
     SetHeight(wish, piece);
     if (piece->rises_by_class) {
-      piece->height_m = 1.2 * kLeastMountain * 2.0 * piece->shown_half_width_m;
+      piece->height_m = 1.2 * kLeastMountains * 2.0 * piece->shown_half_width_m;
     }
   }
 
