@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Holds every #include of src/ against the floors of docs/architecture.md."""
+"""Holds every #include of src/ against the floors of docs/architecture.md, and shelves of a room
+against what they may know of each other."""
 
 import pathlib
 import re
@@ -7,24 +8,8 @@ import sys
 import tempfile
 import unittest
 
-# From the ground up. A file may include its own room and every floor below it: never a room
-# above, never another room of its own floor.
-FLOORS = [
-    ["common"],
-    ["geometry"],
-    ["geomorphology", "catalogue", "reference_navigator"],
-    ["layout", "environment", "relief", "meshes"],
-    ["language", "terrain", "species"],
-    ["scene"],
-    ["mapping", "sensing"],
-    ["rendering"],
-    ["exporting", "simulation"],
-    ["generation"],
-    ["navigation", "episode", "learning", "viewer", "dataset"],
-    ["campaign"],
-    ["latticeworld_ros"],
-    ["nodes", "tools"],
-]
+from floors import FLOOR_OF, INCLUDE, folder_in_rooms, room_of, sources_below
+
 # Rooms that must not meet although their floors would allow it: (includer, included).
 FORBIDDEN = {
     ("simulation", "language"),
@@ -35,57 +20,65 @@ FORBIDDEN = {
     ("scene", "language"),
     ("tools", "latticeworld_ros"),
 }
-CORE = {room for floor in FLOORS[:-2] for room in floor}
-# Parts of a room that must not include each other, whatever the rest of the room does.
+WITH_ROS = {"latticeworld_ros", "nodes"}  # the rooms that may include ROS headers
+# Shelves (folders of a room) that must not include each other, whatever the rest of the room does.
 APART = [
+    {"exporting/gltf", "exporting/maps"},
+    {"exporting/maps", "exporting/simulators"},
     {"language/grounded", "language/remote", "language/local"},
     {"language/grounded", "language/chat"},
     {"language/sentences", "language/grounded"},
     {"language/sentences", "language/chat"},
     {"language/reading", "language/remote", "language/local"},
     {"language/grounded/reading", "language/grounded/synthesis", "language/grounded/environment"},
+    {"latticeworld_ros/episode", "latticeworld_ros/navigator", "latticeworld_ros/viewer"},
+    {"relief/elevation", "relief/height_map"},
+    {"relief/elevation", "relief/sketch"},
+    {"scene/agents", "scene/props", "scene/settlements"},
+    {"scene/vegetation", "scene/weather"},
+    {"sensing/camera", "sensing/lidar", "sensing/motion"},
+    {"simulation/agents", "simulation/ode", "simulation/props"},
 ]
-# Parts that know nothing of one above them: (part, the part above).
+# Shelves that know nothing of one above them: (shelf, the shelf above).
 BELOW = [
+    ("exporting/gltf", "exporting/simulators"),
     ("language/chat", "language/remote"),
     ("language/grounded", "language/reading"),
     ("language/sentences", "language/reading"),
     ("language/reading", "language/drawn"),
     ("language/grounded", "language/drawn"),
+    ("latticeworld_ros/conversion", "latticeworld_ros/node"),
+    ("latticeworld_ros/conversion", "latticeworld_ros/publishing"),
+    ("latticeworld_ros/conversion", "latticeworld_ros/running"),
+    ("latticeworld_ros/conversion", "latticeworld_ros/server"),
+    ("relief/height_map", "relief/sketch"),
+    ("scene/vegetation", "scene/props"),
+    ("scene/vegetation", "scene/settlements"),
+    ("simulation/agents", "simulation/simulator"),
+    ("simulation/ode", "simulation/simulator"),
+    ("terrain/forms", "terrain/ways"),
+    ("terrain/water", "terrain/forms"),
+    ("terrain/water", "terrain/ways"),
+    ("viewer/payloads", "viewer/server"),
 ]
 ROS_HEADER = re.compile(
     r"^(ros|tf2|tf2_ros|actionlib|rosbag|rosgraph_msgs|latticeworld_msgs|octomap_msgs|"
     r"grid_map_msgs|[a-z0-9_]+_(msgs|srvs))/")
-INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
-
-FLOOR_OF = {room: i for i, floor in enumerate(FLOORS) for room in floor}
 
 
-def room_of(path):
-    """'latticeworld/terrain/x.h' -> 'terrain', 'nodes/x.cc' -> 'nodes'; None when it is no room."""
-    parts = pathlib.PurePosixPath(path).parts
-    if len(parts) >= 3 and parts[0] == "latticeworld":
-        return parts[1]
-    if len(parts) >= 2 and parts[0] in FLOOR_OF:
-        return parts[0]
-    return None
-
-
-def parts_of(path):
+def shelves_of(path):
     """'latticeworld/language/grounded/reading/x.h' -> {'language/grounded',
     'language/grounded/reading'}."""
-    parts = pathlib.PurePosixPath(path).parts
-    if parts[0] != "latticeworld":
-        return set()
-    return {"/".join(parts[1:end]) for end in range(3, len(parts))}
+    parts = folder_in_rooms(path).split("/")
+    return {"/".join(parts[:end]) for end in range(2, len(parts) + 1)}
 
 
-def parts_at_odds(path, included):
-    """Whether both are of parts of one room that are to know nothing of each other."""
-    inner, outer = parts_of(path), parts_of(included)
+def shelves_at_odds(path, included):
+    """Whether both are of shelves of one room that are to know nothing of each other."""
+    inner, outer = shelves_of(path), shelves_of(included)
     for group in APART:
-        for part in group:
-            if part in inner and (group - {part}) & outer:
+        for shelf in group:
+            if shelf in inner and (group - {shelf}) & outer:
                 return True
     return any(below in inner and above in outer for below, above in BELOW)
 
@@ -93,10 +86,10 @@ def parts_at_odds(path, included):
 def violation(path, included):
     """Why the file at `path` (relative to src) must not include `included`; None when it may."""
     room, other = room_of(path), room_of(included)
-    if room in CORE and ROS_HEADER.match(included):
-        return f"{path} is of the core and includes the ROS header {included}"
+    if room not in WITH_ROS and ROS_HEADER.match(included):
+        return f"{path} includes the ROS header {included}: only rooms of WITH_ROS may"
     if other is None or room is None or room == other:
-        if parts_at_odds(path, included):
+        if shelves_at_odds(path, included):
             return f"{path} includes {included}, of which it is to know nothing"
         return None
     if other not in FLOOR_OF:
@@ -111,13 +104,10 @@ def violation(path, included):
 def violations_below(src):
     """Every violation of the sources below `src`, and the number of includes read."""
     found, read = [], 0
-    for file in sorted(src.rglob("*")):
-        if file.suffix not in (".h", ".cc"):
-            continue
-        path = file.relative_to(src).as_posix()
+    for path, text in sources_below(src):
         if room_of(path) not in FLOOR_OF:
             found.append(f"{path} is in no room that has a floor")
-        for included in INCLUDE.findall(file.read_text(encoding="utf-8")):
+        for included in INCLUDE.findall(text):
             read += 1
             reason = violation(path, included)
             if reason:
@@ -125,11 +115,24 @@ def violations_below(src):
     return found, read
 
 
+def missing_below(src):
+    """The rooms and shelves that rules speak of and that hold no source below `src`."""
+    there = set()
+    for path, _ in sources_below(src):
+        there |= {room_of(path)} | shelves_of(path)
+    named = set(FLOOR_OF) | {room for pair in FORBIDDEN for room in pair}
+    named |= {shelf for group in APART + BELOW for shelf in group}
+    return sorted(named - there)
+
+
 class IncludesTest(unittest.TestCase):
     def test_no_include_breaks_the_architecture(self):
         found, read = violations_below(SRC)
         self.assertGreater(read, 100, "hardly any include was read: is this the source tree?")
         self.assertEqual([], found)
+
+    def test_every_room_and_shelf_that_rules_speak_of_is_there(self):
+        self.assertEqual([], missing_below(SRC))
 
     def test_forbidden_arrows_are_seen(self):
         for path, included in [
@@ -141,11 +144,16 @@ class IncludesTest(unittest.TestCase):
             ("latticeworld/scene/a.cc", "latticeworld_ros/b.h"),
             ("latticeworld/scene/a.cc", "ros/ros.h"),
             ("latticeworld/scene/a.cc", "sensor_msgs/Image.h"),
+            ("tools/a.cc", "ros/ros.h"),
             ("latticeworld/language/grounded/a.cc", "latticeworld/language/remote/b.h"),
             ("latticeworld/language/grounded/reading/a.cc", "latticeworld/language/chat/b.h"),
             ("latticeworld/language/chat/a.cc", "latticeworld/language/remote/b.h"),
             ("latticeworld/language/grounded/reading/a.cc",
              "latticeworld/language/grounded/synthesis/b.h"),
+            ("latticeworld/simulation/ode/a.cc", "latticeworld/simulation/agents/ways/b.h"),
+            ("latticeworld/terrain/water/a.cc", "latticeworld/terrain/ways/b.h"),
+            ("latticeworld_ros/viewer/a.cc", "latticeworld_ros/navigator/b.h"),
+            ("latticeworld_ros/conversion/a.cc", "latticeworld_ros/server/b.h"),
             ("latticeworld/scene/a.cc", "latticeworld/attic/b.h"),
         ]:
             self.assertIsNotNone(violation(path, included), f"{path} -> {included}")
@@ -154,9 +162,11 @@ class IncludesTest(unittest.TestCase):
         for path, included in [
             ("latticeworld/layout/a.h", "latticeworld/geometry/b.h"),
             ("latticeworld/simulation/ode/a.cc", "latticeworld/simulation/b.h"),
+            ("latticeworld/terrain/ways/a.cc", "latticeworld/terrain/water/b.h"),
             ("latticeworld/scene/a.cc", "vector"),
             ("latticeworld/language/grounded/a.cc", "latticeworld/language/generator.h"),
             ("latticeworld_ros/a.cc", "ros/ros.h"),
+            ("latticeworld_ros/server/a.cc", "latticeworld_ros/conversion/b.h"),
             ("nodes/a.cc", "latticeworld_ros/b.h"),
         ]:
             self.assertIsNone(violation(path, included), f"{path} -> {included}")
@@ -167,6 +177,16 @@ class IncludesTest(unittest.TestCase):
             file.parent.mkdir(parents=True)
             file.write_text('#include <vector>\n  #  include "latticeworld/scene/scene.h"\n')
             self.assertEqual(len(violations_below(pathlib.Path(folder))[0]), 1)
+
+    def test_a_rule_of_a_shelf_that_is_gone_is_caught(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "latticeworld/terrain/water/a.h"
+            file.parent.mkdir(parents=True)
+            file.write_text("")
+            missing = missing_below(pathlib.Path(folder))
+            self.assertIn("terrain/ways", missing)
+            self.assertNotIn("terrain/water", missing)
+            self.assertNotIn("terrain", missing)
 
 
 if __name__ == "__main__":
