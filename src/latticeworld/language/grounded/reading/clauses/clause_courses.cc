@@ -316,6 +316,31 @@ bool ClauseReader::TakeEndZone(const std::vector<Zone>& zones) {
   return true;
 }
 
+// "a river runs diagonally": from corner to corner.
+void ClauseReader::RunDiagonally() {
+  const int line = LineOf(subjects_);
+  if (line < 0 || d_.feature(line).from.has_value()) return;
+  Waypoint from;
+  from.zone = RimZoneOf({-1, -1});
+  from.said = false;
+  Waypoint to;
+  to.zone = RimZoneOf({1, 1});
+  to.said = false;
+  d_.feature(line).from = from;
+  d_.feature(line).to = to;
+}
+
+// "a road from there": from what was spoken of.
+void ClauseReader::RunFromThere() {
+  const int line = LineOf(subjects_);
+  if (line < 0) return;
+  Frame frame;
+  frame.sense = Sense::kFrom;
+  frame.subjects = {line};
+  frame.objects = d_.Antecedent(subjects_, false);
+  if (!frame.objects.empty()) Assert(frame, line, &d_);
+}
+
 // "two strips of forest", "three parallel belts of rock"
 bool ClauseReader::IsStrip(int index) const {
   const std::string words = ToLowerAscii(d_.Words(d_.thing(index).begin, d_.thing(index).end));

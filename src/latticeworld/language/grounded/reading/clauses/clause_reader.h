@@ -58,6 +58,37 @@ class ClauseReader {
   bool StartsAnew(std::size_t next) const;
   bool FrameLacksObject() const;
 
+  // Words by what they do: true where the word is one of the family; it is read then.
+  bool ReadConjunction(const Chunk& chunk);
+  bool ReadVerb(const Chunk& chunk);
+  bool ReadDenial(const Chunk& chunk);
+  bool ReadLimit(const Chunk& chunk);
+  bool ReadAmount(const Chunk& chunk);
+  bool ReadCourse(const Chunk& chunk);
+  bool ReadTies(const Chunk& chunk);
+  bool ReadWhereabouts(const Chunk& chunk);
+  void ReadRelation(const Chunk& chunk);
+  void ReadBreak();
+  void ReadThen();
+  void ReadInWhich(const Chunk& chunk);
+  void ReadWhich();
+  void ReadExists();
+  void ReadBe(Sense sense);
+  void ReadWith(Sense sense);
+  bool ReadWithOfFrame(Sense sense);
+  bool IsBareHas() const;
+  void ReadCoveredBy(Sense sense);
+  void ReadCovers(const Chunk& chunk);
+  void ReadTravel(const Chunk& chunk);
+  void ReadRuns(const Chunk& chunk);
+  void ReadNothingElse();
+  void ReadNoOther(const Chunk& chunk);
+  void ReadOnly(const Chunk& chunk);
+  void ReadMostly();
+  void ReadEntirely();
+  void ReadHalfEach();
+  std::size_t AlikeAhead() const;
+
   // Noun phrases.
   void ReadMap(const Chunk& chunk);
   void ReadRest(const Chunk& chunk);
@@ -109,6 +140,10 @@ class ClauseReader {
   bool SplitsMap(const std::vector<Zone>& zones, const std::string& words);
   void Deny(char letter, const std::vector<Zone>& zones, const Chunk& chunk);
   void ReadExcept();
+  void ReadExceptOrNot(const Chunk& chunk);
+  void ReadLack(const Chunk& chunk);
+  void ReadScratch(const Chunk& chunk);
+  void DropOptional();
   bool AfterAll() const;
   void ReadNext();
   void DropQuestion(const Chunk& chunk);
@@ -136,6 +171,8 @@ class ClauseReader {
   bool SaysReach() const;
   void TakeMoreEnds(int line);
   void RunLikewise();
+  void RunDiagonally();
+  void RunFromThere();
   void DenyAround(char letter, const Chunk& chunk);
 
   // Frames.
@@ -146,6 +183,8 @@ class ClauseReader {
   void ReadOtherSide(const Chunk& chunk);
   bool ReadOppositeOf();
   void ReadInsideRing();
+  void ReadOutsideRing();
+  void ReadWithin(const Chunk& chunk);
   bool HasRing() const;
   void ReadBridge(const Chunk& chunk);
   std::vector<int> Own(const Frame& frame, const std::vector<int>& subjects) const;
