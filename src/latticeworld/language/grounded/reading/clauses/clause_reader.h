@@ -94,11 +94,37 @@ class ClauseReader {
   void ReadRest(const Chunk& chunk);
   void ReadAbsence(const Chunk& chunk);
   bool DeniesAnother(const ClassWord& noun) const;
+
+  // What noun phrases refer to. `about`: what the clause speaks of already; `known`: the things
+  // that have the phrase's name, not empty. An empty answer: none of them, where not said
+  // otherwise.
   std::vector<int> Refer(const Chunk& chunk);
+  std::vector<int> ReferByPronoun(const Chunk& chunk, const std::vector<int>& about);
+  std::vector<int> ReferToIt(const Chunk& chunk, const std::vector<int>& about);
+  std::vector<int> ReferToThem(const NounPhrase& phrase, const std::vector<int>& about);
   std::vector<int> ReferToOne(const Chunk& chunk, const std::vector<int>& about);
+  bool IsOneElsewhere(const NounPhrase& phrase) const;
+  std::vector<int> OneByPlace(const Chunk& chunk, const std::vector<int>& about, int model);
+  int OneOfParts(const NounPhrase& phrase, const std::vector<int>& about);
+  std::vector<int> BesideFirst(const Chunk& chunk);
+  int ClothedIsland(const NounPhrase& phrase);
+  bool AfterMark(char mark) const;
+  int MeasuredAgain(const NounPhrase& phrase);
+  std::vector<int> ReferToKnown(const Chunk& chunk, const std::vector<int>& known);
+  std::vector<int> PartOfKnown(const NounPhrase& phrase, const std::vector<int>& known);
+  std::vector<int> ExplainedAgain(const Chunk& chunk, const std::vector<int>& known);
+  std::vector<int> NextOfKnown(const NounPhrase& phrase, const std::vector<int>& known);
+  std::vector<int> CountedAgain(const Chunk& chunk, const std::vector<int>& known);
+  std::vector<int> PointedBackTo(const NounPhrase& phrase, const std::vector<int>& known);
+  std::vector<int> NamedAsObject(const NounPhrase& phrase, const std::vector<int>& known);
+  std::vector<int> NamedBarely(const NounPhrase& phrase, const std::vector<int>& known);
+  std::vector<int> NamedInOtherWords(const NounPhrase& phrase, const std::vector<int>& known);
+  std::vector<int> ReplacedBy(const std::vector<int>& known);
+  std::vector<int> ReferToNew(const Chunk& chunk);
+
+  // What things are in their clause.
   std::vector<int> OneMore(const Chunk& chunk);
   int SameObject() const;
-  void Place_(int index, const Chunk& chunk);
   void TakeSubjects(const std::vector<int>& found, bool is_new, const Chunk& chunk);
   void TakeSides(const std::vector<int>& found);
   void TakeObjects(const std::vector<int>& found);
