@@ -95,9 +95,9 @@ class ClauseReader {
   void ReadAbsence(const Chunk& chunk);
   bool DeniesAnother(const ClassWord& noun) const;
 
-  // What noun phrases refer to. `about`: what the clause speaks of already; `known`: the things
-  // that have the phrase's name, not empty. An empty answer: none of them, where not said
-  // otherwise.
+  // The things that a noun phrase refers to. `about`: those that the clause speaks of already;
+  // `known`: those that the phrase could mean, one at least. Each way of referring to them answers
+  // with those that are meant, empty or -1 where it is not the way that the words go.
   std::vector<int> Refer(const Chunk& chunk);
   std::vector<int> ReferByPronoun(const Chunk& chunk, const std::vector<int>& about);
   std::vector<int> ReferToIt(const Chunk& chunk, const std::vector<int>& about);
@@ -151,10 +151,31 @@ class ClauseReader {
   void Island(int index);
   void Beside(int index, Sense beside);
 
-  // Places.
+  // Places. Those that answer with a bool: whether the place was said of that; it is there then.
+  std::vector<Zone> ZonesSaid(const Chunk& chunk) const;
+  bool MeansAllOf(const std::vector<Zone>& zones, const Chunk& chunk) const;
+  void PlaceAnywhere(const Chunk& chunk);
+  bool PlaceInBrackets(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool ExceptPlace(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool DenyPlace(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool CorrectPlace(const std::vector<Zone>& zones);
+  bool TravelToward(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool PlaceFrontedObject(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool TurnBehind(const std::vector<Zone>& zones);
+  bool TakePlaceAsObject(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool PlaceBorders(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool PlaceTouching(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool LeadsClause() const;
+  void TakeLead(const std::vector<Zone>& zones, const Chunk& chunk);
+  void Attach(const std::vector<Zone>& zones, bool extent, const Chunk& chunk);
+  void NarrowDenials(const std::vector<Zone>& zones, const Chunk& chunk);
+  std::vector<int> PlaceOwners() const;
+  bool AttachToObject(const std::vector<Zone>& zones, const Chunk& chunk, std::vector<int>* owners);
+  void LeaveOutUnplaced(std::vector<int>* owners) const;
+  void AttachTo(int index, const std::vector<Zone>& zones, bool fills, const Chunk& chunk);
+  bool RunTo(const std::vector<Zone>& zones, const std::string& words, PlannedFeature* line) const;
   bool IsUncounted(int index) const;
   bool TurnsAt(const std::vector<Zone>& zones, PlannedFeature* line) const;
-  void Attach(const std::vector<Zone>& zones, bool extent, const Chunk& chunk);
   void Lead_(const std::vector<Zone>& zones, const Chunk& chunk);
   static bool IsMany(const std::vector<Zone>& zones);
   std::vector<Zone> OtherZones(std::vector<Zone> zones, std::string_view words) const;
