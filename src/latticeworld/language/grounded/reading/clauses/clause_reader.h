@@ -131,6 +131,15 @@ class ClauseReader {
   std::vector<int> OneMore(const Chunk& chunk);
   int SameObject() const;
   void TakeSubjects(const std::vector<int>& found, bool is_new, const Chunk& chunk);
+  void PassInOrder(const std::vector<int>& found);
+  void BecomeSubjects(const std::vector<int>& found, bool fronted, const NounPhrase& phrase);
+  void LimitTo(int index, bool is_new, bool fronted);
+  void FillAll(int index, bool is_new, const NounPhrase& phrase);
+  void TakeLeadOf(int index, bool is_new, bool named);
+  void TakeShare(int index, bool is_new, bool named, const Chunk& chunk);
+  void TakeCourse(int index, bool is_new, bool alone);
+  void AssertFronted(const std::vector<int>& found);
+  void RunParallel(const std::vector<int>& found);
   void TakeSides(const std::vector<int>& found);
   void TakeObjects(const std::vector<int>& found);
   void Cover(int index, const Chunk& chunk);
