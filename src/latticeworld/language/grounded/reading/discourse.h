@@ -27,6 +27,9 @@ struct Thing {
   std::size_t end = 0;
 };
 
+// "island", "wooded islet"
+bool NamesIsland(const ClassWord& noun);
+
 // The things that an instruction speaks of so far and what is said of them; finds what words refer
 // to. Indices are those of plan().features.
 class Discourse {
@@ -85,6 +88,11 @@ class Discourse {
   LayoutPlan Finish();
 
  private:
+  // Whether the vocabulary has a class for the phrase and the layout room for it; warns where it is
+  // not so, and where the class is no more than the nearest.
+  bool MayCreate(const NounPhrase& phrase, const std::string& words);
+  // "grid city": its streets are a grid, not the city.
+  void LayStreets(int city, std::size_t begin, std::size_t end);
   void WidenMiddles();
   void WidenQuarters();
   void SettleDenials();

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -127,6 +128,43 @@ void ClauseReader::ReadExcept() {
   }
 }
 
+// "near the houses but not near the road": no more than "not"; else what is excepted.
+void ClauseReader::ReadExceptOrNot(const Chunk& chunk) {
+  if (EndsWithWord(ToLowerAscii(d_.Words(chunk.begin, chunk.end)), "not") &&
+      (IsSense(at_ + 1, Sense::kNear) || IsSense(at_ + 1, Sense::kNextTo))) {
+    not_next_ = true;
+    return;
+  }
+  ReadExcept();
+}
+
+// "treeless", "without roads", where the vocabulary has a class for what is lacking.
+void ClauseReader::ReadLack(const Chunk& chunk) {
+  const bool wild = d_.plan().vocabulary == Vocabulary::kWild;
+  char letter = '\0';
+  switch (chunk.lexeme.sense) {
+    case Sense::kTreeless:
+      letter = 'F';
+      break;
+    case Sense::kWaterless:
+      letter = 'W';
+      break;
+    case Sense::kRoadless:
+      letter = wild ? '\0' : 'R';
+      break;
+    case Sense::kUnbuilt:
+      letter = wild ? '\0' : 'B';
+      break;
+    case Sense::kUnfarmed:
+      letter = wild ? '\0' : 'A';
+      break;
+    default:  // kSnowless
+      letter = wild ? 'S' : '\0';
+      break;
+  }
+  if (letter != '\0') DenyAround(letter, chunk);
+}
+
 // "a treeless plain": where the plain is, if there are trees elsewhere.
 void ClauseReader::DenyAround(char letter, const Chunk& chunk) {
   std::vector<Zone> zones = lead_.zones;
@@ -161,6 +199,35 @@ void ClauseReader::PlaceDenials(const Frame& frame) {
   }
   absences_.clear();
   negating_ = false;
+}
+
+// "scratch that": what the sentence named is not to be.
+void ClauseReader::ReadScratch(const Chunk& chunk) {
+  // "six huts, scratch that, four": only the number changes.
+  const std::size_t number = at_ + (IsKind(at_ + 1, ChunkKind::kComma) ? 2 : 1);
+  if (IsKind(number, ChunkKind::kQualities) && chunks_[number].qualities.count.has_value() &&
+      !subjects_.empty()) {
+    correcting_ = true;
+    return;
+  }
+  CloseFrame();
+  subjects_.clear();
+  // "a village square, no, forget the square"
+  if (EndsWithWord(ToLowerAscii(d_.Words(chunk.begin, chunk.end)), "the")) {
+    DropNamed();
+    return;
+  }
+  int first = sentence_first_feature_;
+  if (first >= d_.size()) first = d_.size() - 1;
+  for (int i = std::max(0, first); i < d_.size(); ++i) d_.Drop(i);
+}
+
+// "a pond would be nice but is not needed": what the sentence named need not be.
+void ClauseReader::DropOptional() {
+  for (const int index : subjects_) {
+    if (d_.thing(index).sentence == d_.sentence()) d_.Drop(index);
+  }
+  subjects_.clear();
 }
 
 // "forget the square": what was named so, else what was named last.

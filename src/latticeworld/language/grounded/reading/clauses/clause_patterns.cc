@@ -130,27 +130,6 @@ void ClauseReader::ReadBridge(const Chunk& chunk) {
   d_.Relate(std::move(relation));
 }
 
-// "Inside the loop: grass": the ring that was spoken of goes round what comes.
-void ClauseReader::ReadInsideRing() {
-  for (int i = d_.size() - 1; i >= 0; --i) {
-    const bool ring = d_.feature(i).shape == ClaimShape::kRing;
-    if (d_.thing(i).dropped || !ring) continue;
-    Frame frame;
-    frame.sense = Sense::kSurroundedBy;
-    frame.objects = {i};
-    frame.expecting = false;
-    if (ThingFollows(at_ + 1, true)) {
-      if (!subjects_.empty()) BeginClause();
-      CloseFrame();
-      frame.fronted = true;
-      frame_ = std::move(frame);
-    } else {
-      for (const int subject : subjects_) Assert(frame, subject, &d_);
-    }
-    return;
-  }
-}
-
 // "villas with one drive leading in": to the villas.
 void ClauseReader::ReadToThere() {
   verb_said_ = true;
@@ -197,23 +176,6 @@ void ClauseReader::ReadMeeting() {
   verb_said_ = true;
 }
 
-// "Beyond the ring of trees farmland": the land there surrounds the ring.
-void ClauseReader::FrontRing() {
-  std::size_t next = SkipVerbs(at_ + 1);
-  if (IsKind(next, ChunkKind::kComma)) next = SkipVerbs(next + 1);
-  if (!IsThing(next) || chunks_[next].phrase.noun->shape != WordShape::kMass) return;
-  for (int i = d_.size() - 1; i >= 0; --i) {
-    if (d_.thing(i).dropped || d_.feature(i).shape != ClaimShape::kRing || IsLine(i)) continue;
-    Frame frame;
-    frame.sense = Sense::kSurrounds;
-    frame.objects = {i};
-    frame.fronted = true;
-    frame.expecting = false;
-    frame_ = std::move(frame);
-    return;
-  }
-}
-
 // "The forest is a crescent; inside the crescent there is a village": close by it.
 void ClauseReader::ReadInsideBend() {
   for (int i = d_.size() - 1; i >= 0; --i) {
@@ -254,13 +216,6 @@ bool ClauseReader::ClotheIsland(int host) {
   d_.Extend(host, chunks_[at_ + 1].end);
   ++at_;
   return true;
-}
-
-bool ClauseReader::HasRing() const {
-  for (int i = 0; i < d_.size(); ++i) {
-    if (!d_.thing(i).dropped && d_.feature(i).shape == ClaimShape::kRing) return true;
-  }
-  return false;
 }
 
 // The way along a line, or what is long; (0, 0): not known.

@@ -50,6 +50,11 @@ class ClauseReader {
   void ReadPlace(const Chunk& chunk);
   void ReadDirection(const Chunk& chunk);
   void ReadAxis(const Chunk& chunk);
+  void RunLinesAlong(const AxisMatch& axis, const Chunk& chunk);
+  void RunPiecesAlong(const AxisMatch& axis, const Chunk& chunk);
+  bool EndsThingAtAxis() const;
+  void StretchAlong(const AxisMatch& axis, int index);
+  void RunWhatComes(const AxisMatch& axis);
   bool IsStrip(int index) const;
   void ReadQualities(const Chunk& chunk);
   void ReadSense(const Chunk& chunk);
@@ -58,17 +63,83 @@ class ClauseReader {
   bool StartsAnew(std::size_t next) const;
   bool FrameLacksObject() const;
 
+  // Words by what they do: true where the word is one of the family; it is read then.
+  bool ReadConjunction(const Chunk& chunk);
+  bool ReadVerb(const Chunk& chunk);
+  bool ReadDenial(const Chunk& chunk);
+  bool ReadLimit(const Chunk& chunk);
+  bool ReadAmount(const Chunk& chunk);
+  bool ReadCourse(const Chunk& chunk);
+  bool ReadTies(const Chunk& chunk);
+  bool ReadWhereabouts(const Chunk& chunk);
+  void ReadRelation(const Chunk& chunk);
+  void ReadBreak();
+  void ReadThen();
+  void ReadInWhich(const Chunk& chunk);
+  void ReadWhich();
+  void ReadExists();
+  void ReadBe(Sense sense);
+  void ReadWith(Sense sense);
+  bool ReadWithOfFrame(Sense sense);
+  bool IsBareHas() const;
+  void ReadCoveredBy(Sense sense);
+  void ReadCovers(const Chunk& chunk);
+  void ReadTravel(const Chunk& chunk);
+  void ReadRuns(const Chunk& chunk);
+  void ReadNothingElse();
+  void ReadNoOther(const Chunk& chunk);
+  void ReadOnly(const Chunk& chunk);
+  void ReadMostly();
+  void ReadEntirely();
+  void ReadHalfEach();
+  std::size_t AlikeAhead() const;
+
   // Noun phrases.
   void ReadMap(const Chunk& chunk);
   void ReadRest(const Chunk& chunk);
   void ReadAbsence(const Chunk& chunk);
   bool DeniesAnother(const ClassWord& noun) const;
+
+  // The things that a noun phrase refers to. `about`: those that the clause speaks of already;
+  // `known`: those that the phrase could mean, one at least. Each way of referring to them answers
+  // with those that are meant, empty or -1 where it is not the way that the words go.
   std::vector<int> Refer(const Chunk& chunk);
+  std::vector<int> ReferByPronoun(const Chunk& chunk, const std::vector<int>& about);
+  std::vector<int> ReferToIt(const Chunk& chunk, const std::vector<int>& about);
+  std::vector<int> ReferToThem(const NounPhrase& phrase, const std::vector<int>& about);
   std::vector<int> ReferToOne(const Chunk& chunk, const std::vector<int>& about);
+  bool IsOneElsewhere(const NounPhrase& phrase) const;
+  std::vector<int> OneByPlace(const Chunk& chunk, const std::vector<int>& about, int model);
+  int OneOfParts(const NounPhrase& phrase, const std::vector<int>& about);
+  std::vector<int> BesideFirst(const Chunk& chunk);
+  int ClothedIsland(const NounPhrase& phrase);
+  bool AfterMark(char mark) const;
+  int MeasuredAgain(const NounPhrase& phrase);
+  std::vector<int> ReferToKnown(const Chunk& chunk, const std::vector<int>& known);
+  std::vector<int> PartOfKnown(const NounPhrase& phrase, const std::vector<int>& known);
+  std::vector<int> ExplainedAgain(const Chunk& chunk, const std::vector<int>& known);
+  std::vector<int> NextOfKnown(const NounPhrase& phrase, const std::vector<int>& known);
+  std::vector<int> CountedAgain(const Chunk& chunk, const std::vector<int>& known);
+  std::vector<int> PointedBackTo(const NounPhrase& phrase, const std::vector<int>& known);
+  std::vector<int> NamedAsObject(const NounPhrase& phrase, const std::vector<int>& known);
+  std::vector<int> NamedBarely(const NounPhrase& phrase, const std::vector<int>& known);
+  std::vector<int> NamedInOtherWords(const NounPhrase& phrase, const std::vector<int>& known);
+  std::vector<int> ReplacedBy(const std::vector<int>& known);
+  std::vector<int> ReferToNew(const Chunk& chunk);
+
+  // What things are in their clause.
   std::vector<int> OneMore(const Chunk& chunk);
   int SameObject() const;
-  void Place_(int index, const Chunk& chunk);
   void TakeSubjects(const std::vector<int>& found, bool is_new, const Chunk& chunk);
+  void PassInOrder(const std::vector<int>& found);
+  void BecomeSubjects(const std::vector<int>& found, bool fronted, const NounPhrase& phrase);
+  void LimitTo(int index, bool is_new, bool fronted);
+  void FillAll(int index, bool is_new, const NounPhrase& phrase);
+  void TakeLeadOf(int index, bool is_new, bool named);
+  void TakeShare(int index, bool is_new, bool named, const Chunk& chunk);
+  void TakeCourse(int index, bool is_new, bool alone);
+  void AssertFronted(const std::vector<int>& found);
+  void RunParallel(const std::vector<int>& found);
   void TakeSides(const std::vector<int>& found);
   void TakeObjects(const std::vector<int>& found);
   void Cover(int index, const Chunk& chunk);
@@ -94,14 +165,46 @@ class ClauseReader {
   void Island(int index);
   void Beside(int index, Sense beside);
 
-  // Places.
+  // Places. Those that answer with a bool: whether the place was said of that; it is there then.
+  std::vector<Zone> ZonesSaid(const Chunk& chunk) const;
+  bool MeansAllOf(const std::vector<Zone>& zones, const Chunk& chunk) const;
+  void PlaceAnywhere(const Chunk& chunk);
+  bool PlaceInBrackets(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool ExceptPlace(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool DenyPlace(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool CorrectPlace(const std::vector<Zone>& zones);
+  bool TravelToward(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool PlaceFrontedObject(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool TurnBehind(const std::vector<Zone>& zones);
+  bool TakePlaceAsObject(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool PlaceBorders(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool PlaceTouching(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool LeadsClause() const;
+  void TakeLead(const std::vector<Zone>& zones, const Chunk& chunk);
+  void Attach(const std::vector<Zone>& zones, bool extent, const Chunk& chunk);
+  void NarrowDenials(const std::vector<Zone>& zones, const Chunk& chunk);
+  std::vector<int> PlaceOwners() const;
+  bool AttachToObject(const std::vector<Zone>& zones, const Chunk& chunk, std::vector<int>* owners);
+  void LeaveOutUnplaced(std::vector<int>* owners) const;
+  void AttachTo(int index, const std::vector<Zone>& zones, bool fills, const Chunk& chunk);
+  bool RunTo(const std::vector<Zone>& zones, const std::string& words, PlannedFeature* line) const;
   bool IsUncounted(int index) const;
   bool TurnsAt(const std::vector<Zone>& zones, PlannedFeature* line) const;
-  void Attach(const std::vector<Zone>& zones, bool extent, const Chunk& chunk);
   void Lead_(const std::vector<Zone>& zones, const Chunk& chunk);
   static bool IsMany(const std::vector<Zone>& zones);
   std::vector<Zone> OtherZones(std::vector<Zone> zones, std::string_view words) const;
   bool TakeEndZone(const std::vector<Zone>& zones);
+  bool TakeFirstEnd(const std::vector<Zone>& zones);
+  bool HugEdge(const std::vector<Zone>& zones, const Chunk& chunk);
+  bool TakePassage(const std::vector<Zone>& zones, const Chunk& chunk);
+  void EndLines(const std::vector<Zone>& zones, const Waypoint& end, const Chunk& chunk);
+  bool ReachEdges(int line, const std::vector<Zone>& zones, const Chunk& chunk);
+  bool BendToward(int line, const std::vector<Zone>& zones, const Chunk& chunk);
+  void EndLine(int index, const Waypoint& end, const Chunk& chunk);
+  bool WalkOn(const std::vector<Zone>& zones);
+  bool StandThere(const std::vector<Zone>& zones, const Chunk& chunk);
+  void EndWhatComes(const Waypoint& end);
+  void EndBelt(const std::vector<Zone>& zones, const Waypoint& end, const Chunk& chunk);
   bool TakeOtherEnd(const std::vector<Zone>& zones);
   void JoinEnds(int line);
   bool DealOut(int line, const std::vector<Zone>& zones, const std::string& words, bool from);
@@ -109,6 +212,10 @@ class ClauseReader {
   bool SplitsMap(const std::vector<Zone>& zones, const std::string& words);
   void Deny(char letter, const std::vector<Zone>& zones, const Chunk& chunk);
   void ReadExcept();
+  void ReadExceptOrNot(const Chunk& chunk);
+  void ReadLack(const Chunk& chunk);
+  void ReadScratch(const Chunk& chunk);
+  void DropOptional();
   bool AfterAll() const;
   void ReadNext();
   void DropQuestion(const Chunk& chunk);
@@ -136,6 +243,8 @@ class ClauseReader {
   bool SaysReach() const;
   void TakeMoreEnds(int line);
   void RunLikewise();
+  void RunDiagonally();
+  void RunFromThere();
   void DenyAround(char letter, const Chunk& chunk);
 
   // Frames.
@@ -146,6 +255,8 @@ class ClauseReader {
   void ReadOtherSide(const Chunk& chunk);
   bool ReadOppositeOf();
   void ReadInsideRing();
+  void ReadOutsideRing();
+  void ReadWithin(const Chunk& chunk);
   bool HasRing() const;
   void ReadBridge(const Chunk& chunk);
   std::vector<int> Own(const Frame& frame, const std::vector<int>& subjects) const;
