@@ -170,6 +170,7 @@ Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, Instru
     terrain_request.covers = layout_reading.plan.covers;
     terrain_request.seed = StreamSeed(request.seed, "terrain");
     terrain_request.options.fords = FordsRivers(request.layout_instruction, request.size_m);
+    terrain_request.options.bridge_kind = BridgeKindAskedFor(request.layout_instruction);
     return BuildTerrain(terrain_request, progress);
   }));
 

@@ -232,7 +232,7 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
     const double ford_depth_m =
         std::min(request.options.ford_depth_m, internal::RiverDepth_m(lattice.size_m()));
     const Grid<float> depth_m = DepthNearRoads(lattice, road, water.wet, ford_depth_m);
-    bridges = internal::PlanBridges({lattice, letters, lines, water, banks});
+    bridges = internal::PlanBridges({lattice, letters, lines, water, banks, request.options.bridge_kind});
     internal::RoadRule rule;
     rule.max_slope = request.options.max_road_slope;
     rule.embankment_slope = request.options.embankment_slope;

@@ -2,6 +2,7 @@
 #define LATTICEWORLD_TERRAIN_TERRAIN_H_
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "latticeworld/common/progress.h"
@@ -34,12 +35,13 @@ struct Terrain {
 
 // How the built parts of the land are shaped; slopes are tangents [m/m].
 struct TerrainOptions {
-  double max_road_slope = 0.12;   // along roads, (0, 0.5]
-  double embankment_slope = 0.5;  // of cuts and fills beside roads, [0.1, 1]; high ones are
-                                  // up to twice as steep
-  double max_bank_slope = 0.6;    // of the land beside water, [0.1, 1]
-  double ford_depth_m = 0.12;     // of water over a ford, [0.02, 0.14]
-  bool fords = false;             // roads ford narrow rivers; see RiversAreShallow
+  double max_road_slope = 0.12;           // along roads, (0, 0.5]
+  double embankment_slope = 0.5;          // of cuts and fills beside roads, [0.1, 1]; high ones are
+                                          // up to twice as steep
+  double max_bank_slope = 0.6;            // of the land beside water, [0.1, 1]
+  double ford_depth_m = 0.12;             // of water over a ford, [0.02, 0.14]
+  bool fords = false;                     // roads ford narrow rivers; see RiversAreShallow
+  std::optional<BridgeKind> bridge_kind;  // none: each by its width and setting
 };
 std::vector<Violation> Validate(const TerrainOptions& options);
 

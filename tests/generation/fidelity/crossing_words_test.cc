@@ -52,6 +52,30 @@ bool Warns(const World& world, const std::string& of) {
   });
 }
 
+TEST(CrossingWordsTest, TheWordBeforeABridgeIsItsKind) {
+  EXPECT_EQ(BridgeKindAskedFor("A stone bridge crosses the river."), BridgeKind::kStoneArch);
+  EXPECT_EQ(BridgeKindAskedFor("Wooden bridges over the stream"), BridgeKind::kPlank);
+  EXPECT_EQ(BridgeKindAskedFor("a bridge of the old kind, then a STEEL bridge"),
+            BridgeKind::kGirder);
+  EXPECT_EQ(BridgeKindAskedFor("A stone wall beside a bridge."), std::nullopt);
+  EXPECT_EQ(BridgeKindAskedFor("A road crosses the river."), std::nullopt);
+}
+
+TEST(CrossingWordsTest, BridgesAreOfTheKindThatIsAskedForWhateverTheirWidthAndSetting) {
+  for (const auto& entry : EnumNames(BridgeKind{})) {
+    const auto world = WorldOf(
+        "A river winds from the north to the south. A road runs from the "
+        "west to the east over a " +
+            std::string(entry.name) + ".",
+        256.0);
+    ASSERT_FALSE(world->scene->terrain->bridges.empty()) << entry.name;
+    for (const Bridge& bridge : world->scene->terrain->bridges) {
+      EXPECT_EQ(bridge.kind, entry.value) << entry.name;
+      EXPECT_GT(bridge.supports_m.size(), 1u) << entry.name;
+    }
+  }
+}
+
 TEST(CrossingWordsTest, ABridgeWhereNoWaterIsIsToldToBeMissing) {
   const auto world = WorldOf("A bridge in the center. Grassland everywhere. A road.", 64.0);
   EXPECT_TRUE(world->scene->terrain->bridges.empty());

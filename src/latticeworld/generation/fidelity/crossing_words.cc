@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/layout/claims/crossings.h"
@@ -17,18 +18,25 @@ bool IsOneOf(const std::string& word, const std::array<std::string_view, kCount>
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+std::vector<std::string> WordsOf(std::string_view text) {
+  std::string letters = ToLowerAscii(text);
+  for (char& letter : letters) {
+    if (std::isalpha(static_cast<unsigned char>(letter)) == 0) letter = ' ';
+  }
+  std::vector<std::string> words;
+  for (std::string& word : Split(letters, ' ')) {
+    if (!word.empty()) words.push_back(std::move(word));
+  }
+  return words;
+}
+
 // Whether the text has one of the words without a denial right before it.
 template <std::size_t kCount>
 bool AsksFor(const std::array<std::string_view, kCount>& words, std::string_view instruction) {
   constexpr std::array<std::string_view, 4> kDenials = {"no", "not", "without", "never"};
   constexpr std::array<std::string_view, 3> kBetween = {"a", "any", "the"};
-  std::string letters = ToLowerAscii(instruction);
-  for (char& letter : letters) {
-    if (std::isalpha(static_cast<unsigned char>(letter)) == 0) letter = ' ';
-  }
   std::string before;
-  for (const std::string& word : Split(letters, ' ')) {
-    if (word.empty()) continue;
+  for (const std::string& word : WordsOf(instruction)) {
     if (IsOneOf(word, words) && !IsOneOf(before, kDenials)) return true;
     if (!IsOneOf(word, kBetween)) before = word;
   }
@@ -57,6 +65,34 @@ bool AsksForBridges(std::string_view instruction) {
   constexpr std::array<std::string_view, 5> kWords = {"bridge", "bridges", "bridged", "footbridge",
                                                       "footbridges"};
   return AsksFor(kWords, instruction);
+}
+
+std::optional<BridgeKind> BridgeKindAskedFor(std::string_view instruction) {
+  struct Word {
+    std::string_view word;
+    BridgeKind kind;
+  };
+  constexpr std::array<Word, 10> kMaterials = {{{"stone", BridgeKind::kStoneArch},
+                                                {"arch", BridgeKind::kStoneArch},
+                                                {"arched", BridgeKind::kStoneArch},
+                                                {"plank", BridgeKind::kPlank},
+                                                {"wooden", BridgeKind::kPlank},
+                                                {"timber", BridgeKind::kPlank},
+                                                {"girder", BridgeKind::kGirder},
+                                                {"steel", BridgeKind::kGirder},
+                                                {"iron", BridgeKind::kGirder},
+                                                {"concrete", BridgeKind::kGirder}}};
+  std::optional<BridgeKind> kind;
+  std::string before;
+  for (const std::string& word : WordsOf(instruction)) {
+    if (word == "bridge" || word == "bridges") {
+      for (const Word& material : kMaterials) {
+        if (before == material.word) kind = material.kind;
+      }
+    }
+    before = word;
+  }
+  return kind;
 }
 
 bool FordsRivers(std::string_view instruction, double size_m) {

@@ -1,9 +1,12 @@
 #ifndef LATTICEWORLD_GENERATION_FIDELITY_CROSSING_WORDS_H_
 #define LATTICEWORLD_GENERATION_FIDELITY_CROSSING_WORDS_H_
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "latticeworld/terrain/ways/bridge.h"
 
 namespace latticeworld {
 
@@ -14,6 +17,10 @@ struct SymbolicLayout;
 // right before it.
 bool AsksForFords(std::string_view instruction);
 bool AsksForBridges(std::string_view instruction);
+
+// The kind of all bridges of roads: that of the last "stone bridge", "wooden bridges", "steel
+// bridge" ... that the instruction has; none: it names no kind.
+std::optional<BridgeKind> BridgeKindAskedFor(std::string_view instruction);
 
 // Whether roads ford narrow rivers in a world of that size: where the words ask for fords, and
 // where rivers are shallow and the words do not ask for bridges.

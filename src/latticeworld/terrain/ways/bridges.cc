@@ -400,18 +400,22 @@ class Planner {
     return {begin_m, end_m};
   }
 
-  // Kind by width and setting, and what follows from it.
+  BridgeKind NaturalKind(const Bridge& bridge) const {
+    const double length_m = bridge.length_m();
+    if (bridge.width_m < kPlankWidth_m) return BridgeKind::kPlank;
+    const bool settled = IsSettled(PlaceOn(bridge, 0.5 * length_m).point);
+    return settled && length_m <= kLongestStone_m ? BridgeKind::kStoneArch : BridgeKind::kGirder;
+  }
+
+  // What follows from the kind.
   void Dimension(Bridge* bridge, bool railed) const {
-    const double length_m = bridge->length_m();
     double longest_m = 18.0, least_m = 0.3, most_m = 1.0, slenderness = 22.0;
-    bridge->kind = BridgeKind::kGirder;
+    bridge->kind = ground_.kind.value_or(NaturalKind(*bridge));
     bridge->load_kg = 40e3;
-    if (bridge->width_m < kPlankWidth_m) {
-      bridge->kind = BridgeKind::kPlank;
+    if (bridge->kind == BridgeKind::kPlank) {
       bridge->load_kg = 3.5e3;
       longest_m = 6.0, least_m = 0.08, most_m = 0.3, slenderness = 25.0;
-    } else if (length_m <= kLongestStone_m && IsSettled(PlaceOn(*bridge, 0.5 * length_m).point)) {
-      bridge->kind = BridgeKind::kStoneArch;
+    } else if (bridge->kind == BridgeKind::kStoneArch) {
       bridge->load_kg = 30e3;
       longest_m = 10.0, slenderness = 25.0;
     }

@@ -2,6 +2,7 @@
 #define LATTICEWORLD_TERRAIN_WAYS_BRIDGES_H_
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "latticeworld/geometry/grid.h"
@@ -20,6 +21,7 @@ struct BridgeGround {
   const DecodedLayout& lines;
   const WaterBodies& water;
   const Banks& banks;
+  std::optional<BridgeKind> kind;  // of every bridge; none: by its width and setting
 };
 
 // One bridge for each way that a road takes over water (Crossing::kBridge), from road to road, else
