@@ -97,106 +97,156 @@ class StageRunner {
   std::vector<StageTime> stages_;
 };
 
+// The way of one request: each stage makes a part of the world from those before it.
+class WorldStages {
+ public:
+  WorldStages(GenerationRequest request, std::shared_ptr<const Catalogue> catalogue,
+              const Progress& progress)
+      : request_(std::move(request)),
+        catalogue_(std::move(catalogue)),
+        progress_(progress),
+        stages_(progress) {}
+
+  // What is given of the land's form: nothing, a height map, a sketch or real elevation.
+  Status ReadLand(const SketchTranslator& sketches) {
+    LW_ASSIGN_OR_RETURN(geometry_, GridGeometry::Create(request_.size_m, request_.resolution_m));
+    LW_ASSIGN_OR_RETURN(relief_, stages_.Run("relief", [&] {
+      return ReadVisual(request_, sketches, geometry_, progress_);
+    }));
+    if (!relief_) return Status();
+    world_->geo = relief_->geo;
+    Warn(relief_->warnings);
+    return Status();
+  }
+
+  Status MakeLayout(InstructionReader* reader, LanguageGenerator* generator) {
+    const auto make = [&]() -> Result<LayoutAnswer> {
+      LayoutRequest request;
+      request.instruction = request_.layout_instruction;
+      request.vocabulary = *FromName<Vocabulary>(request_.vocabulary);
+      request.relief = relief();
+      request.seed = StreamSeed(request_.seed, "layout");
+      LW_ASSIGN_OR_RETURN(layout_reading_,
+                          reader->ReadLayout(request, progress_, &world_->replies));
+      ReadRelief(request_.layout_instruction, &layout_reading_);
+      request.reading = &layout_reading_;
+      return generator->layout->Generate(request, progress_, &world_->replies);
+    };
+    LW_ASSIGN_OR_RETURN(LayoutAnswer layout, stages_.Run("layout", make));
+    world_->layout = std::move(layout.layout);
+    Warn(std::move(layout.warnings));
+    return Status();
+  }
+
+  Status MakeEnvironment(InstructionReader* reader, LanguageGenerator* generator) {
+    const auto make = [&]() -> Result<EnvironmentAnswer> {
+      EnvironmentRequest request;
+      request.instruction = request_.environment_instruction;
+      request.relief = relief();
+      request.layout = &world_->layout;
+      request.size_m = request_.size_m;
+      request.catalogue = catalogue_;
+      request.seed = StreamSeed(request_.seed, "environment");
+      LW_ASSIGN_OR_RETURN(environment_reading_,
+                          reader->ReadEnvironment(request, progress_, &world_->replies));
+      request.reading = &environment_reading_;
+      return generator->environment->Generate(request, progress_, &world_->replies);
+    };
+    LW_ASSIGN_OR_RETURN(EnvironmentAnswer environment, stages_.Run("environment", make));
+    world_->environment = std::move(environment.environment);
+    Warn(std::move(environment.warnings));
+    return Status();
+  }
+
+  // Measures what was said of layout and environment, and leaves what was said of the land's form
+  // and of single things to the stages after.
+  Status AssessWords() {
+    world_->fidelity =
+        AssessFidelity(layout_reading_, environment_reading_, world_->layout, world_->environment);
+    AddTerrainType(environment_reading_, &layout_reading_);
+    if (relief_) Warn(ReliefLeftAlone(layout_reading_.plan.reliefs));
+    LW_ASSIGN_OR_RETURN(things_, WishedThings(request_.things, layout_reading_.plan, *catalogue_,
+                                              world_->layout.vocabulary));
+    return Status();
+  }
+
+  Status MakeTerrain() {
+    LW_ASSIGN_OR_RETURN(Terrain terrain, stages_.Run("terrain", [&] {
+      TerrainRequest request;
+      request.geometry = geometry_;
+      request.layout = &world_->layout;
+      request.relief = relief();
+      if (!relief_) request.reliefs = layout_reading_.plan.reliefs;
+      request.covers = layout_reading_.plan.covers;
+      request.seed = StreamSeed(request_.seed, "terrain");
+      request.options.fords = FordsRivers(request_.layout_instruction, request_.size_m);
+      request.options.bridge_kind = BridgeKindAskedFor(request_.layout_instruction);
+      return BuildTerrain(request, progress_);
+    }));
+    AssessReliefFidelity(layout_reading_, world_->layout, terrain, &world_->fidelity);
+    terrain_ = std::make_shared<const Terrain>(std::move(terrain));
+    return Status();
+  }
+
+  Status MakeScene() {
+    LW_ASSIGN_OR_RETURN(SceneAnswer scene, stages_.Run("scene", [&] {
+      SceneRequest request;
+      request.terrain = terrain_;
+      request.catalogue = catalogue_;
+      request.environment = world_->environment;
+      request.things = things_;
+      if (world_->geo) request.latitude_deg = world_->geo->latitude_deg;
+      request.seed = StreamSeed(request_.seed, "scene");
+      return BuildScene(request, progress_);
+    }));
+    world_->scene = std::move(scene.scene);
+    Warn(std::move(scene.warnings));
+    Warn(CrossingWarnings(request_.layout_instruction, world_->layout, *world_->scene));
+    AddThings(MeasureThings(*world_->scene, things_), &world_->fidelity);
+    Warn(WarningsOf(world_->fidelity, world_->warnings));
+    return Status();
+  }
+
+  std::shared_ptr<const World> TakeWorld() {
+    world_->request = std::move(request_);
+    world_->stages = stages_.TakeStages();
+    world_->id = ContentId(world_->layout, *world_->scene, world_->geo);
+    return std::move(world_);
+  }
+
+ private:
+  const Relief* relief() const { return relief_ ? &*relief_ : nullptr; }
+  void Warn(std::vector<std::string> warnings) {
+    for (std::string& warning : warnings) world_->warnings.push_back(std::move(warning));
+  }
+
+  GenerationRequest request_;
+  const std::shared_ptr<const Catalogue> catalogue_;
+  const Progress& progress_;
+  StageRunner stages_;
+  std::shared_ptr<World> world_ = std::make_shared<World>();
+  GridGeometry geometry_;
+  std::optional<Relief> relief_;
+  LayoutReading layout_reading_;
+  EnvironmentReading environment_reading_;
+  std::vector<ThingWish> things_;
+  std::shared_ptr<const Terrain> terrain_;
+};
+
 Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, InstructionReader* reader,
                                                LanguageGenerator* generator,
                                                const SketchTranslator& sketches,
                                                const std::shared_ptr<const Catalogue>& catalogue,
                                                const Progress& progress) {
-  auto world = std::make_shared<World>();
-  StageRunner stages(progress);
-  const auto add_warnings = [&world](std::vector<std::string> warnings) {
-    for (std::string& warning : warnings) world->warnings.push_back(std::move(warning));
-  };
-
-  LW_ASSIGN_OR_RETURN(const GridGeometry geometry,
-                      GridGeometry::Create(request.size_m, request.resolution_m));
-  LW_ASSIGN_OR_RETURN(const std::optional<Relief> relief, stages.Run("relief", [&] {
-    return ReadVisual(request, sketches, geometry, progress);
-  }));
-  const Relief* relief_pointer = relief ? &*relief : nullptr;
-  if (relief) {
-    world->geo = relief->geo;
-    add_warnings(relief->warnings);
-  }
-
-  LayoutReading layout_reading;
-  LW_ASSIGN_OR_RETURN(LayoutAnswer layout, stages.Run("layout", [&]() -> Result<LayoutAnswer> {
-    LayoutRequest layout_request;
-    layout_request.instruction = request.layout_instruction;
-    layout_request.vocabulary = *FromName<Vocabulary>(request.vocabulary);
-    layout_request.relief = relief_pointer;
-    layout_request.seed = StreamSeed(request.seed, "layout");
-    LW_ASSIGN_OR_RETURN(layout_reading,
-                        reader->ReadLayout(layout_request, progress, &world->replies));
-    ReadRelief(request.layout_instruction, &layout_reading);
-    layout_request.reading = &layout_reading;
-    return generator->layout->Generate(layout_request, progress, &world->replies);
-  }));
-  world->layout = std::move(layout.layout);
-  add_warnings(std::move(layout.warnings));
-
-  EnvironmentReading environment_reading;
-  LW_ASSIGN_OR_RETURN(
-      EnvironmentAnswer environment, stages.Run("environment", [&]() -> Result<EnvironmentAnswer> {
-        EnvironmentRequest environment_request;
-        environment_request.instruction = request.environment_instruction;
-        environment_request.relief = relief_pointer;
-        environment_request.layout = &world->layout;
-        environment_request.size_m = request.size_m;
-        environment_request.catalogue = catalogue;
-        environment_request.seed = StreamSeed(request.seed, "environment");
-        LW_ASSIGN_OR_RETURN(
-            environment_reading,
-            reader->ReadEnvironment(environment_request, progress, &world->replies));
-        environment_request.reading = &environment_reading;
-        return generator->environment->Generate(environment_request, progress, &world->replies);
-      }));
-  world->environment = std::move(environment.environment);
-  add_warnings(std::move(environment.warnings));
-  world->fidelity =
-      AssessFidelity(layout_reading, environment_reading, world->layout, world->environment);
-  AddTerrainType(environment_reading, &layout_reading);
-  if (relief) add_warnings(ReliefLeftAlone(layout_reading.plan.reliefs));
-  LW_ASSIGN_OR_RETURN(
-      const std::vector<ThingWish> things,
-      WishedThings(request.things, layout_reading.plan, *catalogue, world->layout.vocabulary));
-
-  LW_ASSIGN_OR_RETURN(Terrain terrain, stages.Run("terrain", [&] {
-    TerrainRequest terrain_request;
-    terrain_request.geometry = geometry;
-    terrain_request.layout = &world->layout;
-    terrain_request.relief = relief_pointer;
-    if (!relief) terrain_request.reliefs = layout_reading.plan.reliefs;
-    terrain_request.covers = layout_reading.plan.covers;
-    terrain_request.seed = StreamSeed(request.seed, "terrain");
-    terrain_request.options.fords = FordsRivers(request.layout_instruction, request.size_m);
-    terrain_request.options.bridge_kind = BridgeKindAskedFor(request.layout_instruction);
-    return BuildTerrain(terrain_request, progress);
-  }));
-
-  AssessReliefFidelity(layout_reading, world->layout, terrain, &world->fidelity);
-
-  LW_ASSIGN_OR_RETURN(SceneAnswer scene, stages.Run("scene", [&] {
-    SceneRequest scene_request;
-    scene_request.terrain = std::make_shared<const Terrain>(std::move(terrain));
-    scene_request.catalogue = catalogue;
-    scene_request.environment = world->environment;
-    scene_request.things = things;
-    if (world->geo) scene_request.latitude_deg = world->geo->latitude_deg;
-    scene_request.seed = StreamSeed(request.seed, "scene");
-    return BuildScene(scene_request, progress);
-  }));
-  world->scene = std::move(scene.scene);
-  add_warnings(std::move(scene.warnings));
-  add_warnings(CrossingWarnings(request.layout_instruction, world->layout, *world->scene));
-  AddThings(MeasureThings(*world->scene, things), &world->fidelity);
-  add_warnings(WarningsOf(world->fidelity, world->warnings));
-
+  WorldStages stages(std::move(request), catalogue, progress);
+  LW_RETURN_IF_ERROR(stages.ReadLand(sketches));
+  LW_RETURN_IF_ERROR(stages.MakeLayout(reader, generator));
+  LW_RETURN_IF_ERROR(stages.MakeEnvironment(reader, generator));
+  LW_RETURN_IF_ERROR(stages.AssessWords());
+  LW_RETURN_IF_ERROR(stages.MakeTerrain());
+  LW_RETURN_IF_ERROR(stages.MakeScene());
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
-  world->request = std::move(request);
-  world->stages = stages.TakeStages();
-  world->id = ContentId(world->layout, *world->scene, world->geo);
-  return std::shared_ptr<const World>(std::move(world));
+  return stages.TakeWorld();
 }
 
 }  // namespace
