@@ -5,103 +5,27 @@
 #include "latticeworld/language/grounded/reading/clauses/clause_reader.h"
 #include "latticeworld/language/grounded/reading/place_phrases.h"
 
+// What noun phrases do in a clause: name, count, deny, correct, compare.
 namespace latticeworld {
+namespace {
+
+// "no forest", "zero houses"
+bool SaysNone(const NounPhrase& phrase) {
+  return phrase.negated ||
+         (phrase.qualities.count.has_value() && phrase.qualities.count->most == 0);
+}
+
+}  // namespace
+
 void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
   const NounPhrase& phrase = chunk.phrase;
-  const bool zero = phrase.qualities.count.has_value() && phrase.qualities.count->most == 0;
-  const bool denied = phrase.negated || zero || (negating_ && phrase.noun != nullptr) ||
-                      (not_next_ && phrase.noun != nullptr);
-  // "linked with the lake by a straight road": the road joins them.
-  const bool joins = frame_.has_value() && frame_->sense == Sense::kConnectedBy &&
-                     frame_->objects.size() == 1 && !frame_->subjects.empty() &&
-                     !IsLine(frame_->objects[0]) && !IsLine(frame_->subjects.back()) &&
-                     phrase.noun != nullptr && phrase.noun->shape == WordShape::kLine;
-  if (joins) {
-    frame_->sense = Sense::kConnects;
-    frame_->objects.insert(frame_->objects.begin(), frame_->subjects.back());
-    frame_->fronted = true;
-    frame_->expecting = false;
-  }
+  JoinByLine(phrase);
   if (skip_next_ && phrase.noun != nullptr) {
     skip_next_ = false;
     return;
   }
-  if (phrase.head == Head::kMap) {
-    ReadMap(chunk);
-    return;
-  }
-  if (phrase.head == Head::kRest) {
-    ReadRest(chunk);
-    return;
-  }
-  // "half of it is forest": of the map.
-  const bool most_there =
-      (phrase.head == Head::kIt || phrase.head == Head::kThey) &&
-      phrase.qualities.share.has_value() && phrase.qualities.share->mostly && !subjects_.empty() &&
-      (IsKind(at_ + 1, ChunkKind::kPlace) || IsKind(at_ + 2, ChunkKind::kPlace));
-  if (most_there) return;  // "woods, most of it in the north"
-  if (phrase.head == Head::kIt && phrase.qualities.share.has_value()) {
-    ReadMap(chunk);
-    return;
-  }
-  // "none of them touching the border"
-  const bool none_of_them =
-      phrase.head == Head::kThey && (phrase.negated || zero || phrase.qualities.none);
-  if (none_of_them) {
-    BeginClause();
-    subjects_ = d_.Antecedent({}, /*many=*/true);
-    not_next_ = true;
-    return;
-  }
-  // "copses: four of them"
-  if (phrase.head == Head::kThey && phrase.qualities.count.has_value()) {
-    std::vector<int> about = subjects_;
-    if (about.empty()) about = d_.Antecedent({}, true);
-    if (about.size() == 1 && !SomeOf(phrase, about[0])) {
-      d_.Describe(phrase.qualities, about[0]);
-      d_.Extend(about[0], chunk.end);
-      if (subjects_.empty()) subjects_ = about;
-      return;
-    }
-  }
-  if (ReadLeftOut(chunk) || ReadPartOf(chunk)) return;
-  if (denied && phrase.noun != nullptr) {
-    not_next_ = false;
-    // "not a lake but a river"
-    if (!phrase.negated && !zero && !negating_ && IsSense(at_ + 1, Sense::kBut)) return;
-    // "no large lakes": there may be small ones.
-    const bool of_size = phrase.negated && phrase.qualities.size > 1.0 &&
-                         phrase.noun->shape != WordShape::kLine && !zero;
-    if (of_size) {
-      BeginClause();
-      return;
-    }
-    ReadAbsence(chunk);
-    return;
-  }
-  if (correcting_ && phrase.noun != nullptr) {
-    const int last = !subjects_.empty() ? subjects_.back() : d_.size() - 1;
-    if (last >= 0 && phrase.qualities.count.has_value() &&
-        phrase.noun->LetterIn(d_.plan().vocabulary) == d_.feature(last).letter) {
-      correcting_ = false;
-      d_.Describe(phrase.qualities, last);
-      return;
-    }
-  }
-  if (IsOtherWord(chunk)) return;
-  // "the river comes in as one stream"
-  const std::string own = ToLowerAscii(d_.Words(chunk.begin, chunk.end)).substr(0, 7);
-  const bool as_one = own == "as one " || own == "as a si";
-  if (as_one && phrase.noun != nullptr && LastSubject() >= 0 &&
-      phrase.noun->LetterIn(d_.plan().vocabulary) == d_.feature(LastSubject()).letter) {
-    d_.Extend(LastSubject(), chunk.end);
-    return;
-  }
-  // "three clearings, grassy ones"
-  const std::string after = ToLowerAscii(d_.Words(chunk.end, d_.instruction().size())).substr(0, 5);
-  if (after == " ones" && phrase.noun != nullptr && !subjects_.empty() && at_ > 0 &&
-      IsKind(at_ - 1, ChunkKind::kComma)) {
-    d_.Extend(subjects_.back(), chunk.end);
+  if (ReadMapOrRest(chunk) || CountThem(chunk) || ReadLeftOut(chunk) || ReadPartOf(chunk) ||
+      DenyThing(chunk) || CorrectCountOf(phrase) || IsOtherWord(chunk) || SaysMore(chunk)) {
     return;
   }
   if (phrase.head == Head::kOther && phrase.noun == nullptr && IsKind(at_ + 1, ChunkKind::kPlace) &&
@@ -118,26 +42,10 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
   }
   for (const int index : found) d_.Extend(index, chunk.end);
   if (comparing_) {
-    const int other = found.back();
-    Frame frame;
-    frame.sense = comparing_less_ ? Sense::kSmallerThan : Sense::kOutweighs;
-    frame.objects = {other};
-    if (!subjects_.empty()) Assert(frame, subjects_.back(), &d_);
-    comparing_ = false;
+    CompareWith(found.back());
     return;
   }
-  // "The shore of the lake is sand all the way round."
-  const bool of_shore = at_ >= 2 && IsSense(at_ - 1, Sense::kBe) && IsThing(at_ - 2) &&
-                        chunks_[at_ - 2].phrase.shore && subjects_.size() == 1 &&
-                        !frame_.has_value();
-  if (of_shore) {
-    Frame frame;
-    frame.sense = SaysAround(at_ + 1) ? Sense::kSurrounds : Sense::kNextTo;
-    frame.objects = subjects_;
-    for (const int index : found) Assert(frame, index, &d_);
-    subjects_ = found;
-    return;
-  }
+  if (LayOnShore(found)) return;
   if (IsSameThing(found, is_new)) {
     Merge(subjects_[0], found[0]);
     subjects_ = found;
@@ -150,6 +58,140 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
     TakeSubjects(found, is_new, chunk);
   }
   if (correcting_) correcting_ = false;
+}
+
+// "linked with the lake by a straight road": the road joins them.
+void ClauseReader::JoinByLine(const NounPhrase& phrase) {
+  const bool joins = frame_.has_value() && frame_->sense == Sense::kConnectedBy &&
+                     frame_->objects.size() == 1 && !frame_->subjects.empty() &&
+                     !IsLine(frame_->objects[0]) && !IsLine(frame_->subjects.back()) &&
+                     phrase.noun != nullptr && phrase.noun->shape == WordShape::kLine;
+  if (!joins) return;
+  frame_->sense = Sense::kConnects;
+  frame_->objects.insert(frame_->objects.begin(), frame_->subjects.back());
+  frame_->fronted = true;
+  frame_->expecting = false;
+}
+
+// "the map", "the rest", "half of it"
+bool ClauseReader::ReadMapOrRest(const Chunk& chunk) {
+  const NounPhrase& phrase = chunk.phrase;
+  if (phrase.head == Head::kMap) {
+    ReadMap(chunk);
+    return true;
+  }
+  if (phrase.head == Head::kRest) {
+    ReadRest(chunk);
+    return true;
+  }
+  const bool most_there =
+      (phrase.head == Head::kIt || phrase.head == Head::kThey) &&
+      phrase.qualities.share.has_value() && phrase.qualities.share->mostly && !subjects_.empty() &&
+      (IsKind(at_ + 1, ChunkKind::kPlace) || IsKind(at_ + 2, ChunkKind::kPlace));
+  if (most_there) return true;  // "woods, most of it in the north"
+  // "half of it is forest": of the map.
+  if (phrase.head == Head::kIt && phrase.qualities.share.has_value()) {
+    ReadMap(chunk);
+    return true;
+  }
+  return false;
+}
+
+// "none of them touching the border", "copses: four of them"
+bool ClauseReader::CountThem(const Chunk& chunk) {
+  const NounPhrase& phrase = chunk.phrase;
+  if (phrase.head != Head::kThey) return false;
+  if (SaysNone(phrase) || phrase.qualities.none) {
+    BeginClause();
+    subjects_ = d_.Antecedent({}, /*many=*/true);
+    not_next_ = true;
+    return true;
+  }
+  if (!phrase.qualities.count.has_value()) return false;
+  std::vector<int> about = subjects_;
+  if (about.empty()) about = d_.Antecedent({}, true);
+  if (about.size() != 1 || SomeOf(phrase, about[0])) return false;
+  d_.Describe(phrase.qualities, about[0]);
+  d_.Extend(about[0], chunk.end);
+  if (subjects_.empty()) subjects_ = about;
+  return true;
+}
+
+// "no lake", "not a lake", "no forest and houses"
+bool ClauseReader::DenyThing(const Chunk& chunk) {
+  const NounPhrase& phrase = chunk.phrase;
+  const bool none = SaysNone(phrase);
+  if (phrase.noun == nullptr || !(none || negating_ || not_next_)) return false;
+  not_next_ = false;
+  // "not a lake but a river"
+  if (!none && !negating_ && IsSense(at_ + 1, Sense::kBut)) return true;
+  // "no large lakes": there may be small ones.
+  const bool zero = phrase.qualities.count.has_value() && phrase.qualities.count->most == 0;
+  const bool of_size = phrase.negated && phrase.qualities.size > 1.0 &&
+                       phrase.noun->shape != WordShape::kLine && !zero;
+  if (of_size) {
+    BeginClause();
+  } else {
+    ReadAbsence(chunk);
+  }
+  return true;
+}
+
+// "six huts, no, four huts"
+bool ClauseReader::CorrectCountOf(const NounPhrase& phrase) {
+  if (!correcting_ || phrase.noun == nullptr) return false;
+  const int last = !subjects_.empty() ? subjects_.back() : d_.size() - 1;
+  if (last < 0 || !phrase.qualities.count.has_value() ||
+      phrase.noun->LetterIn(d_.plan().vocabulary) != d_.feature(last).letter) {
+    return false;
+  }
+  correcting_ = false;
+  d_.Describe(phrase.qualities, last);
+  return true;
+}
+
+// Whether the phrase only goes on about what the clause is about.
+bool ClauseReader::SaysMore(const Chunk& chunk) {
+  const NounPhrase& phrase = chunk.phrase;
+  if (phrase.noun == nullptr) return false;
+  // "the river comes in as one stream"
+  const std::string own = ToLowerAscii(d_.Words(chunk.begin, chunk.end)).substr(0, 7);
+  const bool as_one = own == "as one " || own == "as a si";
+  if (as_one && LastSubject() >= 0 &&
+      phrase.noun->LetterIn(d_.plan().vocabulary) == d_.feature(LastSubject()).letter) {
+    d_.Extend(LastSubject(), chunk.end);
+    return true;
+  }
+  // "three clearings, grassy ones"
+  const std::string after = ToLowerAscii(d_.Words(chunk.end, d_.instruction().size())).substr(0, 5);
+  if (after == " ones" && !subjects_.empty() && at_ > 0 && IsKind(at_ - 1, ChunkKind::kComma)) {
+    d_.Extend(subjects_.back(), chunk.end);
+    return true;
+  }
+  return false;
+}
+
+// "more forest than water"
+void ClauseReader::CompareWith(int other) {
+  Frame frame;
+  frame.sense = comparing_less_ ? Sense::kSmallerThan : Sense::kOutweighs;
+  frame.objects = {other};
+  if (!subjects_.empty()) Assert(frame, subjects_.back(), &d_);
+  comparing_ = false;
+}
+
+// "The shore of the lake is sand all the way round."
+bool ClauseReader::LayOnShore(const std::vector<int>& found) {
+  const bool of_shore = at_ >= 2 && IsSense(at_ - 1, Sense::kBe) && IsThing(at_ - 2) &&
+                        chunks_[at_ - 2].phrase.shore && subjects_.size() == 1 &&
+                        !frame_.has_value();
+  if (!of_shore) return false;
+  Frame frame;
+  frame.sense = SaysAround(at_ + 1) ? Sense::kSurrounds : Sense::kNextTo;
+  frame.objects = subjects_;
+  for (const int index : found) Assert(frame, index, &d_);
+  subjects_ = found;
+  return true;
 }
 
 // "Half of the forest lies in the west", "most of the houses are in the north": so much of it is
@@ -225,105 +267,6 @@ bool ClauseReader::IsOtherWord(const Chunk& chunk) const {
          !phrase.definite && !phrase.qualities.count.has_value() && !frame_.has_value() &&
          phrase.noun->LetterIn(d_.plan().vocabulary) == d_.feature(last).letter &&
          (phrase.noun->shape == WordShape::kLine) == IsLine(last);
-}
-
-void ClauseReader::ReadMap(const Chunk& chunk) {
-  const Qualities& said = chunk.phrase.qualities;
-  if (comparing_ && !subjects_.empty()) {
-    // "more water than land"
-    PlannedFeature& feature = d_.feature(subjects_.back());
-    feature.share = comparing_less_ ? 0.4 : 0.58;
-    (comparing_less_ ? feature.share_most : feature.share_least) = 0.5;
-    comparing_ = false;
-    return;
-  }
-  // "lots of water, almost no land"
-  if (said.share.has_value() && said.share->most < 0.2 && !subjects_.empty() &&
-      EndsWithWord(ToLowerAscii(d_.Words(chunk.begin, chunk.end)), "land")) {
-    d_.feature(subjects_.back()).dominant = true;
-    return;
-  }
-  // "forest on two fifths of the map"
-  const bool over =
-      frame_.has_value() && frame_->sense == Sense::kCrosses && LineOf(frame_->subjects) < 0;
-  if (frame_.has_value() && (frame_->sense == Sense::kIn || over) && frame_->objects.empty() &&
-      !frame_->fronted && said.share.has_value()) {
-    for (const int index : frame_->subjects) d_.Describe(said, index);
-    frame_.reset();
-    return;
-  }
-  if (frame_.has_value() && frame_->expecting && frame_->objects.empty()) {
-    // "forest covers half of the map", "a river crosses the map"
-    for (const int index : frame_->subjects) {
-      if (frame_->sense != Sense::kCovers && frame_->sense != Sense::kDominates) continue;
-      if (said.any && said.share.has_value()) {
-        d_.Describe(said, index);
-      } else {
-        d_.feature(index).dominant = true;
-      }
-      d_.Extend(index, chunk.end);
-    }
-    if (!IsCourse(frame_->sense)) {
-      frame_.reset();
-    } else if (frame_->sense == Sense::kCrosses) {
-      frame_->sense = Sense::kThrough;  // "two roads cross the map": not each other
-    }
-    return;
-  }
-  // "away from it the ground is stone"
-  if (frame_.has_value() && frame_->fronted && frame_->sense == Sense::kAway) {
-    frame_.reset();
-    rest_next_ = true;
-    return;
-  }
-  if (frame_.has_value() && frame_->fronted) return;  // "south of it everything is forest"
-  if (!subjects_.empty() && said.share.has_value()) {
-    std::vector<int> about = subjects_;
-    if (!list_has_and_) about = {about.back()};
-    for (const int index : about) d_.Describe(said, index);
-    return;
-  }
-  if (!subjects_.empty() && open_list_ && !verb_said_) return;
-  if (!subjects_.empty()) BeginClause();
-  // "Everything south of it is forest": what lies there.
-  if (Fronts(at_ + 1) &&
-      (IsKind(at_ + 1, ChunkKind::kDirection) || IsSense(at_ + 1, Sense::kAbove) ||
-       IsSense(at_ + 1, Sense::kBelow) || IsSense(at_ + 1, Sense::kBeyond) ||
-       IsSense(at_ + 1, Sense::kBehind) || IsSense(at_ + 1, Sense::kBetween))) {
-    lead_ = Lead();
-    return;
-  }
-  map_is_subject_ = true;
-  map_share_ = said.share;
-  share_of_map_ = true;
-  mostly_next_ = mostly_next_ || said.mostly;
-  // "everything forest": no verb between them.
-  if (IsThing(at_ + 1) && !chunks_[at_ + 1].phrase.negated) cover_next_ = true;
-}
-
-void ClauseReader::ReadRest(const Chunk& chunk) {
-  std::size_t next = SkipVerbs(at_ + 1);
-  if (IsKind(next, ChunkKind::kComma)) next = SkipVerbs(next + 1);
-  if (IsSense(next, Sense::kIn) || IsSense(next, Sense::kTo) || IsSense(next, Sense::kWith)) ++next;
-  if (IsPhrase(next) && chunks_[next].phrase.head == Head::kMap) next = SkipVerbs(next + 1);
-  if (IsSense(next, Sense::kWith) && IsThing(next + 1)) ++next;  // "the rest with grass"
-  if (IsKind(next, ChunkKind::kQualities)) ++next;
-  const bool is_last = !subjects_.empty() && IsKind(at_ + 1, ChunkKind::kComma);
-  if (IsThing(next) && !chunks_[next].phrase.negated && !is_last) {
-    BeginClause();
-    lead_ = Lead();
-    rest_next_ = true;
-    return;
-  }
-  // "forest: everything else"
-  const bool value = subjects_.empty() && at_ >= 2 && IsKind(at_ - 1, ChunkKind::kComma) &&
-                     IsThing(at_ - 2) && d_.LastMentioned() >= 0;
-  if (value) subjects_ = {d_.LastMentioned()};
-  for (const int index : subjects_) {
-    d_.feature(index).fills_rest = true;
-    d_.Extend(index, chunk.end);
-  }
-  if (frame_.has_value() && frame_->objects.empty()) frame_.reset();
 }
 
 }  // namespace latticeworld

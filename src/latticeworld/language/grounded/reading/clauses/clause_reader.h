@@ -57,6 +57,12 @@ class ClauseReader {
   void RunWhatComes(const AxisMatch& axis);
   bool IsStrip(int index) const;
   void ReadQualities(const Chunk& chunk);
+  bool IsMereNumber(const Chunk& chunk) const;
+  bool CorrectQualities(const Qualities& said);
+  bool ReadNone(const Chunk& chunk);
+  bool ReadGap(const Chunk& chunk);
+  bool KeepForNext(const Qualities& said);
+  std::vector<int> QualityOwners(const Qualities& said);
   void ReadSense(const Chunk& chunk);
   void ReadComma();
   void ReadAnd(bool is_or);
@@ -94,7 +100,15 @@ class ClauseReader {
   void ReadHalfEach();
   std::size_t AlikeAhead() const;
 
-  // Noun phrases.
+  // Noun phrases. Those that answer with a bool: whether the phrase did that; it is read then.
+  void JoinByLine(const NounPhrase& phrase);
+  bool ReadMapOrRest(const Chunk& chunk);
+  bool CountThem(const Chunk& chunk);
+  bool DenyThing(const Chunk& chunk);
+  bool CorrectCountOf(const NounPhrase& phrase);
+  bool SaysMore(const Chunk& chunk);
+  void CompareWith(int other);
+  bool LayOnShore(const std::vector<int>& found);
   void ReadMap(const Chunk& chunk);
   void ReadRest(const Chunk& chunk);
   void ReadAbsence(const Chunk& chunk);
