@@ -30,6 +30,23 @@ def blocks_of(text):
     return [(node, yaml.safe_load(block)) for node, block in found]
 
 
+def recipes_of(text):
+    """The indented XML of a page, one element a block: that which nodes are started with."""
+    lines = re.findall(r"(?:^    .*\n)+", text, re.MULTILINE)
+    return [xml.etree.ElementTree.fromstring(block) for block in lines
+            if block.lstrip().startswith("<")]
+
+
+def parameters_of(node):
+    """The parameters that a <node> is given, as roslaunch reads them."""
+    given = {param.get("name"): yaml.safe_load(param.get("value"))
+             for param in node.findall("param")}
+    for block in node.findall("rosparam"):
+        value = yaml.safe_load(block.text)
+        given.update({block.get("param"): value} if block.get("param") else value)
+    return given
+
+
 class RealStacksTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -133,6 +150,55 @@ class RealStacksTest(unittest.TestCase):
         self.assertEqual("/world/scan_map", plants["map_topic"])
         self.assertIs(True, plants["use_maximum"], "it would take the place of `map`")
         self.assertIs(False, plants["first_map_only"])
+
+    def nodes_on_the_page(self):
+        """By name what each <node> of the page's recipes is given."""
+        recipes = recipes_of(PAGE.read_text(encoding="utf-8"))
+        return {node.get("name"): parameters_of(node)
+                for recipe in recipes for node in recipe.iter("node")}
+
+    def test_the_recipes_of_the_page_are_ones_that_roslaunch_can_read(self):
+        nodes = self.nodes_on_the_page()
+        self.assertLessEqual({"amcl", "slam_gmapping", "ekf_odom", "ekf_map", "navsat_transform",
+                              "octomap_server"}, set(nodes))
+        self.assertEqual("robot/map", nodes["slam_gmapping"]["map_frame"])
+
+    def test_filters_say_of_each_of_their_fifteen_quantities_whether_it_counts(self):
+        nodes = self.nodes_on_the_page()
+        for name in ("ekf_odom", "ekf_map"):
+            configs = [key for key in nodes[name] if key.endswith("_config")]
+            self.assertGreater(len(configs), 1)
+            for key in configs:
+                self.assertEqual(15, len(nodes[name][key]), f"{name} {key}")
+                self.assertLessEqual(set(nodes[name][key]), {True, False})
+                self.assertFalse(any(nodes[name][key][12:]), "a bias would be integrated twice")
+
+    def test_the_filter_in_map_knows_where_map_begins_and_how_high_the_robot_is(self):
+        nodes = self.nodes_on_the_page()
+        self.assertEqual("map", nodes["ekf_map"]["world_frame"])
+        self.assertEqual("odometry/gps", nodes["ekf_map"]["odom1"])
+        self.assertEqual([True] * 3, nodes["ekf_map"]["odom1_config"][:3])
+        navsat = nodes["navsat_transform"]
+        self.assertIs(False, navsat["zero_altitude"])
+        self.assertIs(True, navsat["wait_for_datum"])
+        latitude, longitude, yaw = navsat["datum"]
+        self.assertEqual(load(CONFIG / "world_server.yaml")["longitude"], longitude)
+        weather = (SOURCE / "docs/weather.md").read_text(encoding="utf-8")
+        self.assertIn(f"other worlds that of {latitude:.0f} deg N", weather)
+        self.assertEqual(0.0, yaw)
+
+    def test_what_grid_map_visualization_draws_are_layers_of_the_height_map(self):
+        given = load(CONFIG / "grid_map_visualization.yaml")
+        self.assertEqual("/world/height_map", given["grid_map_topic"])
+        drawn = given["grid_map_visualizations"]
+        names = [one["name"] for one in drawn]
+        self.assertGreater(len(names), 2, "without a list it draws nothing")
+        self.assertEqual(len(names), len(set(names)))
+        made = (SOURCE / "src/latticeworld_ros/publishing/world_messages.cc").read_text(
+            encoding="utf-8")
+        for layer in [one["params"]["layer"] for one in drawn if "layer" in one["params"]]:
+            self.assertIn(f'{{"{layer}", &', made)
+        self.assertIn("launch_cfg/grid_map_visualization.yaml", PAGE.read_text(encoding="utf-8"))
 
     def test_every_layer_that_is_configured_is_a_plugin(self):
         for costmap in (self.local, self.global_):

@@ -2,6 +2,8 @@
 """Nodes that start in another order than usual, start again, or take each other's names."""
 
 import signal
+import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -16,7 +18,15 @@ from episode_world import FIELD, OtherRecorder, verify
 from latticeworld.msg import EpisodeStatus, Status
 from navigator_client import Driver, NavigatorProcess, pose_at
 from server_process import Server
-from world_client import Collector, World, run, service, wait_until
+from world_client import TIMEOUT_S, Collector, World, run, service, wait_until
+
+TAKES_STATIC_MAP = """
+import rospy
+from nav_msgs.srv import GetMap
+rospy.init_node("taker")
+service = rospy.Service("static_map", GetMap, lambda _: None)
+rospy.spin()
+"""
 
 
 class OrderTest(unittest.TestCase):
@@ -105,6 +115,20 @@ class OrderTest(unittest.TestCase):
                 service("static_map", GetMap)()
             diagnostics.wait_for(lambda m: m.header.stamp > warning.header.stamp and
                                  services(m).level == DiagnosticStatus.OK)
+
+    def test_a_service_of_a_node_that_was_killed_is_held_again(self):
+        with Server():
+            other = subprocess.Popen([sys.executable, "-c", TAKES_STATIC_MAP])
+            try:
+                wait_until(lambda: rosservice.get_service_node("/static_map") == "/taker",
+                           "the service is taken")
+            finally:
+                other.kill()  # it takes no leave of the master
+                other.wait(TIMEOUT_S)
+            wait_until(lambda: rosservice.get_service_node("/static_map") == "/world_server",
+                       "the service is held again")
+            with self.assertRaisesRegex(rospy.ServiceException, "generate_world"):
+                service("static_map", GetMap)()
 
 
 if __name__ == "__main__":

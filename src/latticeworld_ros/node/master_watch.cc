@@ -15,6 +15,8 @@
 #include <optional>
 #include <utility>
 
+#include "latticeworld_ros/node/node_listening.h"
+
 namespace latticeworld {
 namespace {
 
@@ -29,6 +31,16 @@ std::optional<MasterState> AskMaster() {
   return MasterStateFrom(payload);
 }
 
+// Whether a node that the master knows was killed: nobody listens where it says that it is.
+bool WasKilled(const std::string& node) {
+  XmlRpc::XmlRpcValue arguments, response, payload;
+  arguments[0] = ros::this_node::getName();
+  arguments[1] = node;
+  if (!ros::master::execute("lookupNode", arguments, response, payload, false)) return false;
+  if (payload.getType() != XmlRpc::XmlRpcValue::TypeString) return false;
+  return NobodyListensAt(payload, ros::network::getHost());
+}
+
 // Tells the master, as roscpp did first, that this node offers a service.
 void Announce(const std::string& service) {
   if (ros::isShuttingDown()) return;
@@ -40,7 +52,7 @@ void Announce(const std::string& service) {
   arguments[2] = uri;
   arguments[3] = ros::XMLRPCManager::instance()->getServerURI();
   if (!ros::master::execute("registerService", arguments, response, payload, false)) return;
-  ROS_INFO_STREAM("the master knew nobody who offers " << service << "; it is announced again");
+  ROS_INFO_STREAM("nobody offers " << service << " any more; it is announced again");
   if (!ros::isShuttingDown()) return;
   // The node took leave meanwhile.
   XmlRpc::XmlRpcValue leave;
@@ -118,6 +130,11 @@ void MasterWatch::Look() {
   unsure_ = std::move(missing);
   ServiceStanding standing = StandingOf(*state, node, services_);
   for (const std::string& service : standing.gone) Announce(service);
+  const auto killed =
+      std::partition(standing.taken.begin(), standing.taken.end(),
+                     [](const ServiceStanding::Taken& taken) { return !WasKilled(taken.node); });
+  for (auto taken = killed; taken != standing.taken.end(); ++taken) Announce(taken->service);
+  standing.taken.erase(killed, standing.taken.end());
   WarnOfTaken(standing.taken);
   report.services = std::move(standing.taken);
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -23,7 +23,8 @@ struct MasterReport {
 
 // Asks the master every few seconds, on a thread of its own, for that takes milliseconds and more,
 // what became of this node's services and topics. A service that another node has taken and then
-// given up is announced again; while the other one has it, it stays there.
+// given up, or that it has no more because it was killed, is announced again; while the other one
+// has it, it stays there.
 class MasterWatch {
  public:
   MasterWatch() = default;
