@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "latticeworld/layout/class_letters.h"
+
 namespace latticeworld {
 namespace {
 
@@ -39,6 +41,25 @@ TEST(VocabularyTest, ALetterMeansNothingInTheOtherVocabulary) {
   EXPECT_EQ(FindClass(Vocabulary::kSuburb, 'S'), nullptr);
   EXPECT_EQ(FindClass(Vocabulary::kWild, 'A'), nullptr);
   EXPECT_EQ(FindClass(Vocabulary::kWild, 'b'), nullptr);
+}
+
+TEST(ClassLettersTest, OnlySuburbHasWhatPeopleMade) {
+  const auto made = [](Vocabulary vocabulary) {
+    std::string names;
+    for (const LayoutClass& entry : ClassesOf(vocabulary)) {
+      if (IsManMade(vocabulary, entry.letter)) names += std::string(entry.name) + ". ";
+    }
+    return names;
+  };
+  EXPECT_EQ(made(Vocabulary::kSuburb), "farmland. building. road. ");
+  EXPECT_EQ(made(Vocabulary::kWild), "");
+}
+
+TEST(ClassLettersTest, RoadsAndBuildingsAreNoRocksAndGrass) {
+  EXPECT_TRUE(IsRoad(Vocabulary::kSuburb, 'R'));
+  EXPECT_FALSE(IsRoad(Vocabulary::kWild, 'R'));
+  EXPECT_TRUE(IsBuilding(Vocabulary::kSuburb, 'B'));
+  EXPECT_FALSE(IsBuilding(Vocabulary::kWild, 'B'));
 }
 
 }  // namespace

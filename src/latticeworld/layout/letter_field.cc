@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "latticeworld/geomorphology/blur.h"
+#include "latticeworld/layout/class_letters.h"
 
 namespace latticeworld::internal {
 namespace {
@@ -30,7 +31,7 @@ Grid<unsigned char> MaskOf(const SymbolicLayout& layout, char letter) {
 
 // Water, and what of it runs on below roads.
 Grid<unsigned char> WaterMask(const SymbolicLayout& layout, const Grid<Crossing>& crossings) {
-  Grid<unsigned char> mask = MaskOf(layout, 'W');
+  Grid<unsigned char> mask = MaskOf(layout, class_letter::kWater);
   for (std::size_t i = 0; i < mask.size(); ++i) {
     if (crossings.data()[i] != Crossing::kNone) mask.data()[i] = 1;
   }
@@ -38,7 +39,7 @@ Grid<unsigned char> WaterMask(const SymbolicLayout& layout, const Grid<Crossing>
 }
 
 Grid<unsigned char> RoadMask(const SymbolicLayout& layout) {
-  if (layout.vocabulary == Vocabulary::kSuburb) return MaskOf(layout, 'R');
+  if (layout.vocabulary == Vocabulary::kSuburb) return MaskOf(layout, suburb_letter::kRoad);
   return Grid<unsigned char>(kLayoutSize, kLayoutSize, 0);
 }
 
@@ -87,7 +88,6 @@ LayoutPoint LineShape::ToCenterLine(LayoutPoint place) const {
 
 LetterField::LetterField(const SymbolicLayout& layout, bool fords)
     : layout_(layout),
-      roads_(layout.vocabulary == Vocabulary::kSuburb),
       fords_(fords),
       crossings_(CrossingsOf(layout, fords)),
       corners_(CornerCrossingsOf(layout)),
@@ -98,9 +98,9 @@ LetterField::Answer LetterField::At(const Places& places) const {
   const bool water = water_.Contains(places.water, places.shore);
   if (road_.Contains(places.road, places.road)) {
     const Crossing crossing = water ? CrossingNear(places.road) : Crossing::kNone;
-    return {crossing == Crossing::kBridge ? 'W' : 'R', crossing};
+    return {crossing == Crossing::kBridge ? class_letter::kWater : suburb_letter::kRoad, crossing};
   }
-  if (water) return {'W', Crossing::kNone};
+  if (water) return {class_letter::kWater, Crossing::kNone};
   return {GroundAt(places.ground), Crossing::kNone};
 }
 
@@ -124,7 +124,9 @@ Crossing LetterField::CrossingNear(LayoutPoint place) const {
 }
 
 char LetterField::GroundAt(LayoutPoint place) const {
-  const auto is_line = [this](char letter) { return letter == 'W' || (roads_ && letter == 'R'); };
+  const auto is_line = [this](char letter) {
+    return letter == class_letter::kWater || IsRoad(layout_.vocabulary, letter);
+  };
   const int row = std::clamp(static_cast<int>(std::floor(place.v)), 0, kLayoutSize - 1);
   const int col = std::clamp(static_cast<int>(std::floor(place.u)), 0, kLayoutSize - 1);
   const char own = layout_.cells(row, col);

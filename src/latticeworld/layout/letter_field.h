@@ -55,7 +55,6 @@ class LetterField {
   char GroundAt(LayoutPoint place) const;
 
   const SymbolicLayout& layout_;
-  bool roads_;  // the vocabulary has them
   bool fords_;
   Grid<Crossing> crossings_;
   Grid<unsigned char> corners_;  // see CornerCrossingsOf

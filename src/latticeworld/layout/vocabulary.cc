@@ -1,23 +1,31 @@
 #include "latticeworld/layout/vocabulary.h"
 
+#include "latticeworld/layout/class_letters.h"
+
 namespace latticeworld {
 
 const std::vector<LayoutClass>& ClassesOf(Vocabulary vocabulary) {
   static const std::vector<LayoutClass> kSuburb = {
-      {'A', "farmland", "farmland: fields, orchards, crops", {255, 194, 128}},
-      {'B', "building", "buildings: houses, villages, towns", {255, 0, 0}},
-      {'D', "barren land", "barren land: bare earth, sand, gravel", {157, 127, 183}},
-      {'F', "forest", "forest: woodland, dense trees", {34, 139, 34}},
-      {'G', "grassland", "grassland: meadows, lawns, pasture", {144, 238, 144}},
-      {'R', "road", "roads: streets, lanes, paths", {255, 255, 0}},
-      {'W', "water", "water: lakes, rivers, ponds", {0, 0, 255}},
+      {suburb_letter::kFarmland, "farmland", "farmland: fields, orchards, crops", {255, 194, 128}},
+      {suburb_letter::kBuilding, "building", "buildings: houses, villages, towns", {255, 0, 0}},
+      {suburb_letter::kBarren,
+       "barren land",
+       "barren land: bare earth, sand, gravel",
+       {157, 127, 183}},
+      {class_letter::kForest, "forest", "forest: woodland, dense trees", {34, 139, 34}},
+      {suburb_letter::kGrassland,
+       "grassland",
+       "grassland: meadows, lawns, pasture",
+       {144, 238, 144}},
+      {suburb_letter::kRoad, "road", "roads: streets, lanes, paths", {255, 255, 0}},
+      {class_letter::kWater, "water", "water: lakes, rivers, ponds", {0, 0, 255}},
   };
   static const std::vector<LayoutClass> kWild = {
-      {'B', "grassland", "low bushes or grassland", {0, 128, 0}},
-      {'F', "forest", "forest: woodland, dense trees", {0, 0, 0}},
-      {'R', "rocky land", "rocky land: bare rock, scree, cliffs", {128, 128, 128}},
-      {'S', "snow", "snow-capped land: peaks, glaciers", {255, 255, 255}},
-      {'W', "water", "water: lakes, rivers, ponds", {0, 0, 255}},
+      {wild_letter::kGrassland, "grassland", "low bushes or grassland", {0, 128, 0}},
+      {class_letter::kForest, "forest", "forest: woodland, dense trees", {0, 0, 0}},
+      {wild_letter::kRock, "rocky land", "rocky land: bare rock, scree, cliffs", {128, 128, 128}},
+      {wild_letter::kSnow, "snow", "snow-capped land: peaks, glaciers", {255, 255, 255}},
+      {class_letter::kWater, "water", "water: lakes, rivers, ponds", {0, 0, 255}},
   };
   return vocabulary == Vocabulary::kSuburb ? kSuburb : kWild;
 }

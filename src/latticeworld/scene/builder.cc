@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/scene/settlements/settlement_rules.h"
 
 namespace latticeworld {
@@ -28,7 +29,7 @@ Builder::Builder(Placement* placement, const SettlementMap& map)
       mixture_(placement->catalogue, placement->environment, AssetKind::kBuilding,
                placement->terrain.weights.vocabulary,
                StreamSeed(placement->seed, "scene/buildings/models")),
-      weight_(placement->terrain.weights.Find('B')) {
+      weight_(placement->terrain.weights.Find(suburb_letter::kBuilding)) {
   const int buckets =
       std::max(1, static_cast<int>(placement->terrain.geometry().size_m() / kBucket_m));
   buckets_ = Grid<std::vector<int>>(buckets, buckets);

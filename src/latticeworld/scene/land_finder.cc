@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/layout/thing_kinds.h"
 
 namespace latticeworld {
@@ -21,10 +22,9 @@ LandFinder::LandFinder(const Terrain& terrain) : terrain_(terrain) {
 bool LandFinder::IsCellOf(char letter, CellIndex cell) const {
   const SurfaceClass surface = terrain_.surface[cell];
   const bool wet = !std::isnan(terrain_.water_level_m[cell]);
-  const bool has_roads = terrain_.weights.vocabulary == Vocabulary::kSuburb;
-  if (letter == 'W') return wet;
+  if (letter == class_letter::kWater) return wet;
   if (letter == kHighGround || letter == kLowGround) return !wet && IsGroundOf(letter, cell);
-  if (has_roads && letter == 'R') return surface == SurfaceClass::kRoad;
+  if (IsRoad(terrain_.weights.vocabulary, letter)) return surface == SurfaceClass::kRoad;
   return !wet && surface != SurfaceClass::kRoad && terrain_.weights.DominantAt(cell) == letter;
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "latticeworld/layout/class_letters.h"
+
 namespace latticeworld::internal {
 
 Grid<char> DominantLetters(const SmoothedMasks& masks) {
@@ -26,19 +28,19 @@ Grid<char> DominantLetters(const SmoothedMasks& masks) {
 SurfaceClass SurfaceOf(Vocabulary vocabulary, char letter) {
   const bool suburb = vocabulary == Vocabulary::kSuburb;
   switch (letter) {
-    case 'A':
+    case suburb_letter::kFarmland:
       return SurfaceClass::kFarmland;
-    case 'B':
+    case suburb_letter::kBuilding:  // in wild: grassland
       return suburb ? SurfaceClass::kBuilding : SurfaceClass::kGrass;
-    case 'D':
+    case suburb_letter::kBarren:
       return SurfaceClass::kBarren;
-    case 'F':
+    case class_letter::kForest:
       return SurfaceClass::kForestFloor;
-    case 'R':
+    case suburb_letter::kRoad:  // in wild: rocky land
       return suburb ? SurfaceClass::kRoad : SurfaceClass::kRock;
-    case 'S':
+    case wild_letter::kSnow:
       return SurfaceClass::kSnow;
-    case 'W':
+    case class_letter::kWater:
       return SurfaceClass::kWaterBed;
     default:
       return SurfaceClass::kGrass;

@@ -12,6 +12,7 @@
 #include "latticeworld/geomorphology/flow.h"
 #include "latticeworld/geomorphology/noise.h"
 #include "latticeworld/geomorphology/resample.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/terrain/class_traits.h"
 #include "latticeworld/terrain/cones.h"
 #include "latticeworld/terrain/land_foot.h"
@@ -329,7 +330,7 @@ Grid<float> RiverFall(const GridGeometry& lattice, const SmoothedMasks& masks) {
   // The water's own class says nothing of the land that it runs through: look around.
   Grid<float> sum(lattice.rows(), lattice.cols()), share(lattice.rows(), lattice.cols());
   for (const SmoothedMask& entry : masks.classes) {
-    if (entry.letter == 'W') continue;
+    if (entry.letter == class_letter::kWater) continue;
     const float fall = TraitsOf(masks.vocabulary, entry.letter).river_fall;
     for (std::size_t i = 0; i < sum.size(); ++i) {
       sum.data()[i] += fall * entry.weight.data()[i];

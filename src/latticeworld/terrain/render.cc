@@ -12,6 +12,7 @@
 #include "latticeworld/common/random.h"
 #include "latticeworld/geomorphology/noise.h"
 #include "latticeworld/geomorphology/resample.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/terrain/class_traits.h"
 #include "latticeworld/terrain/components.h"
 #include "latticeworld/terrain/cover.h"
@@ -81,6 +82,152 @@ Grid<float> HeightSource(const LandPlan& plan, int cells) {
   return source;
 }
 
+// What one thread needs to make a row of the grid.
+struct RowBuffers {
+  explicit RowBuffers(int cells)
+      : land_m(cells),
+        detail(cells),
+        level_m(cells),
+        fordable(cells),
+        given_m(cells),
+        lowest_m(cells, -std::numeric_limits<float>::infinity()),
+        weight(cells),
+        sum(cells),
+        amplitude_m(cells),
+        rounded(cells),
+        best(cells),
+        letter(cells) {}
+
+  std::vector<float> scratch;
+  std::vector<float> land_m, detail, level_m, fordable, given_m, lowest_m;
+  std::vector<float> weight, sum;  // of one class; of all up to it
+  std::vector<float> amplitude_m;  // of the undulation
+  std::vector<std::uint8_t> rounded, best;
+  std::vector<char> letter;  // of the largest weight
+};
+
+// Makes the terrain row by row from the plan and from what is finer than it; both must outlive it.
+class RowRenderer {
+ public:
+  // fine: the user's land or undulation. wave: factor on the classes' undulations.
+  RowRenderer(const LandPlan& plan, const Grid<float>& fine, float wave, int cells)
+      : plan_(plan),
+        cells_(cells),
+        fords_(plan.masks.vocabulary == Vocabulary::kSuburb),
+        fine_sampler_(fine, cells, RowSampler::Kernel::kThrough),
+        height_source_(HeightSource(plan, cells)),
+        height_field_(height_source_, cells),
+        detail_field_(plan.detail, cells),
+        fordable_field_(plan.fordable, cells),
+        level_sampler_(plan.level_m, cells, RowSampler::Kernel::kSmooth) {
+    for (const SmoothedMask& entry : plan.masks.classes) {
+      const auto letter = static_cast<unsigned char>(entry.letter);
+      amplitude_m_[letter] = wave * TraitsOf(plan.masks.vocabulary, entry.letter).undulation_m;
+      surface_of_[letter] = SurfaceOf(plan.masks.vocabulary, entry.letter);
+      weight_fields_.push_back(std::make_unique<Field>(entry.weight, cells));
+    }
+    if (!plan.lowest_m.empty()) lowest_field_ = std::make_unique<Field>(plan.lowest_m, cells);
+    if (!plan.given_m.empty()) given_field_ = std::make_unique<Field>(plan.given_m, cells);
+  }
+
+  // Fills the row of the terrain's grids and of height_m, but for the ground between cells.
+  void Render(int row, RowBuffers* buffers, Terrain* terrain, Grid<float>* height_m) const {
+    MixClasses(row, buffers, &terrain->weights);
+    SamplePlan(row, buffers);
+    fine_sampler_.Row(row, &buffers->scratch, height_m->row(row));
+    LayGround(*buffers, height_m->row(row), terrain->water_level_m.row(row),
+              terrain->surface.row(row));
+  }
+
+ private:
+  // The row of each class's weights, and what they say of the ground.
+  void MixClasses(int row, RowBuffers* buffers, ClassWeights* weights) const {
+    RowBuffers& b = *buffers;
+    std::fill(b.amplitude_m.begin(), b.amplitude_m.end(), 0.0f);
+    std::fill(b.sum.begin(), b.sum.end(), 0.0f);
+    std::fill(b.rounded.begin(), b.rounded.end(), std::uint8_t{0});
+    std::fill(b.best.begin(), b.best.end(), std::uint8_t{0});
+    std::fill(b.letter.begin(), b.letter.end(), plan_.masks.classes.front().letter);
+    const std::size_t classes = weight_fields_.size();
+    for (std::size_t i = 0; i < classes; ++i) {
+      ClassWeight& entry = weights->classes[i];
+      weight_fields_[i]->Row(row, &b.scratch, b.weight.data());
+      // Rounded as ToWeights does, so that all sum to 1.
+      std::uint8_t* level = entry.weight.levels().row(row);
+      RoundedSteps(cells_, i + 1 == classes, b.weight.data(), b.sum.data(), b.rounded.data(),
+                   level);
+      const float class_m = amplitude_m_[static_cast<unsigned char>(entry.letter)];
+      for (int c = 0; c < cells_; ++c) {
+        b.amplitude_m[c] += class_m * b.weight[c];
+        const bool larger = level[c] > b.best[c];
+        b.best[c] = larger ? level[c] : b.best[c];
+        b.letter[c] = larger ? entry.letter : b.letter[c];
+      }
+    }
+  }
+
+  void SamplePlan(int row, RowBuffers* buffers) const {
+    std::vector<float>* scratch = &buffers->scratch;
+    height_field_.Row(row, scratch, buffers->land_m.data());
+    detail_field_.Row(row, scratch, buffers->detail.data());
+    level_sampler_.Row(row, scratch, buffers->level_m.data());
+    if (fords_) fordable_field_.Row(row, scratch, buffers->fordable.data());
+    if (given_field_) given_field_->Row(row, scratch, buffers->given_m.data());
+    if (lowest_field_) lowest_field_->Row(row, scratch, buffers->lowest_m.data());
+  }
+
+  // height_m: what is finer than the lattice; gets the ground. water_m: gets levels where it is
+  // wet.
+  void LayGround(const RowBuffers& b, float* height_m, float* water_m,
+                 SurfaceClass* surface) const {
+    for (int c = 0; c < cells_; ++c) {
+      const float finer_m =
+          given_field_ ? height_m[c] - b.given_m[c] : b.amplitude_m[c] * height_m[c];
+      height_m[c] = b.land_m[c] + b.detail[c] * finer_m;
+      surface[c] = surface_of_[static_cast<unsigned char>(b.letter[c])];
+      const bool road = fords_ && b.letter[c] == suburb_letter::kRoad;
+      const bool ford = road && b.fordable[c] > 0.5f;
+      if (b.letter[c] != class_letter::kWater && !ford) {
+        if (!road) height_m[c] = std::max(height_m[c], b.lowest_m[c]);
+        continue;
+      }
+      water_m[c] = std::round(b.level_m[c] * kLevelSteps_per_m) / kLevelSteps_per_m;
+      height_m[c] = std::min(height_m[c], water_m[c] - kMinDepth_m);
+      if (ford) height_m[c] = std::max(height_m[c], water_m[c] - kMaxFordDepth_m);
+    }
+  }
+
+  const LandPlan& plan_;
+  int cells_;
+  bool fords_;                            // the vocabulary has roads
+  std::array<float, 256> amplitude_m_{};  // by letter
+  std::array<SurfaceClass, 256> surface_of_{};
+  RowSampler fine_sampler_;
+  Grid<float> height_source_;
+  Field height_field_, detail_field_, fordable_field_;
+  // Levels are never averaged: a lake beside a river stays level.
+  RowSampler level_sampler_;
+  std::vector<std::unique_ptr<Field>> weight_fields_;
+  std::unique_ptr<Field> given_field_, lowest_field_;
+};
+
+// Raises dry cells beside wet ones above their water: each is changed by what its wet neighbours'
+// levels are, nothing else.
+void CloseShores(const Grid<float>& water_level_m, int threads, Grid<float>* height_m) {
+  ParallelFor(height_m->rows(), threads, [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
+      for (int c = 0; c < height_m->cols(); ++c) {
+        if (!std::isnan(water_level_m(row, c))) continue;
+        float& height = (*height_m)(row, c);
+        ForEachNeighbour(water_level_m, row, c, [&](int r, int k) {
+          const float level_m = water_level_m(r, k);
+          if (!std::isnan(level_m)) height = std::max(height, level_m + kMinFreeboard_m);
+        });
+      }
+    }
+  });
+}
+
 }  // namespace
 
 Result<Terrain> Render(const GridGeometry& geometry, const LandPlan& plan, std::uint64_t seed,
@@ -94,6 +241,7 @@ Result<Terrain> Render(const GridGeometry& geometry, const LandPlan& plan, std::
   }
   terrain.surface = Grid<SurfaceClass>(cells, cells);
   terrain.water_level_m = Grid<float>(cells, cells, kDry);
+  Grid<float> height_m(cells, cells);
 
   // What is finer than the lattice: the user's land, or undulation.
   const NoiseOptions undulation = UndulationOptions(geometry);
@@ -102,105 +250,18 @@ Result<Terrain> Render(const GridGeometry& geometry, const LandPlan& plan, std::
   const Grid<float> noise =
       given ? Grid<float>()
             : FractalNoise(fine_geometry, undulation, StreamSeed(seed, "undulation"), threads);
-  const RowSampler fine_sampler(given ? plan.fine_given_m : noise, cells,
-                                RowSampler::Kernel::kThrough);
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
-  Grid<float> height_m(cells, cells);
-
   // In worlds of a few metres the undulation shrinks with its wavelength, so that slopes stay.
   const auto wave = static_cast<float>(undulation.wavelength_m / 30.0);
-  std::array<float, 256> amplitude_m{};
-  std::array<SurfaceClass, 256> surface_of{};
-  for (const SmoothedMask& entry : plan.masks.classes) {
-    const auto letter = static_cast<unsigned char>(entry.letter);
-    amplitude_m[letter] = wave * TraitsOf(plan.masks.vocabulary, entry.letter).undulation_m;
-    surface_of[letter] = SurfaceOf(plan.masks.vocabulary, entry.letter);
-  }
-  const bool fords = plan.masks.vocabulary == Vocabulary::kSuburb;
-  const std::size_t classes = plan.masks.classes.size();
-  std::vector<std::unique_ptr<Field>> weight_fields;
-  for (const SmoothedMask& entry : plan.masks.classes) {
-    weight_fields.push_back(std::make_unique<Field>(entry.weight, cells));
-  }
-  const Grid<float> height_source = HeightSource(plan, cells);
-  const Field height_field(height_source, cells), detail_field(plan.detail, cells);
-  const Field fordable_field(plan.fordable, cells);
-  std::unique_ptr<Field> given_field, lowest_field;
-  if (!plan.lowest_m.empty()) lowest_field = std::make_unique<Field>(plan.lowest_m, cells);
-  if (given) given_field = std::make_unique<Field>(plan.given_m, cells);
-  // Levels are never averaged: a lake beside a river stays level.
-  const RowSampler level_sampler(plan.level_m, cells, RowSampler::Kernel::kSmooth);
-
+  const RowRenderer renderer(plan, given ? plan.fine_given_m : noise, wave, cells);
   ParallelFor(cells, threads, [&](int begin, int end) {
-    std::vector<float> scratch;
-    std::vector<float> land(cells), detail(cells), water_m(cells), fordable(cells), user_m(cells);
-    std::vector<float> lowest_m(cells, -std::numeric_limits<float>::infinity());
-    std::vector<float> weight(cells), sum(cells), amplitude(cells);
-    std::vector<std::uint8_t> rounded(cells), best(cells);
-    std::vector<char> letter(cells);
-    for (int row = begin; row < end; ++row) {
-      if (progress.cancelled()) return;
-      std::fill(amplitude.begin(), amplitude.end(), 0.0f);
-      std::fill(sum.begin(), sum.end(), 0.0f);
-      std::fill(rounded.begin(), rounded.end(), std::uint8_t{0});
-      std::fill(best.begin(), best.end(), std::uint8_t{0});
-      std::fill(letter.begin(), letter.end(), plan.masks.classes.front().letter);
-      for (std::size_t i = 0; i < classes; ++i) {
-        ClassWeight& entry = terrain.weights.classes[i];
-        weight_fields[i]->Row(row, &scratch, weight.data());
-        // Rounded as ToWeights does, so that all sum to 1.
-        RoundedSteps(cells, i + 1 == classes, weight.data(), sum.data(), rounded.data(),
-                     entry.weight.levels().row(row));
-        const std::uint8_t* level = entry.weight.levels().row(row);
-        const float class_m = amplitude_m[static_cast<unsigned char>(entry.letter)];
-        for (int c = 0; c < cells; ++c) {
-          amplitude[c] += class_m * weight[c];
-          const bool larger = level[c] > best[c];
-          best[c] = larger ? level[c] : best[c];
-          letter[c] = larger ? entry.letter : letter[c];
-        }
-      }
-      height_field.Row(row, &scratch, land.data());
-      detail_field.Row(row, &scratch, detail.data());
-      level_sampler.Row(row, &scratch, water_m.data());
-      if (fords) fordable_field.Row(row, &scratch, fordable.data());
-      if (given_field) given_field->Row(row, &scratch, user_m.data());
-
-      if (lowest_field) lowest_field->Row(row, &scratch, lowest_m.data());
-      float* height = height_m.row(row);
-      fine_sampler.Row(row, &scratch, height);
-      float* water = terrain.water_level_m.row(row);
-      SurfaceClass* surface = terrain.surface.row(row);
-      for (int c = 0; c < cells; ++c) {
-        const float finer = given_field ? height[c] - user_m[c] : amplitude[c] * height[c];
-        height[c] = land[c] + detail[c] * finer;
-        surface[c] = surface_of[static_cast<unsigned char>(letter[c])];
-        const bool ford = fords && letter[c] == 'R' && fordable[c] > 0.5f;
-        if (letter[c] != 'W' && !ford) {
-          if (!fords || letter[c] != 'R') height[c] = std::max(height[c], lowest_m[c]);
-          continue;
-        }
-        water[c] = std::round(water_m[c] * kLevelSteps_per_m) / kLevelSteps_per_m;
-        height[c] = std::min(height[c], water[c] - kMinDepth_m);
-        if (ford) height[c] = std::max(height[c], water[c] - kMaxFordDepth_m);
-      }
+    RowBuffers buffers(cells);
+    for (int row = begin; row < end && !progress.cancelled(); ++row) {
+      renderer.Render(row, &buffers, &terrain, &height_m);
     }
   });
   LW_RETURN_IF_ERROR(progress.CheckCancelled());
-
-  // Close the shores: a dry cell is changed by what its wet neighbours' levels are, nothing else.
-  const Grid<float>& water = terrain.water_level_m;
-  ParallelFor(cells, threads, [&](int begin, int end) {
-    for (int row = begin; row < end; ++row) {
-      for (int c = 0; c < cells; ++c) {
-        if (!std::isnan(water(row, c))) continue;
-        float& height = height_m(row, c);
-        ForEachNeighbour(water, row, c, [&](int r, int k) {
-          if (!std::isnan(water(r, k))) height = std::max(height, water(r, k) + kMinFreeboard_m);
-        });
-      }
-    }
-  });
+  CloseShores(terrain.water_level_m, threads, &height_m);
   terrain.ground = HeightField(geometry, std::move(height_m));
   return terrain;
 }

@@ -10,6 +10,7 @@
 #include "latticeworld/geomorphology/distance.h"
 #include "latticeworld/geomorphology/resample.h"
 #include "latticeworld/geomorphology/slope.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/terrain/cover.h"
 #include "latticeworld/terrain/forms/relief_covers.h"
 #include "latticeworld/terrain/forms/relief_forms.h"
@@ -47,9 +48,10 @@ constexpr float kRoughSlope = 0.08f;  // where half of the undulation shows [m/m
 
 // Water, that over fords included.
 Grid<unsigned char> WetCells(const Grid<char>& letters, const Grid<Crossing>& crossing) {
-  Grid<unsigned char> wet = internal::MaskOf('W', letters);
+  Grid<unsigned char> wet = internal::MaskOf(class_letter::kWater, letters);
   for (std::size_t i = 0; i < wet.size(); ++i) {
-    if (letters.data()[i] == 'R' && crossing.data()[i] == Crossing::kFord) wet.data()[i] = 1;
+    const bool road = letters.data()[i] == suburb_letter::kRoad;
+    if (road && crossing.data()[i] == Crossing::kFord) wet.data()[i] = 1;
   }
   return wet;
 }
@@ -57,7 +59,8 @@ Grid<unsigned char> WetCells(const Grid<char>& letters, const Grid<Crossing>& cr
 Grid<unsigned char> FordCells(const Grid<char>& letters, const Grid<Crossing>& crossing) {
   Grid<unsigned char> ford(letters.rows(), letters.cols());
   for (std::size_t i = 0; i < ford.size(); ++i) {
-    ford.data()[i] = letters.data()[i] == 'R' && crossing.data()[i] == Crossing::kFord ? 1 : 0;
+    const bool road = letters.data()[i] == suburb_letter::kRoad;
+    ford.data()[i] = road && crossing.data()[i] == Crossing::kFord ? 1 : 0;
   }
   return ford;
 }
@@ -65,10 +68,8 @@ Grid<unsigned char> FordCells(const Grid<char>& letters, const Grid<Crossing>& c
 // Roads, buildings and fields: what relief keeps away from.
 Grid<unsigned char> BuiltCells(const Grid<char>& letters, Vocabulary vocabulary) {
   Grid<unsigned char> built(letters.rows(), letters.cols(), 0);
-  if (vocabulary != Vocabulary::kSuburb) return built;
   for (std::size_t i = 0; i < built.size(); ++i) {
-    const char letter = letters.data()[i];
-    built.data()[i] = letter == 'R' || letter == 'B' || letter == 'A' ? 1 : 0;
+    built.data()[i] = IsManMade(vocabulary, letters.data()[i]) ? 1 : 0;
   }
   return built;
 }
@@ -77,7 +78,7 @@ Grid<unsigned char> BuiltCells(const Grid<char>& letters, Vocabulary vocabulary)
 Grid<unsigned char> BlockedCells(const Grid<char>& letters, const Grid<unsigned char>& wet) {
   Grid<unsigned char> blocked = wet;
   for (std::size_t i = 0; i < blocked.size(); ++i) {
-    if (letters.data()[i] == 'B') blocked.data()[i] = 1;
+    if (letters.data()[i] == suburb_letter::kBuilding) blocked.data()[i] = 1;
   }
   return blocked;
 }
@@ -136,6 +137,173 @@ Grid<unsigned char> WithoutRamps(const GridGeometry& lattice, const std::vector<
   return mask;
 }
 
+// The layout on the lattice.
+struct LatticeLayout {
+  GridGeometry lattice;
+  DecodedLayout lines;
+  Grid<char> letters;  // of the largest weight in each cell
+  internal::WaterBodies water;
+
+  bool is_suburb() const { return lines.masks.vocabulary == Vocabulary::kSuburb; }
+};
+
+LatticeLayout PutOnLattice(const TerrainRequest& request) {
+  const GridGeometry lattice = internal::LatticeOf(request.geometry);
+  DecodedLayout lines = DecodeLayoutWithLines(
+      *request.layout, lattice, BorderOptions(lattice, request.options.fords), request.seed);
+  Grid<char> letters = internal::DominantLetters(lines.masks);
+  const bool lone_is_still = request.relief == nullptr;
+  internal::WaterBodies water =
+      internal::FindWaterBodies(WetCells(letters, lines.crossing),
+                                internal::LatticeCellsPerLayoutCell(lattice), lone_is_still);
+  return {lattice, std::move(lines), std::move(letters), std::move(water)};
+}
+
+// The land before its shores are shaped and anything is built, as heights and given heights of the
+// plan: the user's, or what evolution and words make of the layout. Returns the levels of the water
+// [m], NaN where dry. Errors: CANCELLED.
+Result<Grid<float>> RaiseLand(const TerrainRequest& request, const LatticeLayout& layout,
+                              const internal::ReliefForms& forms, const Progress& progress,
+                              internal::LandPlan* plan) {
+  if (request.relief != nullptr) {
+    const int n = layout.lattice.rows();
+    plan->fine_given_m = internal::ReliefLand(*request.relief, request.geometry.rows());
+    plan->height_m = Resample(plan->fine_given_m, n, n);
+    plan->given_m = plan->height_m;
+    return internal::GradedLevels(layout.lattice, layout.water, plan->height_m,
+                                  internal::GradedRule());
+  }
+  LW_ASSIGN_OR_RETURN(internal::ShapedLand land,
+                      internal::ShapeLand(layout.lattice, layout.lines.masks, layout.water, forms,
+                                          request.seed, progress));
+  plan->height_m = std::move(land.height_m);
+  return std::move(land.water_level_m);
+}
+
+// Shapes the land [m] around its water. level_m: of the water, NaN where dry. Returns how the water
+// sits in the land.
+internal::Banks ShapeShores(const TerrainRequest& request, const LatticeLayout& layout,
+                            const internal::ReliefForms& forms, const Grid<float>& level_m,
+                            Grid<float>* height_m) {
+  const bool given = request.relief != nullptr;
+  const double most_slope = request.options.max_bank_slope;
+  internal::Banks banks(layout.lattice, layout.water, level_m,
+                        given ? most_slope : std::min(kShapedBankSlope, most_slope));
+  banks.Shape(height_m);
+  if (!given) {
+    internal::FillHollows(layout.lattice.resolution_m(), layout.water, level_m, forms.Hollows(),
+                          height_m);
+  }
+  return banks;
+}
+
+// Ways that the layout does not have: streets of settlements, and what climbs into the relief.
+// road: 1 on the layout's roads.
+std::vector<internal::Street> LayOutWays(const TerrainRequest& request, const LatticeLayout& layout,
+                                         const internal::ReliefForms& forms,
+                                         const Grid<unsigned char>& road,
+                                         const Grid<float>& height_m) {
+  const Grid<char>& letters = layout.letters;
+  std::vector<internal::Street> ways;
+  if (std::find(letters.begin(), letters.end(), suburb_letter::kBuilding) != letters.end()) {
+    const internal::StreetGround ground = {layout.lattice, &letters, &layout.water.wet, &height_m,
+                                           &layout.lines};
+    ways = internal::LayOutStreets(ground, internal::StreetRule(), request.seed);
+  }
+  for (internal::Street& way :
+       internal::ClimbingWays(request.reliefs, forms.pieces(), layout.lattice,
+                              {height_m, road, BlockedCells(letters, layout.water.wet)},
+                              kClimbShare * request.options.max_road_slope)) {
+    ways.push_back(std::move(way));
+  }
+  return ways;
+}
+
+// What is built into the land.
+struct Works {
+  std::vector<internal::Street> streets;
+  std::vector<Bridge> bridges;
+  Grid<float> shaped;  // how much of each cell roads and buildings shape, in [0, 1]
+};
+
+// Grades roads and streets into the land [m], with their bridges, and digs the beds of the water.
+// layout: its centre lines get those of the streets.
+void BuildRoads(const TerrainRequest& request, const internal::Banks& banks,
+                const Grid<unsigned char>& road, LatticeLayout* layout, Works* works,
+                Grid<float>* height_m) {
+  const GridGeometry& lattice = layout->lattice;
+  const internal::WaterBodies& water = layout->water;
+  Grid<unsigned char> paved = road;
+  if (!works->streets.empty()) {
+    internal::MarkStreets(lattice, works->streets, water.wet, &paved, &layout->lines);
+  }
+  const double ford_depth_m =
+      std::min(request.options.ford_depth_m, internal::RiverDepth_m(lattice.size_m()));
+  const Grid<float> depth_m = DepthNearRoads(lattice, road, water.wet, ford_depth_m);
+  works->bridges = internal::PlanBridges(
+      {lattice, layout->letters, layout->lines, water, banks, request.options.bridge_kind});
+  internal::RoadRule rule;
+  rule.max_slope = request.options.max_road_slope;
+  rule.embankment_slope = request.options.embankment_slope;
+  internal::GradeRoads(lattice, paved, layout->lines, banks, depth_m, rule, &works->bridges,
+                       height_m, &works->shaped);
+  // What was built must not open a shore, nor bury it but where a road climbs to a bridge.
+  Grid<unsigned char> beside_roads = road;
+  for (unsigned char& cell : beside_roads) cell = cell == 0 ? 1 : 0;
+  banks.Raise(beside_roads, height_m);
+  banks.Clamp(WithoutRamps(lattice, works->bridges, std::move(beside_roads)), height_m);
+  banks.Dig(&depth_m, height_m);
+}
+
+// Builds terraces of fields, pads of buildings and all roads into the land [m], and digs the beds
+// of the water. layout: see BuildRoads.
+Works BuildIntoLand(const TerrainRequest& request, const internal::ReliefForms& forms,
+                    const internal::Banks& banks, LatticeLayout* layout, Grid<float>* height_m) {
+  const int n = layout->lattice.rows();
+  Works works;
+  works.shaped = Grid<float>(n, n, 0.0f);
+  if (!layout->is_suburb()) {
+    banks.Dig(nullptr, height_m);
+    return works;
+  }
+  for (const SmoothedMask& entry : layout->lines.masks.classes) {
+    if (entry.letter == suburb_letter::kFarmland) {
+      internal::TerraceFields(layout->lattice, entry.weight, height_m);
+    }
+  }
+  internal::LevelPads(layout->lattice, internal::MaskOf(suburb_letter::kBuilding, layout->letters),
+                      banks, height_m, &works.shaped);
+  const Grid<unsigned char> road = internal::MaskOf(suburb_letter::kRoad, layout->letters);
+  works.streets = LayOutWays(request, *layout, forms, road, *height_m);
+  BuildRoads(request, banks, road, layout, &works, height_m);
+  return works;
+}
+
+// Where the plan's water may be forded, and how much of what is finer than the lattice stays there.
+// shaped: see Works.
+void PlanDetail(const LatticeLayout& layout, const internal::Banks& banks,
+                const Grid<float>& shaped, internal::LandPlan* plan) {
+  const int n = layout.lattice.rows();
+  const bool given = !plan->given_m.empty();
+  const Grid<float> slope =
+      LeastAround(GradientMagnitude(plan->height_m, layout.lattice.resolution_m()));
+  const Grid<float> to_ford = DistanceTo(true, FordCells(layout.letters, layout.lines.crossing));
+  plan->fordable = Grid<float>(n, n);
+  plan->detail = Grid<float>(n, n);
+  for (std::size_t i = 0; i < shaped.size(); ++i) {
+    // A little into the river, so that no edge of the road stays dry between ford and river.
+    plan->fordable.data()[i] =
+        layout.water.wet.data()[i] != 0 && to_ford.data()[i] < kFordReach_cells ? 1.0f : 0.0f;
+    // Near water nothing finer may open a shore.
+    const float near_water = std::clamp(banks.to_water().data()[i] / 8.0f - 0.25f, 0.0f, 1.0f);
+    // What the valleys' floors are like the drainage has said: the steeper, the rougher.
+    const float steep = given ? 1.0f
+                              : slope.data()[i] * slope.data()[i] /
+                                    (slope.data()[i] * slope.data()[i] + kRoughSlope * kRoughSlope);
+    plan->detail.data()[i] = (1.0f - shaped.data()[i]) * near_water * steep;
+  }
+}
+
 }  // namespace
 
 std::vector<Violation> Validate(const TerrainOptions& options) {
@@ -163,117 +331,37 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
     progress.Report("terrain", fraction);
     return progress.CheckCancelled();
   };
-
   if (std::vector<Violation> violations = Validate(request.options); !violations.empty()) {
     return Status::FromViolations("unusable terrain options", std::move(violations));
   }
-  // The plan, on the lattice.
   LW_RETURN_IF_ERROR(advance(0.0));
-  const GridGeometry lattice = internal::LatticeOf(request.geometry);
-  const int n = lattice.rows();
-  DecodedLayout lines = DecodeLayoutWithLines(
-      *request.layout, lattice, BorderOptions(lattice, request.options.fords), request.seed);
-  const Grid<char> letters = internal::DominantLetters(lines.masks);
-  const bool has_relief = request.relief != nullptr;
-  const internal::WaterBodies water = internal::FindWaterBodies(
-      WetCells(letters, lines.crossing), internal::LatticeCellsPerLayoutCell(lattice), !has_relief);
+  LatticeLayout layout = PutOnLattice(request);
   LW_RETURN_IF_ERROR(advance(0.1));
 
   const std::vector<ReliefWish> no_words;
-  const internal::ReliefForms forms(internal::PlaceReliefs(has_relief ? no_words : request.reliefs,
-                                                           *request.layout, lattice.size_m()),
-                                    lattice, BuiltCells(letters, lines.masks.vocabulary), water,
-                                    request.seed);
+  const internal::ReliefForms forms(
+      internal::PlaceReliefs(request.relief != nullptr ? no_words : request.reliefs,
+                             *request.layout, layout.lattice.size_m()),
+      layout.lattice, BuiltCells(layout.letters, layout.lines.masks.vocabulary), layout.water,
+      request.seed);
   internal::LandPlan plan;
-  Grid<float> level_m;
-  if (has_relief) {
-    plan.fine_given_m = internal::ReliefLand(*request.relief, request.geometry.rows());
-    plan.height_m = Resample(plan.fine_given_m, n, n);
-    plan.given_m = plan.height_m;
-    level_m = internal::GradedLevels(lattice, water, plan.height_m, internal::GradedRule());
-  } else {
-    LW_ASSIGN_OR_RETURN(
-        internal::ShapedLand land,
-        internal::ShapeLand(lattice, lines.masks, water, forms, request.seed, progress));
-    plan.height_m = std::move(land.height_m);
-    level_m = std::move(land.water_level_m);
-  }
+  LW_ASSIGN_OR_RETURN(const Grid<float> level_m,
+                      RaiseLand(request, layout, forms, progress, &plan));
   LW_RETURN_IF_ERROR(advance(0.5));
 
-  const internal::Banks banks(lattice, water, level_m,
-                              has_relief
-                                  ? request.options.max_bank_slope
-                                  : std::min(kShapedBankSlope, request.options.max_bank_slope));
-  banks.Shape(&plan.height_m);
-  if (!has_relief) {
-    internal::FillHollows(lattice.resolution_m(), water, level_m, forms.Hollows(), &plan.height_m);
-  }
-  Grid<float> shaped(n, n, 0.0f);
-  std::vector<internal::Street> streets;
-  std::vector<Bridge> bridges;
-  if (lines.masks.vocabulary == Vocabulary::kSuburb) {
-    for (const SmoothedMask& entry : lines.masks.classes) {
-      if (entry.letter == 'A') internal::TerraceFields(lattice, entry.weight, &plan.height_m);
-    }
-    internal::LevelPads(lattice, internal::MaskOf('B', letters), banks, &plan.height_m, &shaped);
-    const Grid<unsigned char> road = internal::MaskOf('R', letters);
-    Grid<unsigned char> paved = road;
-    if (std::find(letters.begin(), letters.end(), 'B') != letters.end()) {
-      const internal::StreetGround ground = {lattice, &letters, &water.wet, &plan.height_m, &lines};
-      streets = internal::LayOutStreets(ground, internal::StreetRule(), request.seed);
-    }
-    for (internal::Street& way :
-         internal::ClimbingWays(request.reliefs, forms.pieces(), lattice,
-                                {plan.height_m, road, BlockedCells(letters, water.wet)},
-                                kClimbShare * request.options.max_road_slope)) {
-      streets.push_back(std::move(way));
-    }
-    if (!streets.empty()) internal::MarkStreets(lattice, streets, water.wet, &paved, &lines);
-    const double ford_depth_m =
-        std::min(request.options.ford_depth_m, internal::RiverDepth_m(lattice.size_m()));
-    const Grid<float> depth_m = DepthNearRoads(lattice, road, water.wet, ford_depth_m);
-    bridges = internal::PlanBridges({lattice, letters, lines, water, banks, request.options.bridge_kind});
-    internal::RoadRule rule;
-    rule.max_slope = request.options.max_road_slope;
-    rule.embankment_slope = request.options.embankment_slope;
-    internal::GradeRoads(lattice, paved, lines, banks, depth_m, rule, &bridges, &plan.height_m,
-                         &shaped);
-    // What was built must not open a shore, nor bury it but where a road climbs to a bridge.
-    Grid<unsigned char> beside_roads = road;
-    for (unsigned char& cell : beside_roads) cell = cell == 0 ? 1 : 0;
-    banks.Raise(beside_roads, &plan.height_m);
-    banks.Clamp(WithoutRamps(lattice, bridges, std::move(beside_roads)), &plan.height_m);
-    banks.Dig(&depth_m, &plan.height_m);
-  } else {
-    banks.Dig(nullptr, &plan.height_m);
-  }
+  const internal::Banks banks = ShapeShores(request, layout, forms, level_m, &plan.height_m);
+  Works works = BuildIntoLand(request, forms, banks, &layout, &plan.height_m);
   LW_RETURN_IF_ERROR(advance(0.6));
 
-  const Grid<float> slope = LeastAround(GradientMagnitude(plan.height_m, lattice.resolution_m()));
-  internal::CoverByHeight(request.covers, plan.height_m, &lines.masks);
-  plan.masks = std::move(lines.masks);
   plan.level_m = banks.level_everywhere_m();
   plan.lowest_m = banks.lowest_m();
-  const Grid<float> to_ford = DistanceTo(true, FordCells(letters, lines.crossing));
-  plan.fordable = Grid<float>(n, n);
-  plan.detail = Grid<float>(n, n);
-  for (std::size_t i = 0; i < shaped.size(); ++i) {
-    // A little into the river, so that no edge of the road stays dry between ford and river.
-    plan.fordable.data()[i] =
-        water.wet.data()[i] != 0 && to_ford.data()[i] < kFordReach_cells ? 1.0f : 0.0f;
-    // Near water nothing finer may open a shore.
-    const float near_water = std::clamp(banks.to_water().data()[i] / 8.0f - 0.25f, 0.0f, 1.0f);
-    // What the valleys' floors are like the drainage has said: the steeper, the rougher.
-    const float steep = has_relief
-                            ? 1.0f
-                            : slope.data()[i] * slope.data()[i] /
-                                  (slope.data()[i] * slope.data()[i] + kRoughSlope * kRoughSlope);
-    plan.detail.data()[i] = (1.0f - shaped.data()[i]) * near_water * steep;
-  }
+  PlanDetail(layout, banks, works.shaped, &plan);
+  internal::CoverByHeight(request.covers, plan.height_m, &layout.lines.masks);
+  plan.masks = std::move(layout.lines.masks);
   LW_ASSIGN_OR_RETURN(Terrain terrain, internal::Render(request.geometry, plan, request.seed,
                                                         request.threads, progress));
-  internal::PaveStreets(streets, &terrain);
-  terrain.bridges = std::move(bridges);
+  internal::PaveStreets(works.streets, &terrain);
+  terrain.bridges = std::move(works.bridges);
   LW_RETURN_IF_ERROR(advance(1.0));
   return terrain;
 }

@@ -8,6 +8,7 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/places.h"
+#include "latticeworld/layout/class_letters.h"
 
 namespace latticeworld {
 namespace {
@@ -100,8 +101,8 @@ class Writer {
     const auto entry = std::find_if(classes_.begin(), classes_.end(),
                                     [&](const ClassInLayout& one) { return one.letter == letter; });
     // What is not there is spoken of as land, or as what runs.
-    const bool road = vocabulary_ == Vocabulary::kSuburb && letter == 'R';
-    const bool houses = vocabulary_ == Vocabulary::kSuburb && letter == 'B';
+    const bool road = IsRoad(vocabulary_, letter);
+    const bool houses = IsBuilding(vocabulary_, letter);
     const ClassForm form = entry != classes_.end() ? entry->form
                            : road                  ? ClassForm::kLines
                            : houses                ? ClassForm::kMany

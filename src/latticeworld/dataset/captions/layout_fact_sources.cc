@@ -8,6 +8,7 @@
 #include "latticeworld/language/extents.h"
 #include "latticeworld/language/tokens.h"
 #include "latticeworld/layout/claims/mask_measures.h"
+#include "latticeworld/layout/class_letters.h"
 
 // Facts about one class: how much of it there is, where, in how many pieces, and where there is
 // none.
@@ -100,8 +101,8 @@ Claim PresentIn(char letter, const Zone& zone, double least) {
 // be: even one meadow. Water, houses and groves are things.
 bool IsLand(Vocabulary vocabulary, const ClassInLayout& entry) {
   if (entry.form == ClassForm::kSpread) return true;
-  const bool houses = vocabulary == Vocabulary::kSuburb && entry.letter == 'B';
-  return entry.letter != 'W' && entry.letter != 'F' && !houses;
+  return entry.letter != class_letter::kWater && entry.letter != class_letter::kForest &&
+         !IsBuilding(vocabulary, entry.letter);
 }
 
 std::vector<Claim> WithFirst(Claim first, std::vector<Claim> claims) {

@@ -5,6 +5,7 @@
 
 #include "latticeworld/layout/claims/line_frame.h"
 #include "latticeworld/layout/claims/mask_measures.h"
+#include "latticeworld/layout/class_letters.h"
 
 namespace latticeworld {
 namespace {
@@ -15,10 +16,6 @@ constexpr double kLeastLineShare = 0.010;
 // What has so few cells, or so small a share, is a thing and no land.
 constexpr int kLargestThing = 130;
 constexpr double kLargestWater = 0.25;  // share; more is no lake but "water"
-
-bool IsRoad(Vocabulary vocabulary, char letter) {
-  return vocabulary == Vocabulary::kSuburb && letter == 'R';
-}
 
 // Whether nearly all of a class runs as one line or several: long for its area, and slim.
 bool RunsAsLines(const std::vector<LayoutMask>& pieces, int cells) {
@@ -37,7 +34,7 @@ ClassForm FormOf(Vocabulary vocabulary, const ClassInLayout& entry,
   if (IsRoad(vocabulary, entry.letter)) {
     return entry.pieces == 1 ? ClassForm::kLine : ClassForm::kLines;
   }
-  if (entry.letter == 'W') {
+  if (entry.letter == class_letter::kWater) {
     if (pieces.size() <= 4 && RunsAsLines(pieces, entry.cells)) {
       return entry.pieces == 1 ? ClassForm::kLine : ClassForm::kLines;
     }
@@ -45,7 +42,7 @@ ClassForm FormOf(Vocabulary vocabulary, const ClassInLayout& entry,
     if (entry.pieces == 1) return ClassForm::kOne;
     return entry.least_piece >= 3 ? ClassForm::kMany : ClassForm::kSpread;
   }
-  if (vocabulary == Vocabulary::kSuburb && entry.letter == 'B') {
+  if (IsBuilding(vocabulary, entry.letter)) {
     return entry.pieces == 1 && entry.cells <= kLargestThing ? ClassForm::kOne : ClassForm::kMany;
   }
   if (entry.cells > kLargestThing || entry.least_piece < 4) return ClassForm::kSpread;

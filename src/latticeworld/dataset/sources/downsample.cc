@@ -8,6 +8,7 @@
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/dataset/captions/line_cells.h"
+#include "latticeworld/layout/class_letters.h"
 
 namespace latticeworld {
 namespace {
@@ -15,6 +16,8 @@ namespace {
 using internal::FirstPixelOf;
 
 constexpr double kMostNoData = 0.5;  // of the pixels
+// What a picture without any letter is: in wild the same letter is grassland.
+constexpr char kOfNothing = suburb_letter::kBuilding;
 
 using Counts = std::array<int, 128>;  // pixels of each letter; [kNoData]: of none
 
@@ -26,7 +29,9 @@ struct LineClass {
 
 // In the order in which they take cells.
 std::vector<char> LineLetters(Vocabulary vocabulary) {
-  return vocabulary == Vocabulary::kSuburb ? std::vector<char>{'R', 'W'} : std::vector<char>{'W'};
+  return vocabulary == Vocabulary::kSuburb
+             ? std::vector<char>{suburb_letter::kRoad, class_letter::kWater}
+             : std::vector<char>{class_letter::kWater};
 }
 
 std::vector<LineClass> FindLines(const Grid<char>& mask, Vocabulary vocabulary) {
@@ -115,7 +120,7 @@ Grid<char> CellsOf(const Grid<char>& mask, Vocabulary vocabulary) {
   Grid<char> cells = GroundOf(mask, lines);
   // A picture of nothing but lines has no ground.
   if (std::all_of(cells.begin(), cells.end(), [](char cell) { return cell == kNoData; })) {
-    std::fill(cells.begin(), cells.end(), lines.empty() ? 'B' : lines.front().letter);
+    std::fill(cells.begin(), cells.end(), lines.empty() ? kOfNothing : lines.front().letter);
   }
   FillFromAround(&cells);
 

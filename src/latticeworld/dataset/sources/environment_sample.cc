@@ -12,6 +12,7 @@
 #include "latticeworld/language/grounded/environment/attributes/attribute_fitting.h"
 #include "latticeworld/language/places.h"
 #include "latticeworld/language/remote/answer_in_form.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/layout/measures.h"
 
 namespace latticeworld {
@@ -78,23 +79,23 @@ bool Shows(const SymbolicLayout& layout, AssetType type) {
   const auto has = [&](char letter) { return ShareOf(layout, letter) >= 0.02; };
   switch (type) {
     case AssetType::kArchitecture:
-      return suburb && has('B');
+      return suburb && has(suburb_letter::kBuilding);
     case AssetType::kRoad:
-      return suburb && ShareOf(layout, 'R') >= 0.01;
+      return suburb && ShareOf(layout, suburb_letter::kRoad) >= 0.01;
     case AssetType::kCrops:
-      return suburb && has('A');
+      return suburb && has(suburb_letter::kFarmland);
     case AssetType::kDesert:
-      return suburb && has('D');
+      return suburb && has(suburb_letter::kBarren);
     case AssetType::kGrass:
     case AssetType::kFlower:
-      return has(suburb ? 'G' : 'B');
+      return has(suburb ? suburb_letter::kGrassland : wild_letter::kGrassland);
     case AssetType::kForest:
     case AssetType::kDeadBranch:
-      return has('F');
+      return has(class_letter::kForest);
     case AssetType::kLake:
-      return has('W');
+      return has(class_letter::kWater);
     case AssetType::kSnowMountain:
-      return !suburb && ShareOf(layout, 'S') >= 0.06;  // TerrainType::kMountain
+      return !suburb && ShareOf(layout, wild_letter::kSnow) >= 0.06;  // TerrainType::kMountain
     case AssetType::kStone:
       return true;
     default:
@@ -144,8 +145,9 @@ std::vector<Weather> LikelyWeathers(const SymbolicLayout& layout, TerrainType te
     weathers.push_back(Weather::kSnow);
   }
   const bool suburb = layout.vocabulary == Vocabulary::kSuburb;
-  const double dry =
-      suburb ? ShareOf(layout, 'D') + 0.5 * ShareOf(layout, 'A') : ShareOf(layout, 'R');
+  const double dry = suburb ? ShareOf(layout, suburb_letter::kBarren) +
+                                  0.5 * ShareOf(layout, suburb_letter::kFarmland)
+                            : ShareOf(layout, wild_letter::kRock);
   if (season != Season::kWinter && (dry >= 0.1 || terrain == TerrainType::kDesert)) {
     weathers.push_back(Weather::kSandstorm);
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "latticeworld/language/grounded/reading/claims_of_plan.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/layout/zone.h"
 
 namespace latticeworld {
@@ -76,14 +77,28 @@ struct Palette {
 };
 
 Palette PaletteOf(Vocabulary vocabulary) {
+  using class_letter::kForest, class_letter::kWater;
   if (vocabulary == Vocabulary::kSuburb) {
-    return {{{'G', 4.0}, {'A', 3.0}, {'F', 2.5}, {'D', 1.2}, {'B', 0.6}, {'W', 0.5}},
-            {{'B', 3.5}, {'W', 3.0}, {'F', 2.0}, {'A', 1.0}, {'D', 1.0}, {'G', 0.7}},
-            {{'R', 3.0}, {'W', 2.0}}};
+    using suburb_letter::kBarren, suburb_letter::kBuilding, suburb_letter::kFarmland,
+        suburb_letter::kGrassland, suburb_letter::kRoad;
+    return {{{kGrassland, 4.0},
+             {kFarmland, 3.0},
+             {kForest, 2.5},
+             {kBarren, 1.2},
+             {kBuilding, 0.6},
+             {kWater, 0.5}},
+            {{kBuilding, 3.5},
+             {kWater, 3.0},
+             {kForest, 2.0},
+             {kFarmland, 1.0},
+             {kBarren, 1.0},
+             {kGrassland, 0.7}},
+            {{kRoad, 3.0}, {kWater, 2.0}}};
   }
-  return {{{'B', 3.0}, {'F', 3.0}, {'R', 2.0}, {'S', 1.5}, {'W', 0.6}},
-          {{'W', 3.0}, {'F', 2.0}, {'R', 2.0}, {'S', 1.5}, {'B', 1.0}},
-          {{'W', 1.0}}};
+  using wild_letter::kGrassland, wild_letter::kRock, wild_letter::kSnow;
+  return {{{kGrassland, 3.0}, {kForest, 3.0}, {kRock, 2.0}, {kSnow, 1.5}, {kWater, 0.6}},
+          {{kWater, 3.0}, {kForest, 2.0}, {kRock, 2.0}, {kSnow, 1.5}, {kGrassland, 1.0}},
+          {{kWater, 1.0}}};
 }
 
 class PlanMaker {
@@ -158,7 +173,8 @@ class PlanMaker {
   void AddBands() {
     std::vector<char> letters;
     for (const WeightedLetter& entry : palette_.land) {
-      if (entry.letter != 'W' || random_.Chance(0.4)) letters.push_back(entry.letter);
+      const bool taken = entry.letter != class_letter::kWater || random_.Chance(0.4);
+      if (taken) letters.push_back(entry.letter);
     }
     random_.Shuffle(&letters);
     letters.resize(static_cast<std::size_t>(random_.UniformInt(2, 3)));
@@ -217,8 +233,9 @@ class PlanMaker {
     if (line.letter == plan_.background) return;
     line.form = FeatureForm::kLine;
     line.cells = 0;
-    line.meander = line.letter == 'W' ? random_.UniformInt(1, 2) : random_.UniformInt(0, 2);
-    line.wide = line.letter == 'W' && random_.Chance(0.2);
+    line.meander =
+        line.letter == class_letter::kWater ? random_.UniformInt(1, 2) : random_.UniformInt(0, 2);
+    line.wide = line.letter == class_letter::kWater && random_.Chance(0.2);
     if (random_.Chance(0.12)) {
       constexpr std::string_view kSides[] = {"northern edge", "southern edge", "western edge",
                                              "eastern edge"};

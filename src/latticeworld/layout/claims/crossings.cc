@@ -7,8 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "latticeworld/layout/class_letters.h"
+
 namespace latticeworld {
 namespace {
+
+using class_letter::kWater;
+using suburb_letter::kRoad;
 
 // Roads below which water is taken to run on, and wider ones of those that are longer than wide:
 // whatever else has water on two sides may be a place of a town, or the land between two lakes.
@@ -22,7 +27,7 @@ char At(const SymbolicLayout& layout, int row, int col) {
 
 // The first cell that is no road from `cell` on in steps of (d_row, d_col).
 CellIndex FirstOffRoad(const SymbolicLayout& layout, CellIndex cell, int d_row, int d_col) {
-  while (At(layout, cell.row, cell.col) == 'R') {
+  while (At(layout, cell.row, cell.col) == kRoad) {
     cell.row += d_row;
     cell.col += d_col;
   }
@@ -33,7 +38,7 @@ CellIndex FirstOffRoad(const SymbolicLayout& layout, CellIndex cell, int d_row, 
 int WidthOf(const SymbolicLayout& layout, CellIndex cell, int d_row, int d_col) {
   int width = 1;
   for (const int sign : {-1, 1}) {
-    for (int k = 1; At(layout, cell.row + sign * k * d_row, cell.col + sign * k * d_col) == 'W';
+    for (int k = 1; At(layout, cell.row + sign * k * d_row, cell.col + sign * k * d_col) == kWater;
          ++k) {
       ++width;
     }
@@ -104,7 +109,7 @@ class Waters {
 
  private:
   bool IsWet(CellIndex cell) const {
-    return layout_.cells[cell] == 'W' || crossings_[cell] != Crossing::kNone;
+    return layout_.cells[cell] == kWater || crossings_[cell] != Crossing::kNone;
   }
   void Spread(CellIndex begin) {
     if (!IsWet(begin) || piece_[begin] >= 0) return;
@@ -147,7 +152,7 @@ bool IsParted(const SymbolicLayout& layout, const std::vector<CellIndex>& way) {
     for (const auto& step : kSteps) {
       const CellIndex near{cells[next].row + step[0], cells[next].col + step[1]};
       if (near.row < row_begin || near.row > row_end || near.col < col_begin ||
-          near.col > col_end || seen[near] != 0 || layout.cells[near] == 'R') {
+          near.col > col_end || seen[near] != 0 || layout.cells[near] == kRoad) {
         continue;
       }
       seen[near] = 1;
@@ -166,7 +171,7 @@ bool JoinOver(const SymbolicLayout& layout, int road_cells, Crossing crossing, W
     if (next == last || !crossings->Contains(next)) continue;
     way->push_back(next);
     if (road_cells > 0) {
-      if (layout.cells[next] == 'R' && waters->Of(next) < 0 &&
+      if (layout.cells[next] == kRoad && waters->Of(next) < 0 &&
           JoinOver(layout, road_cells - 1, crossing, waters, way, crossings)) {
         return true;
       }
@@ -201,10 +206,10 @@ std::vector<std::vector<CellIndex>> WaysOver(const SymbolicLayout& layout, CellI
   std::vector<std::vector<CellIndex>> ways;
   for (int r = from.row - kReach; r <= from.row + kReach; ++r) {
     for (int c = from.col - kReach; c <= from.col + kReach; ++c) {
-      if (At(layout, r, c) != 'W' || waters.Of({r, c}) == waters.Of(from)) continue;
+      if (At(layout, r, c) != kWater || waters.Of({r, c}) == waters.Of(from)) continue;
       std::vector<CellIndex> way = LineBetween(from, {r, c});
       const bool over_road = std::all_of(way.begin() + 1, way.end() - 1, [&](CellIndex cell) {
-        return layout.cells[cell] == 'R' && waters.Of(cell) < 0;
+        return layout.cells[cell] == kRoad && waters.Of(cell) < 0;
       });
       if (over_road) ways.push_back(std::move(way));
     }
@@ -216,7 +221,7 @@ std::vector<std::vector<CellIndex>> WaysOver(const SymbolicLayout& layout, CellI
 
 bool TouchesRoad(const SymbolicLayout& layout, CellIndex cell) {
   for (int k = 0; k < 9; ++k) {
-    if (At(layout, cell.row + k / 3 - 1, cell.col + k % 3 - 1) == 'R') return true;
+    if (At(layout, cell.row + k / 3 - 1, cell.col + k % 3 - 1) == kRoad) return true;
   }
   return false;
 }
@@ -226,7 +231,7 @@ void JoinBelowWide(const SymbolicLayout& layout, Crossing crossing, Waters* wate
                    Grid<Crossing>* crossings) {
   for (int row = 0; row < crossings->rows(); ++row) {
     for (int col = 0; col < crossings->cols(); ++col) {
-      if (layout.cells(row, col) != 'W' || !TouchesRoad(layout, {row, col})) continue;
+      if (layout.cells(row, col) != kWater || !TouchesRoad(layout, {row, col})) continue;
       for (const std::vector<CellIndex>& way : WaysOver(layout, {row, col}, *waters)) {
         if (waters->Of(way.front()) == waters->Of(way.back()) || !IsParted(layout, way)) continue;
         for (std::size_t i = 1; i + 1 < way.size(); ++i) (*crossings)[way[i]] = crossing;
@@ -244,7 +249,7 @@ void JoinParted(const SymbolicLayout& layout, Crossing crossing, Grid<Crossing>*
     for (int row = 0; row < crossings->rows(); ++row) {
       for (int col = 0; col < crossings->cols(); ++col) {
         std::vector<CellIndex> way = {{row, col}};
-        if (layout.cells(row, col) != 'W') continue;
+        if (layout.cells(row, col) != kWater) continue;
         while (JoinOver(layout, road_cells, crossing, &waters, &way, crossings)) way.resize(1);
       }
     }
@@ -261,14 +266,14 @@ Grid<Crossing> CrossingsOf(const SymbolicLayout& layout, bool fords) {
   constexpr int kDirections[4][2] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
   for (int row = 0; row < layout.cells.rows(); ++row) {
     for (int col = 0; col < layout.cells.cols(); ++col) {
-      if (layout.cells(row, col) != 'R') continue;
+      if (layout.cells(row, col) != kRoad) continue;
       for (const auto& step : kDirections) {
         const CellIndex ahead = FirstOffRoad(layout, {row, col}, step[0], step[1]);
         const CellIndex behind = FirstOffRoad(layout, {row, col}, -step[0], -step[1]);
         const int road_cells = RoadCellsThrough(layout, {row, col}, step[0], step[1]);
         road_width(row, col) = std::min(road_width(row, col), road_cells);
-        if (At(layout, ahead.row, ahead.col) != 'W' || At(layout, behind.row, behind.col) != 'W' ||
-            road_cells > kWidestRoad_cells) {
+        if (At(layout, ahead.row, ahead.col) != kWater ||
+            At(layout, behind.row, behind.col) != kWater || road_cells > kWidestRoad_cells) {
           continue;
         }
         if (road_cells > kWideRoad_cells &&
@@ -299,8 +304,8 @@ Grid<unsigned char> CornerCrossingsOf(const SymbolicLayout& layout) {
     for (int col = 1; col < cols; ++col) {
       const char a = layout.cells(row - 1, col - 1), b = layout.cells(row - 1, col);
       const char c = layout.cells(row, col - 1), d = layout.cells(row, col);
-      const bool falls = a == 'R' && d == 'R' && b == 'W' && c == 'W';
-      const bool rises = a == 'W' && d == 'W' && b == 'R' && c == 'R';
+      const bool falls = a == kRoad && d == kRoad && b == kWater && c == kWater;
+      const bool rises = a == kWater && d == kWater && b == kRoad && c == kRoad;
       corners(row, col) = falls || rises ? 1 : 0;
     }
   }

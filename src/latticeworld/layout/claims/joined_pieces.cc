@@ -2,6 +2,7 @@
 
 #include "latticeworld/layout/claims/claim_measures.h"
 #include "latticeworld/layout/claims/mask_measures.h"
+#include "latticeworld/layout/class_letters.h"
 
 namespace latticeworld::internal {
 namespace {
@@ -9,7 +10,8 @@ namespace {
 // The other class whose lines may cut those of `letter`; '\0' when there is none.
 char CrossingLine(Vocabulary vocabulary, char letter) {
   if (vocabulary != Vocabulary::kSuburb) return '\0';
-  return letter == 'R' ? 'W' : letter == 'W' ? 'R' : '\0';
+  if (letter == suburb_letter::kRoad) return class_letter::kWater;
+  return letter == class_letter::kWater ? suburb_letter::kRoad : '\0';
 }
 
 // Long for its area, as rivers and roads are and lakes are not.

@@ -56,99 +56,121 @@ cv::Mat SmoothNoise(int rows, int cols, double wavelength_cells, std::uint64_t s
 
 namespace {
 
-cv::Mat GroundColors(const Scene& scene) {
-  const Terrain& terrain = *scene.terrain;
-  const GridGeometry& geometry = terrain.geometry();
-  const CoarseAttributes& coarse = scene.environment.coarse;
-  const SeasonColors season = ColorsOf(coarse.season);
-  const bool desert = coarse.terrain_type == TerrainType::kDesert;
-  const bool dry = IsDryLand(scene);
-  const bool wild = terrain.weights.vocabulary == Vocabulary::kWild;
-  const Color barren = desert ? FromRgb(222, 190, 138) : FromRgb(166, 144, 116);
-  const Color soil = desert ? Mix(season.soil, barren, 0.5f) : season.soil;
-  const Color road = wild ? FromRgb(150, 132, 108) : FromRgb(112, 112, 118);
+// Colours the ground of a scene, a cell a pixel: by what it is made of, season, weather and style.
+class GroundPainter {
+ public:
+  explicit GroundPainter(const Scene& scene)
+      : scene_(scene),
+        terrain_(*scene.terrain),
+        season_(ColorsOf(scene.environment.coarse.season)),
+        is_dry_(IsDryLand(scene)),
+        yards_(YardsAroundHouses(scene)),
+        rims_(RoadRims(scene)) {
+    const bool desert = scene.environment.coarse.terrain_type == TerrainType::kDesert;
+    const bool wild = terrain_.weights.vocabulary == Vocabulary::kWild;
+    barren_ = desert ? FromRgb(222, 190, 138) : FromRgb(166, 144, 116);
+    soil_ = desert ? Mix(season_.soil, barren_, 0.5f) : season_.soil;
+    road_ = wild ? FromRgb(150, 132, 108) : FromRgb(112, 112, 118);
+    rim_ = RoadRim(ArtisticStyle::kRealistic, road_);
 
-  const ArtisticStyle style = coarse.artistic_style;
-  const Color rim = RoadRim(ArtisticStyle::kRealistic, road);
+    const int rows = terrain_.geometry().rows(), cols = terrain_.geometry().cols();
+    const double cell_m = terrain_.geometry().resolution_m();
+    patches_ = SmoothNoise(rows, cols, std::max(1.0, 38.0 / cell_m), 101);
+    tufts_ = SmoothNoise(rows, cols, std::max(1.0, 7.0 / cell_m), 102);
+    grain_ = SmoothNoise(rows, cols, std::max(1.0, 1.6 / cell_m), 103);
+  }
 
-  // Patches of tens of metres, tufts of a few, grain of one cell.
-  const int rows = geometry.rows(), cols = geometry.cols();
-  const double cell_m = geometry.resolution_m();
-  const cv::Mat patches = SmoothNoise(rows, cols, std::max(1.0, 38.0 / cell_m), 101);
-  const cv::Mat tufts = SmoothNoise(rows, cols, std::max(1.0, 7.0 / cell_m), 102);
-  const cv::Mat yards = YardsAroundHouses(scene);
-  const cv::Mat rims = RoadRims(scene);
-  const cv::Mat grain = SmoothNoise(rows, cols, std::max(1.0, 1.6 / cell_m), 103);
+  cv::Mat Paint() const {
+    const GridGeometry& geometry = terrain_.geometry();
+    cv::Mat colors(geometry.rows(), geometry.cols(), CV_32FC3);
+    for (int row = 0; row < colors.rows; ++row) {
+      Color* out = colors.ptr<Color>(row);
+      for (int col = 0; col < colors.cols; ++col) out[col] = ColorOf({row, col});
+    }
+    // Classes change from cell to cell; the land does not.
+    cv::GaussianBlur(colors, colors, {}, std::max(0.4, 0.6 / geometry.resolution_m()));
+    PaintCrops(scene_, season_.grass, &colors);
+    AddWeather(&colors);
+    if (scene_.environment.coarse.artistic_style != ArtisticStyle::kRealistic) Stylise(&colors);
+    return colors;
+  }
 
-  cv::Mat colors(rows, cols, CV_32FC3);
-  for (int row = 0; row < rows; ++row) {
-    Color* out = colors.ptr<Color>(row);
-    for (int col = 0; col < cols; ++col) {
-      const float patch = patches.at<float>(row, col), tuft = tufts.at<float>(row, col);
-      const WorldPoint point = geometry.CenterOf({row, col});
-      switch (terrain.surface(row, col)) {
-        case SurfaceClass::kGrass:
-          out[col] =
-              Mix(season.grass, season.dry_grass, Smoothstep(-1.2f, 1.8f, patch + 0.5f * tuft));
-          break;
-        case SurfaceClass::kForestFloor:
-          out[col] = season.forest_floor * (1.0f + 0.06f * patch + 0.05f * tuft);
-          break;
-        case SurfaceClass::kFarmland:
-          out[col] = soil * (1.0f + 0.03f * patch + 0.02f * tuft);
-          break;
-        case SurfaceClass::kBarren:
-          out[col] = barren * (1.0f + 0.05f * patch + 0.03f * tuft);
-          break;
-        case SurfaceClass::kRoad:
-          out[col] = Mix(road * (1.0f + 0.02f * tuft), rim, rims.at<float>(row, col));
-          break;
-        case SurfaceClass::kBuilding:
-          out[col] = Mix(dry ? Mix(barren, season.grass, 0.25f)
-                             : GardenColor(season.grass, point.x_m, point.y_m, patch),
-                         FromRgb(206, 192, 162), 0.9f * yards.at<float>(row, col)) *
-                     (1.0f + 0.03f * tuft);
-          break;
-        case SurfaceClass::kRock:
-          out[col] = FromRgb(134, 128, 120) * (1.0f + 0.07f * patch + 0.08f * tuft);
-          break;
-        case SurfaceClass::kSnow:
-          out[col] = FromRgb(240, 244, 250) * (1.0f + 0.012f * patch);
-          break;
-        case SurfaceClass::kWaterBed:
-          out[col] = FromRgb(150, 140, 108);
-          break;
+ private:
+  Color ColorOf(CellIndex cell) const {
+    const float patch = patches_.at<float>(cell.row, cell.col);
+    const float tuft = tufts_.at<float>(cell.row, cell.col);
+    switch (terrain_.surface[cell]) {
+      case SurfaceClass::kGrass:
+        return Mix(season_.grass, season_.dry_grass, Smoothstep(-1.2f, 1.8f, patch + 0.5f * tuft));
+      case SurfaceClass::kForestFloor:
+        return season_.forest_floor * (1.0f + 0.06f * patch + 0.05f * tuft);
+      case SurfaceClass::kFarmland:
+        return soil_ * (1.0f + 0.03f * patch + 0.02f * tuft);
+      case SurfaceClass::kBarren:
+        return barren_ * (1.0f + 0.05f * patch + 0.03f * tuft);
+      case SurfaceClass::kRoad:
+        return Mix(road_ * (1.0f + 0.02f * tuft), rim_, rims_.at<float>(cell.row, cell.col));
+      case SurfaceClass::kBuilding:
+        return Mix(GardenAt(cell, patch), FromRgb(206, 192, 162),
+                   0.9f * yards_.at<float>(cell.row, cell.col)) *
+               (1.0f + 0.03f * tuft);
+      case SurfaceClass::kRock:
+        return FromRgb(134, 128, 120) * (1.0f + 0.07f * patch + 0.08f * tuft);
+      case SurfaceClass::kSnow:
+        return FromRgb(240, 244, 250) * (1.0f + 0.012f * patch);
+      case SurfaceClass::kWaterBed:
+        return FromRgb(150, 140, 108);
+    }
+    return {};
+  }
+
+  // Between the houses of a settlement.
+  Color GardenAt(CellIndex cell, float patch) const {
+    if (is_dry_) return Mix(barren_, season_.grass, 0.25f);
+    const WorldPoint point = terrain_.geometry().CenterOf(cell);
+    return GardenColor(season_.grass, point.x_m, point.y_m, patch);
+  }
+
+  // Grain, wet ground in rain, and fallen snow where it is level enough to stay.
+  void AddWeather(cv::Mat* colors) const {
+    const auto snow =
+        static_cast<float>(std::clamp(scene_.atmosphere.snow_depth_m / 0.12, 0.0, 1.0));
+    const float wet = scene_.atmosphere.weather == Weather::kRain ? 0.86f : 1.0f;
+    for (int row = 0; row < colors->rows; ++row) {
+      Color* out = colors->ptr<Color>(row);
+      for (int col = 0; col < colors->cols; ++col) {
+        out[col] *= (1.0f + 0.014f * grain_.at<float>(row, col)) * wet;
+        if (snow == 0.0f) continue;
+        const float cover =
+            snow * Smoothstep(-1.6f, 0.2f,
+                              0.7f * tufts_.at<float>(row, col) +
+                                  0.5f * patches_.at<float>(row, col) + 1.4f * snow);
+        const bool swept = terrain_.surface(row, col) == SurfaceClass::kRoad;
+        out[col] = Mix(out[col], FromRgb(238, 242, 248), cover * (swept ? 0.5f : 0.92f));
       }
     }
   }
-  // Classes change from cell to cell; the land does not.
-  cv::GaussianBlur(colors, colors, {}, std::max(0.4, 0.6 / cell_m));
-  PaintCrops(scene, season.grass, &colors);
 
-  // Grain, wet ground in rain, and fallen snow where it is level enough to stay.
-  const float snow = static_cast<float>(std::clamp(scene.atmosphere.snow_depth_m / 0.12, 0.0, 1.0));
-  const float wet = scene.atmosphere.weather == Weather::kRain ? 0.86f : 1.0f;
-  for (int row = 0; row < rows; ++row) {
-    Color* out = colors.ptr<Color>(row);
-    for (int col = 0; col < cols; ++col) {
-      out[col] *= (1.0f + 0.014f * grain.at<float>(row, col)) * wet;
-      if (snow == 0.0f) continue;
-      const float cover = snow * Smoothstep(-1.6f, 0.2f,
-                                            0.7f * tufts.at<float>(row, col) +
-                                                0.5f * patches.at<float>(row, col) + 1.4f * snow);
-      const bool swept = terrain.surface(row, col) == SurfaceClass::kRoad;
-      out[col] = Mix(out[col], FromRgb(238, 242, 248), cover * (swept ? 0.5f : 0.92f));
+  void Stylise(cv::Mat* colors) const {
+    const ArtisticStyle style = scene_.environment.coarse.artistic_style;
+    const Color rim = RoadRim(style, road_);
+    for (int row = 0; row < colors->rows; ++row) {
+      Color* out = colors->ptr<Color>(row);
+      for (int col = 0; col < colors->cols; ++col) {
+        out[col] = Mix(InStyle(style, out[col]), rim, rims_.at<float>(row, col));
+      }
     }
   }
-  if (style == ArtisticStyle::kRealistic) return colors;
-  const Color bright_rim = RoadRim(style, road);
-  for (int row = 0; row < rows; ++row) {
-    Color* out = colors.ptr<Color>(row);
-    for (int col = 0; col < cols; ++col)
-      out[col] = Mix(InStyle(style, out[col]), bright_rim, rims.at<float>(row, col));
-  }
-  return colors;
-}
+
+  const Scene& scene_;
+  const Terrain& terrain_;
+  SeasonColors season_;
+  bool is_dry_;
+  cv::Mat yards_, rims_;  // in [0, 1]: around houses, of roads
+  Color barren_, soil_, road_, rim_;
+  // Noise of normal deviates: patches of tens of metres, tufts of a few, grain of one cell.
+  cv::Mat patches_, tufts_, grain_;
+};
 
 cv::Mat WaterDepth(const Scene& scene) {
   const Grid<float>& height_m = scene.terrain->ground.height_m();
@@ -165,6 +187,8 @@ cv::Mat WaterDepth(const Scene& scene) {
 
 }  // namespace
 
-GroundMaterials MaterialsOf(const Scene& scene) { return {GroundColors(scene), WaterDepth(scene)}; }
+GroundMaterials MaterialsOf(const Scene& scene) {
+  return {GroundPainter(scene).Paint(), WaterDepth(scene)};
+}
 
 }  // namespace latticeworld

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/layout/thing_kinds.h"
 
 namespace latticeworld {
@@ -94,12 +95,12 @@ WorldPoint ThingSites::DrawInZone(RandomStream* random) const {
 WorldPoint ThingSites::DrawWater(RandomStream* random) const {
   constexpr double kNear_m = 40.0;
   constexpr int kDraws = 40;
-  constexpr char kWater = 'W';
   WorldPoint point = DrawInZone(random);
-  if (land_->CellsOf(kWater).empty()) return point;
+  if (land_->CellsOf(class_letter::kWater).empty()) return point;
   for (int i = 0; i < kDraws; ++i) {
-    point = DrawCell(kWater, random);
-    const bool free = relation_ == ThingRelation::kNone || wish_.target.letter == kWater;
+    point = DrawCell(class_letter::kWater, random);
+    const bool free =
+        relation_ == ThingRelation::kNone || wish_.target.letter == class_letter::kWater;
     if (free) break;
     const auto nearest = NearestOf(wish_.target, point);
     if (nearest && Distance(*nearest, point) <= std::max(kNear_m, wish_.distance_m)) break;

@@ -10,6 +10,7 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/scene/land_finder.h"
 #include "latticeworld/scene/props/footbridges.h"
 #include "latticeworld/scene/props/props.h"
@@ -87,8 +88,9 @@ class Placer {
     const bool lies_in = wish.relation == ThingRelation::kIn;
     Ground ground;
     ground.is_pier = wish.kind == "pier";
-    ground.on_roads = wish.position.has_value() || (lies_in && wish.target.letter == 'R');
-    ground.in_water = ground.is_pier || (lies_in && wish.target.letter == 'W');
+    ground.on_roads =
+        wish.position.has_value() || (lies_in && wish.target.letter == suburb_letter::kRoad);
+    ground.in_water = ground.is_pier || (lies_in && wish.target.letter == class_letter::kWater);
     return ground;
   }
 

@@ -8,6 +8,7 @@
 
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/random.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/scene/builder.h"
 #include "latticeworld/scene/placement.h"
 #include "latticeworld/scene/road_finder.h"
@@ -203,7 +204,7 @@ class Settler {
     std::vector<OpenPlace> places;
     if (most <= 0.0) return places;
     const GridGeometry& geometry = placement_->terrain.geometry();
-    const WeightGrid& weight = *placement_->terrain.weights.Find('B');
+    const WeightGrid& weight = *placement_->terrain.weights.Find(suburb_letter::kBuilding);
     const std::uint64_t order_seed = StreamSeed(seed_, "infill/order");
     const RankedBlueNoise noise(
         geometry.size_m(), kPerM2, StreamSeed(seed_, "infill/noise"),
@@ -331,7 +332,8 @@ class Settler {
 void PlaceBuildings(Placement* placement) {
   const Terrain& terrain = placement->terrain;
   const DensityField density = DensityFor(*placement, AssetKind::kBuilding);
-  if (terrain.weights.vocabulary != Vocabulary::kSuburb || terrain.weights.Find('B') == nullptr ||
+  if (terrain.weights.vocabulary != Vocabulary::kSuburb ||
+      terrain.weights.Find(suburb_letter::kBuilding) == nullptr ||
       density.largest_per_m2() <= 0.0) {
     return;
   }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/scene/vegetation/scatter.h"
 #include "latticeworld/scene/vegetation/trees.h"
 
@@ -96,7 +97,7 @@ class Gardener {
         hedges_(placement, AssetKind::kBush, "scene/gardens/hedges"),
         trees_(placement, AssetKind::kTree, "scene/gardens/trees"),
         flowers_(placement, AssetKind::kFlower, "scene/gardens/flowers"),
-        weight_(placement->terrain.weights.Find('B')) {}
+        weight_(placement->terrain.weights.Find(suburb_letter::kBuilding)) {}
 
   void Plant() {
     // Every hedge before any tree: a tree may stand on no hedge.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/scene/settlements/settlement_rules.h"
 
 namespace latticeworld {
@@ -71,7 +72,7 @@ class PlotLayout {
         models_(models),
         rule_(rule),
         random_(random),
-        roads_(terrain.weights.Find('R')) {}
+        roads_(terrain.weights.Find(suburb_letter::kRoad)) {}
 
   void Divide(const StreetFront& front, std::vector<Plot>* plots) {
     double along_m = random_->Uniform(0.5, 4.0);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "latticeworld/geomorphology/distance.h"
+#include "latticeworld/layout/class_letters.h"
 
 namespace latticeworld {
 namespace {
@@ -52,8 +53,8 @@ class Moments {
 
 SettlementMap::SettlementMap(const Terrain& terrain) : geometry_(MapGeometry(terrain.geometry())) {
   const GridGeometry& world = terrain.geometry();
-  const WeightGrid* building = terrain.weights.Find('B');
-  const WeightGrid* field = terrain.weights.Find('A');
+  const WeightGrid* building = terrain.weights.Find(suburb_letter::kBuilding);
+  const WeightGrid* field = terrain.weights.Find(suburb_letter::kFarmland);
   const int n = geometry_.rows();
   Grid<unsigned char> built(n, n, 0), paved(n, n, 0), farmed(n, n, 0);
   for (int row = 0; row < n; ++row) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "latticeworld/layout/class_letters.h"
+
 namespace latticeworld {
 namespace {
 
@@ -154,7 +156,7 @@ StreetFront::Place StreetFront::At(double along_m) const {
 
 std::vector<StreetFront> StreetFrontsOf(const Terrain& terrain) {
   std::vector<StreetFront> fronts;
-  const WeightGrid* weight = terrain.weights.Find('B');
+  const WeightGrid* weight = terrain.weights.Find(suburb_letter::kBuilding);
   if (weight == nullptr) return fronts;
   const PavedCells paved(terrain);
   const GridGeometry& geometry = terrain.geometry();

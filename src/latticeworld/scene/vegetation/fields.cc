@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/layout/class_letters.h"
 
 namespace latticeworld {
 namespace {
@@ -17,7 +18,6 @@ constexpr double kOrchardShare = 0.4;      // of the fields near settlements
 constexpr double kUsualForest = 0.5;       // density from which orchards are not fewer
 constexpr double kNearSettlement_m = 90.0;
 constexpr double kUphillSlope_deg = 3.0;
-constexpr char kSettlement = 'B', kForest = 'F';
 
 // Where the k-th border between fields lies along an axis.
 double BorderAt(std::uint64_t seed, int k, double side_m) {
@@ -27,7 +27,7 @@ double BorderAt(std::uint64_t seed, int k, double side_m) {
 
 bool IsNearSettlement(const Terrain& terrain, WorldPoint point) {
   if (terrain.weights.vocabulary != Vocabulary::kSuburb) return false;
-  const WeightGrid* weight = terrain.weights.Find(kSettlement);
+  const WeightGrid* weight = terrain.weights.Find(suburb_letter::kBuilding);
   if (weight == nullptr) return false;
   constexpr int kDirections = 12, kRings = 3;
   for (int ring = 1; ring <= kRings; ++ring) {
@@ -51,7 +51,8 @@ std::vector<std::uint8_t> OrchardModels(const Placement& placement, char letter)
   if (placement.terrain.weights.vocabulary != Vocabulary::kSuburb) return models;
   for (const std::uint8_t model : placement.catalogue.models_of(AssetKind::kTree)) {
     const std::string& letters = placement.catalogue.models()[model].letters_suburb;
-    if (letters.find(letter) != std::string::npos && letters.find(kForest) == std::string::npos) {
+    if (letters.find(letter) != std::string::npos &&
+        letters.find(class_letter::kForest) == std::string::npos) {
       models.push_back(model);
     }
   }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/scene/placement.h"
 #include "latticeworld/scene/point_random.h"
 
@@ -13,8 +14,8 @@ namespace latticeworld {
 // A place that a scattered thing may get.
 struct Place {
   WorldPoint point;
-  char letter = 'G';    // of the class that it stands there for
-  double per_m2 = 0.0;  // of the kind here, clumping included
+  char letter = suburb_letter::kGrassland;  // of the class that it stands there for
+  double per_m2 = 0.0;                      // of the kind here, clumping included
 };
 
 // How dense a kind is over a world. Functions are called from several threads at once.

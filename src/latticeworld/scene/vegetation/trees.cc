@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/scene/vegetation/model_mixture.h"
 #include "latticeworld/scene/vegetation/patch_noise.h"
 #include "latticeworld/scene/vegetation/scatter.h"
@@ -13,8 +14,6 @@ namespace {
 
 // Cover of crowns that a forest's trees see around them before any stand (Canopy comes after them).
 constexpr double kForestCanopy = 0.7;
-constexpr char kForest = 'F';  // in both vocabularies
-constexpr char kSettlement = 'B';
 constexpr double kTallestAmongHouses_m = 8.0;
 
 }  // namespace
@@ -53,7 +52,7 @@ void PlaceTrees(Placement* placement) {
   ModelMixture mixture(placement->catalogue, placement->environment, AssetKind::kTree,
                        terrain.weights.vocabulary, seed);
   if (terrain.weights.vocabulary == Vocabulary::kSuburb) {
-    mixture.Keep(kSettlement, [](const AssetModel& model) {
+    mixture.Keep(suburb_letter::kBuilding, [](const AssetModel& model) {
       return model.height_m.high <= kTallestAmongHouses_m;
     });
   }
@@ -63,17 +62,20 @@ void PlaceTrees(Placement* placement) {
 
   // A forest has thickets and glades; on open land trees stand in groups, a few by themselves.
   const ClumpedDensity::Clumping clump = [&](WorldPoint point, char letter) {
-    if (letter == kForest) return 1.0 + (0.3 + 1.2 * clumping) * (thickets.At(point) - 0.5);
+    if (letter == class_letter::kForest) {
+      return 1.0 + (0.3 + 1.2 * clumping) * (thickets.At(point) - 0.5);
+    }
     const double grove = std::max(0.0, groves.At(point) - 0.7) / 0.3;
     return 0.08 + (4.0 + 8.0 * clumping) * grove;
   };
-  const ClumpedDensity density(*placement, AssetKind::kTree, clump,
-                               [](char letter) { return letter == kForest ? 1.5 : 8.0; });
+  const ClumpedDensity density(*placement, AssetKind::kTree, clump, [](char letter) {
+    return letter == class_letter::kForest ? 1.5 : 8.0;
+  });
   const auto make = [&](const Place& place, PointRandom* random, Asset* tree) {
     if (!IsSlopeAtMost(terrain, tree->position(), kSteepestForTrees_deg)) return Refusal::kTooSteep;
-    const std::optional<ModelMixture::Choice> choice =
-        mixture.At(place.point, placement->sites.At(place.point),
-                   place.letter == kForest ? kForestCanopy : 0.0, place.letter, random);
+    const std::optional<ModelMixture::Choice> choice = mixture.At(
+        place.point, placement->sites.At(place.point),
+        place.letter == class_letter::kForest ? kForestCanopy : 0.0, place.letter, random);
     if (!choice) return Refusal::kHabitat;
     tree->model = choice->model;
     tree->season_variant = choice->season_variant;

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/layout/vocabulary.h"
 #include "latticeworld/terrain/cover.h"
 #include "latticeworld/terrain/forms/relief_claim_list.h"
@@ -22,15 +23,16 @@ constexpr double kLeastFree = 0.9;     // of the ground on the other
 
 // Land that nobody has made, and that is no water.
 bool IsOpen(Vocabulary vocabulary, char letter) {
-  const bool made =
-      vocabulary == Vocabulary::kSuburb && (letter == 'R' || letter == 'B' || letter == 'A');
-  return letter != 'W' && !made;
+  return letter != class_letter::kWater && !IsManMade(vocabulary, letter);
 }
 
 // What lies where a class ends: below snow is rock, beyond a forest is grass.
 char NextTo(Vocabulary vocabulary, char letter) {
-  if (vocabulary == Vocabulary::kSuburb) return letter == 'G' ? 'D' : 'G';
-  return letter == 'S' ? 'R' : letter == 'B' ? 'R' : 'B';
+  if (vocabulary == Vocabulary::kSuburb) {
+    return letter == suburb_letter::kGrassland ? suburb_letter::kBarren : suburb_letter::kGrassland;
+  }
+  const bool beside_rock = letter == wild_letter::kSnow || letter == wild_letter::kGrassland;
+  return beside_rock ? wild_letter::kRock : wild_letter::kGrassland;
 }
 
 struct HeightRange {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "latticeworld/layout/claims/mask_measures.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/terrain/forms/relief_measures.h"
 #include "latticeworld/terrain/forms/relief_natures.h"
 
@@ -39,12 +40,12 @@ class Placer {
  public:
   Placer(const SymbolicLayout& layout, double size_m)
       : layout_(layout), size_m_(size_m), cell_m_(size_m / kLayoutSize) {
-    const bool suburb = layout.vocabulary == Vocabulary::kSuburb;
     for (int r = 0; r < kLayoutSize; ++r) {
       for (int c = 0; c < kLayoutSize; ++c) {
         const char letter = layout.cells(r, c);
-        const bool built = suburb && (letter == 'R' || letter == 'B' || letter == 'A');
-        if (letter == 'W' || built) taken_.Add({r, c});
+        if (letter == class_letter::kWater || IsManMade(layout.vocabulary, letter)) {
+          taken_.Add({r, c});
+        }
       }
     }
   }
@@ -103,7 +104,7 @@ class Placer {
 
   static bool CarriesBuilt(const ReliefWish& wish) {
     return std::any_of(wish.ties.begin(), wish.ties.end(), [](const ReliefTie& tie) {
-      return tie.kind == ReliefTie::Kind::kUnder && tie.letter == 'B';
+      return tie.kind == ReliefTie::Kind::kUnder && tie.letter == suburb_letter::kBuilding;
     });
   }
 
@@ -112,7 +113,10 @@ class Placer {
     int most = 0;
     for (const ReliefTie& tie : wish.ties) {
       const LayoutMask cells = CellsOf(tie);
-      if (tie.kind != ReliefTie::Kind::kUnder || tie.letter != 'B' || cells.empty()) continue;
+      if (tie.kind != ReliefTie::Kind::kUnder || tie.letter != suburb_letter::kBuilding ||
+          cells.empty()) {
+        continue;
+      }
       most = std::max(most, cells.Pieces().front().count());
     }
     return std::sqrt(most / M_PI) * cell_m_;
@@ -137,7 +141,7 @@ class Placer {
     if (IsMountain(wish.kind) && !wish.alone) {
       // Snow is the cap: its mountain has a foot around it.
       area = Letters(wish.letter, zone);
-      const int foot = wish.letter == 'S' ? 3 : 2;
+      const int foot = wish.letter == wild_letter::kSnow ? 3 : 2;
       for (int i = 0; i < foot; ++i) area = (area.Grown8() & free) | area;
     } else if (wish.alone) {
       area = free;
@@ -387,8 +391,11 @@ class Placer {
   // "The river runs through the gorge."
   bool FollowWater(const ReliefWish& wish, ReliefPiece* piece) const {
     for (const ReliefTie& tie : wish.ties) {
-      if (tie.kind != ReliefTie::Kind::kUnder || tie.letter != 'W' || !IsSunk(wish.kind)) continue;
-      piece->area = Letters('W', Union(tie.zones));
+      if (tie.kind != ReliefTie::Kind::kUnder || tie.letter != class_letter::kWater ||
+          !IsSunk(wish.kind)) {
+        continue;
+      }
+      piece->area = Letters(class_letter::kWater, Union(tie.zones));
       if (piece->area.empty()) continue;
       piece->follows_water = true;
       piece->axis.clear();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "latticeworld/geomorphology/distance.h"
@@ -48,7 +47,7 @@ Components NearlyConnected(const Grid<unsigned char>& wet, Grid<std::int32_t>* n
 // Sets of still waters that turn out to be one.
 class Merger {
  public:
-  explicit Merger(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  // A set of its own, and its number.
   int Add() {
     parent_.push_back(static_cast<int>(parent_.size()));
     return parent_.back();
@@ -67,91 +66,123 @@ class Merger {
   std::vector<int> parent_;
 };
 
-}  // namespace
-
-WaterBodies FindWaterBodies(Grid<unsigned char> wet, double layout_cell, bool lone_is_still) {
-  WaterBodies result;
-  result.wet = std::move(wet);
-  const Grid<unsigned char>& mask = result.wet;
-  result.bodies = NearlyConnected(mask, &result.near_body);
-
-  // Lakes: where a disc as wide as a lake fits in (a morphological opening).
-  const auto half_width = static_cast<float>(kLakeHalfWidth * layout_cell);
-  const Grid<float> to_shore = DistanceTo(false, mask);
-  Grid<unsigned char> wide(mask.rows(), mask.cols());
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    wide.data()[i] = to_shore.data()[i] >= half_width ? 1 : 0;
-  }
-  const Grid<float> to_wide = DistanceTo(true, wide);
-  Grid<unsigned char> open(mask.rows(), mask.cols());
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    open.data()[i] = mask.data()[i] != 0 && to_wide.data()[i] < half_width ? 1 : 0;
-  }
-  const Components lakes = ComponentsOf(open);
-  result.still = lakes.label;
-  Merger merger(lakes.count());
-
-  // What is left of the water: bays of lakes and ponds stand still, the rest runs.
-  Grid<unsigned char> rest(mask.rows(), mask.cols());
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    rest.data()[i] = mask.data()[i] != 0 && open.data()[i] == 0 ? 1 : 0;
-  }
-  const Components arms = ComponentsOf(rest);
-  for (int arm = 0; arm < arms.count(); ++arm) {
-    const std::int32_t* begin = arms.cells.data() + arms.begin[arm];
-    const std::int32_t* end = arms.cells.data() + arms.begin[arm + 1];
-    std::vector<std::int32_t> touched;
-    float reach = 0.0f, widest = 0.0f;
-    bool at_edge = false;
-    for (const std::int32_t* cell = begin; cell != end; ++cell) {
-      reach = std::max(reach, to_wide.data()[*cell] - half_width);
-      widest = std::max(widest, to_shore.data()[*cell]);
-      at_edge = at_edge || AtEdge(mask, *cell);
-      ForEachNeighbour(mask, *cell / mask.cols(), *cell % mask.cols(), [&](int r, int c) {
-        if (lakes.label(r, c) >= 0) touched.push_back(lakes.label(r, c));
-      });
+// Where a disc as wide as a lake fits into the water (a morphological opening).
+struct OpenWater {
+  OpenWater(const Grid<unsigned char>& wet, double layout_cell)
+      : half_width(static_cast<float>(kLakeHalfWidth * layout_cell)),
+        to_shore(DistanceTo(false, wet)),
+        open(wet.rows(), wet.cols()) {
+    Grid<unsigned char> wide(wet.rows(), wet.cols());
+    for (std::size_t i = 0; i < wet.size(); ++i) {
+      wide.data()[i] = to_shore.data()[i] >= half_width ? 1 : 0;
     }
+    to_wide = DistanceTo(true, wide);
+    for (std::size_t i = 0; i < wet.size(); ++i) {
+      open.data()[i] = wet.data()[i] != 0 && to_wide.data()[i] < half_width ? 1 : 0;
+    }
+  }
+
+  float half_width;          // of a lake [cells]
+  Grid<float> to_shore;      // [cells]
+  Grid<float> to_wide;       // to where the disc's middle may be [cells]
+  Grid<unsigned char> open;  // 1 below the disc
+};
+
+// A connected piece of what is left of the water without the open one.
+struct Arm {
+  std::vector<std::int32_t> lakes;  // that each of its cells touches
+  float reach = 0.0f;               // from open water [cells]
+  float widest = 0.0f;              // largest distance from the shore [cells]
+  bool at_edge = false;             // of the world
+};
+
+// lake: number of the open water, else -1. cells: those of the arm.
+Arm MeasureArm(const OpenWater& water, const Grid<std::int32_t>& lake, const std::int32_t* begin,
+               const std::int32_t* end) {
+  Arm arm;
+  for (const std::int32_t* cell = begin; cell != end; ++cell) {
+    arm.reach = std::max(arm.reach, water.to_wide.data()[*cell] - water.half_width);
+    arm.widest = std::max(arm.widest, water.to_shore.data()[*cell]);
+    arm.at_edge = arm.at_edge || AtEdge(water.open, *cell);
+    ForEachNeighbour(lake, *cell / lake.cols(), *cell % lake.cols(), [&](int r, int c) {
+      if (lake(r, c) >= 0) arm.lakes.push_back(lake(r, c));
+    });
+  }
+  return arm;
+}
+
+// Which water stands still, with numbers that merger makes equal: lakes, their bays, and ponds. -1
+// where it runs, and where it is dry.
+Grid<std::int32_t> StillWater(const Grid<unsigned char>& wet, double layout_cell,
+                              bool lone_is_still, Merger* merger) {
+  const OpenWater water(wet, layout_cell);
+  const Components lakes = ComponentsOf(water.open);
+  for (int i = 0; i < lakes.count(); ++i) merger->Add();
+  Grid<unsigned char> rest(wet.rows(), wet.cols());
+  for (std::size_t i = 0; i < wet.size(); ++i) {
+    rest.data()[i] = wet.data()[i] != 0 && water.open.data()[i] == 0 ? 1 : 0;
+  }
+  Grid<std::int32_t> still = lakes.label;
+  const Components arms = ComponentsOf(rest);
+  for (int i = 0; i < arms.count(); ++i) {
+    const std::int32_t* begin = arms.cells.data() + arms.begin[i];
+    const std::int32_t* end = arms.cells.data() + arms.begin[i + 1];
+    const Arm arm = MeasureArm(water, lakes.label, begin, end);
     int number = -1;
-    if (!touched.empty()) {
-      if (reach >= kBayLength * layout_cell) continue;
-      number = touched.front();
-      for (const std::int32_t lake : touched) merger.Join(number, lake);
+    if (!arm.lakes.empty()) {
+      if (arm.reach >= kBayLength * layout_cell) continue;
+      number = arm.lakes.front();
+      for (const std::int32_t lake : arm.lakes) merger->Join(number, lake);
     } else {
       const auto area = static_cast<double>(end - begin);
-      const double width = 2.0 * widest;
+      const double width = 2.0 * arm.widest;
       const bool compact = area < kCompact * width * width;
-      if (!compact && (at_edge || !lone_is_still)) continue;
-      number = merger.Add();
+      if (!compact && (arm.at_edge || !lone_is_still)) continue;
+      number = merger->Add();
     }
-    for (const std::int32_t* cell = begin; cell != end; ++cell) result.still.data()[*cell] = number;
+    for (const std::int32_t* cell = begin; cell != end; ++cell) still.data()[*cell] = number;
   }
+  return still;
+}
 
-  // Numbers without gaps, by their first cell.
+// Numbers the still waters without gaps, by their first cell, and finds the seas among them.
+void NumberStillWaters(const Merger& merger, double layout_cell, WaterBodies* water) {
   std::vector<int> number_of;
   std::vector<int> edge_cells;
-  result.has_sea.assign(result.bodies.count(), false);
-  result.at_edge.assign(result.bodies.count(), false);
-  for (std::int32_t cell = 0; cell < static_cast<std::int32_t>(mask.size()); ++cell) {
-    if (mask.data()[cell] == 0) continue;
-    const bool at_edge = AtEdge(mask, cell);
-    const std::int32_t body = result.bodies.label.data()[cell];
-    if (at_edge) result.at_edge[body] = true;
-    std::int32_t& still = result.still.data()[cell];
+  water->has_sea.assign(water->bodies.count(), false);
+  water->at_edge.assign(water->bodies.count(), false);
+  for (std::int32_t cell = 0; cell < static_cast<std::int32_t>(water->wet.size()); ++cell) {
+    if (water->wet.data()[cell] == 0) continue;
+    const bool at_edge = AtEdge(water->wet, cell);
+    const std::int32_t body = water->bodies.label.data()[cell];
+    if (at_edge) water->at_edge[body] = true;
+    std::int32_t& still = water->still.data()[cell];
     if (still < 0) continue;
     const int root = merger.Find(still);
     if (root >= static_cast<int>(number_of.size())) number_of.resize(root + 1, -1);
     if (number_of[root] < 0) {
       number_of[root] = static_cast<int>(edge_cells.size());
       edge_cells.push_back(0);
-      result.still_in.push_back(body);
+      water->still_in.push_back(body);
     }
     still = number_of[root];
     if (at_edge) ++edge_cells[still];
   }
   for (std::size_t i = 0; i < edge_cells.size(); ++i) {
-    result.is_sea.push_back(edge_cells[i] >= kSeaEdge * layout_cell);
-    if (result.is_sea.back()) result.has_sea[result.still_in[i]] = true;
+    water->is_sea.push_back(edge_cells[i] >= kSeaEdge * layout_cell);
+    if (water->is_sea.back()) water->has_sea[water->still_in[i]] = true;
   }
+}
+
+}  // namespace
+
+WaterBodies FindWaterBodies(Grid<unsigned char> wet, double layout_cell, bool lone_is_still) {
+  WaterBodies result;
+  result.wet = std::move(wet);
+  result.bodies = NearlyConnected(result.wet, &result.near_body);
+  Merger merger;
+  result.still = StillWater(result.wet, layout_cell, lone_is_still, &merger);
+  NumberStillWaters(merger, layout_cell, &result);
   return result;
 }
 

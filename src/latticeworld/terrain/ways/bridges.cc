@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "latticeworld/geomorphology/distance.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/terrain/components.h"
 #include "latticeworld/terrain/lattice.h"
 #include "latticeworld/terrain/ways/least_cost_ways.h"
@@ -81,7 +82,7 @@ class Planner {
     for (std::size_t i = 0; i < over.size(); ++i) {
       const bool bridged = ground_.lines.crossing.data()[i] == Crossing::kBridge;
       over.data()[i] = bridged && ground_.water.wet.data()[i] != 0;
-      way.data()[i] = bridged || ground_.letters.data()[i] == 'R';
+      way.data()[i] = bridged || ground_.letters.data()[i] == suburb_letter::kRoad;
     }
     to_side_ = ToSides(std::move(way));
     const Components pieces = ComponentsOf(over);
@@ -109,7 +110,7 @@ class Planner {
     return cell.row == 0 || cell.col == 0 || cell.row == rows_ - 1 || cell.col == cols_ - 1;
   }
   bool IsRoad(int row, int col) const {
-    return ground_.letters(row, col) == 'R' && ground_.water.wet(row, col) == 0;
+    return ground_.letters(row, col) == suburb_letter::kRoad && ground_.water.wet(row, col) == 0;
   }
 
   // The cell of a group that is nearest to its middle.
@@ -374,7 +375,7 @@ class Planner {
     const int reach = static_cast<int>(kSettled_cells * layout_cell_);
     for (int r = std::max(0, at.row - reach); r <= std::min(rows_ - 1, at.row + reach); ++r) {
       for (int c = std::max(0, at.col - reach); c <= std::min(cols_ - 1, at.col + reach); ++c) {
-        if (ground_.letters(r, c) == 'B') return true;
+        if (ground_.letters(r, c) == suburb_letter::kBuilding) return true;
       }
     }
     return false;

@@ -8,6 +8,7 @@
 #include "latticeworld/geomorphology/distance.h"
 #include "latticeworld/geomorphology/noise.h"
 #include "latticeworld/geomorphology/slope.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/terrain/cover.h"
 
 namespace latticeworld::internal {
@@ -49,8 +50,8 @@ bool GradientAt(const Grid<float>& values, int row, int col, double* east, doubl
 
 StreetField::StreetField(const StreetGround& ground, std::uint64_t seed)
     : ground_(ground),
-      built_(MaskOf('B', *ground.letters)),
-      road_(MaskOf('R', *ground.letters)),
+      built_(MaskOf(suburb_letter::kBuilding, *ground.letters)),
+      road_(MaskOf(suburb_letter::kRoad, *ground.letters)),
       to_road_(DistanceTo(true, road_)),
       to_water_(DistanceTo(true, *ground.wet)),
       smooth_m_(*ground.height_m) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "latticeworld/geomorphology/distance.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/terrain/cover.h"
 #include "latticeworld/terrain/ways/least_cost_ways.h"
 #include "latticeworld/terrain/ways/street_growth.h"
@@ -32,12 +33,15 @@ Grid<float> WayCosts(const StreetField& field, const Grid<char>& letters, double
     for (int col = 0; col < cost.cols(); ++col) {
       const CellIndex cell = {row, col};
       const char letter = letters[cell];
-      if (letter == 'W' || letter == 'R' || field.ToWater_m(cell) < field.WaterMargin_m()) continue;
-      if (letter != 'B' && field.ToRoad_m(cell) > reach_m) continue;
+      if (letter == class_letter::kWater || letter == suburb_letter::kRoad ||
+          field.ToWater_m(cell) < field.WaterMargin_m()) {
+        continue;
+      }
+      if (letter != suburb_letter::kBuilding && field.ToRoad_m(cell) > reach_m) continue;
       const auto slope = static_cast<float>(field.SlopeAt(cell));
-      cost[cell] = (letter == 'B'   ? 1.0f
-                    : letter == 'F' ? kForest
-                                    : kOutside) +
+      cost[cell] = (letter == suburb_letter::kBuilding ? 1.0f
+                    : letter == class_letter::kForest  ? kForest
+                                                       : kOutside) +
                    kSteepCost * slope * slope;
     }
   }
@@ -137,7 +141,8 @@ class Planner {
       std::vector<CellIndex> roads;
       for (int row = 0; row < cost_.rows(); ++row) {
         for (int col = 0; col < cost_.cols(); ++col) {
-          if ((*ground_.letters)(row, col) == 'R' && (*ground_.wet)(row, col) == 0) {
+          if ((*ground_.letters)(row, col) == suburb_letter::kRoad &&
+              (*ground_.wet)(row, col) == 0) {
             roads.push_back({row, col});
           }
         }
@@ -162,7 +167,7 @@ class Planner {
     const Components& pieces = field_.pieces();
     const GridGeometry& lattice = field_.lattice();
     const int rows = pieces.label.rows(), cols = pieces.label.cols();
-    Grid<unsigned char> served = MaskOf('R', *ground_.letters);
+    Grid<unsigned char> served = MaskOf(suburb_letter::kRoad, *ground_.letters);
     Grid<float> cost(rows, cols, kInfinity);
     std::vector<CellIndex> sources;
     for (const Street& street : network_.streets()) {
