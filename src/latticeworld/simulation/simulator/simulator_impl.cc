@@ -68,22 +68,24 @@ void SimulatorImpl::Reset(std::uint64_t seed) {
 }
 
 Surroundings SimulatorImpl::World() {
-  return {*scene_,
-          changes_,
-          map_version_,
-          weather_->now(),
-          *surfaces_,
-          weather_->gusts(),
-          weather_->drift_m(),
-          paths_,
-          near_,
-          agents_,
-          *physics_,
-          events_,
-          options_.step_s,
-          options_.pursuit_distance_m,
-          step_,
-          episode_step_};
+  Surroundings world;
+  world.scene = scene_.get();
+  world.changes = &changes_;
+  world.map_version = map_version_;
+  world.atmosphere = &weather_->now();
+  world.surfaces = &*surfaces_;
+  world.gusts = &weather_->gusts();
+  world.drift_m = weather_->drift_m();
+  world.paths = &paths_;
+  world.near = &near_;
+  world.agents = &agents_;
+  world.physics = physics_.get();
+  world.events = &events_;
+  world.step_s = options_.step_s;
+  world.pursuit_distance_m = options_.pursuit_distance_m;
+  world.step = step_;
+  world.episode_step = episode_step_;
+  return world;
 }
 
 void SimulatorImpl::TellOf(EventKind kind, const std::string& who, const std::string& other,
