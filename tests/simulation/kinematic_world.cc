@@ -38,22 +38,23 @@ Agent& KinematicWorld::Add(const std::string& species, double x_m, double y_m, d
 
 Surroundings KinematicWorld::World() {
   near_.Rebuild(scene_->geometry().size_m(), agents_);
-  return {*scene_,
-          changes_,
-          map_version_,
-          scene_->atmosphere,
-          surfaces_,
-          gusts_,
-          Eigen::Vector2d::Zero(),
-          paths_,
-          near_,
-          agents_,
-          *physics_,
-          events_,
-          kStep_s,
-          25.0,
-          step_,
-          step_};
+  Surroundings world;
+  world.scene = scene_.get();
+  world.changes = &changes_;
+  world.map_version = map_version_;
+  world.atmosphere = &scene_->atmosphere;
+  world.surfaces = &surfaces_;
+  world.gusts = &gusts_;
+  world.paths = &paths_;
+  world.near = &near_;
+  world.agents = &agents_;
+  world.physics = physics_.get();
+  world.events = &events_;
+  world.step_s = kStep_s;
+  world.pursuit_distance_m = 25.0;
+  world.step = step_;
+  world.episode_step = step_;
+  return world;
 }
 
 void KinematicWorld::Move(Agent* agent) {

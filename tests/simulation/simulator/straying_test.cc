@@ -23,7 +23,7 @@ class Poisoned : public Policy {
   Steering Decide(Agent* agent, Surroundings* world) const override {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     if (world->episode_step / 10 == kStrike / 10) {
-      world->physics.AddForce(agent->body, {nan, 0.0, 0.0});
+      world->physics->AddForce(agent->body, {nan, 0.0, 0.0});
     }
     agent->behaviour = Behaviour::kWander;
     Steering steering;
@@ -40,8 +40,8 @@ class Abducted : public Policy {
     if (world->episode_step / 10 == kStrike / 10) {
       BodyMotion motion;
       motion.position_m = where_m_;
-      world->physics.Place(agent->body, motion);
-      world->physics.Place(1, motion);
+      world->physics->Place(agent->body, motion);
+      world->physics->Place(1, motion);
     }
     return {};
   }
@@ -108,7 +108,7 @@ class Crusher : public Policy {
     motion.position_m = {0.0, 10.0, -0.2};
     for (const BodyId body : {1, 2, 3}) {
       motion.position_m.z() += 0.02;
-      world->physics.Place(body, motion);
+      world->physics->Place(body, motion);
     }
     return {};
   }
@@ -151,13 +151,13 @@ class Cursed : public Policy {
     if (leaves_) {
       BodyMotion motion;
       motion.position_m = {500.0, 0.0, 0.0};
-      world->physics.Place(agent->body, motion);
+      world->physics->Place(agent->body, motion);
     } else {
-      world->physics.AddForce(agent->body, {nan, 0.0, 0.0});
+      world->physics->AddForce(agent->body, {nan, 0.0, 0.0});
       const bool is_there =
-          std::any_of(world->agents.begin(), world->agents.end(),
+          std::any_of(world->agents->begin(), world->agents->end(),
                       [](const auto& one) { return one.second.name == "goblin"; });
-      if (is_there) world->physics.AddForce(1, {nan, 0.0, 0.0});
+      if (is_there) world->physics->AddForce(1, {nan, 0.0, 0.0});
     }
     return {};
   }

@@ -33,19 +33,20 @@ void AddAtmosphere(const Atmosphere& atmosphere, Digest* digest) {
 
 }  // namespace
 
-RunningWeather::RunningWeather(const Scene& scene, double day_length_s, std::uint64_t seed)
+RunningWeather::RunningWeather(const Scene* scene, double day_length_s, std::uint64_t seed)
     : scene_(scene),
       day_length_s_(day_length_s),
       gusts_(seed),
-      now_(scene.atmosphere),
+      now_(scene->atmosphere),
       from_(now_),
       to_(now_),
-      heading_rad_(WindHeading(now_, 0.0)) {}
+      heading_rad_(WindHeading(now_, 0.0)),
+      surfaces_(*scene, now_.ground()) {}
 
 void RunningWeather::Change(const WeatherChange& change) {
   const auto with_change = [this, &change](const Atmosphere& atmosphere) {
-    return TargetOf(atmosphere, change, scene_.environment.coarse,
-                    scene_.environment.fine_of(AssetType::kDesert).wind_mps, heading_rad_);
+    return TargetOf(atmosphere, change, scene_->environment.coarse,
+                    scene_->environment.fine_of(AssetType::kDesert).wind_mps, heading_rad_);
   };
   // What moves already goes on to where it was going, as far as the change leaves it alone.
   const bool at_once = change.transition_s == 0.0;
@@ -59,12 +60,14 @@ void RunningWeather::Change(const WeatherChange& change) {
     from_ = to_;
   }
   now_ = from_;
+  surfaces_ = SurfaceTable(*scene_, now_.ground());
 }
 
-bool RunningWeather::Step(double step_s) {
+RunningWeather::Outcome RunningWeather::Step(double step_s) {
   drift_m_ += step_s * now_.wind_mps.head<2>();
-  const bool moved = moving();
-  if (moved) elapsed_s_ += step_s;
+  Outcome outcome;
+  outcome.moved = moving();
+  if (outcome.moved) elapsed_s_ += step_s;
   if (day_length_s_ > 0.0) {
     const double hours = 24.0 * step_s / day_length_s_;
     from_.hour = std::fmod(from_.hour + hours, 24.0);
@@ -72,19 +75,20 @@ bool RunningWeather::Step(double step_s) {
     SetSun(&from_);
     SetSun(&to_);
   }
-  const bool complete = moved && elapsed_s_ >= transition_s_ - kTimeTolerance_s;
-  if (complete) {
+  outcome.complete = outcome.moved && elapsed_s_ >= transition_s_ - kTimeTolerance_s;
+  if (outcome.complete) {
     from_ = to_;
     transition_s_ = elapsed_s_ = 0.0;
   }
-  if (moved || day_length_s_ > 0.0) {
+  if (outcome.moved || day_length_s_ > 0.0) {
     now_ = moving() ? Between(from_, to_, elapsed_s_ / transition_s_) : to_;
   }
-  return complete;
+  if (outcome.moved) surfaces_ = SurfaceTable(*scene_, now_.ground());
+  return outcome;
 }
 
 bool RunningWeather::HasChanged() const {
-  Atmosphere own = scene_.atmosphere;
+  Atmosphere own = scene_->atmosphere;
   if (day_length_s_ > 0.0) own.hour = now_.hour;
   return moving() || !AreAlike(now_, own);
 }

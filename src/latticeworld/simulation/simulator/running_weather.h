@@ -4,26 +4,31 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "latticeworld/scene/surface_table.h"
 #include "latticeworld/scene/weather/weather_change.h"
 #include "latticeworld/scene/weather/wind.h"
 
 namespace latticeworld {
 
 class Digest;
-struct Scene;
 
-// The weather of a run: what it is, what it moves to, and the hour of the day.
+// The weather of a run: what it is, what it moves to, the hour of the day, and what the ground is
+// like under it.
 class RunningWeather {
  public:
-  // scene: outlives this. day_length_s: simulated time in which the hour goes round once; 0: it
-  // stands still.
-  RunningWeather(const Scene& scene, double day_length_s, std::uint64_t seed);
+  // Begins as the scene has it. scene: outlives this. day_length_s: simulated time in which the
+  // hour goes round once; 0: it stands still.
+  RunningWeather(const Scene* scene, double day_length_s, std::uint64_t seed);
 
   // Moves from the weather of the moment to what the change ends in. Without a transition what it
   // says is there at once, and what it leaves alone goes on to move as before. change: valid.
   void Change(const WeatherChange& change);
-  // The answer is true when a change is complete with this step.
-  bool Step(double step_s);
+  // What a step did: the weather moved, and a change is complete with this step.
+  struct Outcome {
+    bool moved = false;
+    bool complete = false;
+  };
+  Outcome Step(double step_s);
 
   const Atmosphere& now() const { return now_; }
   const Atmosphere& target() const { return to_; }
@@ -31,6 +36,8 @@ class RunningWeather {
   double remaining_s() const { return moving() ? transition_s_ - elapsed_s_ : 0.0; }
   const GustField& gusts() const { return gusts_; }
   const Eigen::Vector2d& drift_m() const { return drift_m_; }
+  // What every surface is like in the weather of the moment.
+  const SurfaceTable& surfaces() const { return surfaces_; }
 
   // True when it is no longer the scene's own, whatever the hour that goes round has come to.
   bool HasChanged() const;
@@ -38,14 +45,15 @@ class RunningWeather {
   void AddTo(Digest* digest) const;
 
  private:
-  const Scene& scene_;
-  const double day_length_s_;
+  const Scene* scene_;
+  double day_length_s_;
   GustField gusts_;
   Eigen::Vector2d drift_m_ = Eigen::Vector2d::Zero();  // of the air with the mean wind
   Atmosphere now_, from_, to_;
   double heading_rad_;         // where the wind of to_ blows to, or would if it is calm
   double transition_s_ = 0.0;  // 0: nothing moves
   double elapsed_s_ = 0.0;     // of it
+  SurfaceTable surfaces_;      // under now_
 };
 
 }  // namespace latticeworld

@@ -1,212 +1,178 @@
 #include "latticeworld/simulation/simulator/simulator_impl.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "latticeworld/common/digest.h"
 #include "latticeworld/simulation/agents/bodies/locomotion.h"
 #include "latticeworld/simulation/agents/minds/thinking.h"
-#include "latticeworld/simulation/bridge_bodies.h"
-#include "latticeworld/simulation/ode/ode_world.h"
+#include "latticeworld/simulation/simulator/agent_collisions.h"
+#include "latticeworld/simulation/simulator/agent_commands.h"
+#include "latticeworld/simulation/simulator/spawning/prop_spawning.h"
+#include "latticeworld/simulation/simulator/spawning/respawning.h"
+#include "latticeworld/simulation/simulator/state_making.h"
+#include "latticeworld/simulation/simulator/weathering.h"
 
 namespace latticeworld {
 namespace {
 
-constexpr double kTurns_s = 0.1;
-constexpr std::size_t kMaxEvents = 65536;  // kept for a caller who does not take them
+// Agents think in turns, fight and move; those that are frozen do not.
+void ThinkAndDrive(const TeamPolicies& policies, const StrayWatch& strays, RunningWorld* running) {
+  Surroundings world = running->ForAgents();
+  const std::vector<Agent*>& agents = running->agents.in_step();
+  for (Agent* agent : agents) {
+    if (!running->clock.HasTurn(agent->id) || strays.IsFrozen(agent->id)) continue;
+    Think(agent, policies.PolicyOf(*agent), &world);
+  }
+  for (Agent* agent : agents) {
+    if (!strays.IsFrozen(agent->id)) Fight(agent, &world);
+  }
+  for (Agent* agent : agents) {
+    // The watchdog: joints whose commands are old go back to the agent's own drive or gait.
+    if (!agent->joint_targets.empty() && world.episode_step >= agent->joints_until) {
+      agent->joint_targets.clear();
+    }
+    if (strays.IsFrozen(agent->id)) continue;
+    Drive(agent, WantedVelocity(*agent, policies.IsExternal(*agent), world.episode_step), &world);
+  }
+}
+
+// After the physics' step: what props and trees do, and maps with them.
+void StepDynamicScene(RunningWorld* world) {
+  const auto name_of = [world](BodyId body) { return world->NameOf(body); };
+  const DynamicScene::Outcome outcome =
+      world->dynamic_scene.Step(world->clock, name_of, &world->events);
+  if (outcome.maps) world->map.NewVersion();
+  if (outcome.changes) world->map.List(world->dynamic_scene);
+}
 
 }  // namespace
 
 SimulatorImpl::SimulatorImpl(std::shared_ptr<const Scene> scene, const SimulatorOptions& options,
                              std::uint64_t seed)
-    : scene_(std::move(scene)),
-      options_(options),
-      turns_(static_cast<std::uint64_t>(std::max(1.0, std::round(kTurns_s / options.step_s)))),
-      paths_(*scene_),
-      seed_(seed),
-      spawn_random_(seed, "spawn") {
+    : world_(std::move(scene), options), spawner_(seed) {
   Reset(seed);
 }
 
 void SimulatorImpl::Reset(std::uint64_t seed) {
-  seed_ = seed;
-  episode_step_ = 0;
-  spawn_random_ = RandomStream(seed, "spawn");
-  agents_.clear();
-  in_order_.clear();
-  ids_.clear();
-  agent_of_body_.clear();
-  frozen_until_.clear();
-  strays_.clear();
-  slowed_until_.clear();
-  lost_.clear();
-  team_policies_.clear();
-  last_agent_ = 0;
-  map_version_ = 0;
-  map_ground_.reset();
-  // Both hold the physics: they go before it goes.
-  props_.reset();
-  felling_.reset();
-  physics_ = MakeOdeWorld(scene_, options_.physics_threads);
-  physics_->SetJudge(this);
-  felling_.emplace(*scene_, physics_.get());
-  props_.emplace(*scene_, physics_.get());
-  AddBridgeBodies(*scene_->terrain, physics_.get());
-  ListChanges();
-  paths_.Update(changes_);
-  const bool other_weather = weather_.has_value() && weather_->HasChanged();
-  weather_.emplace(*scene_, options_.day_length_s, seed);
-  if (other_weather) TellWeather(std::string(NameOf(weather_->now().weather)));
-  surfaces_.emplace(*scene_, weather_->now().ground());
-  const Species& robot = *options_.species->Find(options_.robot_species);
-  for (const AgentStart& start : scene_->agents) {
-    const bool is_robot = start.category == AgentCategory::kWheeledRobot;
-    Begin(start, is_robot ? robot : options_.species->Of(start.category), "");
-  }
-  near_.Rebuild(scene_->geometry().size_m(), agents_);
+  world_.BeginEpisode(seed);
+  policies_ = TeamPolicies();
+  strays_ = StrayWatch();
+  spawner_ = AgentSpawner(seed);
+  spawner_.SpawnStarts(&world_);
+  world_.agents.FindPlaces(world_.scene->geometry().size_m());
   state_.reset();
-}
-
-Surroundings SimulatorImpl::World() {
-  return {*scene_,
-          changes_,
-          map_version_,
-          weather_->now(),
-          *surfaces_,
-          weather_->gusts(),
-          weather_->drift_m(),
-          paths_,
-          near_,
-          agents_,
-          *physics_,
-          events_,
-          options_.step_s,
-          options_.pursuit_distance_m,
-          step_,
-          episode_step_};
-}
-
-void SimulatorImpl::TellOf(EventKind kind, const std::string& who, const std::string& other,
-                           const Eigen::Vector3d& position_m) {
-  events_.push_back({step_, kind, who, other, position_m});
-  BoundEvents();
-}
-
-void SimulatorImpl::ListChanges() {
-  changes_ = felling_->changes();
-  changes_.props = props_->standing();
-  changes_.ground = map_ground_;
 }
 
 void SimulatorImpl::Step() {
-  ++step_;
-  ++episode_step_;
-  StepWeather();
-  paths_.Update(changes_);
-  near_.Rebuild(scene_->geometry().size_m(), agents_);
-  if (in_order_.size() != agents_.size()) {
-    in_order_.clear();
-    for (auto& [id, agent] : agents_) in_order_.push_back(&agent);
-  }
-  HoldFrozen();
-  ThinkAndDrive();
-  ActOnThings();
-  physics_->Step(options_.step_s, StreamSeed(seed_ ^ episode_step_, "solver"));
-  TellSlowed();
-  FreezeStrayed();
-  ReadMotions();
-  Collide();
-  StepThings();
-  Respawn();
-  BoundEvents();
+  DynamicScene& scene = world_.dynamic_scene;
+  const double step_s = world_.clock.step_s();
+  world_.clock.Advance();
+  StepWeather(&world_);
+  world_.paths.Update(world_.map.changes());
+  world_.agents.BeginStep(world_.scene->geometry().size_m());
+  strays_.HoldFrozen(&world_);
+  ThinkAndDrive(policies_, strays_, &world_);
+  scene.Act(world_.weather.now(), step_s);
+  scene.physics().Step(step_s, StreamSeed(world_.seed ^ world_.clock.episode_step(), "solver"));
+  strays_.FollowPhysics(&world_);
+  CollideAgents(&world_);
+  StepDynamicScene(&world_);
+  strays_.RemoveLost(&world_);
+  RespawnAgents(strays_, &world_);
+  world_.events.Bound();
   state_.reset();
 }
 
-bool SimulatorImpl::HoldAlike(const SurfaceTable& a, const SurfaceTable& b) {
-  constexpr double kMapStep_rad = 0.02;
-  for (const auto& entry : EnumNames(SurfaceClass{})) {
-    for (const bool on_wheels : {true, false}) {
-      if (std::abs(ClimbableSlope(a.Of(entry.value), 1.0, on_wheels) -
-                   ClimbableSlope(b.Of(entry.value), 1.0, on_wheels)) > kMapStep_rad)
-        return false;
-    }
-  }
-  return true;
+std::shared_ptr<const WorldState> SimulatorImpl::State() const {
+  if (state_ == nullptr) state_ = StateOf(world_, policies_, joints_);
+  return state_;
 }
 
-void SimulatorImpl::StepWeather() {
-  const bool complete = weather_->Step(options_.step_s);
-  if (complete || weather_->moving()) WeatherGround();
-  if (complete) TellWeather(std::string(NameOf(weather_->now().weather)));
+Status SimulatorImpl::Command(const std::string& name, const VelocityCommand& command) {
+  const Result<Agent*> agent = FindCommandable(name, policies_, &world_.agents);
+  if (!agent.ok()) return agent.status();
+  return SetVelocity(command, world_.clock.In(world_.options.command_timeout_s) + 1, *agent);
 }
 
-void SimulatorImpl::WeatherGround() {
-  const GroundState ground = weather_->now().ground();
-  surfaces_.emplace(*scene_, ground);
-  physics_->SetGround(ground);
-  // Maps follow in steps, and exactly once the weather stands.
-  const bool differs = ground != changes_.ground.value_or(scene_->atmosphere.ground());
-  if (!differs || (weather_->moving() && HoldAlike(*surfaces_, SurfacesIn(*scene_, changes_))))
-    return;
-  map_ground_ = ground;
-  if (ground == scene_->atmosphere.ground()) map_ground_.reset();
-  ++map_version_;
-  ListChanges();
+Status SimulatorImpl::CommandJoints(const std::string& name,
+                                    const std::vector<JointCommand>& commands) {
+  const Result<Agent*> agent = FindCommandable(name, policies_, &world_.agents);
+  if (!agent.ok()) return agent.status();
+  return SetJoints(commands, joints_.Of(*(*agent)->species),
+                   world_.clock.In(world_.options.command_timeout_s) + 1, *agent);
 }
 
-void SimulatorImpl::TellWeather(const std::string& what) {
-  TellOf(EventKind::kWeatherChanged, "", what, Eigen::Vector3d::Zero());
+Status SimulatorImpl::Strike(const std::string& name) {
+  const Result<Agent*> agent = FindCommandable(name, policies_, &world_.agents);
+  if (!agent.ok()) return agent.status();
+  return OrderStrike(*agent);
 }
 
-void SimulatorImpl::ThinkAndDrive() {
-  Surroundings world = World();
-  for (Agent* agent : in_order_) {
-    if (HasTurn(agent->id) && !IsFrozen(agent->id)) Think(agent, PolicyOf(*agent), &world);
-  }
-  for (Agent* agent : in_order_) {
-    if (!IsFrozen(agent->id)) Fight(agent, &world);
-  }
-  for (Agent* agent : in_order_) {
-    // The watchdog: joints whose commands are old go back to the agent's own drive or gait.
-    if (!agent->joint_targets.empty() && episode_step_ >= agent->joints_until) {
-      agent->joint_targets.clear();
-    }
-    if (IsFrozen(agent->id)) continue;
-    Drive(agent, WantedVelocity(*agent, IsExternal(*agent), episode_step_), &world);
-  }
+Status SimulatorImpl::SetPolicy(const PolicyChange& change) {
+  LW_RETURN_IF_ERROR(policies_.Set(change, &world_.agents));
+  state_.reset();
+  return Status();
 }
 
-void SimulatorImpl::ActOnThings() {
-  felling_->Act(weather_->now());
-  props_->Act(weather_->now(), options_.step_s);
+Status SimulatorImpl::SetWeather(const WeatherChange& change) {
+  LW_RETURN_IF_ERROR(Status::FromViolations("weather", Validate(change)));
+  if (IsEmpty(change)) return Status();
+  ChangeWeather(change, &world_);
+  state_.reset();
+  return Status();
 }
 
-bool SimulatorImpl::GivesWay(const Contact& contact) {
-  switch (contact.kind) {
-    case ContactKind::kAsset:
-      return felling_->GivesWay(contact);
-    case ContactKind::kBody:
-      return props_->GivesWay(contact);
-    default:
-      return false;
-  }
+Result<std::string> SimulatorImpl::Spawn(const SpawnRequest& request) {
+  Result<std::string> name = spawner_.Spawn(request, &world_);
+  if (name.ok()) state_.reset();
+  return name;
 }
 
-void SimulatorImpl::StepThings() {
-  const auto name_of = [this](BodyId body) { return NameOfBody(body); };
-  // Props first: trees that leave the world take the bodies of their contacts with them.
-  bool props = props_->Step(options_.step_s, step_, &events_);
-  const Felling::Outcome trees = felling_->Step(options_.step_s, step_, name_of, &events_);
-  if (episode_step_ % turns_ == 0) props |= props_->Follow();
-  if (props || trees.maps) ++map_version_;
-  if (props || trees.changes) ListChanges();
-  FindLostProps();
-  RemoveLost();
+Status SimulatorImpl::Remove(const std::string& name) {
+  const Result<Agent*> found = world_.agents.Find(name);
+  if (!found.ok()) return found.status();
+  const Agent& agent = **found;
+  world_.events.Tell(EventKind::kRemoved, agent.name, "", agent.motion.position_m);
+  strays_.Forget(agent);
+  world_.Erase(agent.id);
+  state_.reset();
+  return Status();
 }
 
-void SimulatorImpl::BoundEvents() {
-  if (events_.size() <= kMaxEvents) return;
-  events_.erase(events_.begin(), events_.end() - static_cast<std::ptrdiff_t>(kMaxEvents / 2));
+Result<std::string> SimulatorImpl::SpawnProp(const Prop& prop) {
+  Result<std::string> name = AddProp(prop, &world_);
+  if (name.ok()) state_.reset();
+  return name;
+}
+
+Status SimulatorImpl::RemoveProp(const std::string& name) {
+  LW_RETURN_IF_ERROR(EraseProp(name, &world_));
+  strays_.Forget(name);
+  state_.reset();
+  return Status();
+}
+
+Status SimulatorImpl::OpenGate(const std::string& prop, double opening_rad) {
+  LW_RETURN_IF_ERROR(world_.dynamic_scene.props().OpenGate(prop, opening_rad));
+  state_.reset();
+  return Status();
+}
+
+std::string SimulatorImpl::StateHash() const {
+  Digest digest;
+  digest.Add(world_.seed);
+  digest.Add(world_.clock.episode_step());
+  digest.Add(world_.options.step_s);
+  digest.Add(world_.options.command_timeout_s);
+  digest.Add(world_.options.pursuit_distance_m);
+  world_.weather.AddTo(&digest);
+  world_.map.AddTo(&digest);
+  spawner_.AddTo(&digest);
+  world_.agents.AddTo(&digest);
+  strays_.AddTo(&digest);
+  policies_.AddTo(&digest);
+  world_.dynamic_scene.AddTo(&digest);
+  return digest.Hex();
 }
 
 Result<std::unique_ptr<Simulator>> Simulator::Create(std::shared_ptr<const Scene> scene,

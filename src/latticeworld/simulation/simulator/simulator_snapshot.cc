@@ -1,48 +1,28 @@
+#include <map>
+#include <memory>
+#include <optional>
+
 #include "latticeworld/simulation/simulator/simulator_impl.h"
+#include "latticeworld/simulation/simulator/weathering.h"
 
 namespace latticeworld {
-
-// Copies of all that the future depends on. What is derived of it (names, bodies, the grid of who
-// is where, paths) is made again.
-struct SimulatorImpl::Snapshot : SimulatorSnapshot {
-  explicit Snapshot(const SimulatorImpl& of)
-      : scene(of.scene_),
-        options(of.options_),
-        seed(of.seed_),
-        episode_step(of.episode_step_),
-        spawn_random(of.spawn_random_),
-        weather(*of.weather_),
-        map_version(of.map_version_),
-        map_ground(of.map_ground_),
-        last_agent(of.last_agent_),
-        agents(of.agents_),
-        frozen_until(of.frozen_until_),
-        strays(of.strays_),
-        slowed_until(of.slowed_until_),
-        team_policies(of.team_policies_),
-        trees(of.felling_->state()),
-        props(of.props_->state()),
-        physics(of.physics_->Save()) {}
-
-  const std::shared_ptr<const Scene> scene;  // kept: the weather looks at it
-  const SimulatorOptions options;            // holds the species that the agents point at
-  const std::uint64_t seed, episode_step;
-  const RandomStream spawn_random;
-  const RunningWeather weather;
-  const std::uint64_t map_version;
-  const std::optional<GroundState> map_ground;
-  const AgentId last_agent;
-  const std::map<AgentId, Agent> agents;
-  const std::map<AgentId, std::uint64_t> frozen_until;
-  const std::map<std::string, Stray> strays;
-  const std::map<BodyId, std::uint64_t> slowed_until;
-  const std::map<int, std::string> team_policies;
-  const Felling::State trees;
-  const Props::State props;
-  const std::shared_ptr<const PhysicsSnapshot> physics;
-};
-
 namespace {
+
+// Copies of all that the future depends on. What is derived of it (names, bodies, who is where,
+// paths) is made again.
+struct Snapshot : SimulatorSnapshot {
+  std::shared_ptr<const Scene> scene;  // kept: the weather looks at it
+  SimulatorOptions options;            // holds the species that the agents point at
+  std::uint64_t seed = 0;
+  std::uint64_t episode_step = 0;
+  std::optional<RunningWeather> weather;  // set in every snapshot, as is the spawner
+  std::optional<AgentSpawner> spawner;
+  MapState::State map;
+  std::map<AgentId, Agent> agents;
+  StrayWatch strays;
+  TeamPolicies policies;
+  DynamicScene::State dynamic_scene;
+};
 
 bool AreSame(const SimulatorOptions& a, const SimulatorOptions& b) {
   return a.step_s == b.step_s && a.command_timeout_s == b.command_timeout_s &&
@@ -53,48 +33,42 @@ bool AreSame(const SimulatorOptions& a, const SimulatorOptions& b) {
 }  // namespace
 
 std::shared_ptr<const SimulatorSnapshot> SimulatorImpl::Save() const {
-  return std::make_shared<const Snapshot>(*this);
+  auto snapshot = std::make_shared<Snapshot>();
+  snapshot->scene = world_.scene;
+  snapshot->options = world_.options;
+  snapshot->seed = world_.seed;
+  snapshot->episode_step = world_.clock.episode_step();
+  snapshot->weather = world_.weather;
+  snapshot->spawner = spawner_;
+  snapshot->map = world_.map.Save();
+  snapshot->agents = world_.agents.all();
+  snapshot->strays = strays_;
+  snapshot->policies = policies_;
+  snapshot->dynamic_scene = world_.dynamic_scene.Save();
+  return snapshot;
 }
 
 Status SimulatorImpl::Restore(const SimulatorSnapshot& snapshot) {
   const auto* of = dynamic_cast<const Snapshot*>(&snapshot);
-  if (of == nullptr || of->scene != scene_) {
+  if (of == nullptr || of->scene != world_.scene) {
     return InvalidArgument("the snapshot is of another world");
   }
-  if (!AreSame(of->options, options_)) {
+  if (!AreSame(of->options, world_.options)) {
     return InvalidArgument("the snapshot is of a simulator with other options");
   }
-  seed_ = of->seed;
-  episode_step_ = of->episode_step;
-  spawn_random_ = of->spawn_random;
-  const Atmosphere before = weather_->now();
-  weather_.emplace(of->weather);
-  surfaces_.emplace(*scene_, weather_->now().ground());
-  if (!AreAlike(before, weather_->now())) {
-    TellWeather(std::string(NameOf(weather_->now().weather)));
-  }
-  map_version_ = of->map_version;
-  map_ground_ = of->map_ground;
-  last_agent_ = of->last_agent;
-  agents_ = of->agents;
-  in_order_.clear();
-  frozen_until_ = of->frozen_until;
+  world_.seed = of->seed;
+  world_.clock.SetEpisodeStep(of->episode_step);
+  const Atmosphere before = world_.weather.now();
+  world_.weather = *of->weather;
+  if (!AreAlike(before, world_.weather.now())) TellWeather(&world_);
+  world_.map.Restore(of->map);
+  world_.agents.Restore(of->agents);
+  world_.dynamic_scene.Restore(of->dynamic_scene);
+  world_.map.List(world_.dynamic_scene);
+  world_.paths.Update(world_.map.changes());
+  spawner_ = *of->spawner;
   strays_ = of->strays;
-  slowed_until_ = of->slowed_until;
-  lost_.clear();
-  team_policies_ = of->team_policies;
-  ids_.clear();
-  agent_of_body_.clear();
-  for (const auto& [id, agent] : agents_) {
-    ids_[agent.name] = id;
-    agent_of_body_[agent.body] = id;
-  }
-  physics_->Restore(*of->physics);
-  felling_->Restore(of->trees);
-  props_->Restore(of->props);
-  ListChanges();
-  paths_.Update(changes_);
-  near_ = AgentGrid();
+  policies_ = of->policies;
   state_.reset();
   return Status();
 }

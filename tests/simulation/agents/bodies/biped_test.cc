@@ -76,7 +76,7 @@ TEST(BipedTest, WhatDiesStandingFalls) {
   for (const char* species : {"humanoid robot", "goblin", "ancient warrior", "sheep", "horse"}) {
     MindWorld world(TestScene{});
     Agent& agent = world.Add(species, 1, 0.3, 0.2, 0.7);
-    PhysicsWorld& physics = world.Now().physics;
+    PhysicsWorld& physics = *world.Now().physics;
     const auto run = [&](int steps) {
       for (int i = 0; i < steps; ++i) {
         Drive(&agent, {}, &world.Now());

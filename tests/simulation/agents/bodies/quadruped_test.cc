@@ -204,7 +204,7 @@ TEST(QuadrupedTest, NamesTwelveJoints) {
 TEST(QuadrupedTest, WhatLiesDeadFollowsNoCommandedJoint) {
   MindWorld world(TestScene{});
   Agent& dog = world.Add("robotic dog", 1, 0.0, 0.0);
-  PhysicsWorld& physics = world.Now().physics;
+  PhysicsWorld& physics = *world.Now().physics;
   // Mean effort of a hip in the last half of a second of so many; stops bear some of its weight.
   const auto effort_nm = [&](int steps) {
     double sum_nm = 0.0;

@@ -51,9 +51,21 @@ void MindWorld::Remove(AgentId id) { agents.erase(id); }
 
 Surroundings& MindWorld::Now() {
   near_ = AgentGrid(scene_->geometry().size_m(), agents);
-  now_ = std::make_unique<Surroundings>(Surroundings{
-      *scene_, changes, 0, atmosphere, surfaces_, gusts_, Eigen::Vector2d::Zero(), paths_, near_,
-      agents, *physics_, events, kStep_s, pursuit_distance_m, step, step});
+  now_ = std::make_unique<Surroundings>();
+  now_->scene = scene_.get();
+  now_->changes = &changes;
+  now_->atmosphere = &atmosphere;
+  now_->surfaces = &surfaces_;
+  now_->gusts = &gusts_;
+  now_->paths = &paths_;
+  now_->near = &near_;
+  now_->agents = &agents;
+  now_->physics = physics_.get();
+  now_->events = &events;
+  now_->step_s = kStep_s;
+  now_->pursuit_distance_m = pursuit_distance_m;
+  now_->step = step;
+  now_->episode_step = step;
   return *now_;
 }
 

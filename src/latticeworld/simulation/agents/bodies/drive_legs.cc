@@ -43,7 +43,7 @@ bool HasLainStill(Agent* agent, const Surroundings& world) {
 }
 
 void DriveLegs(Agent* agent, Surroundings* world) {
-  PhysicsWorld& physics = world->physics;
+  PhysicsWorld& physics = *world->physics;
   if (!agent->alive()) {
     if (!agent->posture.down) Topple(*agent, &physics);
     agent->posture.down = true;

@@ -102,7 +102,7 @@ void Tuck(const Agent& agent, const Legs& legs, PhysicsWorld* physics) {
 // give turns the trunk.
 void RiseAgain(Agent* agent, const Legs& legs, Surroundings* world) {
   Posture& posture = agent->posture;
-  PhysicsWorld& physics = world->physics;
+  PhysicsWorld& physics = *world->physics;
   if (!posture.righting) {
     SetAll(*agent, {JointMode::kFree, 0.0}, &physics);
     posture.righting = HasLainStill(agent, *world);
@@ -157,7 +157,7 @@ bool KeepsStanding(const Agent& agent) {
 
 void Walk(Agent* agent, const Legs& legs, Surroundings* world) {
   Posture& posture = agent->posture;
-  PhysicsWorld& physics = world->physics;
+  PhysicsWorld& physics = *world->physics;
   const QuadrupedDesign& design = *agent->species->quadruped;
   const Footing ground(*world, *agent, kStride_m);
   const GaitState state = StateOf(design, legs, ground, agent->body, agent->motion, physics);
@@ -211,7 +211,7 @@ void Walk(Agent* agent, const Legs& legs, Surroundings* world) {
 
 void DriveQuadruped(Agent* agent, Surroundings* world) {
   Posture& posture = agent->posture;
-  PhysicsWorld& physics = world->physics;
+  PhysicsWorld& physics = *world->physics;
   if (!agent->alive()) {
     // What falls is left to physics, whatever its joints did before.
     for (std::size_t link = 0; link < kLegs * kJointsOfALeg; ++link) {

@@ -23,16 +23,17 @@ void DriveWings(const Agent& agent, const Surroundings& world) {
   Eigen::Vector3d thrust = Eigen::Vector3d::Zero();
   if (agent.alive()) {
     Eigen::Vector3d wanted = agent.motion.orientation * agent.driven.linear_mps;
-    const double ceiling_m = world.scene.terrain->ground.max_m() + kCeiling_m;
+    const double ceiling_m = world.scene->terrain->ground.max_m() + kCeiling_m;
     if (agent.motion.position_m.z() > ceiling_m) wanted.z() = std::min(wanted.z(), -1.0);
-    thrust = mass_kg * (kVelocityGain_hz * (wanted - velocity) +
-                        kGravity_mps2 * Eigen::Vector3d::UnitZ()) -
-             kWindCompensation * AirDrag(species.drag_area_m2, world.atmosphere.wind_mps, velocity);
+    thrust =
+        mass_kg *
+            (kVelocityGain_hz * (wanted - velocity) + kGravity_mps2 * Eigen::Vector3d::UnitZ()) -
+        kWindCompensation * AirDrag(species.drag_area_m2, world.atmosphere->wind_mps, velocity);
     const double limit_n = kThrustToWeight * mass_kg * kGravity_mps2;
     thrust = NoLongerThan(limit_n, thrust);
-    TurnTo(agent, agent.driven.yaw_rate_radps, &world.physics);
+    TurnTo(agent, agent.driven.yaw_rate_radps, world.physics);
   }
-  world.physics.AddForce(agent.body, thrust + drag);
+  world.physics->AddForce(agent.body, thrust + drag);
 }
 
 }  // namespace latticeworld

@@ -8,7 +8,7 @@
 namespace latticeworld {
 
 Footing::Footing(const Surroundings& world, const Agent& agent, double reach_m)
-    : ground_(world.scene.terrain->ground), props_(PropsIn(world.scene, world.changes)) {
+    : ground_(world.scene->terrain->ground), props_(PropsIn(*world.scene, *world.changes)) {
   constexpr double kStepUp_m = 0.25;  // a deck that is higher above its base is over its head
   for (const PropDeck& deck : props_->decks) {
     if (deck.top_m > agent.motion.position_m.z() + kStepUp_m) continue;
@@ -28,7 +28,7 @@ double Footing::HeightAt(WorldPoint place) const {
 bool StandsOnDeck(const Surroundings& world, const Agent& agent) {
   constexpr double kOn_m = 0.1;
   const double base_m = agent.motion.position_m.z();
-  const auto props = PropsIn(world.scene, world.changes);
+  const auto props = PropsIn(*world.scene, *world.changes);
   return std::any_of(props->decks.begin(), props->decks.end(), [&](const PropDeck& deck) {
     return std::abs(deck.top_m - base_m) <= kOn_m && GapTo(deck.footprint, agent.place()) <= 0.0;
   });

@@ -44,15 +44,15 @@ void BlowOn(const Agent& agent, const Surroundings& world) {
   const double weight_n = species.mass_kg * kGravity_mps2;
   // Nobody looks for gusts where not even the strongest is felt.
   const double strongest_mps =
-      world.atmosphere.wind_mps.norm() + GustField::kBoundOfLength * world.atmosphere.gust_mps;
+      world.atmosphere->wind_mps.norm() + GustField::kBoundOfLength * world.atmosphere->gust_mps;
   const double strongest_n =
       0.5 * kAirDensity_kgpm3 * species.drag_area_m2 * strongest_mps * strongest_mps;
   if (strongest_n < kFeltWind * weight_n) return;
   Eigen::Vector3d push =
       AirDrag(species.drag_area_m2, world.WindAt(agent.place()), agent.motion.linear_velocity_mps);
   push.z() = 0.0;
-  const double least = world.physics.IsResting(agent.body) ? kWakingWind : kFeltWind;
-  if (push.norm() >= least * weight_n) world.physics.AddForce(agent.body, push);
+  const double least = world.physics->IsResting(agent.body) ? kWakingWind : kFeltWind;
+  if (push.norm() >= least * weight_n) world.physics->AddForce(agent.body, push);
 }
 
 void Float(Agent* agent, Surroundings* world) {
@@ -63,8 +63,8 @@ void Float(Agent* agent, Surroundings* world) {
   }
   const Species& species = *agent->species;
   const Buoyancy buoyancy = {species.mass_kg / species.density_kgpm3, species.water_drag_area_m2};
-  ActOfWater(*world->scene.terrain, world->atmosphere, buoyancy, agent->body, &world->physics);
-  const double surface_m = world->scene.terrain->ground.HeightAt(agent->place()) + depth_m;
+  ActOfWater(*world->scene->terrain, *world->atmosphere, buoyancy, agent->body, world->physics);
+  const double surface_m = world->scene->terrain->ground.HeightAt(agent->place()) + depth_m;
   Drown(agent, surface_m - agent->motion.position_m.z(), world);
 }
 
@@ -79,7 +79,7 @@ Eigen::Vector3d WithinSlope(const Agent& agent, const Surroundings& world,
                             const Eigen::Vector3d& velocity_mps) {
   constexpr double kOnSomething_m = 0.25;  // above the ground: on a stone, a stem
   if (velocity_mps.isZero()) return velocity_mps;
-  const HeightField& ground = world.scene.terrain->ground;
+  const HeightField& ground = world.scene->terrain->ground;
   const Species& species = *agent.species;
   const Eigen::Vector3d normal = ground.NormalAt(agent.place());
   const Eigen::Vector2d down = normal.head<2>();  // its length is the sine of the slope

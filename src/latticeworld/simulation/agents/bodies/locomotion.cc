@@ -38,7 +38,7 @@ bool IsNothing(const VelocityCommand& command) {
 // too. Agents take turns.
 bool MayBeLeftAlone(const Agent& agent, const VelocityCommand& wanted, const Surroundings& world) {
   constexpr std::uint64_t kTurns = 16;
-  if ((world.episode_step + agent.id) % kTurns == 0 || !world.physics.IsResting(agent.body)) {
+  if ((world.episode_step + agent.id) % kTurns == 0 || !world.physics->IsResting(agent.body)) {
     return false;
   }
   if (!agent.alive()) {
@@ -89,13 +89,13 @@ void Drive(Agent* agent, const VelocityCommand& wanted, Surroundings* world) {
   if (species.plan == BodyPlan::kVehicle) SeeWhetherOverturned(agent);
   VelocityCommand able = agent->able() ? wanted : VelocityCommand();
   if (IsOnLegs(species.plan)) {
-    const double top_mps = species.top_speed_mps * SpeedInSnow(world->atmosphere.snow_depth_m);
+    const double top_mps = species.top_speed_mps * SpeedInSnow(world->atmosphere->snow_depth_m);
     able.linear_mps = NoLongerThan(top_mps, able.linear_mps);
   }
   RampUp(agent, able, world->step_s);
   switch (species.plan) {
     case BodyPlan::kVehicle:
-      DriveWheels(*agent, &world->physics);
+      DriveWheels(*agent, world->physics);
       break;
     case BodyPlan::kQuadruped:
       DriveQuadruped(agent, world);
@@ -124,7 +124,7 @@ void FeelCollision(Agent* agent, const Eigen::Vector3d& impulse_ns, double heigh
   const double change_mps = lever * impulse_ns.head<2>().norm() / species.mass_kg;
   if (change_mps < species.knock_over_mps) return;
   FallOver(agent, world);
-  PhysicsWorld& physics = world->physics;
+  PhysicsWorld& physics = *world->physics;
   physics.SetUpright(agent->body, false);
   // It topples away from what hit it, about its feet, at the speed that the blow gave it.
   const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ().cross(impulse_ns).normalized();
@@ -137,7 +137,7 @@ void TakeBlow(Agent* agent, const Eigen::Vector3d& impulse_ns, double height_m,
               Surroundings* world) {
   if (!impulse_ns.allFinite() || impulse_ns.isZero()) return;
   const Eigen::Vector3d up = agent->motion.orientation * Eigen::Vector3d::UnitZ();
-  world->physics.AddImpulse(agent->body, impulse_ns, agent->motion.position_m + height_m * up);
+  world->physics->AddImpulse(agent->body, impulse_ns, agent->motion.position_m + height_m * up);
   FeelCollision(agent, impulse_ns, height_m, world);
 }
 

@@ -17,7 +17,7 @@ constexpr double kGiveUp = 2.0;    // times as far away the victim has escaped
 constexpr double kEye_m = 1.2;     // of those whom it hides from, above ground
 
 Eigen::Vector3d AboveGround(const Surroundings& world, WorldPoint place, double height_m) {
-  return {place.x_m, place.y_m, world.scene.terrain->ground.HeightAt(place) + height_m};
+  return {place.x_m, place.y_m, world.scene->terrain->ground.HeightAt(place) + height_m};
 }
 
 // Places where others may pass: on roads around its home, where there are any.
@@ -29,8 +29,8 @@ std::vector<WorldPoint> WatchedPlaces(Agent* agent, const Surroundings& world) {
   for (int i = 0; i < kTries && roads.size() < kPlaces; ++i) {
     const double heading_rad = random.Uniform(-M_PI, M_PI);
     const WorldPoint place = Ahead(agent->mind.home, heading_rad, random.Uniform(3.0, kFar_m));
-    if (!world.scene.geometry().Contains(place)) continue;
-    if (world.scene.terrain->SurfaceAt(place) == SurfaceClass::kRoad) {
+    if (!world.scene->geometry().Contains(place)) continue;
+    if (world.scene->terrain->SurfaceAt(place) == SurfaceClass::kRoad) {
       roads.push_back(place);
     } else if (others.size() < kPlaces) {
       others.push_back(place);
@@ -44,7 +44,7 @@ int Watchers(const Agent& agent, const Surroundings& world, const std::vector<Wo
              WorldPoint hide) {
   const Eigen::Vector3d eye = AboveGround(world, hide, agent.species->eye_height_m);
   return static_cast<int>(std::count_if(places.begin(), places.end(), [&](WorldPoint place) {
-    return HasLineOfSight(world.scene, world.changes, AboveGround(world, place, kEye_m), eye);
+    return HasLineOfSight(*world.scene, *world.changes, AboveGround(world, place, kEye_m), eye);
   }));
 }
 
@@ -57,9 +57,9 @@ WorldPoint DrawHide(Agent* agent, const Surroundings& world, WorldPoint watched)
   // Behind the broadest solid thing near there, seen from the watched place.
   WorldPoint hide = drawn;
   double broadest_m = 0.0;
-  world.scene.index.ForEachNear(drawn, 3.0, [&](std::uint32_t index) {
-    const Asset& asset = world.scene.assets[index];
-    if (!world.changes.Stands(index) || SolidRadius(asset) <= broadest_m) return;
+  world.scene->index.ForEachNear(drawn, 3.0, [&](std::uint32_t index) {
+    const Asset& asset = world.scene->assets[index];
+    if (!world.changes->Stands(index) || SolidRadius(asset) <= broadest_m) return;
     broadest_m = SolidRadius(asset);
     hide = Ahead(asset.position(), HeadingTo(watched, asset.position()),
                  broadest_m + agent->species->radius_m + kBehind_m);
@@ -82,7 +82,7 @@ void LookForHide(Agent* agent, const Surroundings& world) {
   const WorldPoint watched =
       plan.watched[static_cast<std::size_t>(plan.tries++) % plan.watched.size()];
   const WorldPoint place = DrawHide(agent, world, watched);
-  if (world.scene.geometry().Contains(place) && CanStand(world, *agent, place)) {
+  if (world.scene->geometry().Contains(place) && CanStand(world, *agent, place)) {
     const int watchers = Watchers(*agent, world, plan.watched, place);
     if (!plan.best.has_value() || watchers < plan.fewest) {
       plan.fewest = watchers;

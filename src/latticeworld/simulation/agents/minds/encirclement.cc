@@ -24,7 +24,7 @@ struct Member {
 // from the target.
 std::vector<Member> PackOf(const Agent& agent, const Surroundings& world, WorldPoint target) {
   std::vector<Member> pack;
-  world.near.ForEachNear(target, kCall_m, [&](const Agent& other) {
+  world.near->ForEachNear(target, kCall_m, [&](const Agent& other) {
     if (other.team != agent.team || !other.able() || other.controllable) return;
     if (other.mind.target != agent.mind.target) return;
     pack.push_back({HeadingTo(target, other.place()), &other});
@@ -81,7 +81,7 @@ void ChooseSharedPrey(Agent* agent, Surroundings* world) {
   Mind& mind = agent->mind;
   if (mind.target != 0) return;
   const Sighting* called = nullptr;
-  world->near.ForEachNear(agent->place(), kCall_m, [&](const Agent& other) {
+  world->near->ForEachNear(agent->place(), kCall_m, [&](const Agent& other) {
     if (called != nullptr || other.team != agent->team || !other.able()) return;
     if (other.mind.target == 0) return;
     const Sighting* seen = MemoryOf(other, other.mind.target);

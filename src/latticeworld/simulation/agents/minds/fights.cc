@@ -22,7 +22,7 @@ Agent* NearestWithinReach(const Agent& agent, Surroundings* world) {
   AgentId nearest = 0;
   double nearest_gap_m = agent.species->attack_reach_m;
   const double radius_m = agent.species->radius_m + nearest_gap_m + kWidest_m;
-  world->near.ForEachNear(agent.place(), radius_m, [&](const Agent& other) {
+  world->near->ForEachNear(agent.place(), radius_m, [&](const Agent& other) {
     if (!AreEnemies(agent.team, other.team) || !other.alive()) return;
     if (!IsWithinReach(agent, other)) return;
     const double gap_m = GapBetween(agent, other);
@@ -30,12 +30,12 @@ Agent* NearestWithinReach(const Agent& agent, Surroundings* world) {
     nearest_gap_m = gap_m;
     nearest = other.id;
   });
-  return nearest == 0 ? nullptr : &world->agents.at(nearest);
+  return nearest == 0 ? nullptr : &world->agents->at(nearest);
 }
 
 Agent* ThoughtOfTarget(const Agent& agent, Surroundings* world) {
   const Agent* const target = world->FindLiving(agent.mind.steering.strike);
-  return target != nullptr && IsWithinReach(agent, *target) ? &world->agents.at(target->id)
+  return target != nullptr && IsWithinReach(agent, *target) ? &world->agents->at(target->id)
                                                             : nullptr;
 }
 

@@ -80,7 +80,7 @@ std::optional<double> HeightOnTheWay(const Agent& agent, const Surroundings& wor
     // Halfway between bed and surface, with its back covered.
     constexpr double kAboveBed_m = 0.2;
     const double depth_m = world.WaterDepthAt(here);
-    return world.scene.terrain->ground.HeightAt(here) +
+    return world.scene->terrain->ground.HeightAt(here) +
            std::max(kAboveBed_m, 0.5 * (depth_m - species.height_m));
   }
   return std::nullopt;

@@ -39,7 +39,7 @@ void Grant(const Eigen::Vector2d& wish, double* left, Eigen::Vector2d* sum) {
 Eigen::Vector2d Flocking(const Agent& agent, const Surroundings& world) {
   NearestFew<kNeighbours> nearest;
   const Eigen::Vector2d here = PlaceOf(agent);
-  world.near.ForEachNear(agent.place(), kHerd_m, [&](const Agent& other) {
+  world.near->ForEachNear(agent.place(), kHerd_m, [&](const Agent& other) {
     if (IsOfItsHerd(agent, other)) nearest.Offer(other, (PlaceOf(other) - here).norm());
   });
   if (nearest.empty()) return Eigen::Vector2d::Zero();

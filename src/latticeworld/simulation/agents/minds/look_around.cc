@@ -19,24 +19,24 @@ double StrideOf(const Species& species) { return species.plan == BodyPlan::kSwim
 // What does not depend on solid things, off bridges.
 bool IsGroundItselfGood(const Surroundings& world, const Agent& agent, WorldPoint place) {
   const Species& species = *agent.species;
-  const double half_m = world.scene.geometry().half_size_m() - species.radius_m - kEdge_m;
+  const double half_m = world.scene->geometry().half_size_m() - species.radius_m - kEdge_m;
   if (!(std::abs(place.x_m) <= half_m && std::abs(place.y_m) <= half_m)) return false;
   if (species.plan == BodyPlan::kFlyer) return true;
   const double depth_m = world.WaterDepthAt(place);
   if (species.plan == BodyPlan::kSwimmer) return depth_m >= species.wade_depth_m;
   if (depth_m > species.wade_depth_m) return false;
   // No steeper than it can climb, nor than its feet hold on wet or snowy ground.
-  const SurfaceProperties& surface = world.surfaces.Of(world.scene.terrain->SurfaceAt(place));
+  const SurfaceProperties& surface = world.surfaces->Of(world.scene->terrain->SurfaceAt(place));
   const double climbable_rad =
       ClimbableSlope(surface, species.grip, species.plan == BodyPlan::kVehicle);
-  return world.scene.terrain->ground.SlopeAt(place) <=
+  return world.scene->terrain->ground.SlopeAt(place) <=
          std::min(species.max_slope_rad, climbable_rad);
 }
 
 bool IsGroundGood(const Surroundings& world, const Agent& agent, WorldPoint place) {
   if (IsGroundItselfGood(world, agent, place)) return true;
-  return !KeepsAfloat(agent.species->plan) && world.scene.geometry().Contains(place) &&
-         IsCarried(*PropsIn(world.scene, world.changes), place, kDeckEdge_m,
+  return !KeepsAfloat(agent.species->plan) && world.scene->geometry().Contains(place) &&
+         IsCarried(*PropsIn(*world.scene, *world.changes), place, kDeckEdge_m,
                    agent.species->mass_kg);
 }
 
@@ -73,13 +73,13 @@ bool GoesTo(const Surroundings& world, const Agent& agent, WorldPoint from, Worl
 
 bool CanStand(const Surroundings& world, const Agent& agent, WorldPoint place) {
   return StandsAt(world, agent, place, [&](WorldPoint from, WorldPoint to, double margin_m) {
-    return IsWayClear(world.scene, world.changes, from, to, margin_m, agent.species->height_m);
+    return IsWayClear(*world.scene, *world.changes, from, to, margin_m, agent.species->height_m);
   });
 }
 
 bool CanGo(const Surroundings& world, const Agent& agent, WorldPoint from, WorldPoint to) {
   const auto is_clear = [&](WorldPoint a, WorldPoint b, double margin_m) {
-    return IsWayClear(world.scene, world.changes, a, b, margin_m, agent.species->height_m);
+    return IsWayClear(*world.scene, *world.changes, a, b, margin_m, agent.species->height_m);
   };
   return GoesTo(world, agent, from, to, StandsAt(world, agent, from, is_clear), is_clear);
 }
@@ -87,7 +87,7 @@ bool CanGo(const Surroundings& world, const Agent& agent, WorldPoint from, World
 LookAround::LookAround(const Surroundings& world, const Agent& agent, double reach_m)
     : world_(world),
       agent_(agent),
-      solids_(world.scene, world.changes, agent.place(),
+      solids_(*world.scene, *world.changes, agent.place(),
               agent.species->plan == BodyPlan::kFlyer ? 0.0 : reach_m + MarginOf(agent),
               agent.species->height_m),
       begins_well_(StandsAt(world, agent, agent.place(),

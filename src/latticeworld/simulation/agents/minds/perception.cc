@@ -62,7 +62,7 @@ bool IsInView(const Agent& agent, const Agent& other) {
 }
 
 bool LineIsFree(const Agent& agent, const Agent& other, const Surroundings& world) {
-  return HasLineOfSight(world.scene, world.changes, EyeOf(agent), EyeOf(other));
+  return HasLineOfSight(*world.scene, *world.changes, EyeOf(agent), EyeOf(other));
 }
 
 // Whether it keeps an eye on the other: enemies; neutral ones on whoever takes sides and strikes.
@@ -108,8 +108,8 @@ void FeelBlows(Agent* agent, const Surroundings& world) {
 void Perceive(Agent* agent, const Surroundings& world) {
   Forget(agent, world);
   FeelBlows(agent, world);
-  double sight_m = SightOf(*agent, world.atmosphere);
-  double hearing_m = HearingOf(*agent, world.atmosphere);
+  double sight_m = SightOf(*agent, *world.atmosphere);
+  double hearing_m = HearingOf(*agent, *world.atmosphere);
   if (agent->team == 0) {
     sight_m = std::min(sight_m, kHeeded_m);
     hearing_m = std::min(hearing_m, kHeeded_m);
@@ -117,7 +117,7 @@ void Perceive(Agent* agent, const Surroundings& world) {
 
   // The nearest first, as many as there are rays; those beyond may still be heard.
   NearestFew<kRays> nearest;
-  world.near.ForEachNear(agent->place(), std::max(sight_m, hearing_m), [&](const Agent& other) {
+  world.near->ForEachNear(agent->place(), std::max(sight_m, hearing_m), [&](const Agent& other) {
     if (!Heeds(*agent, other)) return;
     const double range_m = RangeTo(*agent, other);
     if (range_m <= sight_m && IsInView(*agent, other)) nearest.Offer(other, range_m);

@@ -21,7 +21,7 @@ constexpr double kSafe_m = 20.0;  // runs no further than this from a threat
 void HeedTheHerd(Agent* agent, const Surroundings& world) {
   constexpr double kBeside_m = 8.0, kFresh_s = 1.5;
   const Sighting* told = nullptr;
-  world.near.ForEachNear(agent->place(), kBeside_m, [&](const Agent& other) {
+  world.near->ForEachNear(agent->place(), kBeside_m, [&](const Agent& other) {
     if (told != nullptr || other.id == agent->id || other.behaviour != Behaviour::kFlee) return;
     if (other.species != agent->species) return;
     const Sighting* threat =

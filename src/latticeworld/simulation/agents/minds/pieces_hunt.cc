@@ -30,7 +30,7 @@ const Sighting* ChasedTarget(const Agent& agent, const Surroundings& world) {
 }
 
 Steering RunTo(Agent* agent, Surroundings* world, const Sighting& target, WorldPoint place) {
-  const Agent& other = world->agents.at(target.who);
+  const Agent& other = world->agents->at(target.who);
   if (target.seen_now && !CanStrike(*agent) && GapBetween(*agent, other) < kWatched_m) {
     return FaceTo(*agent, PlaceOf(target));
   }
@@ -94,7 +94,7 @@ Piece WithTarget(std::string name, Chooser choose, Piece piece) {
     if (target == before) return target != 0;
     agent->mind.closes_at = 0;
     if (target == 0) return false;
-    world->Tell(EventKind::kPursued, *agent, world->agents.at(target).name);
+    world->Tell(EventKind::kPursued, *agent, world->agents->at(target).name);
     return true;
   };
   return Gated(std::move(name), has_target, std::move(piece));
@@ -128,7 +128,7 @@ std::optional<Steering> Attack(Agent* agent, Surroundings* world) {
   if (target == nullptr || !CanStrike(*agent) || AgeOf(*target, *world) > kFelt_s) {
     return std::nullopt;
   }
-  const Agent& other = world->agents.at(target->who);
+  const Agent& other = world->agents->at(target->who);
   if (GapBetween(*agent, other) > agent->species->attack_reach_m) return std::nullopt;
   TakeUp(agent, Behaviour::kAttack);
   Steering steering = FaceTo(*agent, PlaceOf(*target));
@@ -160,7 +160,7 @@ std::optional<Steering> Intercept(Agent* agent, Surroundings* world) {
   const Eigen::Vector2d there =
       agent->motion.position_m.head<2>() + offset_m + lead_s * velocity_mps;
   const WorldPoint place{there.x(), there.y()};
-  const bool sensible = world->scene.geometry().Contains(place) && CanStand(*world, *agent, place);
+  const bool sensible = world->scene->geometry().Contains(place) && CanStand(*world, *agent, place);
   return RunTo(agent, world, *target, sensible ? place : PlaceOf(*target));
 }
 

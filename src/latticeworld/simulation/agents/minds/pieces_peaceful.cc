@@ -11,8 +11,8 @@ namespace latticeworld {
 namespace {
 
 bool IsGrass(const Surroundings& world, WorldPoint place) {
-  return world.scene.geometry().Contains(place) &&
-         world.scene.terrain->SurfaceAt(place) == SurfaceClass::kGrass;
+  return world.scene->geometry().Contains(place) &&
+         world.scene->terrain->SurfaceAt(place) == SurfaceClass::kGrass;
 }
 
 bool GrassAllTheWay(const Surroundings& world, WorldPoint from, WorldPoint to) {
@@ -151,7 +151,7 @@ std::optional<Steering> Soar(Agent* agent, Surroundings* world) {
   if (agent->species->plan != BodyPlan::kFlyer) return std::nullopt;
   TakeUp(agent, Behaviour::kSoar);
   const WorldPoint here = agent->place();
-  const double size_m = world->scene.geometry().half_size_m();
+  const double size_m = world->scene->geometry().half_size_m();
   const double circle_m = std::clamp(size_m - 2.0 * kEdge_m, kNarrowest_m, kWidest_m);
   const double half_m = std::max(0.0, size_m - circle_m - kEdge_m);
   const WorldPoint center{std::clamp(agent->mind.home.x_m, -half_m, half_m),

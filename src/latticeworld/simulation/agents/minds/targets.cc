@@ -9,7 +9,7 @@ bool FliesOverHead(const Agent& agent, const Sighting& sighting, const Surroundi
   if (agent.species->plan == BodyPlan::kFlyer) return false;
   const Agent* const other = world.FindLiving(sighting.who);
   if (other == nullptr || other->species->plan != BodyPlan::kFlyer) return false;
-  const double ground_m = world.scene.terrain->ground.HeightAt(PlaceOf(sighting));
+  const double ground_m = world.scene->terrain->ground.HeightAt(PlaceOf(sighting));
   const double reach_m = agent.species->height_m + agent.species->attack_reach_m;
   return sighting.position_m.z() > ground_m + reach_m;
 }

@@ -143,7 +143,7 @@ Vector2d AvoidingVelocity(const Vector2d& velocity_mps, const Vector2d& preferre
 std::vector<AvoidedBody> BodiesToAvoid(const Agent& agent, const Surroundings& world) {
   NearestFew<kMostBodies> nearest;
   const Eigen::Vector3d& here_m = agent.motion.position_m;
-  world.near.ForEachNear(agent.place(), kAround_m, [&](const Agent& other) {
+  world.near->ForEachNear(agent.place(), kAround_m, [&](const Agent& other) {
     if (other.id == agent.id || other.id == agent.mind.target) return;
     // Above or below each other they are not in the way.
     const double above_m = other.motion.position_m.z() - here_m.z();

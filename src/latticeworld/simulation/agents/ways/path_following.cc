@@ -27,7 +27,7 @@ void RestartProgress(const Surroundings& world, WorldPoint here, PathPlan* plan)
 }
 
 void MakePlan(const Agent& agent, Surroundings* world, WorldPoint place, PathPlan* plan) {
-  FoundPath found = world->paths.Find(*agent.species, agent.place(), place, kMaxNodes);
+  FoundPath found = world->paths->Find(*agent.species, agent.place(), place, kMaxNodes);
   plan->points = std::move(found.points);
   plan->complete = found.complete;
   plan->goal = place;
@@ -39,7 +39,7 @@ void MakePlan(const Agent& agent, Surroundings* world, WorldPoint place, PathPla
 // Whether nothing has come to lie across what is left of the way.
 bool IsStillFree(const Agent& agent, Surroundings* world, const PathPlan& plan) {
   for (std::size_t i = 1; i < plan.points.size(); ++i) {
-    if (!world->paths.IsStraightFree(*agent.species, plan.points[i - 1], plan.points[i]))
+    if (!world->paths->IsStraightFree(*agent.species, plan.points[i - 1], plan.points[i]))
       return false;
   }
   return true;
@@ -61,7 +61,7 @@ void PassCorner(const Agent& agent, Surroundings* world, PathPlan* plan) {
   if (plan->points.size() < 2) return;
   const WorldPoint here = agent.place();
   if (DistanceBetween(here, plan->points[0]) > ReachOf(agent) &&
-      !world->paths.IsStraightFree(*agent.species, here, plan->points[1]))
+      !world->paths->IsStraightFree(*agent.species, here, plan->points[1]))
     return;
   plan->points.erase(plan->points.begin());
   RestartProgress(*world, here, plan);
@@ -102,7 +102,7 @@ std::optional<WorldPoint> NextCorner(Agent* agent, Surroundings* world, WorldPoi
     const bool ended =
         !plan.complete && DistanceBetween(here, plan.points.back()) < ReachOf(*agent);
     useless = useless || ended ||
-              !world->paths.IsStraightFree(*agent->species, here, plan.points.front());
+              !world->paths->IsStraightFree(*agent->species, here, plan.points.front());
   }
   if (!plan.points.empty() && IsStuck(*world, *agent, &plan)) {
     useless = true;
@@ -115,7 +115,7 @@ std::optional<WorldPoint> NextCorner(Agent* agent, Surroundings* world, WorldPoi
     const std::uint64_t wait = world->StepsIn(led_there ? kReplan_s : kRetry_s);
     // A straight way costs little to see, and needs no patience.
     if (plan.made_at == 0 || now >= plan.made_at + wait ||
-        world->paths.IsStraightFree(*agent->species, here, place))
+        world->paths->IsStraightFree(*agent->species, here, place))
       MakePlan(*agent, world, place, &plan);
   }
   if (plan.points.empty()) return std::nullopt;

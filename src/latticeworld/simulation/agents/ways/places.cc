@@ -48,7 +48,7 @@ std::optional<WorldPoint> DrawPlace(Agent* agent, const Surroundings& world, Wor
   for (int i = 0; i < kTries; ++i) {
     const double heading_rad = random.Uniform(-M_PI, M_PI);
     const WorldPoint place = Ahead(center, heading_rad, random.Uniform(near_m, far_m));
-    if (!world.scene.geometry().Contains(place) || !CanStand(world, *agent, place)) continue;
+    if (!world.scene->geometry().Contains(place) || !CanStand(world, *agent, place)) continue;
     if (i < kStraightTries && !CanGo(world, *agent, from, place)) continue;
     return place;
   }

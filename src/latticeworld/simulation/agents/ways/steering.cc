@@ -28,9 +28,9 @@ double HighestAhead(const Surroundings& world, WorldPoint from, double heading_r
   for (double s = 0.0; s <= reach_m; s += kStride_m) {
     const WorldPoint place = Ahead(from, heading_rad, s);
     highest_m = std::max(highest_m, world.SurfaceHeightAt(place));
-    world.scene.index.ForEachNear(place, radius_m + 0.5 * kStride_m, [&](std::uint32_t index) {
-      if (!world.changes.empty() && !world.changes.Stands(index)) return;
-      const Asset& asset = world.scene.assets[index];
+    world.scene->index.ForEachNear(place, radius_m + 0.5 * kStride_m, [&](std::uint32_t index) {
+      if (!world.changes->empty() && !world.changes->Stands(index)) return;
+      const Asset& asset = world.scene->assets[index];
       highest_m = std::max(highest_m, static_cast<double>(asset.z_m) + asset.height_m);
     });
   }
