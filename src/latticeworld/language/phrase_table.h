@@ -27,17 +27,19 @@ class PhraseTable {
     std::vector<std::string_view> phrases;  // lower case, hyphens written as spaces
   };
 
-  // The phrases must outlive the table, as literals do; of equal ones the first counts.
+  PhraseTable() = default;
   explicit PhraseTable(std::initializer_list<Group> groups) {
     for (const Group& group : groups) {
-      for (const std::string_view phrase : group.phrases) {
-        by_phrase_.emplace(phrase, group.value);
-        const auto words =
-            static_cast<std::size_t>(1 + std::count(phrase.begin(), phrase.end(), ' '));
-        std::size_t& longest = longest_by_first_word_[phrase.substr(0, phrase.find(' '))];
-        longest = std::max(longest, words);
-      }
+      for (const std::string_view phrase : group.phrases) Add(phrase, group.value);
     }
+  }
+
+  // The phrases must outlive the table, as literals do; of equal ones the first counts.
+  void Add(std::string_view phrase, const Value& value) {
+    by_phrase_.emplace(phrase, value);
+    const auto words = static_cast<std::size_t>(1 + std::count(phrase.begin(), phrase.end(), ' '));
+    std::size_t& longest = longest_by_first_word_[phrase.substr(0, phrase.find(' '))];
+    longest = std::max(longest, words);
   }
 
   // plurals: whether the last word may be the plural of the phrase's.

@@ -7,165 +7,10 @@
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/extents.h"
 #include "latticeworld/language/numbers.h"
-#include "latticeworld/language/phrase_table.h"
+#include "latticeworld/language/share_words.h"
 
 namespace latticeworld {
 namespace {
-
-// The least share of a thing that is there at all.
-constexpr double kSome = 0.002;
-
-struct Amount {
-  double value;
-  double least;
-  double most;
-  bool mostly = false;
-  bool of_mass = false;  // of what is counted it says how many: "lots of houses"
-};
-
-const PhraseTable<Amount>& Amounts() {
-  static const PhraseTable<Amount> table{
-      {{1.0, 0.9, 1.0}, {"all of", "the whole of", "the entirety of"}},
-      {{0.85, 0.75, 1.0, true},
-       {"almost all",          "nearly all",         "virtually all",        "practically all",
-        "almost all of",       "nearly all of",      "virtually all of",     "practically all of",
-        "just about all of",   "just about all",     "the vast majority of", "almost everything",
-        "nearly everything",   "almost the whole",   "nearly the whole",     "almost the entire",
-        "nearly the entire",   "a vast majority of", "well nigh all of",     "close to all of",
-        "almost the whole of", "nearly the whole of"}},
-      {{0.65, 0.45, 1.0, true},
-       {"most of",
-        "the majority of",
-        "the bulk of",
-        "a majority of",
-        "the better part of",
-        "the greater part of",
-        "the greatest part of",
-        "the lions share of",
-        "the lion share of",
-        "the larger part of",
-        "the largest part of",
-        "the main part of",
-        "the biggest part of",
-        "the major part of",
-        "the best part of",
-        "the most part of",
-        "the larger share of",
-        "the better half of",
-        "the larger half of",
-        "the largest share of",
-        "the major portion of",
-        "the bigger part of",
-        "the greater portion of",
-        "the largest portion of"}},
-      {{0.65, 0.5, 1.0, true},
-       {"more than half of", "more than half", "over half of", "over half"}},
-      {{0.35, 0.2, 1.0},
-       {"much of",
-        "a large part of",
-        "a good part of",
-        "a great deal of",
-        "a large portion of",
-        "a big part of",
-        "a big chunk of",
-        "a large chunk of",
-        "a good deal of",
-        "a considerable part of",
-        "a large share of",
-        "a good chunk of",
-        "a large area of",
-        "a large swathe of",
-        "a large proportion of",
-        "a good portion of",
-        "large parts of",
-        "big parts of",
-        "wide parts of",
-        "a great part of",
-        "large portions of",
-        "a huge part of",
-        "a huge chunk of",
-        "a substantial part of",
-        "a sizeable part of",
-        "large swathes of",
-        "a sizable part of",
-        "a significant part of",
-        "a big portion of",
-        "a vast area of"}},
-      {{0.25, 0.12, 1.0, false, true},
-       {"lots of", "a lot of", "plenty of", "loads of", "tons of", "heaps of", "masses of",
-        "an abundance of", "a wealth of", "an ample amount of", "a large amount of",
-        "large amounts of", "a great amount of", "oodles of"}},
-      {{0.08, kSome, 0.25, false, true}, {"a little"}},
-      {{0.08, kSome, 0.25},
-       {"a bit of",
-        "a little bit of",
-        "a touch of",
-        "a hint of",
-        "a dash of",
-        "a trace of",
-        "a small part of",
-        "a small portion of",
-        "a small amount of",
-        "a small share of",
-        "a small bit of",
-        "a small area of",
-        "a spot of",
-        "a smidgen of",
-        "a minor part of",
-        "small amounts of",
-        "small parts of",
-        "a pinch of",
-        "a small fraction of",
-        "a small chunk of",
-        "a minority of",
-        "a modest amount of",
-        "bits of"}},
-      {{0.04, kSome, 0.12},
-       {"a sliver of", "a scrap of", "a tiny bit of", "a tiny part of", "a tiny portion of",
-        "a tiny amount of", "slivers of", "a shred of", "a mere sliver of", "a thin sliver of",
-        "a narrow sliver of", "a tiny fraction of"}},
-      {{0.03, 0.0, 0.08},
-       {"hardly any", "barely any", "scarcely any", "next to no", "almost no", "very little",
-        "nearly no", "practically no", "virtually no", "little to no", "little or no",
-        "extremely little", "precious little", "hardly a"}},
-  };
-  return table;
-}
-
-// What may stand before a number of a share and bends its bounds.
-enum class Bend { kAbout, kAtLeast, kAtMost, kNearly, kMore, kLess, kExactly };
-
-const PhraseTable<Bend>& Bends() {
-  static const PhraseTable<Bend> table{
-      {Bend::kAbout,
-       {"about", "around", "roughly", "approximately", "some", "circa", "ca", "approx", "say",
-        "more or less", "something like", "in the region of", "a good", "close to", "maybe",
-        "perhaps", "fully"}},
-      {Bend::kAtLeast,
-       {"at least", "no less than", "not less than", "a minimum of", "minimum", "min"}},
-      {Bend::kAtMost,
-       {"at most", "up to", "no more than", "not more than", "a maximum of", "maximum", "max",
-        "at the most"}},
-      {Bend::kNearly,
-       {"nearly", "almost", "just under", "a little under", "not quite", "slightly less than",
-        "a bit less than", "just below", "a little less than", "just short of", "close on"}},
-      {Bend::kMore,
-       {"more than", "over", "just over", "a little over", "above", "upwards of",
-        "slightly more than", "well over", "a little more than", "a bit more than", "better than"}},
-      {Bend::kLess, {"less than", "under", "below", "fewer than", "well under"}},
-      {Bend::kExactly, {"exactly", "precisely", "just", "only", "a full", "a mere"}},
-  };
-  return table;
-}
-
-// What may stand after it: "70 % or more".
-const PhraseTable<Bend>& BendsAfter() {
-  static const PhraseTable<Bend> table{
-      {Bend::kAtLeast, {"or more", "or above", "or over", "or higher", "and more", "and above"}},
-      {Bend::kAtMost, {"or less", "or below", "or under", "or fewer", "and less"}},
-  };
-  return table;
-}
 
 bool IsPause(const Token& token) {
   return token.kind == TokenKind::kComma || token.kind == TokenKind::kStop;
@@ -318,7 +163,7 @@ double ToleranceOf(double share) {
   return std::max(0.05, 0.08 - std::max(0.0, 0.15 - share) * 0.3);
 }
 
-ShareMatch ShareOf(const Fraction& fraction, const Bend* bend) {
+ShareMatch ShareOf(const Fraction& fraction, const ShareBend* bend) {
   ShareMatch share;
   share.value = (fraction.low + fraction.high) / 2;
   share.fraction = true;
@@ -330,31 +175,31 @@ ShareMatch ShareOf(const Fraction& fraction, const Bend* bend) {
   double above = is_range ? 0.04 : ToleranceOf(fraction.high);
   if (bend != nullptr) {
     switch (*bend) {
-      case Bend::kAbout:
+      case ShareBend::kAbout:
         break;
-      case Bend::kAtLeast:
+      case ShareBend::kAtLeast:
         below = 0.0;
         above = 1.0;
         break;
-      case Bend::kAtMost:
-      case Bend::kLess:
+      case ShareBend::kAtMost:
+      case ShareBend::kLess:
         below = 1.0;
         above = 0.0;
         break;
-      case Bend::kNearly:
+      case ShareBend::kNearly:
         above = 0.02;
         break;
-      case Bend::kMore:
+      case ShareBend::kMore:
         below = 0.0;
         above = 0.3;
         break;
-      case Bend::kExactly:
+      case ShareBend::kExactly:
         below = std::min(below, 0.06);
         above = std::min(above, 0.06);
         break;
     }
   }
-  share.least = std::clamp(fraction.low - below, kSome, 1.0);
+  share.least = std::clamp(fraction.low - below, kLeastShareThere, 1.0);
   share.most = std::clamp(fraction.high + above, share.least, 1.0);
   return share;
 }
@@ -386,12 +231,12 @@ bool MassFollows(const std::vector<Token>& tokens, std::size_t at) {
 
 ShareMatch MatchShare(const std::vector<Token>& tokens, std::size_t at) {
   if (at >= tokens.size() || IsPause(tokens[at])) return {};
-  const auto bend = Bends().At(tokens, at, false);
+  const auto bend = BendWords().At(tokens, at, false);
   std::size_t begin = at + bend.tokens;
   if (bend.value != nullptr && begin >= tokens.size()) return {};
   Fraction fraction = MatchPercent(tokens, begin);
   if (fraction.tokens == 0) fraction = MatchParts(tokens, begin);
-  const auto amount = Amounts().At(tokens, at, false);
+  const auto amount = AmountWords().At(tokens, at, false);
   if (amount.value != nullptr && amount.tokens >= bend.tokens + fraction.tokens &&
       (!amount.value->of_mass || MassFollows(tokens, at + amount.tokens))) {
     ShareMatch share;
@@ -405,8 +250,8 @@ ShareMatch MatchShare(const std::vector<Token>& tokens, std::size_t at) {
   }
   if (fraction.tokens == 0) return {};
   const std::size_t end = begin + fraction.tokens;
-  PhraseTable<Bend>::Match after;
-  if (bend.value == nullptr && end < tokens.size()) after = BendsAfter().At(tokens, end, false);
+  PhraseTable<ShareBend>::Match after;
+  if (bend.value == nullptr && end < tokens.size()) after = BendWordsAfter().At(tokens, end, false);
   ShareMatch share = ShareOf(fraction, after.value != nullptr ? after.value : bend.value);
   share.tokens = bend.tokens + fraction.tokens + after.tokens;
   if (share.ordinal && CountedThingFollows(tokens, at + share.tokens)) return {};

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 #include "latticeworld/language/numbers.h"
 
 namespace latticeworld {
@@ -63,7 +63,7 @@ std::size_t AgentReader::ReadCompany() {
   return end - at_;
 }
 
-AgentReader::Reference AgentReader::ReferenceAt(std::size_t at, bool of_others) const {
+Reference AgentDiscourse::ReferenceAt(std::size_t at, bool of_others) const {
   if (noted_.IsPause(at)) return {};
   const bool bare = noted_.IsAnyWord(at, {"these", "those", "both"}) && EndsNounPhrase(at + 1);
   if (noted_.IsWord(at, "them") || bare) {
@@ -130,7 +130,7 @@ AgentReader::Reference AgentReader::ReferenceAt(std::size_t at, bool of_others) 
   return {};
 }
 
-std::size_t AgentReader::GroupBefore(bool plural, bool of_others) const {
+std::size_t AgentDiscourse::GroupBefore(bool plural, bool of_others) const {
   std::size_t any = kNone;
   for (std::size_t i = groups_.size(); i > 0; --i) {
     const Group& group = groups_[i - 1];
@@ -169,7 +169,7 @@ void AgentReader::JoinSubjectTo(std::size_t index) {
   }
 }
 
-std::optional<FeaturePlace> AgentReader::LandBefore(bool plural, bool placed) const {
+std::optional<FeaturePlace> AgentDiscourse::LandBefore(bool plural, bool placed) const {
   const FeatureWord* other = nullptr;  // of the other number
   for (std::size_t i = at_; i > 0 && i + kMemory_tokens > at_; --i) {
     const std::size_t at = i - 1;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 
 namespace latticeworld {
 namespace internal {
@@ -14,38 +14,84 @@ bool IsInSeveralPlaces(const AgentWish& wish) {
   return wish.places.size() > 1 || !wish.more_land.empty();
 }
 
+// So many of each of the count.
+Count Times(const Count& count, int factor) {
+  return {CappedProduct(count.least, factor), CappedProduct(count.value, factor),
+          CappedProduct(count.most, factor), count.tokens};
+}
+
 }  // namespace
 
 std::size_t AgentReader::ReadLoneCount(const Count& said) {
-  Count count = said;
-  std::size_t next = at_ + count.tokens;
-  if (last_ == kNone || next > tokens_.size()) return 0;
-  const std::size_t of_them = next < tokens_.size() ? RoleAt(Role::kOfThem, next) : 0;
-  std::size_t more = next < tokens_.size() && noted_.IsAnyWord(next, {"more", "others"}) ? 1 : 0;
-  if (noted_.IsWord(next, "in") && noted_.IsAnyWord(next + 1, {"number", "all", "total"})) more = 2;
+  if (last_ == kNone || at_ + said.tokens > tokens_.size()) return 0;
+  const LoneCount lone = LoneCountOf(said);
+  if (lone.of_them == 0 && !lone.each && !EndsNounPhrase(lone.next + lone.more)) return 0;
+  if (const std::size_t each = ReadCountOfEach(lone); each > 0) return each;
+  if (lone.IsPlain() && IsFlockOf(groups_[last_])) {
+    AddFlock(lone.count);
+    return lone.count.tokens;
+  }
+  noted_.Mark(at_, at_ + lone.tokens, &TokenNote::agent);
+  if (IsTotalOfSentence(lone)) return lone.tokens;
+  if (IsCountOfLast(lone)) {
+    SetCount(lone.count, &groups_[last_]);
+    Extend(last_, tokens_[at_ + lone.tokens - 1].end);
+    subject_ = {last_};
+    joined_ = paused_ = false;
+    return lone.tokens;
+  }
+  if (lone.bare && lone.IsPlain()) {
+    ReadBareCount(lone);
+    return lone.tokens;
+  }
+  RaiseLeastOfLast(lone);
+  if (IsPartOfLast(lone)) {
+    const int left = std::max(1, groups_[last_].wish.quantity);
+    Split(lone.count, std::min(lone.count.value, left), lone.tokens);
+    return lone.tokens + RenamePart(at_ + lone.tokens);
+  }
+  // "two goblins in the north and three in the south"
+  AddLike(last_, lone.count, lone.tokens);
+  return lone.tokens;
+}
+
+LoneCount AgentDiscourse::LoneCountOf(const Count& said) const {
+  LoneCount lone;
+  lone.count = said;
+  lone.next = at_ + said.tokens;
+  lone.of_them = lone.next < tokens_.size() ? RoleAt(Role::kOfThem, lone.next) : 0;
+  if (lone.next < tokens_.size() && noted_.IsAnyWord(lone.next, {"more", "others"})) lone.more = 1;
+  if (noted_.IsWord(lone.next, "in") &&
+      noted_.IsAnyWord(lone.next + 1, {"number", "all", "total"})) {
+    lone.more = 2;
+  }
   // "sixty heads", "five to a corner"
-  const bool heads = noted_.IsAnyWord(next, {"heads", "head", "members", "individuals", "strong"});
-  if (heads) more = 1;
+  lone.heads = noted_.IsAnyWord(lone.next, {"heads", "head", "members", "individuals", "strong"});
+  if (lone.heads) lone.more = 1;
   // "one team in the north": as many as a team has.
-  const bool packs = unit_ > 1 && ReadCollective(noted_, words_, next).tokens > 0;
-  if (packs) {
-    ++count.tokens;
-    ++next;
+  if (unit_ > 1 && ReadCollective(noted_, words_, lone.next).tokens > 0) {
+    ++lone.count.tokens;
+    ++lone.next;
   }
   // "a flock of 30 sheep and another of 15"
   const bool sized =
       at_ > 1 && noted_.IsWord(at_ - 1, "of") && noted_.IsAnyWord(at_ - 2, {"one", "another"});
-  if (unit_ > 1 && !sized && of_them == 0 && more == 0 &&
-      ReadCollective(noted_, words_, at_).tokens == 0) {
-    count = {CappedProduct(count.least, unit_), CappedProduct(count.value, unit_),
-             CappedProduct(count.most, unit_), count.tokens};
+  if (unit_ > 1 && !sized && lone.IsPlain() && ReadCollective(noted_, words_, at_).tokens == 0) {
+    lone.count = Times(lone.count, unit_);
   }
-  const bool each =
-      noted_.IsAnyWord(next, {"each", "apiece"}) ||
-      (noted_.IsAnyWord(next, {"to", "per", "in", "at", "for"}) &&
-       (noted_.IsAnyWord(next, {"per"}) || noted_.IsAnyWord(next + 1, {"a", "each", "every"})) &&
-       IsInSeveralPlaces(groups_[last_].wish));
-  if (of_them == 0 && !each && !EndsNounPhrase(next + more)) return 0;
+  lone.each = noted_.IsAnyWord(lone.next, {"each", "apiece"}) ||
+              (noted_.IsAnyWord(lone.next, {"to", "per", "in", "at", "for"}) &&
+               (noted_.IsAnyWord(lone.next, {"per"}) ||
+                noted_.IsAnyWord(lone.next + 1, {"a", "each", "every"})) &&
+               IsInSeveralPlaces(groups_[last_].wish));
+  lone.tokens = lone.count.tokens + std::max(lone.of_them, lone.more);
+  lone.bare = noted_.IsPause(at_ + lone.tokens);
+  return lone;
+}
+
+std::size_t AgentReader::ReadCountOfEach(const LoneCount& lone) {
+  const Count& count = lone.count;
+  const std::size_t next = lone.next;
   Group& whole = groups_[last_];
   // "two packs of wolves, seven in each"
   if (packs_ > 1 && part_ == kNone &&
@@ -54,9 +100,7 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
         noted_.IsAnyWord(next + 1, {"each", "a", "every"})))) {
     std::size_t end = next;
     while (!noted_.IsPause(end) && end < next + 3) ++end;
-    SetCount({CappedProduct(count.least, packs_), CappedProduct(count.value, packs_),
-              CappedProduct(count.most, packs_), 1},
-             &whole);
+    SetCount(Times(count, packs_), &whole);
     unit_ = count.value;
     noted_.Mark(at_, end, &TokenNote::agent);
     return end - at_;
@@ -70,7 +114,7 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
     noted_.Mark(at_, next + 1, &TokenNote::agent);
     return next + 1 - at_;
   }
-  if (each && IsInSeveralPlaces(whole.wish) && !whole.wish.counted) {
+  if (lone.each && IsInSeveralPlaces(whole.wish) && !whole.wish.counted) {
     SetCount(count, &whole);
     whole.wish.each = true;
     std::size_t end = next;
@@ -78,97 +122,92 @@ std::size_t AgentReader::ReadLoneCount(const Count& said) {
     noted_.Mark(at_, end, &TokenNote::agent);
     return end - at_;
   }
-  if (of_them == 0 && more == 0 && IsFlockOf(whole)) {
-    AddLike(last_, count, count.tokens);
-    AgentWish& flock = groups_[last_].wish;
-    flock.categories = {AgentCategory::kSheep};
-    flock.exact = true;
-    flock.name = "flock";
-    flock.state.reset();
-    noted_.Mark(at_, at_ + count.tokens, &TokenNote::agent);
-    return count.tokens;
-  }
-  const std::size_t tokens = count.tokens + std::max(of_them, more);
-  noted_.Mark(at_, at_ + tokens, &TokenNote::agent);
-  const bool plain = of_them == 0 && more == 0;
-  const auto tell_count = [&](std::size_t end) {
-    SetCount(count, &groups_[last_]);
-    Extend(last_, tokens_[end - 1].end);
-    subject_ = {last_};
-    joined_ = paused_ = false;
-    return end - at_;
-  };
+  return 0;
+}
+
+void AgentReader::AddFlock(const Count& count) {
+  AddLike(last_, count, count.tokens);
+  AgentWish& flock = groups_[last_].wish;
+  flock.categories = {AgentCategory::kSheep};
+  flock.exact = true;
+  flock.name = "flock";
+  flock.state.reset();
+  noted_.Mark(at_, at_ + count.tokens, &TokenNote::agent);
+}
+
+bool AgentDiscourse::IsTotalOfSentence(const LoneCount& lone) const {
   // "20 sheep and 30 horses, 50 in all"
-  if (more == 2 && !noted_.IsWord(next + 1, "number") && whole.wish.counted &&
-      TotalOf(GroupsOfSentence()) == count.value) {
-    return tokens;
-  }
-  if (corrected_ && plain) return tell_count(at_ + tokens);
-  const bool bare = noted_.IsPause(at_ + tokens);
-  if (!whole.wish.counted) {
-    if (plain && FollowsNoun(whole)) return tell_count(at_ + tokens);
-    // "a herd of horses, nine of them", "an ambush: six of them lie in wait", "sheep, five in
-    // number"
-    const bool more_than_said = of_them > 0 && count.least > whole.wish.most;
-    // "The goblins are in the forest. All twelve of them are asleep."
-    const bool all = of_them > 0 && noted_.IsWord(at_, "all") && part_ == kNone;
-    if (all) return tell_count(at_ + tokens);
-    if ((bare && (of_them > 0 || more == 2 || heads)) || more_than_said) {
-      return tell_count(at_ + tokens);
-    }
-    if (plain && IsAnnounced(whole, bare)) return tell_count(at_ + tokens);
-  }
+  return lone.more == 2 && !noted_.IsWord(lone.next + 1, "number") && groups_[last_].wish.counted &&
+         TotalOf(GroupsOfSentence()) == lone.count.value;
+}
+
+bool AgentDiscourse::IsCountOfLast(const LoneCount& lone) const {
+  const Group& whole = groups_[last_];
+  if (corrected_ && lone.IsPlain()) return true;
+  if (whole.wish.counted) return false;
+  if (lone.IsPlain()) return FollowsNoun(whole) || IsAnnounced(whole, lone.bare);
+  // "The goblins are in the forest. All twelve of them are asleep."
+  if (lone.of_them > 0 && noted_.IsWord(at_, "all") && part_ == kNone) return true;
+  // "a herd of horses, nine of them", "an ambush: six of them lie in wait", "sheep, five in
+  // number"
+  const bool more_than_said = lone.of_them > 0 && lone.count.least > whole.wish.most;
+  return more_than_said || (lone.bare && (lone.of_them > 0 || lone.more == 2 || lone.heads));
+}
+
+void AgentReader::ReadBareCount(const LoneCount& lone) {
+  Group& whole = groups_[last_];
   std::size_t place_end = at_;
   while (place_end > 0 && noted_.IsAnyWord(place_end - 1, {"there", "are", "is", "have", "we"})) {
     --place_end;
   }
-  if (bare && plain && whole.wish.counted && lead_.set && place_end > 0 &&
-      noted_.notes[place_end - 1].place) {
+  if (whole.wish.counted && lead_.set && place_end > 0 && noted_.notes[place_end - 1].place) {
     // "in the north five goblins, in the south seven"
-    AddLike(last_, count, tokens);
-    return tokens;
+    AddLike(last_, lone.count, lone.tokens);
+    return;
   }
-  if (bare && plain) {
-    // "sheep: lower left, nine", "... There are four."
-    const bool told_so = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"are", "is", "were"});
-    if (!whole.wish.counted && (whole.sentence == sentence_ || told_so)) SetCount(count, &whole);
-    return tokens;
+  // "sheep: lower left, nine", "... There are four."
+  const bool told_so = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"are", "is", "were"});
+  if (!whole.wish.counted && (whole.sentence == sentence_ || told_so)) {
+    SetCount(lone.count, &whole);
   }
+}
+
+void AgentReader::RaiseLeastOfLast(const LoneCount& lone) {
+  const Count& count = lone.count;
+  AgentWish& wish = groups_[last_].wish;
   // "Sheep stand in the fields. Six of them graze.": of at least so many.
-  if (of_them > 0 && !whole.wish.counted && part_ == kNone && count.least == count.most &&
-      count.value >= whole.wish.quantity && whole.wish.least > 1) {
-    whole.wish.least = std::max(whole.wish.least, count.value);
-    whole.wish.quantity = count.value + 1;
-    whole.wish.most = std::max(whole.wish.most, CappedProduct(count.value, 2));
+  if (lone.of_them > 0 && !wish.counted && part_ == kNone && count.least == count.most &&
+      count.value >= wish.quantity && wish.least > 1) {
+    wish.least = std::max(wish.least, count.value);
+    wish.quantity = count.value + 1;
+    wish.most = std::max(wish.most, CappedProduct(count.value, 2));
   }
+}
+
+bool AgentDiscourse::IsPartOfLast(const LoneCount& lone) const {
+  const Group& whole = groups_[last_];
+  const int value = lone.count.value;
   const int left = whole.wish.quantity;
-  const bool told = whole.wish.IsPlaced();
-  // "Ten sheep graze in the north. Four are asleep." Four in the south would be others.
-  const bool elsewhere = whole.sentence == sentence_ || count.value >= left || IsPlaceAhead(next);
+  if (lone.of_them > 0) return true;
   // "six eagles, of which two are asleep"
-  const bool out_of = at_ > 1 && count.value < left && RoleAt(Role::kOfThem, at_ - 2) == 2;
-  const bool goes_on = part_ != kNone && rest_ == last_ && more == 0 && count.value <= left;
+  if (at_ > 1 && value < left && RoleAt(Role::kOfThem, at_ - 2) == 2) return true;
+  if (lone.more > 0) return false;
+  const bool goes_on = part_ != kNone && rest_ == last_ && value <= left;
   // "Four rovers are in the village, but one has driven off."
-  const bool contrasts = more == 0 && count.value < left && whole.wish.counted &&
+  const bool contrasts = value < left && whole.wish.counted &&
                          (noted_.IsWord(at_, "but") ||
                           (at_ > 0 && noted_.IsAnyWord(at_ - 1, {"but", "although", "though"})));
   // "Ten sheep graze in the north, four are asleep."
-  const bool among = more == 0 && count.value < left && whole.wish.counted &&
-                     whole.sentence == sentence_ && noted_.IsAnyWord(next, {"are", "is"}) &&
-                     !IsPlaceAhead(next);
-  const bool splits = of_them > 0 || out_of || goes_on || contrasts || among ||
-                      ((!told || !elsewhere) && more == 0 && count.value <= left &&
-                       (left > 1 || part_ != kNone) && (whole.wish.counted || part_ != kNone));
-  if (splits) {
-    Split(count, std::min(count.value, std::max(1, left)), tokens);
-    return tokens + RenamePart(at_ + tokens);
-  }
-  // "two goblins in the north and three in the south"
-  AddLike(last_, count, tokens);
-  return tokens;
+  const bool among = value < left && whole.wish.counted && whole.sentence == sentence_ &&
+                     noted_.IsAnyWord(lone.next, {"are", "is"}) && !IsPlaceAhead(lone.next);
+  // "Ten sheep graze in the north. Four are asleep." Four in the south would be others.
+  const bool elsewhere = whole.sentence == sentence_ || value >= left || IsPlaceAhead(lone.next);
+  return goes_on || contrasts || among ||
+         ((!whole.wish.IsPlaced() || !elsewhere) && value <= left && (left > 1 || part_ != kNone) &&
+          (whole.wish.counted || part_ != kNone));
 }
 
-std::vector<std::size_t> AgentReader::GroupsOfSentence() const {
+std::vector<std::size_t> AgentDiscourse::GroupsOfSentence() const {
   std::vector<std::size_t> here;
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     if (!groups_[i].removed && groups_[i].sentence == sentence_) here.push_back(i);
@@ -176,7 +215,7 @@ std::vector<std::size_t> AgentReader::GroupsOfSentence() const {
   return here;
 }
 
-bool AgentReader::FollowsNoun(const Group& group) const {
+bool AgentDiscourse::FollowsNoun(const Group& group) const {
   // "goblins x4 in the north", "horses: eight"
   std::size_t end = at_;
   while (end > 0 && (noted_.IsWord(end - 1, "x") || tokens_[end - 1].kind == TokenKind::kComma)) {
@@ -186,7 +225,7 @@ bool AgentReader::FollowsNoun(const Group& group) const {
   return end > 0 && noted_.notes[end - 1].agent && tokens_[end - 1].end == group.end;
 }
 
-bool AgentReader::IsAnnounced(const Group& group, bool bare) const {
+bool AgentDiscourse::IsAnnounced(const Group& group, bool bare) const {
   const AgentWish& wish = group.wish;
   if (wish.least != kSomeSeen.least && wish.quantity < 2) return false;
   std::size_t first = at_;
@@ -209,7 +248,7 @@ bool AgentReader::IsAnnounced(const Group& group, bool bare) const {
   return (untold && !NounAhead(at_ + 1)) || IsSpreadOut(group);
 }
 
-bool AgentReader::IsSpreadOut(const Group& group) const {
+bool AgentDiscourse::IsSpreadOut(const Group& group) const {
   if (group.sentence != sentence_) return false;
   for (std::size_t i = at_; i > 0 && tokens_[i - 1].begin >= group.begin; --i) {
     if (noted_.IsAnyWord(i - 1, {"spread", "scattered", "distributed", "dotted", "strung"})) {
@@ -219,14 +258,14 @@ bool AgentReader::IsSpreadOut(const Group& group) const {
   return false;
 }
 
-bool AgentReader::IsFlockOf(const Group& group) const {
+bool AgentDiscourse::IsFlockOf(const Group& group) const {
   // "a shepherd and his flock of sixty"
   return noted_.IsAnyWord(at_, {"flock", "flocks"}) &&
          LocomotionOf(group.wish.categories.front()) == Locomotion::kLegs &&
          group.wish.categories.front() != AgentCategory::kSheep;
 }
 
-bool AgentReader::IsPlaceAhead(std::size_t at) const {
+bool AgentDiscourse::IsPlaceAhead(std::size_t at) const {
   // "5 SE, idle"
   if (!noted_.IsPause(at) && MatchPlace(tokens_, at).tokens > 0) return true;
   for (std::size_t i = at; i < at + kPlaceAhead_tokens && !noted_.IsPause(i); ++i) {

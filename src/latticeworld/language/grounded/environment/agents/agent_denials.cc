@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 
 namespace latticeworld {
 namespace internal {
@@ -79,14 +79,14 @@ void AgentReader::ReadAbsence(const SpeciesWord& word, std::size_t end) {
   state_before_.reset();
 }
 
-std::vector<AgentCategory> AgentReader::AbsentCategories(const SpeciesWord& word,
-                                                         std::size_t tokens) const {
+std::vector<AgentCategory> AgentDiscourse::AbsentCategories(const SpeciesWord& word,
+                                                            std::size_t tokens) const {
   const auto kind = words_.kinds.At(tokens_, at_);
   if (kind.tokens >= tokens && !kind.rows.empty()) return kind.rows.front()->categories;
   return word.categories;
 }
 
-std::size_t AgentReader::UnwantedAfter(std::size_t end) const {
+std::size_t AgentDiscourse::UnwantedAfter(std::size_t end) const {
   // "Whales: none", "sheep = 0"
   if (end < tokens_.size() && tokens_[end].kind == TokenKind::kComma && tokens_[end].text != ",") {
     const bool none = noted_.IsAnyWord(end + 1, {"none", "zero", "nil", "no", "0"});
@@ -136,7 +136,7 @@ bool AgentReader::ReadExcepted(const SpeciesWord& word, std::size_t end) {
   return true;
 }
 
-bool AgentReader::IsSubstituted(const std::vector<AgentCategory>& categories) const {
+bool AgentDiscourse::IsSubstituted(const std::vector<AgentCategory>& categories) const {
   if (last_ == kNone || groups_[last_].removed || groups_[last_].wish.exact) return false;
   const AgentCategory lacking = groups_[last_].wish.categories.front();
   if (std::find(categories.begin(), categories.end(), lacking) == categories.end()) return false;
@@ -165,7 +165,7 @@ void AgentReader::NarrowDeniedKinds() {
   }
 }
 
-bool AgentReader::IsDenied(const EnvironmentClaim& claim) const {
+bool AgentDiscourse::IsDenied(const EnvironmentClaim& claim) const {
   if (claim.kind != EnvironmentClaimKind::kNoAgents) return false;
   return std::any_of(heard_.agents.begin(), heard_.agents.end(), [&](const AgentWish& wish) {
     return claim.categories.empty() || std::find(claim.categories.begin(), claim.categories.end(),

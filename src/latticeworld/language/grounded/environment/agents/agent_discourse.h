@@ -1,10 +1,9 @@
 #ifndef LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_AGENTS_AGENT_DISCOURSE_H_
 #define LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_AGENTS_AGENT_DISCOURSE_H_
 
-// Of agent_reader.cc and its neighbours only: the state that reading about agents goes through. How
-// agents are read: noun phrases ("about nine grazing sheep") make groups, verbs and places are said
-// of the subject of their clause, and references ("three of them", "the others") and corrections
-// ("no, make it six") go back to groups that were named before.
+// Of agent_reader.cc and its neighbours only: the state that reading about agents goes through, and
+// the questions about the words and the groups that it asks. None of them changes the state; each
+// is defined beside the step of agent_steps.h that asks it.
 
 #include <algorithm>
 #include <cstddef>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "latticeworld/language/grounded/environment/agents/agent_groups.h"
+#include "latticeworld/language/grounded/environment/agents/agent_phrases.h"
 #include "latticeworld/language/grounded/environment/count_reader.h"
 #include "latticeworld/language/grounded/environment/heard_environment.h"
 #include "latticeworld/language/grounded/environment/token_notes.h"
@@ -20,19 +20,14 @@
 
 namespace latticeworld::internal {
 
-class AgentReader {
- public:
-  AgentReader(const EnvironmentWords& words, NotedTokens* noted, HeardEnvironment* heard)
+class AgentDiscourse {
+ protected:
+  AgentDiscourse(const EnvironmentWords& words, NotedTokens* noted, HeardEnvironment* heard)
       : words_(words), noted_(*noted), tokens_(noted->tokens), heard_(*heard) {}
 
-  void Run();
-
- private:
   std::size_t RoleAt(Role role, std::size_t at) const { return words_.RoleAt(role, tokens_, at); }
 
   // One step
-
-  std::size_t Step();
 
   // "better" and "actually" correct something only where something was said.
   bool IsPlainBetter(std::size_t said) const { return said == 1 && groups_.empty(); }
@@ -45,35 +40,15 @@ class AgentReader {
   // Whether a phrase of correction is said of the agents.
   bool Corrects(std::size_t said) const;
 
-  void Known(std::size_t tokens);
-
-  // "so do four horses"
-  std::size_t ReadLikewise();
-
-  // "each with", "every one of them has": of who follows there are as many as of the subject.
-  std::size_t ReadEachHas();
-
   // Whether the noun phrase here is what the subject has ("with a dog").
   bool IsHad() const;
 
   int TotalOf(const std::vector<std::size_t>& groups) const;
 
-  std::size_t ReadNobody(std::size_t tokens);
-
   // References
 
-  std::size_t ReadReference();
-
-  // "half", "a third", "two thirds"; `tokens` 0: no such share.
-  struct Fraction {
-    int parts = 1;
-    int of = 1;
-    std::size_t tokens = 0;
-  };
+  // The share of a group that the words at `at` say.
   Fraction FractionAt(std::size_t at) const;
-
-  // "three of the eight sheep", "half of the ten sheep": the words before the whole's count.
-  std::size_t ReadPartOfCounted();
 
   // "most (of them)", "a few (of the twenty)": from how many to how many those are of so many;
   // `tokens` 0: no such word.
@@ -83,46 +58,18 @@ class AgentReader {
   // kNone: none.
   std::size_t WholeOf(const std::vector<std::size_t>& groups, int part) const;
 
-  // "Eight sheep graze. Three of the sheep sleep.": of those who were named and counted before.
-  std::size_t ReadPartOfNamed();
-
-  // "forty agents: thirty goblins and the rest eagles"
-  std::size_t ReadRestOfTotal(std::size_t at);
-
   // The two groups named last, the later one first; fewer where fewer were named.
   std::vector<std::size_t> NamedLast() const;
 
-  // "the former", "the second group": of the two groups named last.
-  std::size_t ReadFormerOrLatter();
-
-  // "two of the former, a single one of the latter"
-  std::size_t ReadCountOfFormer();
-
-  // "two rovers and two drones, all four parked": of the groups that add up to so many.
-  std::size_t ReadAllOfThem();
-
-  // "the third one grazes", "a fourth has run away", "the last are asleep"
-  std::size_t ReadOrdinal();
-
   // Which place in a row the word means; 0: none.
   int OrdinalAt(std::size_t at) const;
-
-  // "an eagle above them", "next to the horses": where those are who were named before; "above it":
-  // the land that was named before.
-  std::size_t ReadCompany();
 
   bool IsSubject(std::size_t index) const {
     return std::find(subject_.begin(), subject_.end(), index) != subject_.end();
   }
 
-  // The group that the words at `at` go back to in a phrase of company, and how many they are.
-  // of_others: none of the subject itself.
-  struct Reference {
-    std::size_t tokens = 0;  // 0: no reference
-    std::size_t group = kNone;
-    bool land = false;  // may be of land just as well
-    bool plural = false;
-  };
+  // The words at `at` in a phrase of company. of_others: they go back to none of the subject
+  // itself.
   Reference ReferenceAt(std::size_t at, bool of_others) const;
 
   // The group named before that a pronoun means.
@@ -132,70 +79,10 @@ class AgentReader {
   // groups were placed.
   std::optional<FeaturePlace> LandBefore(bool plural, bool placed) const;
 
-  // "a second band" of whoever was named last.
-  std::size_t ReadAnotherGroup();
-
   // Whether the clause goes on to "each other".
   bool IsMutual() const;
 
-  void AddOtherSide();
-
-  // "all of them are asleep", "everybody waits": all whose state was not told, at least those who
-  // were named last.
-  std::size_t ReadEverybody();
-
-  // "all but one", "all except two of them".
-  std::size_t ReadAllBut();
-
-  // "half", "a third of them", "two thirds of the flock".
-  std::size_t ReadFraction();
-
-  // "six dogs in three pairs": what "one" of them is.
-  std::size_t ReadUnit();
-
-  // Another group of the same agents, whose state and place are still to be told.
-  void AddLike(std::size_t model, const Count& count, std::size_t tokens);
-
-  // "half of them sheep": the part has a name of its own.
-  std::size_t RenamePart(std::size_t at);
-
-  // "20 robots, 5 of them drones": the others are none.
-  void LeaveOthers();
-
-  // Names the group anew ("are sheep"); how many tokens say so.
-  std::size_t Rename(std::size_t index, std::size_t at);
-
-  // "..., except one, which has landed": said of a group before.
-  std::size_t ReadExceptSome();
-
-  // A part of the last group becomes one of its own; the others stay behind.
-  void Split(const Count& count, int quantity, std::size_t tokens);
-
-  // "the others": what was left of the group that was split, or else the group itself.
-  void TakeRest(const Count& count);
-
-  // "A goat, three sheep, two mares. The goat sleeps, the others graze.": the other groups that
-  // nothing was said of. Whether there are any.
-  bool TakeOtherGroups();
-
-  Group* Last();
-
-  // Comparisons
-
-  // "as many", "twice as many goblins as knights", "the same number of": so many as are in a group
-  // named before. The words that say which one are ignored from then on.
-  Count ReadComparedCount();
-
-  // The group in "... as there are knights"; kNone: none is said.
-  std::size_t MeasureAhead(std::size_t at);
-
-  // "25 against 15", "eight on each side": of groups that have no count yet.
-  std::size_t ReadCountsOfSides();
-
   // Noun phrases
-
-  // A count, a noun, or both.
-  std::size_t ReadNounPhrase();
 
   // "Four wheeled robots" are four, "four-wheeled robots" are any number.
   bool CountsWheeled(std::size_t at) const;
@@ -207,8 +94,17 @@ class AgentReader {
 
   bool IsDoing(std::size_t at) const;
 
-  // A count without a noun of its own: of them, of those named before, or a correction.
-  std::size_t ReadLoneCount(const Count& count);
+  // The count at at_, of the group named last, with what stands behind it.
+  LoneCount LoneCountOf(const Count& said) const;
+
+  // Whether the count only sums up those of the sentence ("50 in all").
+  bool IsTotalOfSentence(const LoneCount& lone) const;
+
+  // Whether the count says how many the group named last is.
+  bool IsCountOfLast(const LoneCount& lone) const;
+
+  // Whether the count is of some of the group named last, rather than of others like them.
+  bool IsPartOfLast(const LoneCount& lone) const;
 
   // All who are named in this sentence.
   std::vector<std::size_t> GroupsOfSentence() const;
@@ -232,12 +128,20 @@ class AgentReader {
   // What may follow a noun phrase.
   bool EndsNounPhrase(std::size_t at) const;
 
-  static void SetCount(const Count& count, Group* group);
-
   // Whether a word that can be both is a verb at this place ("guards", "flies").
   bool IsVerbHere(std::size_t at, bool counted) const;
 
-  std::size_t ReadSpecies();
+  // Whether the name that ends at `end` is part of another thing's: "a stuffed owl", "the knight's
+  // sword", "a wolf den".
+  bool IsOtherThing(const SpeciesWord& word, std::size_t end) const;
+
+  // "Agents: ...", "People: 1 shepherd": those who are meant are named behind it.
+  bool IsHeadingOfAgents(const SpeciesWord& word, std::size_t end) const;
+
+  // The token after the whole name, of which `end` is the first noun's: "dog robot" ends with its
+  // kind, which also says whether the name is a plural. nullopt: another noun follows and says what
+  // they are ("robot sheep").
+  std::optional<std::size_t> EndOfName(std::size_t end, SpeciesWord* word) const;
 
   // "none of the two robots moves"
   bool IsNoneOf() const;
@@ -260,19 +164,11 @@ class AgentReader {
 
   bool IsPossessive(std::size_t end) const;
 
-  void ReadAbsence(const SpeciesWord& word, std::size_t end);
-
   // How many tokens deny who is named up to `end`: "Whales do not belong there", "whales: none".
   std::size_t UnwantedAfter(std::size_t end) const;
 
-  // "all are idle except the horses, which graze": then the horses are the subject.
-  bool ReadExcepted(const SpeciesWord& word, std::size_t end);
-
   // Whether the group named last, of a species that we lack, gives way to one that follows.
   bool IsSubstituted(const std::vector<AgentCategory>& categories) const;
-
-  // Of "ten robots, no drones" none is a drone.
-  void NarrowDeniedKinds();
 
   std::string NameHere(std::size_t end) const { return JoinWords(tokens_, at_, end); }
 
@@ -289,10 +185,8 @@ class AgentReader {
   // The determiner of the noun phrase that ends at at_.
   bool IsDefinite() const;
 
-  void ReadPresence(const SpeciesWord& word, const Count& collective, std::size_t end);
-
-  // "What can my robot do? ... One rover": what was meant by "my robot" is named now.
-  void DropVagueKinds(const SpeciesWord& word);
+  // The count before the noun, with that of the collective behind it ("three wolf packs").
+  Count CountWith(const Count& collective) const;
 
   // "Twenty mares graze. The stallion sleeps.": one beside those who were named before.
   bool IsAnotherOne(const SpeciesWord& word, const std::vector<std::size_t>& same,
@@ -313,11 +207,6 @@ class AgentReader {
   // "Ten robot dogs. The dogs ...": those of before whose name ends in what is said up to `end`.
   std::vector<std::size_t> GroupsCalled(std::size_t end) const;
 
-  void ReferTo(const std::vector<std::size_t>& same, const Count& count, std::size_t end);
-
-  // "no, make it knights"
-  void Replace(const SpeciesWord& word, const Count& count, std::size_t end);
-
   void ApplyLead(Group* group) const;
 
   // Whether the agents before have their own state or place, so that these are apart from them.
@@ -325,7 +214,12 @@ class AgentReader {
 
   // States
 
-  std::size_t ReadState();
+  // "charging", of so many tokens, said of robots that stand at their charger.
+  bool ChargesAtStation(std::size_t tokens) const;
+
+  // Whether the state's one word is a noun here: "a storm", "until the charge". noun_next: agents
+  // are named right behind it.
+  bool IsStateNoun(bool noun_next) const;
 
   bool SubjectIsRobots() const;
 
@@ -333,9 +227,6 @@ class AgentReader {
   bool IsAtCharger(std::size_t at) const;
 
   bool IsSubjectWinged() const;
-
-  // "the drones are on the ground"
-  std::size_t ReadGrounded();
 
   // "guarded by two knights", but "parked by the lake".
   bool AgentsAfterBy(std::size_t at) const;
@@ -350,8 +241,6 @@ class AgentReader {
 
   std::size_t SubjectEnd() const;
 
-  void SetState(std::size_t index, AgentState state, bool outright);
-
   bool NounFollows(std::size_t at) const;
 
   // Agents that this clause has still to name.
@@ -359,7 +248,33 @@ class AgentReader {
 
   // Places
 
-  std::size_t ReadPlace();
+  // The words of a place that begin at at_.
+  PlacePhrase PlacePhraseHere() const;
+
+  // Whether the land named at `at`, of so many tokens, stands alone between pauses and is a place.
+  bool IsListedLand(std::size_t at, std::size_t land) const;
+
+  // What the preposition at at_ tells of where on the land: "in the middle of the lake", "at the
+  // village" is in it. bare: the land's name is all that follows.
+  void MoveByPreposition(std::size_t preposition, bool bare, FeaturePlace* feature) const;
+
+  // "stones everywhere": whether the place here is that of assets.
+  bool IsPlaceOfAssets() const;
+
+  // How many tokens say only where somebody looks: "facing north"; 0: none.
+  std::size_t FacingAt(std::size_t at) const;
+
+  // "in the settlement: nobody"
+  bool IsDeniedBehind(std::size_t end) const;
+
+  // Whose place it is; none: of those whom the clause has still to name.
+  std::vector<std::size_t> OwnersOf(const PlacePhrase& phrase, bool fronted) const;
+
+  // Whether an aside of the subject ends before at_: "a robot (on patrol) in the village".
+  bool FollowsAside() const;
+
+  // Whether the land is water that the group can only stand beside.
+  bool StandsBeside(const std::optional<FeaturePlace>& land, std::size_t index) const;
 
   // "Location: ..."
   bool IsLabel(std::size_t at) const;
@@ -367,15 +282,8 @@ class AgentReader {
   // Whether the land named from at_ to `end` without a preposition is where the subject is.
   bool IsBareLand(std::size_t end) const;
 
-  // "not by the lake, in the fields": the owners are not where they were said to be.
-  void TakeBackPlace(const PlaceMatch& place, const std::optional<FeaturePlace>& feature,
-                     const std::vector<std::size_t>& owners);
-
   // How many tokens only say where other land is: "with the forest to their south".
   std::size_t SurroundingsAt(std::size_t at) const;
-
-  // "there" goes back to the place named last.
-  std::size_t ReadThere();
 
   // "Heat shimmers over the road, and three mares ...": the place was that of another clause.
   bool EndsOtherClause(std::size_t end) const;
@@ -407,9 +315,6 @@ class AgentReader {
   // "(between the lake) and the village", "(from the lake) to the village".
   void ReadOtherEnd(std::size_t first, FeaturePlace* feature, std::size_t* end) const;
 
-  // "split between the lake and the forest": half of the group is at each. False: it is not so.
-  bool ShareOut(const FeaturePlace& feature, std::size_t index);
-
   bool IsSharedOut(std::size_t at) const;
 
   // "far side of the lake, seen from the village"
@@ -428,36 +333,10 @@ class AgentReader {
   // land that was named right before it.
   bool Narrows(const FeaturePlace& feature, const std::optional<FeaturePlace>& land) const;
 
-  void SetPlace(const std::vector<Place>& places, const std::optional<FeaturePlace>& feature,
-                bool each, const std::vector<std::size_t>& owners, std::size_t end);
-
-  // "from left to right: three knights, two goblins"
-  std::size_t ReadOrder();
-
-  void PutInOrder();
-
   // Clauses
-
-  void BeginSentence();
-
-  void EndPhrase();
-
-  void EndClause();
-
-  void EndSentence();
-
-  // "Ten creatures: four sheep and six goblins": the first is the sum of the others.
-  void DropAnnouncedTotal();
 
   // "8 robots and 3 drones": whether the latter are none of the former.
   bool IsBeside(std::size_t total, std::size_t part) const;
-
-  // Of the group only those stay who are none of its parts, which are `sum` together. False: it is
-  // not said how many those are.
-  bool TakePartsOf(std::size_t index, const std::vector<std::size_t>& parts, int sum);
-
-  // "The only living thing is an eagle": agents of any kind are no group beside those named.
-  void SumUpAnyAgents();
 
   // Exactly, at least or at most as many agents of all kinds as the group says.
   EnvironmentClaim TotalClaim(const Group& total) const;
@@ -477,20 +356,7 @@ class AgentReader {
   // "three drones altogether": those who were named.
   bool IsSum(const SpeciesWord& word, const Count& count, std::size_t end) const;
 
-  void Extend(std::size_t index, std::size_t end);
-
   std::string WordsOf(const Group& group) const;
-
-  // "a drone above ten horses": the subject is where the new group is.
-  void JoinSubjectTo(std::size_t index);
-
-  // "Eight drones, all but two in the air": the two are not.
-  void TellUnlike();
-
-  // Gives those who are with others the place of those.
-  void JoinCompany();
-
-  void Finish();
 
   bool IsDenied(const EnvironmentClaim& claim) const;
 

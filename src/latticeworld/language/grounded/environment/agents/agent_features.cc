@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 
 namespace latticeworld {
 namespace internal {
@@ -13,9 +13,9 @@ constexpr std::size_t kHeadingTokens = 6;  // of a clause that says something of
 
 }  // namespace
 
-std::optional<FeaturePlace> AgentReader::ReadFeature(std::size_t* end, bool near,
-                                                     const PlaceMatch& place,
-                                                     std::size_t place_at) const {
+std::optional<FeaturePlace> AgentDiscourse::ReadFeature(std::size_t* end, bool near,
+                                                        const PlaceMatch& place,
+                                                        std::size_t place_at) const {
   std::size_t at = *end;
   bool relative = false;
   if (place.tokens > 0) {
@@ -83,7 +83,7 @@ std::optional<FeaturePlace> AgentReader::ReadFeature(std::size_t* end, bool near
   return {};
 }
 
-std::optional<FeatureWord> AgentReader::LandAt(std::size_t* at) const {
+std::optional<FeatureWord> AgentDiscourse::LandAt(std::size_t* at) const {
   constexpr std::size_t kAdjectives = 2;
   std::size_t next = *at;
   while (noted_.IsAnyWord(next, {"the", "a", "an", "its", "their", "this", "that", "our"})) ++next;
@@ -96,7 +96,8 @@ std::optional<FeatureWord> AgentReader::LandAt(std::size_t* at) const {
   return std::nullopt;
 }
 
-void AgentReader::ReadOtherEnd(std::size_t first, FeaturePlace* feature, std::size_t* end) const {
+void AgentDiscourse::ReadOtherEnd(std::size_t first, FeaturePlace* feature,
+                                  std::size_t* end) const {
   // The words before the land: "halfway between the", "from the".
   bool between = false, halfway = false, from = false;
   for (std::size_t i = first; i > 0 && i + 4 > first && !noted_.IsPause(i - 1); --i) {
@@ -122,7 +123,7 @@ void AgentReader::ReadOtherEnd(std::size_t first, FeaturePlace* feature, std::si
   *end = next;
 }
 
-bool AgentReader::IsSharedOut(std::size_t at) const {
+bool AgentDiscourse::IsSharedOut(std::size_t at) const {
   for (std::size_t i = at; i > 0 && i + 4 > at && !noted_.IsPause(i - 1); --i) {
     if (noted_.IsAnyWord(i - 1,
                          {"split", "divided", "shared", "distributed", "spread", "halved"})) {
@@ -153,7 +154,7 @@ bool AgentReader::ShareOut(const FeaturePlace& feature, std::size_t index) {
   return true;
 }
 
-std::optional<FeaturePlace> AgentReader::ReadFarSide(std::size_t* at) const {
+std::optional<FeaturePlace> AgentDiscourse::ReadFarSide(std::size_t* at) const {
   std::size_t next = *at;
   if (!noted_.IsAnyWord(next, {"far", "other", "opposite"})) return std::nullopt;
   if (!noted_.IsAnyWord(next + 1, {"side", "shore", "bank", "end", "edge"}) ||
@@ -180,7 +181,7 @@ std::optional<FeaturePlace> AgentReader::ReadFarSide(std::size_t* at) const {
   return feature;
 }
 
-bool AgentReader::IsHeading(std::size_t at) const {
+bool AgentDiscourse::IsHeading(std::size_t at) const {
   const std::size_t feature = words_.features.LengthAt(tokens_, at);
   if (feature == 0 || words_.species.LengthAt(tokens_, at) > 0) return false;
   const auto is_colon = [&](std::size_t i) {
@@ -200,7 +201,7 @@ bool AgentReader::IsHeading(std::size_t at) const {
   return is_colon(i) && tokens_[i].text == ":";
 }
 
-bool AgentReader::IsFilled(std::size_t at) const {
+bool AgentDiscourse::IsFilled(std::size_t at) const {
   const std::size_t feature = words_.features.LengthAt(tokens_, at);
   if (feature == 0 || words_.species.LengthAt(tokens_, at) > 0) return false;
   std::size_t next = at + feature;

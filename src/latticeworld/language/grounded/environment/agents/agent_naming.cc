@@ -4,107 +4,19 @@
 #include <algorithm>
 
 #include "latticeworld/common/text.h"
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 #include "latticeworld/language/numbers.h"
 
 namespace latticeworld {
 namespace internal {
 
 void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective, std::size_t end) {
-  Count count = pending_;
-  if (collective.tokens > 0) count = collective;
-  // "three wolf packs"
-  if (collective.tokens == 1 && pending_.tokens > 0 && pending_.value <= 12) {
-    count = {CappedProduct(collective.least, pending_.value),
-             CappedProduct(collective.value, pending_.value),
-             CappedProduct(collective.most, pending_.value), 1};
-  }
-  if (substituted_ != kNone) {
-    last_ = substituted_;
-    substituted_ = kNone;
-    Replace(word, count, end);
-    return;
-  }
-  std::vector<std::size_t> same = GroupsOf(word, at_, end);
-  if (same.empty() && IsDefinite()) same = GroupsCalled(end);
-  // "each knight has a dog"
-  const bool every = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"each", "every"});
-  if (every && !same.empty() && count.tokens == 0) {
-    ReferTo(same, {}, end);
-    if (noted_.IsAnyWord(end, {"has", "leads", "carries", "rides", "with", "walks", "keeps"})) {
-      times_ = TotalOf(same);
-    }
-    return;
-  }
-  if (!same.empty() && (IsDefinite() || corrected_) && !IsAnotherOne(word, same, end)) {
-    ReferTo(same, count, end);
-    return;
-  }
-  if (corrected_ && last_ != kNone && !groups_[last_].removed && !told_since_correction_) {
-    Replace(word, count, end);
-    return;
-  }
-  if (IsSum(word, count, end)) return;
-  DropVagueKinds(word);
-  if (const std::size_t vague = VagueBefore(same, count, end); vague != kNone) {
-    ReferTo({vague}, {}, end);
-    SetCount(count, &groups_[vague]);
-    return;
-  }
-  Group group;
-  group.wish.categories = word.categories;
-  group.wish.exact = word.exact;
-  group.wish.name = NameHere(end);
-  const Count said = count.tokens > 0 ? count : DefaultCount(word);
-  group.wish.least = said.least;
-  group.wish.quantity = said.value;
-  group.wish.most = said.most;
-  group.wish.counted = count.tokens > 0 && count.least == count.most;
-  group.wish.each = noted_.IsAnyWord(at_ > 0 ? at_ - 1 : at_, {"each", "every"});
-  const std::size_t count_begin = pending_.tokens > 0 ? count_at_ : at_;
-  if (IsBygone()) {
-    group.wish.least = kSomeSeen.least;
-    group.wish.quantity = kSomeSeen.value;
-    group.wish.most = kSomeSeen.most;
-    group.wish.counted = false;
-  }
-  // "four knights with a dog each"
-  if (times_ == 1 && noted_.IsAnyWord(end, {"each", "apiece"}) && IsHad()) {
-    times_ = TotalOf(subject_);
-    if (group.with == kNone) group.with = subject_.front();
-  }
-  if (times_ > 1) {
-    group.wish.least = CappedProduct(group.wish.least, times_);
-    group.wish.quantity = CappedProduct(group.wish.quantity, times_);
-    group.wish.most = CappedProduct(group.wish.most, times_);
-    group.wish.counted = group.wish.least == group.wish.most;
-    if (group.with == kNone && !subject_.empty()) group.with = subject_.front();
-  }
-  times_ = 1;
-  // "a shepherd by the lake with his thirty sheep and two dogs"
-  const bool listed = noted_.IsWord(count_begin > 0 ? count_begin - 1 : 0, "and") &&
-                      with_ != kNone && last_ == groups_.size() - 1;
-  if (group.with == kNone && by_subject_ != kNone) group.with = by_subject_;
-  by_subject_ = kNone;
-  if (group.with == kNone && IsHad()) group.with = subject_.front();
-  if (group.with == kNone && listed) group.with = with_;
-  with_ = group.with;
-  group.purpose = IsInPurpose();
-  group.wish.state = state_before_;
-  group.begin = std::min(phrase_begin_, tokens_[at_].begin);
-  group.end = tokens_[end - 1].end;
-  group.sentence = sentence_;
-  ApplyLead(&group);
-  if (model_ != kNone) {
-    const AgentWish& model = groups_[model_].wish;
-    if (!group.wish.state.has_value()) group.wish.state = model.state;
-    group.with = model_;
-    model_ = kNone;
-  }
+  const Count count = CountWith(collective);
+  if (ReadKnown(word, count, end)) return;
   // "goblins chase sheep": the chased are no subject.
   const bool object =
       acted_ && !subject_.empty() && !state_before_.has_value() && !joined_ && !paused_;
-  groups_.push_back(std::move(group));
+  groups_.push_back(NewGroup(word, count, end));
   const std::size_t index = groups_.size() - 1;
   JoinSubjectTo(index);
   // "Half of them chase a horse, the other half sleep": the other half of those who chase it.
@@ -118,14 +30,131 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   split_state_ = false;
   state_before_.reset();
   if (object) {
-    // Who chases somebody is where those are.
-    for (const std::size_t owner : subject_) {
-      if (groups_[owner].with == kNone && owner != index) groups_[owner].with = index;
-    }
-    object_ = index;
-    object_end_ = end;
-    return;
+    MakeObject(index, end);
+  } else {
+    MakeSubject(index);
   }
+}
+
+Count AgentDiscourse::CountWith(const Count& collective) const {
+  // "three wolf packs"
+  if (collective.tokens == 1 && pending_.tokens > 0 && pending_.value <= 12) {
+    return {CappedProduct(collective.least, pending_.value),
+            CappedProduct(collective.value, pending_.value),
+            CappedProduct(collective.most, pending_.value), 1};
+  }
+  return collective.tokens > 0 ? collective : pending_;
+}
+
+bool AgentReader::ReadKnown(const SpeciesWord& word, const Count& count, std::size_t end) {
+  if (substituted_ != kNone) {
+    last_ = substituted_;
+    substituted_ = kNone;
+    Replace(word, count, end);
+    return true;
+  }
+  std::vector<std::size_t> same = GroupsOf(word, at_, end);
+  if (same.empty() && IsDefinite()) same = GroupsCalled(end);
+  // "each knight has a dog"
+  const bool every = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"each", "every"});
+  if (every && !same.empty() && count.tokens == 0) {
+    ReferTo(same, {}, end);
+    if (noted_.IsAnyWord(end, {"has", "leads", "carries", "rides", "with", "walks", "keeps"})) {
+      times_ = TotalOf(same);
+    }
+    return true;
+  }
+  if (!same.empty() && (IsDefinite() || corrected_) && !IsAnotherOne(word, same, end)) {
+    ReferTo(same, count, end);
+    return true;
+  }
+  if (corrected_ && last_ != kNone && !groups_[last_].removed && !told_since_correction_) {
+    Replace(word, count, end);
+    return true;
+  }
+  if (IsSum(word, count, end)) return true;
+  DropVagueKinds(word);
+  if (const std::size_t vague = VagueBefore(same, count, end); vague != kNone) {
+    ReferTo({vague}, {}, end);
+    SetCount(count, &groups_[vague]);
+    return true;
+  }
+  return false;
+}
+
+Group AgentReader::NewGroup(const SpeciesWord& word, const Count& count, std::size_t end) {
+  Group group;
+  group.wish.categories = word.categories;
+  group.wish.exact = word.exact;
+  group.wish.name = NameHere(end);
+  const Count said = count.tokens > 0 ? count : DefaultCount(word);
+  group.wish.least = said.least;
+  group.wish.quantity = said.value;
+  group.wish.most = said.most;
+  group.wish.counted = count.tokens > 0 && count.least == count.most;
+  group.wish.each = noted_.IsAnyWord(at_ > 0 ? at_ - 1 : at_, {"each", "every"});
+  if (IsBygone()) {
+    group.wish.least = kSomeSeen.least;
+    group.wish.quantity = kSomeSeen.value;
+    group.wish.most = kSomeSeen.most;
+    group.wish.counted = false;
+  }
+  CountForEachOwner(end, &group);
+  PutInCompany(&group);
+  group.purpose = IsInPurpose();
+  group.wish.state = state_before_;
+  group.begin = std::min(phrase_begin_, tokens_[at_].begin);
+  group.end = tokens_[end - 1].end;
+  group.sentence = sentence_;
+  ApplyLead(&group);
+  if (model_ != kNone) {
+    const AgentWish& model = groups_[model_].wish;
+    if (!group.wish.state.has_value()) group.wish.state = model.state;
+    group.with = model_;
+    model_ = kNone;
+  }
+  return group;
+}
+
+void AgentReader::CountForEachOwner(std::size_t end, Group* group) {
+  // "four knights with a dog each"
+  if (times_ == 1 && noted_.IsAnyWord(end, {"each", "apiece"}) && IsHad()) {
+    times_ = TotalOf(subject_);
+    if (group->with == kNone) group->with = subject_.front();
+  }
+  if (times_ > 1) {
+    AgentWish& wish = group->wish;
+    wish.least = CappedProduct(wish.least, times_);
+    wish.quantity = CappedProduct(wish.quantity, times_);
+    wish.most = CappedProduct(wish.most, times_);
+    wish.counted = wish.least == wish.most;
+    if (group->with == kNone && !subject_.empty()) group->with = subject_.front();
+  }
+  times_ = 1;
+}
+
+void AgentReader::PutInCompany(Group* group) {
+  // "a shepherd by the lake with his thirty sheep and two dogs"
+  const std::size_t first = pending_.tokens > 0 ? count_at_ : at_;
+  const bool listed = noted_.IsWord(first > 0 ? first - 1 : 0, "and") && with_ != kNone &&
+                      last_ == groups_.size() - 1;
+  if (group->with == kNone && by_subject_ != kNone) group->with = by_subject_;
+  by_subject_ = kNone;
+  if (group->with == kNone && IsHad()) group->with = subject_.front();
+  if (group->with == kNone && listed) group->with = with_;
+  with_ = group->with;
+}
+
+void AgentReader::MakeObject(std::size_t index, std::size_t end) {
+  // Who chases somebody is where those are.
+  for (const std::size_t owner : subject_) {
+    if (groups_[owner].with == kNone && owner != index) groups_[owner].with = index;
+  }
+  object_ = index;
+  object_end_ = end;
+}
+
+void AgentReader::MakeSubject(std::size_t index) {
   // "ten agents: six sheep in the west ...": the ten are not in the west.
   const bool listed_here =
       index > 0 && groups_[index - 1].wish.categories.size() > 1 && IsListed(index - 1) &&
@@ -140,8 +169,8 @@ void AgentReader::ReadPresence(const SpeciesWord& word, const Count& collective,
   object_ = kNone;
 }
 
-bool AgentReader::IsAnotherOne(const SpeciesWord& word, const std::vector<std::size_t>& same,
-                               std::size_t end) const {
+bool AgentDiscourse::IsAnotherOne(const SpeciesWord& word, const std::vector<std::size_t>& same,
+                                  std::size_t end) const {
   if (corrected_ || pending_.tokens > 0 || word.plural || !word.singular) return false;
   const std::string name = Singular(NameHere(end));
   return std::all_of(same.begin(), same.end(), [&](std::size_t index) {
@@ -150,7 +179,7 @@ bool AgentReader::IsAnotherOne(const SpeciesWord& word, const std::vector<std::s
   });
 }
 
-int AgentReader::PackCount() const {
+int AgentDiscourse::PackCount() const {
   // "two packs of wolves"
   if (pending_.tokens < 3 || pending_.least == pending_.most) return 0;
   const NumberMatch packs = MatchNumber(tokens_, count_at_);
@@ -158,7 +187,7 @@ int AgentReader::PackCount() const {
   return packs.tokens > 0 && ReadCollective(noted_, words_, pack).tokens > 0 ? packs.value : 0;
 }
 
-int AgentReader::PackSize() const {
+int AgentDiscourse::PackSize() const {
   // "two teams of four humanoids"
   for (std::size_t i = count_at_; pending_.tokens > 2 && i + 1 < count_at_ + pending_.tokens; ++i) {
     if (ReadCollective(noted_, words_, i).tokens == 0 || !noted_.IsWord(i + 1, "of")) continue;
@@ -168,7 +197,7 @@ int AgentReader::PackSize() const {
   return 1;
 }
 
-bool AgentReader::IsBygone() const {
+bool AgentDiscourse::IsBygone() const {
   constexpr std::size_t kReach = 8;
   for (std::size_t i = at_; i > 1 && i + kReach > at_ && !noted_.IsEnd(i - 1); --i) {
     if (noted_.IsWord(i - 1, "to") && noted_.IsWord(i - 2, "used")) return true;
@@ -177,7 +206,7 @@ bool AgentReader::IsBygone() const {
   return false;
 }
 
-bool AgentReader::IsSum(const SpeciesWord& word, const Count& count, std::size_t end) const {
+bool AgentDiscourse::IsSum(const SpeciesWord& word, const Count& count, std::size_t end) const {
   if (count.tokens == 0 || count.least != count.most) return false;
   const bool summed = noted_.IsAnyWord(end, {"altogether", "total", "overall"}) ||
                       (noted_.IsAnyWord(end, {"in", "all"}) &&
@@ -191,7 +220,7 @@ bool AgentReader::IsSum(const SpeciesWord& word, const Count& count, std::size_t
   return summed && sum == count.value;
 }
 
-bool AgentReader::IsHad() const {
+bool AgentDiscourse::IsHad() const {
   if (subject_.empty()) return false;
   std::size_t first = pending_.tokens > 0 ? count_at_ : at_;
   while (first > 0 &&
@@ -208,7 +237,7 @@ bool AgentReader::IsHad() const {
                                       "bring", "bringing", "carrying", "herding", "walking"});
 }
 
-int AgentReader::TotalOf(const std::vector<std::size_t>& groups) const {
+int AgentDiscourse::TotalOf(const std::vector<std::size_t>& groups) const {
   int total = 0;
   for (const std::size_t index : groups) {
     total += std::min(groups_[index].wish.quantity, kMaxAgents);
@@ -228,7 +257,7 @@ void AgentReader::DropVagueKinds(const SpeciesWord& word) {
   }
 }
 
-bool AgentReader::IsBareSentence(const Group& group) const {
+bool AgentDiscourse::IsBareSentence(const Group& group) const {
   if (group.wish.state.has_value() || group.wish.IsPlaced()) return false;
   const bool alone = std::none_of(groups_.begin(), groups_.end(), [&](const Group& other) {
     return &other != &group && other.sentence == group.sentence;
@@ -243,8 +272,8 @@ bool AgentReader::IsBareSentence(const Group& group) const {
   return false;
 }
 
-std::size_t AgentReader::VagueBefore(const std::vector<std::size_t>& same, const Count& count,
-                                     std::size_t end) const {
+std::size_t AgentDiscourse::VagueBefore(const std::vector<std::size_t>& same, const Count& count,
+                                        std::size_t end) const {
   const bool alone = noted_.IsPause(end) || noted_.IsWord(end, "and") ||
                      (same.size() == 1 && IsBareSentence(groups_[same.front()]));
   if (same.size() != 1 || count.tokens == 0 || !alone || lead_.set || state_before_.has_value()) {
@@ -256,8 +285,8 @@ std::size_t AgentReader::VagueBefore(const std::vector<std::size_t>& same, const
   return bare && group.sentence != sentence_ ? same.front() : kNone;
 }
 
-std::vector<std::size_t> AgentReader::GroupsOf(const SpeciesWord& word, std::size_t first,
-                                               std::size_t end) const {
+std::vector<std::size_t> AgentDiscourse::GroupsOf(const SpeciesWord& word, std::size_t first,
+                                                  std::size_t end) const {
   std::vector<std::size_t> same;
   const std::string name = Singular(JoinWords(tokens_, first, end));
   for (std::size_t i = 0; i < groups_.size(); ++i) {
@@ -271,7 +300,7 @@ std::vector<std::size_t> AgentReader::GroupsOf(const SpeciesWord& word, std::siz
   return same;
 }
 
-std::vector<std::size_t> AgentReader::GroupsCalled(std::size_t end) const {
+std::vector<std::size_t> AgentDiscourse::GroupsCalled(std::size_t end) const {
   const std::string last = " " + Singular(NameHere(end));
   std::vector<std::size_t> called;
   for (std::size_t i = 0; i < groups_.size(); ++i) {
@@ -348,14 +377,14 @@ void AgentReader::Replace(const SpeciesWord& word, const Count& count, std::size
   ApplyLead(&group);
 }
 
-void AgentReader::ApplyLead(Group* group) const {
+void AgentDiscourse::ApplyLead(Group* group) const {
   if (!lead_.places.empty()) group->wish.places = lead_.places;
   if (lead_.feature.has_value()) group->wish.feature = lead_.feature;
   if (lead_.each) group->wish.each = true;
   if (lead_.with != kNone) group->with = lead_.with;
 }
 
-bool AgentReader::GroupIsTold() const {
+bool AgentDiscourse::GroupIsTold() const {
   return std::any_of(subject_.begin(), subject_.end(), [&](std::size_t index) {
     const AgentWish& wish = groups_[index].wish;
     const bool placed = (!wish.places.empty() && lead_.places.empty()) ||

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 #include "latticeworld/language/numbers.h"
 
 namespace latticeworld {
@@ -43,14 +43,14 @@ std::size_t AgentReader::ReadNounPhrase() {
   return ReadSpecies();
 }
 
-bool AgentReader::CountsWheeled(std::size_t at) const {
+bool AgentDiscourse::CountsWheeled(std::size_t at) const {
   if (!noted_.IsWord(at + 1, "wheeled") || MatchNumber(tokens_, at).tokens != 1) return false;
   const auto wheeled = words_.species.At(tokens_, at + 1);
   return wheeled.tokens > 0 && wheeled.rows.front()->plural &&
          noted_.Text(at, at + 2).find('-') == std::string_view::npos;
 }
 
-bool AgentReader::NounAhead(std::size_t at) const {
+bool AgentDiscourse::NounAhead(std::size_t at) const {
   for (std::size_t i = at; i < at + kPhraseTokens && !noted_.IsPause(i); ++i) {
     if (words_.species.LengthAt(tokens_, i) > 0 && !IsVerbHere(i, true)) return true;
     if (words_.assets.LengthAt(tokens_, i) > 0) return false;
@@ -65,7 +65,7 @@ bool AgentReader::NounAhead(std::size_t at) const {
   return false;
 }
 
-bool AgentReader::IsParticiple(std::size_t at) const {
+bool AgentDiscourse::IsParticiple(std::size_t at) const {
   const std::string& word = tokens_[at].text;
   const auto ends = [&](std::string_view end) {
     return word.size() > end.size() && word.compare(word.size() - end.size(), end.size(), end) == 0;
@@ -75,12 +75,12 @@ bool AgentReader::IsParticiple(std::size_t at) const {
                                "stationary", "still", "lazy", "watchful", "vigilant", "alert"});
 }
 
-bool AgentReader::IsDoing(std::size_t at) const {
+bool AgentDiscourse::IsDoing(std::size_t at) const {
   const std::string& word = tokens_[at].text;
   return word.size() > 3 && word.compare(word.size() - 3, 3, "ing") == 0;
 }
 
-bool AgentReader::EndsNounPhrase(std::size_t at) const {
+bool AgentDiscourse::EndsNounPhrase(std::size_t at) const {
   if (noted_.IsPause(at)) return true;
   if (RoleAt(Role::kIn, at) > 0 || RoleAt(Role::kNear, at) > 0 || RoleAt(Role::kBut, at) > 0) {
     return true;
@@ -95,7 +95,7 @@ bool AgentReader::EndsNounPhrase(std::size_t at) const {
            "dwell",  "go",     "goes",  "come",  "comes"});
 }
 
-bool AgentReader::IsVerbHere(std::size_t at, bool counted) const {
+bool AgentDiscourse::IsVerbHere(std::size_t at, bool counted) const {
   const std::size_t noun = words_.species.LengthAt(tokens_, at);
   if (words_.states.LengthAt(tokens_, at) < noun) return false;
   // "three guard the village": of three there is no singular.
@@ -123,23 +123,18 @@ bool AgentReader::IsVerbHere(std::size_t at, bool counted) const {
 std::size_t AgentReader::ReadSpecies() {
   const auto match = words_.species.At(tokens_, at_);
   if (match.tokens == 0 || groups_.size() >= kMaxGroups) return 0;
-  std::size_t end = at_ + match.tokens;
+  const std::size_t first_end = at_ + match.tokens;
   SpeciesWord word = *match.rows.front();
   if (pending_.tokens == 0 && IsVerbHere(at_, false)) return 0;
   // "flying robots" are agents that fly, and a name of its own.
   if (words_.coarse.LengthAt(tokens_, at_) > match.tokens && pending_.tokens == 0) return 0;
-  const bool dead = at_ > 0 && noted_.IsAnyWord(at_ - 1, {"dead", "carved", "painted", "stuffed"});
-  if (dead || IsPossessive(end) ||
-      (!match.rows.front()->plural && end < tokens_.size() && !noted_.IsPause(end) &&
-       RoleAt(Role::kAfterSpecies, end) > 0) ||
-      (match.rows.front()->plural && match.rows.front()->singular && end < tokens_.size() &&
-       RoleAt(Role::kAfterSpecies, end) > 0)) {
-    noted_.Mark(at_, end, &TokenNote::agent);
+  if (IsOtherThing(word, first_end)) {
+    noted_.Mark(at_, first_end, &TokenNote::agent);
     pending_ = {};
     return match.tokens;
   }
   if (IsAudience(word)) {
-    noted_.Mark(at_, end, &TokenNote::agent);
+    noted_.Mark(at_, first_end, &TokenNote::agent);
     return match.tokens;
   }
   // "cart tracks" are a road.
@@ -147,36 +142,54 @@ std::size_t AgentReader::ReadSpecies() {
       words_.assets.LengthAt(tokens_, at_) > match.tokens) {
     return 0;
   }
-  // "Agents: ..." is a heading.
-  const bool heads = end < tokens_.size() && tokens_[end].text == ":" && pending_.tokens == 0 &&
-                     UnwantedAfter(end) == 0;
-  // "People: 1 shepherd" names those who are meant.
-  const Count labelled = heads ? ReadCount(noted_, words_, end + 1) : Count{};
-  const bool named =
-      labelled.tokens > 0 && words_.species.LengthAt(tokens_, end + 1 + labelled.tokens) > 0;
-  if (heads && (match.rows.front()->categories.size() > 1 || named)) {
-    noted_.Mark(at_, end, &TokenNote::agent);
+  if (IsHeadingOfAgents(word, first_end)) {
+    noted_.Mark(at_, first_end, &TokenNote::agent);
     return match.tokens;
   }
-  // "robot sheep": the last noun says what they are, unless it is that of their kind ("dog robot").
-  if (!word.plural && IsUnknownHere(end) && words_.species.LengthAt(tokens_, end + 1) > 0) {
+  const std::optional<std::size_t> end = EndOfName(first_end, &word);
+  noted_.Mark(at_, end.value_or(first_end), &TokenNote::agent);
+  return end.has_value() ? ReadNamed(word, *end) : match.tokens;
+}
+
+bool AgentDiscourse::IsOtherThing(const SpeciesWord& word, std::size_t end) const {
+  if (at_ > 0 && noted_.IsAnyWord(at_ - 1, {"dead", "carved", "painted", "stuffed"})) return true;
+  if (IsPossessive(end)) return true;
+  if (end >= tokens_.size() || RoleAt(Role::kAfterSpecies, end) == 0) return false;
+  return word.plural ? word.singular : !noted_.IsPause(end);
+}
+
+bool AgentDiscourse::IsHeadingOfAgents(const SpeciesWord& word, std::size_t end) const {
+  if (end >= tokens_.size() || tokens_[end].text != ":" || pending_.tokens > 0 ||
+      UnwantedAfter(end) > 0) {
+    return false;
+  }
+  if (word.categories.size() > 1) return true;
+  // "People: 1 shepherd" names those who are meant.
+  const Count labelled = ReadCount(noted_, words_, end + 1);
+  return labelled.tokens > 0 && words_.species.LengthAt(tokens_, end + 1 + labelled.tokens) > 0;
+}
+
+std::optional<std::size_t> AgentDiscourse::EndOfName(std::size_t end, SpeciesWord* word) const {
+  if (!word->plural && IsUnknownHere(end) && words_.species.LengthAt(tokens_, end + 1) > 0) {
     // "humanoid rescue robots"
     const SpeciesWord& kind = *words_.species.At(tokens_, end + 1).rows.front();
-    if (kind.categories.size() > 1 && Contains(kind.categories, word.categories)) ++end;
+    if (kind.categories.size() > 1 && Contains(kind.categories, word->categories)) ++end;
   }
-  if (end < tokens_.size() && !word.plural && words_.species.LengthAt(tokens_, end) > 0 &&
-      !IsVerbHere(end, false)) {
-    const auto last = words_.species.At(tokens_, end);
-    const SpeciesWord& kind = *last.rows.front();
-    if (kind.categories.size() < 2 || !Contains(kind.categories, word.categories)) {
-      noted_.Mark(at_, end, &TokenNote::agent);
-      return match.tokens;
-    }
-    end += last.tokens;
-    word.plural = kind.plural;
-    word.singular = kind.singular;
+  if (end >= tokens_.size() || word->plural || words_.species.LengthAt(tokens_, end) == 0 ||
+      IsVerbHere(end, false)) {
+    return end;
   }
-  noted_.Mark(at_, end, &TokenNote::agent);
+  const auto last = words_.species.At(tokens_, end);
+  const SpeciesWord& kind = *last.rows.front();
+  if (kind.categories.size() < 2 || !Contains(kind.categories, word->categories)) {
+    return std::nullopt;
+  }
+  word->plural = kind.plural;
+  word->singular = kind.singular;
+  return end + last.tokens;
+}
+
+std::size_t AgentReader::ReadNamed(const SpeciesWord& word, std::size_t end) {
   // "a pack mule" is one.
   if (IsBarePack() && word.singular && !word.plural) pending_ = {1, 1, 1, pending_.tokens};
   if (pending_.tokens > 0) {
@@ -208,7 +221,7 @@ std::size_t AgentReader::ReadSpecies() {
   return end + collective.tokens + unwanted - at_;
 }
 
-bool AgentReader::IsNoneOf() const {
+bool AgentDiscourse::IsNoneOf() const {
   // "none of the two robots moves": there they are.
   const std::size_t noun = pending_.tokens > 0 ? count_at_ : at_;
   std::size_t first = noun;
@@ -217,20 +230,20 @@ bool AgentReader::IsNoneOf() const {
          noted_.IsAnyWord(first - 2, {"neither", "none"});
 }
 
-bool AgentReader::IsBarePack() const {
+bool AgentDiscourse::IsBarePack() const {
   const std::size_t end = count_at_ + pending_.tokens;
   return pending_.least < pending_.most && end == at_ && at_ > 0 &&
          ReadCollective(noted_, words_, at_ - 1).tokens > 0;
 }
 
-bool AgentReader::IsUnknownHere(std::size_t at) const {
+bool AgentDiscourse::IsUnknownHere(std::size_t at) const {
   return !noted_.IsPause(at) && RoleAt(Role::kFunction, at) == 0 && RoleAt(Role::kIn, at) == 0 &&
          RoleAt(Role::kNear, at) == 0 && RoleAt(Role::kBut, at) == 0 &&
          words_.states.LengthAt(tokens_, at) == 0 && words_.species.LengthAt(tokens_, at) == 0 &&
          ReadCount(noted_, words_, at).tokens == 0;
 }
 
-bool AgentReader::IsAudience(const SpeciesWord& word) const {
+bool AgentDiscourse::IsAudience(const SpeciesWord& word) const {
   // "a film for kids", "for my students"
   if (pending_.tokens > 0 || word.exact ||
       word.categories.front() != AgentCategory::kHumanoidRobot) {
@@ -244,7 +257,7 @@ bool AgentReader::IsAudience(const SpeciesWord& word) const {
   return first > 0 && noted_.IsWord(first - 1, "for");
 }
 
-bool AgentReader::IsInPurpose() const {
+bool AgentDiscourse::IsInPurpose() const {
   if (pending_.tokens > 0) return false;
   for (std::size_t i = at_; i > 0 && i + kPurposeTokens > at_; --i) {
     if (tokens_[i - 1].kind == TokenKind::kStop || noted_.IsAnyWord(i - 1, {"so", "with", "put"})) {
@@ -261,7 +274,7 @@ bool AgentReader::IsInPurpose() const {
 }
 
 // "Their dog - a robot - runs": the kind of those just named.
-bool AgentReader::IsApposition(const SpeciesWord& word, std::size_t end) const {
+bool AgentDiscourse::IsApposition(const SpeciesWord& word, std::size_t end) const {
   return word.categories.size() > 1 && pending_.tokens == 0 && at_ > 1 && last_ != kNone &&
          noted_.IsAnyWord(at_ - 1, {"a", "an"}) && noted_.IsPause(at_ - 2) && noted_.IsPause(end) &&
          tokens_[at_ - 2].kind == TokenKind::kComma && groups_[last_].wish.quantity == 1 &&
@@ -269,7 +282,7 @@ bool AgentReader::IsApposition(const SpeciesWord& word, std::size_t end) const {
          Contains(word.categories, groups_[last_].wish.categories);
 }
 
-Count AgentReader::ReadPack(std::size_t end) const {
+Count AgentDiscourse::ReadPack(std::size_t end) const {
   if (end >= tokens_.size() || words_.states.LengthAt(tokens_, end) > 0) return {};
   Count pack = ReadCollective(noted_, words_, end);
   if (pack.tokens == 0 || !noted_.IsWord(end + 1, "of")) return pack;
@@ -279,7 +292,7 @@ Count AgentReader::ReadPack(std::size_t end) const {
   return counted;
 }
 
-bool AgentReader::IsPossessive(std::size_t end) const {
+bool AgentDiscourse::IsPossessive(std::size_t end) const {
   const Token& noun = tokens_[end - 1];
   // "'s" is within the token.
   const std::string_view text = noted_.Text(end - 1, end);
@@ -288,18 +301,18 @@ bool AgentReader::IsPossessive(std::size_t end) const {
   return after.size() > 1 && after[0] == '\'' && after[1] == ' ';
 }
 
-bool AgentReader::PlaceFollows(std::size_t at) const {
+bool AgentDiscourse::PlaceFollows(std::size_t at) const {
   return !noted_.IsPause(at) && (RoleAt(Role::kIn, at) > 0 || RoleAt(Role::kNear, at) > 0);
 }
 
-Count AgentReader::DefaultCount(const SpeciesWord& word) const {
+Count AgentDiscourse::DefaultCount(const SpeciesWord& word) const {
   const bool article =
       at_ > 0 && noted_.IsAnyWord(at_ - 1, {"a", "an", "one", "another", "each", "every"});
   if (word.plural && !(word.singular && (article || NearArticle()))) return kSomeSeen;
   return {1, 1, 1, 0};
 }
 
-bool AgentReader::NearArticle() const {
+bool AgentDiscourse::NearArticle() const {
   for (std::size_t i = at_; i > 0 && i + 4 > at_; --i) {
     if (noted_.IsPause(i - 1)) return false;
     if (noted_.IsAnyWord(i - 1, {"a", "an", "another"})) return true;
@@ -308,7 +321,7 @@ bool AgentReader::NearArticle() const {
   return false;
 }
 
-bool AgentReader::IsDefinite() const {
+bool AgentDiscourse::IsDefinite() const {
   const std::size_t first = pending_.tokens > 0 ? count_at_ : at_;
   for (std::size_t i = first; i > 0 && i + 4 > first; --i) {
     if (noted_.IsPause(i - 1)) return false;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 
 namespace latticeworld {
 namespace internal {

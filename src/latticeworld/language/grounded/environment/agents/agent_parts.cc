@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 #include "latticeworld/language/numbers.h"
 
 namespace latticeworld {
@@ -180,7 +180,7 @@ std::size_t AgentReader::ReadUnit() {
   return next - at_;
 }
 
-int AgentReader::OrdinalAt(std::size_t at) const {
+int AgentDiscourse::OrdinalAt(std::size_t at) const {
   constexpr std::string_view kOrdinals[] = {"first", "second",  "third",  "fourth", "fifth",
                                             "sixth", "seventh", "eighth", "ninth",  "tenth"};
   for (std::size_t i = 0; i < std::size(kOrdinals); ++i) {

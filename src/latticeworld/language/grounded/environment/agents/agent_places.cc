@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 
 namespace latticeworld {
 namespace internal {
 
-std::size_t AgentReader::SurroundingsAt(std::size_t at) const {
+std::size_t AgentDiscourse::SurroundingsAt(std::size_t at) const {
   if (!noted_.IsAnyWord(at, {"with", "having"})) return 0;
   bool turned = false;
   std::size_t end = at + 1;
@@ -24,84 +24,136 @@ std::size_t AgentReader::ReadPlace() {
     noted_.Mark(at_, at_ + aside, &TokenNote::place);
     return aside;
   }
-  // "knights in the village, stones everywhere": where the stones are.
-  if (noted_.IsWord(at_, "everywhere") && at_ > 1 && noted_.IsPause(at_ + 1) &&
-      !noted_.notes[at_ - 1].agent &&
-      (words_.assets.LengthAt(tokens_, at_ - 1) > 0 ||
-       words_.assets.LengthAt(tokens_, at_ - 2) > 1)) {
-    return 0;
-  }
-  if (const std::size_t facing = RoleAt(Role::kFacing, at_); facing > 0) {
-    // "facing north" says no place.
-    std::size_t next = at_ + facing;
-    while (noted_.IsAnyWord(next, {"to", "the", "towards", "toward", "due"})) ++next;
-    const PlaceMatch heading = next < tokens_.size() ? MatchPlace(tokens_, next) : PlaceMatch{};
-    if (heading.tokens > 0 && !noted_.IsAnyWord(at_ + facing, {"in", "on", "at"})) {
-      const std::size_t tokens = next + heading.tokens - at_;
-      Known(tokens);
-      return words_.states.LengthAt(tokens_, at_) > 0 ? 0 : tokens;
-    }
+  if (IsPlaceOfAssets()) return 0;
+  if (const std::size_t facing = FacingAt(at_); facing > 0) {
+    Known(facing);
+    return words_.states.LengthAt(tokens_, at_) > 0 ? 0 : facing;
   }
   if (const std::size_t there = ReadThere(); there > 0) return there;
+  PlacePhrase phrase = PlacePhraseHere();
+  if (phrase.end == 0) return 0;
+  const std::size_t tokens = phrase.end - at_;
+  if (IsDeniedBehind(phrase.end)) {
+    Known(tokens);
+    return tokens;
+  }
+  const bool fronted = !FollowsAside() && !phrase.listed && IsFronted(phrase.end);
+  const std::vector<std::size_t> owners = OwnersOf(phrase, fronted);
+  if (phrase.listed && !owners.empty() && StandsBeside(phrase.feature, owners.back())) {
+    phrase.feature->near = true;
+  }
+  there_ = phrase.place.places;
+  there_feature_ = phrase.feature;
+  if (owners.empty() && !fronted && (!AgentsAhead(phrase.end) || EndsOtherClause(phrase.end))) {
+    return 0;
+  }
+  noted_.Mark(at_, phrase.end, &TokenNote::place);
+  // "no goblins in the north": nobody is there.
+  if (phrase.negated && !absent_here_) {
+    TakeBackPlace(phrase.place, phrase.feature, owners.empty() ? previous_ : owners);
+  }
+  if (phrase.negated || (absent_here_ && owners.empty())) return tokens;
+  if (!fronted && owners.size() == 1 && phrase.feature.has_value() &&
+      ShareOut(*phrase.feature, owners.front())) {
+    return tokens;
+  }
+  SetPlace(phrase.place.places, phrase.feature, phrase.each,
+           fronted ? std::vector<std::size_t>{} : owners, phrase.end);
+  return tokens;
+}
+
+bool AgentDiscourse::IsPlaceOfAssets() const {
+  // "knights in the village, stones everywhere": where the stones are.
+  return noted_.IsWord(at_, "everywhere") && at_ > 1 && noted_.IsPause(at_ + 1) &&
+         !noted_.notes[at_ - 1].agent &&
+         (words_.assets.LengthAt(tokens_, at_ - 1) > 0 ||
+          words_.assets.LengthAt(tokens_, at_ - 2) > 1);
+}
+
+std::size_t AgentDiscourse::FacingAt(std::size_t at) const {
+  const std::size_t facing = RoleAt(Role::kFacing, at);
+  if (facing == 0) return 0;
+  std::size_t next = at + facing;
+  while (noted_.IsAnyWord(next, {"to", "the", "towards", "toward", "due"})) ++next;
+  const PlaceMatch heading = next < tokens_.size() ? MatchPlace(tokens_, next) : PlaceMatch{};
+  if (heading.tokens == 0 || noted_.IsAnyWord(at + facing, {"in", "on", "at"})) return 0;
+  return next + heading.tokens - at;
+}
+
+PlacePhrase AgentDiscourse::PlacePhraseHere() const {
+  PlacePhrase phrase;
   const std::size_t in = RoleAt(Role::kIn, at_);
   const std::size_t near = RoleAt(Role::kNear, at_);
-  std::size_t preposition = std::max(in, near);
+  const std::size_t preposition = std::max(in, near);
   // A longer phrase of another kind ("in the air", "on the hunt") is none of a place.
-  if (words_.states.LengthAt(tokens_, at_) > preposition) return 0;
+  if (words_.states.LengthAt(tokens_, at_) > preposition) return phrase;
   std::size_t next = at_ + preposition;
-  bool each = false;
-  // "guards the village", "circling the lake": the object is the place.
-  const bool object = preposition == 0 && verb_end_ == at_;
   while (noted_.IsAnyWord(
       next, {"the", "a", "an", "its", "their", "this", "each", "every", "all", "our", "that"})) {
     // "all four corners" and "the left" are MatchPlace's own.
     if (MatchPlace(tokens_, next).tokens > 1) break;
-    each = each || noted_.IsAnyWord(next, {"each", "every"});
+    phrase.each = phrase.each || noted_.IsAnyWord(next, {"each", "every"});
     ++next;
   }
-  if (next >= tokens_.size() || noted_.IsPause(next)) return 0;
-  if (noted_.IsAnyWord(next, {"each", "every"})) each = true;
-  PlaceMatch place = MatchPlace(tokens_, next);
+  if (next >= tokens_.size() || noted_.IsPause(next)) return phrase;
+  if (noted_.IsAnyWord(next, {"each", "every"})) phrase.each = true;
+  phrase.negated = noted_.notes[next].negated;
+  phrase.place = MatchPlace(tokens_, next);
+  // "guards the village", "circling the lake": the object is the place.
+  const bool object = preposition == 0 && verb_end_ == at_;
   const bool heading = preposition == 0 && clause_open_ && (IsHeading(next) || IsFilled(next));
-  // "4 rovers, road, parked", "Location: forest."
   const std::size_t land = words_.features.LengthAt(tokens_, next);
-  const bool listed = preposition == 0 && land > 0 && at_ > 0 && next <= at_ + 1 &&
-                      noted_.IsPause(at_ - 1) && noted_.IsPause(next + land) &&
-                      IsBareLand(next + land);
-  if (preposition == 0 && !object && !heading && !listed && !IsBarePlace(place, next)) place = {};
-  if (place.tokens > 0 && noted_.IsAnyWord(next, {"each", "every"})) each = true;
-  std::size_t end = next + place.tokens;
-  std::optional<FeaturePlace> feature;
-  if (preposition > 0 || place.tokens > 0 || object || heading || listed) {
-    feature = ReadFeature(&end, near > in, place, next);
+  phrase.listed = preposition == 0 && IsListedLand(next, land);
+  const bool told = preposition > 0 || object || heading || phrase.listed;
+  if (!told && !IsBarePlace(phrase.place, next)) return phrase;
+  std::size_t end = next + phrase.place.tokens;
+  phrase.feature = ReadFeature(&end, near > in, phrase.place, next);
+  if (phrase.place.tokens == 0 && !phrase.feature.has_value()) return phrase;
+  phrase.end = end;
+  if (phrase.feature.has_value() && phrase.place.tokens == 0) {
+    MoveByPreposition(preposition, end == next + land, &*phrase.feature);
   }
-  if (place.tokens == 0 && !feature.has_value()) return 0;
-  if (feature.has_value() && !feature->near && place.tokens == 0 && preposition > 1 &&
+  return phrase;
+}
+
+bool AgentDiscourse::IsListedLand(std::size_t at, std::size_t land) const {
+  // "4 rovers, road, parked", "Location: forest."
+  return land > 0 && at_ > 0 && at <= at_ + 1 && noted_.IsPause(at_ - 1) &&
+         noted_.IsPause(at + land) && IsBareLand(at + land);
+}
+
+void AgentDiscourse::MoveByPreposition(std::size_t preposition, bool bare,
+                                       FeaturePlace* feature) const {
+  if (!feature->near && preposition > 1 &&
       noted_.IsAnyWord(at_ + preposition - 2, {"middle", "centre", "center", "heart"})) {
     feature->on = Heading{};  // "in the middle of the lake"
   }
   // Only water is too deep to stand in.
-  if (feature.has_value() && feature->near && preposition == 1 && place.tokens == 0 &&
-      noted_.IsWord(at_, "at") && feature->name != "water" && end == next + land) {
+  if (feature->near && preposition == 1 && noted_.IsWord(at_, "at") && feature->name != "water" &&
+      bare) {
     feature->near = false;
   }
-  const std::size_t colon =
-      end < tokens_.size() && tokens_[end].kind == TokenKind::kComma && tokens_[end].text != ","
-          ? end + 1
-          : end;
-  // "in the settlement: nobody"
-  if (colon > end && colon < tokens_.size() &&
-      (RoleAt(Role::kNobody, colon) > 0 || noted_.IsAnyWord(colon, {"none", "nothing"}))) {
-    Known(end - at_);
-    return end - at_;
+}
+
+bool AgentDiscourse::IsDeniedBehind(std::size_t end) const {
+  if (end >= tokens_.size() || tokens_[end].kind != TokenKind::kComma || tokens_[end].text == ",") {
+    return false;
   }
-  const bool negated = noted_.notes[next].negated;
+  const std::size_t next = end + 1;
+  return next < tokens_.size() &&
+         (RoleAt(Role::kNobody, next) > 0 || noted_.IsAnyWord(next, {"none", "nothing"}));
+}
+
+std::vector<std::size_t> AgentDiscourse::OwnersOf(const PlacePhrase& phrase, bool fronted) const {
   std::vector<std::size_t> owners = Owners();
-  if (listed && owners.empty() && IsLabel(at_)) owners = previous_;
-  if (listed && feature.has_value() && feature->name == "water" && !owners.empty() &&
-      LocomotionOf(groups_[owners.back()].wish.categories.front()) <= Locomotion::kLegs) {
-    feature->near = true;
-  }
+  if (!owners.empty()) return owners;
+  if (phrase.listed && IsLabel(at_)) return previous_;
+  if (fronted) return {};
+  const bool goes_on = !AgentsAhead(phrase.end) && !absent_here_ && IsFragment();
+  return phrase.negated || goes_on ? previous_ : std::vector<std::size_t>{};
+}
+
+bool AgentDiscourse::FollowsAside() const {
   // "a robot (on patrol) in the village, ..." is said of the robot.
   std::size_t aside = at_;
   while (aside > 0 &&
@@ -109,23 +161,13 @@ std::size_t AgentReader::ReadPlace() {
           (noted_.notes[aside - 1].agent && words_.states.LengthAt(tokens_, aside - 1) == 1))) {
     --aside;
   }
-  const bool after_aside = aside > 0 && tokens_[aside - 1].text == ")" && !subject_.empty();
-  const bool fronted = !after_aside && !listed && IsFronted(end);
-  if (owners.empty() && !fronted && !AgentsAhead(end) && !absent_here_ && IsFragment())
-    owners = previous_;
-  there_ = place.places;
-  there_feature_ = feature;
-  if (owners.empty() && negated && !fronted) owners = previous_;
-  if (owners.empty() && !fronted && (!AgentsAhead(end) || EndsOtherClause(end))) return 0;
-  noted_.Mark(at_, end, &TokenNote::place);
-  // "no goblins in the north": nobody is there.
-  if (negated && !absent_here_) TakeBackPlace(place, feature, owners.empty() ? previous_ : owners);
-  if (negated || (absent_here_ && owners.empty())) return end - at_;
-  if (!fronted && owners.size() == 1 && feature.has_value() && ShareOut(*feature, owners.front())) {
-    return end - at_;
-  }
-  SetPlace(place.places, feature, each, fronted ? std::vector<std::size_t>{} : owners, end);
-  return end - at_;
+  return aside > 0 && tokens_[aside - 1].text == ")" && !subject_.empty();
+}
+
+bool AgentDiscourse::StandsBeside(const std::optional<FeaturePlace>& land,
+                                  std::size_t index) const {
+  return land.has_value() && land->name == "water" &&
+         LocomotionOf(groups_[index].wish.categories.front()) <= Locomotion::kLegs;
 }
 
 void AgentReader::TakeBackPlace(const PlaceMatch& place, const std::optional<FeaturePlace>& feature,
@@ -142,13 +184,13 @@ void AgentReader::TakeBackPlace(const PlaceMatch& place, const std::optional<Fea
   }
 }
 
-bool AgentReader::IsLabel(std::size_t at) const {
+bool AgentDiscourse::IsLabel(std::size_t at) const {
   return at > 1 && tokens_[at - 1].text == ":" &&
          noted_.IsAnyWord(at - 2, {"location", "place", "where", "position", "area", "zone", "at",
                                    "site", "region", "habitat"});
 }
 
-bool AgentReader::IsBareLand(std::size_t end) const {
+bool AgentDiscourse::IsBareLand(std::size_t end) const {
   if (IsLabel(at_)) return true;
   // Of who was named right before, and more is said of them, or nothing at all.
   return !subject_.empty() && tokens_[at_ - 1].kind == TokenKind::kComma && at_ > 1 &&
@@ -156,7 +198,7 @@ bool AgentReader::IsBareLand(std::size_t end) const {
          words_.variants.LengthAt(tokens_, end + 1) == 0;
 }
 
-bool AgentReader::EndsOtherClause(std::size_t end) const {
+bool AgentDiscourse::EndsOtherClause(std::size_t end) const {
   if (end + 2 >= tokens_.size() || tokens_[end].kind != TokenKind::kComma ||
       !noted_.IsWord(end + 1, "and")) {
     return false;
@@ -178,14 +220,14 @@ std::size_t AgentReader::ReadThere() {
   return 1;
 }
 
-std::vector<std::size_t> AgentReader::Owners() const {
+std::vector<std::size_t> AgentDiscourse::Owners() const {
   std::vector<std::size_t> owners = subject_;
   if (owners.empty() && (corrected_ || ContinuesPrevious())) owners = previous_;
   if (object_ != kNone) owners.push_back(object_);
   return owners;
 }
 
-bool AgentReader::IsFragment() const {
+bool AgentDiscourse::IsFragment() const {
   if (previous_.empty()) return false;
   std::size_t first = at_;
   while (first > 0 && tokens_[first - 1].kind != TokenKind::kStop) --first;
@@ -200,11 +242,11 @@ bool AgentReader::IsFragment() const {
   return true;
 }
 
-bool AgentReader::ContinuesPrevious() const {
+bool AgentDiscourse::ContinuesPrevious() const {
   return !previous_.empty() && at_ > 0 && noted_.IsWord(at_ - 1, "all");
 }
 
-bool AgentReader::IsBarePlace(const PlaceMatch& place, std::size_t at) const {
+bool AgentDiscourse::IsBarePlace(const PlaceMatch& place, std::size_t at) const {
   if (place.tokens == 0) return false;
   const std::size_t end = at + place.tokens;
   if (place.tokens == 1 && noted_.IsAnyWord(at, {"left", "right", "top", "bottom", "middle", "mid",
@@ -222,7 +264,7 @@ bool AgentReader::IsBarePlace(const PlaceMatch& place, std::size_t at) const {
          words_.features.LengthAt(tokens_, end) > 0;
 }
 
-bool AgentReader::IsFronted(std::size_t end) const {
+bool AgentDiscourse::IsFronted(std::size_t end) const {
   if (!clause_open_) return false;
   std::size_t at = end;
   if (at < tokens_.size() && tokens_[at].kind == TokenKind::kComma) ++at;
@@ -273,7 +315,7 @@ bool AgentReader::IsFronted(std::size_t end) const {
   return false;
 }
 
-std::size_t AgentReader::PlacePhraseAt(std::size_t at) const {
+std::size_t AgentDiscourse::PlacePhraseAt(std::size_t at) const {
   constexpr std::size_t kAdjectives = 2;
   const std::size_t preposition = std::max(RoleAt(Role::kIn, at), RoleAt(Role::kNear, at));
   if (preposition == 0) return 0;
@@ -289,7 +331,7 @@ std::size_t AgentReader::PlacePhraseAt(std::size_t at) const {
   return 0;
 }
 
-bool AgentReader::IsPlaceList(std::size_t at) const {
+bool AgentDiscourse::IsPlaceList(std::size_t at) const {
   constexpr std::size_t kLength = 12;
   for (std::size_t i = at; i < at + kLength && !noted_.IsEnd(i); ++i) {
     if (noted_.IsAnyWord(i, {"and", "or"})) {

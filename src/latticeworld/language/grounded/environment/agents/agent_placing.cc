@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 
 namespace latticeworld {
 namespace internal {
@@ -30,8 +30,8 @@ std::vector<Place> Narrowed(const std::vector<Place>& places, const std::vector<
 
 }  // namespace
 
-bool AgentReader::Narrows(const FeaturePlace& feature,
-                          const std::optional<FeaturePlace>& land) const {
+bool AgentDiscourse::Narrows(const FeaturePlace& feature,
+                             const std::optional<FeaturePlace>& land) const {
   return land.has_value() && !land->near && !land->on.has_value() && feature.near &&
          feature.way == FeaturePlace::Way::kNone && feature.name != land->name;
 }
@@ -112,7 +112,7 @@ void AgentReader::SetPlace(const std::vector<Place>& places,
   joined_ = false;
 }
 
-std::vector<Place> AgentReader::NarrowedByLead(const std::vector<Place>& places) const {
+std::vector<Place> AgentDiscourse::NarrowedByLead(const std::vector<Place>& places) const {
   return Narrowed(places, lead_.places);
 }
 

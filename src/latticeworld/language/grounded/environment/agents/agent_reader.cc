@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 
 namespace latticeworld {
 namespace internal {
@@ -101,12 +101,12 @@ std::size_t AgentReader::Step() {
   return 1;
 }
 
-bool AgentReader::IsLiked() const {
+bool AgentDiscourse::IsLiked() const {
   return noted_.IsWord(at_, "like") && at_ > 0 &&
          noted_.IsAnyWord(at_ - 1, {"i", "we", "would", "d", "also", "really", "to"});
 }
 
-bool AgentReader::FollowsPlace() const {
+bool AgentDiscourse::FollowsPlace() const {
   std::size_t before = at_;
   if (before > 0 && tokens_[before - 1].kind == TokenKind::kComma) --before;
   if (before > 0 && noted_.notes[before - 1].place) {
@@ -119,7 +119,7 @@ bool AgentReader::FollowsPlace() const {
   return false;
 }
 
-bool AgentReader::Corrects(std::size_t said) const {
+bool AgentDiscourse::Corrects(std::size_t said) const {
   if (groups_.empty()) return false;
   if (!noted_.IsAnyWord(at_, {"make"})) return true;
   // "make it night" takes nothing back that was said of agents.
@@ -209,7 +209,7 @@ void AgentReader::EndSentence() {
   ++sentence_;
 }
 
-bool AgentReader::IsListed(std::size_t index) const {
+bool AgentDiscourse::IsListed(std::size_t index) const {
   // "all robots (six drones, four rovers)", "every animal is asleep: ten sheep, ..."
   if (index + 1 >= groups_.size()) return false;
   const std::size_t first = groups_[index].begin, last = groups_[index + 1].begin;
@@ -220,7 +220,7 @@ bool AgentReader::IsListed(std::size_t index) const {
   return false;
 }
 
-bool AgentReader::IsBeside(std::size_t total, std::size_t part) const {
+bool AgentDiscourse::IsBeside(std::size_t total, std::size_t part) const {
   // "8 robots and 3 drones", "8 robots on the road, 3 drones": no part of those before.
   const std::size_t first = groups_[total].begin, last = groups_[part].begin;
   const std::string share = WordsOf(groups_[part]);
@@ -302,7 +302,7 @@ void AgentReader::DropAnnouncedTotal() {
   }
 }
 
-EnvironmentClaim AgentReader::TotalClaim(const Group& total) const {
+EnvironmentClaim AgentDiscourse::TotalClaim(const Group& total) const {
   EnvironmentClaim claim;
   claim.kind = EnvironmentClaimKind::kTotalAgents;
   claim.least_quantity = std::min(total.wish.least + total.taken, kMaxAgents);
@@ -316,7 +316,7 @@ void AgentReader::Extend(std::size_t index, std::size_t end) {
   groups_[index].end = std::max(groups_[index].end, end);
 }
 
-std::string AgentReader::WordsOf(const Group& group) const {
+std::string AgentDiscourse::WordsOf(const Group& group) const {
   std::string_view words = noted_.instruction.substr(
       group.begin, std::min(group.end - std::min(group.end, group.begin), kMaxWords));
   // No half of a character at the cut.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 
 namespace latticeworld {
 namespace internal {
@@ -16,13 +16,7 @@ std::size_t AgentReader::ReadReference() {
   if (const std::size_t all_but = ReadAllBut(); all_but > 0) return all_but;
   if (const std::size_t fraction = ReadFraction(); fraction > 0) return fraction;
   if (const std::size_t some = RoleAt(Role::kSomeOfThem, at_); some > 0) {
-    Group* whole = Last();
-    if (whole == nullptr) return 0;
-    noted_.Mark(at_, at_ + some, &TokenNote::agent);
-    const Count part = VaguePartAt(at_, whole->wish.quantity);
-    const bool ranges = whole->wish.counted && part.tokens > 0;
-    Split(ranges ? part : Count{}, part.value, some);
-    return some;
+    return Last() == nullptr ? 0 : ReadSomeOfThem(some);
   }
   if (const std::size_t all = ReadAllOfThem(); all > 0) return all;
   if (told_former_ == sentence_ + 1 && noted_.IsWord(at_, "the")) {
@@ -31,69 +25,84 @@ std::size_t AgentReader::ReadReference() {
   }
   if (const std::size_t ordinal = ReadOrdinal(); ordinal > 0) return ordinal;
   if (const std::size_t again = ReadAnotherGroup(); again > 0) return again;
-  // "Goblins? None, please."
-  if (noted_.IsWord(at_, "none") && last_ != kNone && at_ > 0 && noted_.IsPause(at_ - 1) &&
-      words_.assets.LengthAt(tokens_, at_ - 1) == 0) {
-    std::size_t end = at_ + 1;
-    while (noted_.IsAnyWord(end, {"today", "tonight", "here", "now", "please", "this", "time", "at",
-                                  "all", "whatsoever", "anywhere", "needed", "wanted"})) {
-      ++end;
-    }
-    if (noted_.IsPause(end)) {
-      groups_[last_].removed = true;
-      Known(end - at_);
-      return end - at_;
-    }
-  }
-  const std::size_t others = RoleAt(Role::kOthers, at_);
-  if (others > 0) {
-    // "the remaining five" counts along; "the other horses" is read as a noun phrase.
-    const Count count =
-        at_ + others < tokens_.size() ? ReadCount(noted_, words_, at_ + others) : Count{};
-    const std::size_t next = at_ + others + count.tokens;
-    // "the others fly", but "the other guards sleep"
-    const bool verb = count.tokens == 0 && !noted_.IsPause(next) &&
-                      !noted_.IsAnyWord(next - 1, {"other", "remaining"}) &&
-                      IsVerbHere(next, false);
-    const bool noun = !verb && next < tokens_.size() && words_.species.LengthAt(tokens_, next) > 0;
-    if (const std::size_t left = ReadRestOfTotal(next); left > 0) return left;
-    if (!noun && EndsNounPhrase(next)) {
-      noted_.Mark(at_, next, &TokenNote::agent);
-      // "One sheep has strayed, the other nineteen graze."
-      const bool first_told = part_ == kNone && rest_ == kNone && last_ != kNone &&
-                              groups_[last_].wish.counted &&
-                              count.value > groups_[last_].wish.quantity;
-      if (first_told) {
-        AddLike(last_, count, others + count.tokens);
-        return others + count.tokens;
-      }
-      if (count.tokens == 0 && TakeOtherGroups()) return others;
-      TakeRest(count);
-      const std::size_t rest = subject_.empty() ? kNone : subject_.front();
-      return others + count.tokens + Rename(rest, next);
-    }
-  }
+  if (const std::size_t none = ReadNoneWanted(); none > 0) return none;
+  if (const std::size_t others = ReadOthers(); others > 0) return others;
   if (const std::size_t one = ReadFormerOrLatter(); one > 0) return one;
   if (const std::size_t all = ReadEverybody(); all > 0) return all;
+  return ReadPronoun();
+}
+
+std::size_t AgentReader::ReadSomeOfThem(std::size_t tokens) {
+  const AgentWish& whole = Last()->wish;
+  noted_.Mark(at_, at_ + tokens, &TokenNote::agent);
+  const Count part = VaguePartAt(at_, whole.quantity);
+  const bool ranges = whole.counted && part.tokens > 0;
+  Split(ranges ? part : Count{}, part.value, tokens);
+  return tokens;
+}
+
+std::size_t AgentReader::ReadNoneWanted() {
+  if (!noted_.IsWord(at_, "none") || last_ == kNone || at_ == 0 || !noted_.IsPause(at_ - 1) ||
+      words_.assets.LengthAt(tokens_, at_ - 1) > 0) {
+    return 0;
+  }
+  std::size_t end = at_ + 1;
+  while (noted_.IsAnyWord(end, {"today", "tonight", "here", "now", "please", "this", "time", "at",
+                                "all", "whatsoever", "anywhere", "needed", "wanted"})) {
+    ++end;
+  }
+  if (!noted_.IsPause(end)) return 0;
+  groups_[last_].removed = true;
+  Known(end - at_);
+  return end - at_;
+}
+
+std::size_t AgentReader::ReadOthers() {
+  const std::size_t others = RoleAt(Role::kOthers, at_);
+  if (others == 0) return 0;
+  // "the remaining five" counts along; "the other horses" is read as a noun phrase.
+  const Count count =
+      at_ + others < tokens_.size() ? ReadCount(noted_, words_, at_ + others) : Count{};
+  const std::size_t tokens = others + count.tokens;
+  const std::size_t next = at_ + tokens;
+  // "the others fly", but "the other guards sleep"
+  const bool verb = count.tokens == 0 && !noted_.IsPause(next) &&
+                    !noted_.IsAnyWord(next - 1, {"other", "remaining"}) && IsVerbHere(next, false);
+  const bool noun = !verb && next < tokens_.size() && words_.species.LengthAt(tokens_, next) > 0;
+  if (const std::size_t left = ReadRestOfTotal(next); left > 0) return left;
+  if (noun || !EndsNounPhrase(next)) return 0;
+  noted_.Mark(at_, next, &TokenNote::agent);
+  // "One sheep has strayed, the other nineteen graze."
+  const bool first_told = part_ == kNone && rest_ == kNone && last_ != kNone &&
+                          groups_[last_].wish.counted && count.value > groups_[last_].wish.quantity;
+  if (first_told) {
+    AddLike(last_, count, tokens);
+    return tokens;
+  }
+  if (count.tokens == 0 && TakeOtherGroups()) return others;
+  TakeRest(count);
+  const std::size_t rest = subject_.empty() ? kNone : subject_.front();
+  return tokens + Rename(rest, next);
+}
+
+std::size_t AgentReader::ReadPronoun() {
   const std::size_t they = RoleAt(Role::kThey, at_);
   const bool it = noted_.IsWord(at_, "it") && previous_.size() == 1 && at_ + 1 < tokens_.size() &&
                   words_.states.LengthAt(tokens_, at_ + 1) > 0 &&
                   words_.coarse.LengthAt(tokens_, at_ + 1) == 0;
-  if (they > 0 || it) {
-    const std::size_t tokens = std::max<std::size_t>(they, 1);
-    Known(tokens);
-    // As an object ("watch them") a pronoun only says where its verb's subject is.
-    if (!subject_.empty() && acted_ && verb_end_ == at_) {
-      const std::size_t watched = GroupBefore(!it, true);
-      for (const std::size_t index : subject_) {
-        if (groups_[index].with == kNone && watched != index) groups_[index].with = watched;
-      }
+  if (they == 0 && !it) return 0;
+  const std::size_t tokens = std::max<std::size_t>(they, 1);
+  Known(tokens);
+  // As an object ("watch them") a pronoun only says where its verb's subject is.
+  if (!subject_.empty() && acted_ && verb_end_ == at_) {
+    const std::size_t watched = GroupBefore(!it, true);
+    for (const std::size_t index : subject_) {
+      if (groups_[index].with == kNone && watched != index) groups_[index].with = watched;
     }
-    if (subject_.empty()) subject_ = previous_;
-    if (subject_.size() == 1 && IsMutual()) AddOtherSide();
-    return tokens;
   }
-  return 0;
+  if (subject_.empty()) subject_ = previous_;
+  if (subject_.size() == 1 && IsMutual()) AddOtherSide();
+  return tokens;
 }
 
 bool AgentReader::TakeOtherGroups() {
@@ -115,7 +124,7 @@ bool AgentReader::TakeOtherGroups() {
   return true;
 }
 
-bool AgentReader::IsMutual() const {
+bool AgentDiscourse::IsMutual() const {
   for (std::size_t i = at_; !noted_.IsEnd(i); ++i) {
     if (noted_.IsAnyWord(i, {"each", "one"}) && noted_.IsAnyWord(i + 1, {"other", "another"})) {
       return true;
@@ -190,7 +199,7 @@ std::size_t AgentReader::ReadEverybody() {
   return next - at_;
 }
 
-std::vector<std::size_t> AgentReader::NamedLast() const {
+std::vector<std::size_t> AgentDiscourse::NamedLast() const {
   std::vector<std::size_t> named;
   for (std::size_t i = groups_.size(); i > 0 && named.size() < 2; --i) {
     if (!groups_[i - 1].removed) named.push_back(i - 1);

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 #include "latticeworld/language/numbers.h"
 
 namespace latticeworld {
 namespace internal {
 
-AgentReader::Fraction AgentReader::FractionAt(std::size_t at) const {
+Fraction AgentDiscourse::FractionAt(std::size_t at) const {
   if (noted_.IsWord(at, "half")) return {1, 2, 1};
   const NumberMatch number = MatchNumber(tokens_, at);
   if (number.tokens != 1 && !noted_.IsAnyWord(at, {"a", "one"})) return {};
@@ -19,7 +19,7 @@ AgentReader::Fraction AgentReader::FractionAt(std::size_t at) const {
   return {parts, of, 2};
 }
 
-Count AgentReader::VaguePartAt(std::size_t at, int whole) const {
+Count AgentDiscourse::VaguePartAt(std::size_t at, int whole) const {
   const std::size_t few = noted_.IsWord(at, "a") ? 1 : 0;
   const int most = std::max(1, whole - 1);
   Count part;
@@ -90,7 +90,7 @@ std::size_t AgentReader::ReadPartOfCounted() {
   return next - at_;
 }
 
-std::size_t AgentReader::WholeOf(const std::vector<std::size_t>& groups, int part) const {
+std::size_t AgentDiscourse::WholeOf(const std::vector<std::size_t>& groups, int part) const {
   std::size_t whole = kNone;
   for (const std::size_t index : groups) {
     const AgentWish& wish = groups_[index].wish;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "latticeworld/language/grounded/environment/agents/agent_discourse.h"
+#include "latticeworld/language/grounded/environment/agents/agent_steps.h"
 
 namespace latticeworld {
 namespace internal {
@@ -36,43 +36,19 @@ std::size_t AgentReader::ReadState() {
   // "rolling hills" is land, a sky "swept clean of clouds" is clear.
   const std::size_t other = std::max(words_.coarse.LengthAt(tokens_, at_), RoleAt(Role::kNot, at_));
   if (match.tokens == 0 || other > match.tokens) return 0;
-  AgentState state = match.rows.front()->state;
-  // Robots that charge stand at their charger.
-  if (noted_.IsWord(at_, "charging") && match.tokens == 1 && SubjectIsRobots() &&
-      (noted_.IsPause(at_ + 1) || IsAtCharger(at_ + 1) ||
-       noted_.IsAnyWord(at_ + 1, {"in", "by", "near", "beside", "outside", "on"}))) {
-    state = AgentState::kIdle;
-  }
+  const AgentState state =
+      ChargesAtStation(match.tokens) ? AgentState::kIdle : match.rows.front()->state;
   const std::size_t end = at_ + match.tokens;
   const bool noun_next = NounFollows(end);
   const bool noun_ahead = noun_next || AgentsAhead(end);
-  // "a storm", "the charge": after an article it is a noun, unless agents follow.
-  if (at_ > 0 && noted_.IsAnyWord(at_ - 1, {"a", "an", "the", "this"}) && !noun_next &&
-      match.tokens == 1 && !IsParticiple(at_)) {
-    return 0;
-  }
-  // "until the storm is over"
-  if (noted_.IsAnyWord(at_ > 0 ? at_ - 1 : at_, {"until", "till", "during"}) && match.tokens == 1 &&
-      !IsParticiple(at_)) {
-    return 0;
-  }
+  if (match.tokens == 1 && IsStateNoun(noun_next)) return 0;
   const bool fragment = subject_.empty() && !noun_ahead && IsParticiple(at_) && IsFragment();
   if (subject_.empty() && !noun_ahead && !fragment && !(corrected_ && !previous_.empty())) {
     return 0;
   }
+  noted_.Mark(at_, end, &TokenNote::agent);
   if (noted_.notes[at_].negated) {
-    // "none of them parked"
-    for (const std::size_t index : subject_) {
-      std::optional<AgentState>& said = groups_[index].wish.state;
-      if (said.has_value()) continue;
-      if (state == AgentState::kIdle) said = AgentState::kPatrolling;
-      // "neither of the eagles is flying", "none of them grazes"
-      if (state == AgentState::kPatrolling || state == AgentState::kFlying ||
-          state == AgentState::kGrazing) {
-        said = AgentState::kIdle;
-      }
-    }
-    noted_.Mark(at_, end, &TokenNote::agent);
+    DenyState(state);
     return match.tokens;
   }
   const bool by = noted_.IsWord(end, "by") && !IsDoing(at_) && AgentsAfterBy(end + 1) &&
@@ -82,34 +58,14 @@ std::size_t AgentReader::ReadState() {
                          (pending_.tokens > 0 || IsParticiple(at_) || subject_.empty()) &&
                          !IsFinite(at_);
   if (by || adjective || (subject_.empty() && noun_ahead)) {
-    state_before_ = state;
-    state_at_ = at_;
-    phrase_begin_ = std::min(phrase_begin_, tokens_[at_].begin);
-    noted_.Mark(at_, end, &TokenNote::agent);
-    // "the village is guarded by four knights"
-    if (by && subject_.empty() && !lead_.set) {
-      if (const auto land = LandBefore(false, true); land.has_value()) {
-        lead_ = {true, {}, land, false, kNone, end};
-      }
-    }
-    if (by && !subject_.empty()) by_subject_ = subject_.front();
-    if (by) subject_.clear();
+    KeepStateForNext(state, by, end);
     return match.tokens;
   }
-  std::vector<std::size_t> owners = subject_;
-  if (owners.empty() && (corrected_ || fragment)) owners = previous_;
-  if (fragment) subject_ = previous_;
-  // "goblins chase sheep grazing in the south"
-  if (object_ != kNone && object_end_ == at_ && IsParticiple(at_)) {
-    owners = {object_};
-    subject_ = owners;
-    object_ = kNone;
-  }
-  for (const std::size_t index : owners) {
-    SetState(index, state, match.tokens > 1 || noted_.IsWord(at_, "motionless"));
+  const bool outright = match.tokens > 1 || noted_.IsWord(at_, "motionless");
+  for (const std::size_t index : TakeOwnersOfState(fragment)) {
+    SetState(index, state, outright);
     Extend(index, tokens_[end - 1].end);
   }
-  noted_.Mark(at_, end, &TokenNote::agent);
   acted_ = Takes(state);
   verb_end_ = end;
   acted_on_ = sentence_ + 1;
@@ -119,7 +75,64 @@ std::size_t AgentReader::ReadState() {
   return match.tokens;
 }
 
-bool AgentReader::IsAtCharger(std::size_t at) const {
+bool AgentDiscourse::ChargesAtStation(std::size_t tokens) const {
+  // Robots that charge stand at their charger.
+  return noted_.IsWord(at_, "charging") && tokens == 1 && SubjectIsRobots() &&
+         (noted_.IsPause(at_ + 1) || IsAtCharger(at_ + 1) ||
+          noted_.IsAnyWord(at_ + 1, {"in", "by", "near", "beside", "outside", "on"}));
+}
+
+bool AgentDiscourse::IsStateNoun(bool noun_next) const {
+  if (at_ == 0 || IsParticiple(at_)) return false;
+  // "a storm", "the charge": after an article it is a noun, unless agents follow.
+  if (noted_.IsAnyWord(at_ - 1, {"a", "an", "the", "this"}) && !noun_next) return true;
+  // "until the storm is over"
+  return noted_.IsAnyWord(at_ - 1, {"until", "till", "during"});
+}
+
+void AgentReader::DenyState(AgentState state) {
+  // "none of them parked"
+  for (const std::size_t index : subject_) {
+    std::optional<AgentState>& said = groups_[index].wish.state;
+    if (said.has_value()) continue;
+    if (state == AgentState::kIdle) said = AgentState::kPatrolling;
+    // "neither of the eagles is flying", "none of them grazes"
+    if (state == AgentState::kPatrolling || state == AgentState::kFlying ||
+        state == AgentState::kGrazing) {
+      said = AgentState::kIdle;
+    }
+  }
+}
+
+void AgentReader::KeepStateForNext(AgentState state, bool by, std::size_t end) {
+  state_before_ = state;
+  state_at_ = at_;
+  phrase_begin_ = std::min(phrase_begin_, tokens_[at_].begin);
+  if (!by) return;
+  // "the village is guarded by four knights"
+  if (subject_.empty() && !lead_.set) {
+    if (const auto land = LandBefore(false, true); land.has_value()) {
+      lead_ = {true, {}, land, false, kNone, end};
+    }
+  }
+  if (!subject_.empty()) by_subject_ = subject_.front();
+  subject_.clear();
+}
+
+std::vector<std::size_t> AgentReader::TakeOwnersOfState(bool fragment) {
+  std::vector<std::size_t> owners = subject_;
+  if (owners.empty() && (corrected_ || fragment)) owners = previous_;
+  if (fragment) subject_ = previous_;
+  // "goblins chase sheep grazing in the south"
+  if (object_ != kNone && object_end_ == at_ && IsParticiple(at_)) {
+    owners = {object_};
+    subject_ = owners;
+    object_ = kNone;
+  }
+  return owners;
+}
+
+bool AgentDiscourse::IsAtCharger(std::size_t at) const {
   if (!noted_.IsWord(at, "at")) return false;
   std::size_t noun = at + 1;
   while (noted_.IsAnyWord(noun, {"the", "a", "their", "its"})) ++noun;
@@ -127,7 +140,7 @@ bool AgentReader::IsAtCharger(std::size_t at) const {
                                   words_.species.LengthAt(tokens_, noun) == 0);
 }
 
-bool AgentReader::SubjectIsRobots() const {
+bool AgentDiscourse::SubjectIsRobots() const {
   return !subject_.empty() && std::all_of(subject_.begin(), subject_.end(), [&](std::size_t index) {
     switch (groups_[index].wish.categories.front()) {
       case AgentCategory::kWheeledRobot:
@@ -141,13 +154,13 @@ bool AgentReader::SubjectIsRobots() const {
   });
 }
 
-bool AgentReader::IsSubjectWinged() const {
+bool AgentDiscourse::IsSubjectWinged() const {
   return !subject_.empty() && std::all_of(subject_.begin(), subject_.end(), [&](std::size_t index) {
     return LocomotionOf(groups_[index].wish.categories.front()) == Locomotion::kWings;
   });
 }
 
-bool AgentReader::AgentsAfterBy(std::size_t at) const {
+bool AgentDiscourse::AgentsAfterBy(std::size_t at) const {
   for (std::size_t i = at; i < at + kPhraseTokens && !noted_.IsPause(i); ++i) {
     if (words_.species.LengthAt(tokens_, i) > 0) return true;
     if (words_.features.LengthAt(tokens_, i) > 0) return false;
@@ -155,19 +168,19 @@ bool AgentReader::AgentsAfterBy(std::size_t at) const {
   return false;
 }
 
-bool AgentReader::Takes(AgentState state) {
+bool AgentDiscourse::Takes(AgentState state) {
   return IsAgainst(state) || state == AgentState::kPatrolling;
 }
 
-bool AgentReader::Passive() const {
+bool AgentDiscourse::Passive() const {
   return at_ > 0 && noted_.IsAnyWord(at_ - 1, {"is", "are", "being", "was", "were"});
 }
 
-bool AgentReader::IsFinite(std::size_t at) const {
+bool AgentDiscourse::IsFinite(std::size_t at) const {
   return at > 0 && noted_.IsAnyWord(at - 1, {"is", "are", "they", "that", "who", "which"});
 }
 
-std::size_t AgentReader::SubjectEnd() const {
+std::size_t AgentDiscourse::SubjectEnd() const {
   std::size_t at = at_;
   while (at > 0 && noted_.IsAnyWord(at - 1, {"is", "are", "who", "that", "which", "were"})) --at;
   return at > 0 && noted_.notes[at - 1].agent ? at_ : kNone;
@@ -183,7 +196,7 @@ void AgentReader::SetState(std::size_t index, AgentState state, bool outright) {
   said = state;
 }
 
-bool AgentReader::NounFollows(std::size_t at) const {
+bool AgentDiscourse::NounFollows(std::size_t at) const {
   for (std::size_t i = at; i < at + 2 && !noted_.IsPause(i); ++i) {
     if (noted_.notes[i].negated) return false;
     if (words_.species.LengthAt(tokens_, i) > 0 && !IsVerbHere(i, false)) return true;
@@ -196,7 +209,7 @@ bool AgentReader::NounFollows(std::size_t at) const {
   return false;
 }
 
-bool AgentReader::AgentsAhead(std::size_t at) const {
+bool AgentDiscourse::AgentsAhead(std::size_t at) const {
   for (std::size_t i = at; i < at + 12 && !noted_.IsEnd(i); ++i) {
     if (!noted_.notes[i].negated && words_.species.LengthAt(tokens_, i) > 0 &&
         !IsVerbHere(i, i > 0 && ReadCount(noted_, words_, i - 1).tokens > 0)) {

@@ -126,6 +126,73 @@ void TurnEdgeToEdge(std::vector<Token>* tokens, std::size_t at) {
                beside));
 }
 
+// "left" of "on your left"; "": no such words stand there.
+std::string_view HandAt(const std::vector<Token>& tokens, std::size_t at) {
+  const bool yours = IsOneOf(WordAt(tokens, at), {"on", "to"}) &&
+                     IsOneOf(WordAt(tokens, at + 1), {"your", "the", "our", "my"});
+  return yours && IsOneOf(WordAt(tokens, at + 2), {"left", "right"}) ? WordAt(tokens, at + 2)
+                                                                     : std::string_view();
+}
+
+// The token after such words.
+std::size_t HandEnd(const std::vector<Token>& tokens, std::size_t at) {
+  return at + 3 + (IsOneOf(WordAt(tokens, at + 3), {"hand", "side"}) ? 1 : 0);
+}
+
+// What is seen on one hand, in tokens [begin, end).
+struct SeenSide {
+  std::size_t begin, end;
+  std::string hand;
+};
+
+// "The sea on your left", "on your left the sea", once or twice from `at` on; *end is the token
+// after them. Empty: something else stands there.
+std::vector<SeenSide> TakeSeenSides(const std::vector<Token>& tokens, std::size_t at,
+                                    std::size_t* end) {
+  std::vector<SeenSide> seen;
+  for (std::size_t next = at; seen.size() < 2 && !IsStopAt(tokens, next);) {
+    if (const std::string hand(HandAt(tokens, next)); !hand.empty()) {
+      std::size_t begin = HandEnd(tokens, next);
+      while (IsMark(tokens, begin) || IsOneOf(WordAt(tokens, begin), {"is", "are", "there"}))
+        ++begin;
+      *end = begin;
+      while (!IsPauseAt(tokens, *end) && WordAt(tokens, *end) != "and") ++*end;
+      seen.push_back({begin, *end, hand});
+    } else {
+      std::size_t on = next;
+      while (!IsPauseAt(tokens, on) && HandAt(tokens, on).empty()) ++on;
+      if (IsPauseAt(tokens, on)) return {};
+      *end = HandEnd(tokens, on);
+      seen.push_back({next, on, std::string(HandAt(tokens, on))});
+    }
+    next = *end;
+    while (IsMark(tokens, next) || WordAt(tokens, next) == "and") ++next;
+  }
+  for (const SeenSide& side : seen)
+    if (!NamesThing(tokens, side.begin) || side.begin >= side.end) return {};
+  if (seen.size() == 2 && seen[0].hand == seen[1].hand) return {};
+  return seen;
+}
+
+// "The road runs from south to north. To the west of the road there is the sea ...", with the bytes
+// of `beside`.
+std::vector<Token> SidesOfWay(const std::vector<Token>& tokens, const std::string& name,
+                              const std::string& heading, const std::vector<SeenSide>& seen,
+                              const Token& beside) {
+  std::vector<Token> said = SaidLike(
+      "the " + name + " runs from " + std::string(OppositeOf(heading)) + " to " + heading, beside);
+  const bool across = heading == "east" || heading == "west";
+  const std::string_view left =
+      across ? (heading == "east" ? "north" : "south") : (heading == "north" ? "west" : "east");
+  for (const SeenSide& side : seen) {
+    const std::string to(side.hand == "left" ? left : OppositeOf(left));
+    for (const Token& token : SaidLike(". to the " + to + " of the " + name + " there is", beside))
+      said.push_back(token);
+    for (const Token& token : TokensBetween(tokens, side.begin, side.end)) said.push_back(token);
+  }
+  return said;
+}
+
 // "Driving north on the road you have the sea on your left and fields on your right": the road runs
 // from south to north, to the west of it the sea, to the east of it fields.
 void TurnDriving(std::vector<Token>* tokens, std::size_t at) {
@@ -141,21 +208,6 @@ void TurnDriving(std::vector<Token>* tokens, std::size_t at) {
   while (!IsPauseAt(*tokens, noun) && noun < road + 3 && !IsLineAt(*tokens, noun)) ++noun;
   if (!IsLineAt(*tokens, noun)) return;
   const std::size_t noun_end = noun + MatchClassWord(*tokens, noun).tokens;
-  // Each side: "the sea on your left", "on your left the sea".
-  struct Seen {
-    std::size_t begin, end;
-    std::string_view hand;
-  };
-  std::vector<Seen> seen;
-  const auto hand_at = [&](std::size_t i) -> std::string_view {
-    const bool yours = IsOneOf(WordAt(*tokens, i), {"on", "to"}) &&
-                       IsOneOf(WordAt(*tokens, i + 1), {"your", "the", "our", "my"});
-    return yours && IsOneOf(WordAt(*tokens, i + 2), {"left", "right"}) ? WordAt(*tokens, i + 2)
-                                                                       : std::string_view();
-  };
-  const auto hand_end = [&](std::size_t i) {
-    return i + 3 + (IsOneOf(WordAt(*tokens, i + 3), {"hand", "side"}) ? 1 : 0);
-  };
   std::size_t next = noun_end;
   while (IsMark(*tokens, next) ||
          IsOneOf(WordAt(*tokens, next),
@@ -164,43 +216,11 @@ void TurnDriving(std::vector<Token>* tokens, std::size_t at) {
     ++next;
   }
   std::size_t end = next;
-  while (seen.size() < 2 && !IsStopAt(*tokens, next)) {
-    if (const std::string_view hand = hand_at(next); !hand.empty()) {
-      std::size_t begin = hand_end(next);
-      while (IsMark(*tokens, begin) || IsOneOf(WordAt(*tokens, begin), {"is", "are", "there"}))
-        ++begin;
-      end = begin;
-      while (!IsPauseAt(*tokens, end) && WordAt(*tokens, end) != "and") ++end;
-      seen.push_back({begin, end, hand});
-    } else {
-      std::size_t on = next;
-      while (!IsPauseAt(*tokens, on) && hand_at(on).empty()) ++on;
-      if (IsPauseAt(*tokens, on)) return;
-      end = hand_end(on);
-      seen.push_back({next, on, hand_at(on)});
-    }
-    next = end;
-    while (IsMark(*tokens, next) || WordAt(*tokens, next) == "and") ++next;
-  }
+  const std::vector<SeenSide> seen = TakeSeenSides(*tokens, next, &end);
   if (seen.empty()) return;
-  for (const Seen& side : seen)
-    if (!NamesThing(*tokens, side.begin) || side.begin >= side.end) return;
-  if (seen.size() == 2 && seen[0].hand == seen[1].hand) return;
-  const Token beside = (*tokens)[at];
   const std::string name = JoinWords(*tokens, noun, noun_end);
-  std::vector<Token> said = SaidLike(
-      "the " + name + " runs from " + std::string(OppositeOf(heading)) + " to " + heading, beside);
-  const bool across = heading == "east" || heading == "west";
-  const std::string_view left =
-      across ? (heading == "east" ? "north" : "south") : (heading == "north" ? "west" : "east");
-  for (const Seen& side : seen) {
-    const std::string to(side.hand == "left" ? left : OppositeOf(left));
-    for (const Token& token : SaidLike(". to the " + to + " of the " + name + " there is", beside))
-      said.push_back(token);
-    for (const Token& token : TokensBetween(*tokens, side.begin, side.end)) said.push_back(token);
-  }
-  const std::size_t stop = end;
-  std::size_t tail = stop;
+  const std::vector<Token> said = SidesOfWay(*tokens, name, heading, seen, (*tokens)[at]);
+  std::size_t tail = end;
   while (IsOneOf(WordAt(*tokens, tail), {"the", "all", "whole", "way", "entire", "along", "time"}))
     ++tail;
   std::size_t begin = at;
@@ -208,7 +228,7 @@ void TurnDriving(std::vector<Token>* tokens, std::size_t at) {
                               {"you", "we", "i", "one", "as", "when", "if", "while", "and"})) {
     --begin;
   }
-  EraseTokens(tokens, begin, (IsPauseAt(*tokens, tail) ? tail : stop) - begin);
+  EraseTokens(tokens, begin, (IsPauseAt(*tokens, tail) ? tail : end) - begin);
   InsertTokens(tokens, begin, said);
 }
 

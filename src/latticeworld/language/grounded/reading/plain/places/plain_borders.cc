@@ -50,70 +50,57 @@ std::size_t AfterAllSides(const std::vector<Token>& tokens, std::size_t at) {
   return other ? 0 : next;
 }
 
-// "Forest surrounds the lake on all sides", "borders it on every side": surrounds it. "The lake has
-// houses on all sides": it is surrounded by them. "Hemmed in on all sides by woods": surrounded.
-void TurnAllSides(std::vector<Token>* tokens, std::size_t at) {
-  const std::size_t end = AfterAllSides(*tokens, at);
-  if (end == 0 || at == 0) return;
+// "Hemmed in on all sides by woods", "on all sides surrounded by fields": surrounded by them.
+// False: no such words stand around [at, end).
+bool TurnEnclosedOnAllSides(std::vector<Token>* tokens, std::size_t at, std::size_t end) {
   const std::size_t begin = SentenceBegin(*tokens, at);
-  const Token beside = (*tokens)[at];
-  // "on all sides by woods", "on all sides surrounded by fields"
-  std::size_t part = at;
   if (WordAt(*tokens, end) == "by") {
-    part = at - (at > begin + 1 && IsOneOf(WordAt(*tokens, at - 1), {"in", "off", "up"}) ? 2 : 1);
-    if (!IsEnclosed(WordAt(*tokens, part)) || !NamesThing(*tokens, end + 1)) return;
-    ReplaceTokens(tokens, part, end + 1 - part, {"surrounded", "by"});
-    return;
+    const bool two = at > begin + 1 && IsOneOf(WordAt(*tokens, at - 1), {"in", "off", "up"});
+    const std::size_t part = at - (two ? 2 : 1);
+    if (IsEnclosed(WordAt(*tokens, part)) && NamesThing(*tokens, end + 1)) {
+      ReplaceTokens(tokens, part, end + 1 - part, {"surrounded", "by"});
+    }
+    return true;
   }
   if (at > begin && IsEnclosed(WordAt(*tokens, end)) && WordAt(*tokens, end + 1) == "by" &&
       NamesThing(*tokens, end + 2)) {
     ReplaceTokens(tokens, at, end + 1 - at, {"surrounded"});
-    return;
+    return true;
   }
-  // Behind a phrase that names a thing.
+  return false;
+}
+
+// The first token of the phrase that names a thing right before `at`, in a sentence from `begin`
+// on; `at`: there is none.
+std::size_t NounPhraseBefore(const std::vector<Token>& tokens, std::size_t begin, std::size_t at) {
   std::size_t noun = at;
   for (std::size_t i = at; i-- > begin && i + 6 > at;) {
-    const std::string_view before = i > begin ? WordAt(*tokens, i - 1) : std::string_view();
-    if (TakeNounSpan(*tokens, i).end == at) noun = i;
+    const std::string_view before = i > begin ? WordAt(tokens, i - 1) : std::string_view();
+    if (TakeNounSpan(tokens, i).end == at) noun = i;
     if (noun == i && (IsEnclosing(before) || IsBordering(before))) break;
   }
-  const bool it = at > begin && IsOneOf(WordAt(*tokens, at - 1), {"it", "them"});
-  if (it) noun = at - 1;
-  if (noun == at || noun <= begin + 1) return;
-  std::size_t verb = noun - 1;
-  const std::string_view word = WordAt(*tokens, verb);
-  if (IsEnclosing(word) || IsOneOf(word, {"around", "round"})) {
-    EraseTokens(tokens, at, end - at);
+  return noun;
+}
+
+// "Borders the lake on all sides": surrounds it. A line has two sides: "lines the road on all
+// sides", on both sides.
+void TurnBorderingAllSides(std::vector<Token>* tokens, std::size_t verb, std::size_t at,
+                           std::size_t end) {
+  const bool it = IsOneOf(WordAt(*tokens, at - 1), {"it", "them"});
+  if (!it && MatchClassWord(*tokens, NamedBefore(*tokens, at).front().begin).is_line()) {
+    ReplaceTokens(tokens, at, end - at, {"on", "both", "sides"});
+    if (!IsOneOf(WordAt(*tokens, verb), {"line", "lines", "flank", "flanks"}))
+      ReplaceTokens(tokens, verb, 1, {"border"});
     return;
   }
-  if (IsBordering(word) && verb > begin) {
-    // A line has two sides.
-    if (!it && MatchClassWord(*tokens, NamedBefore(*tokens, at).front().begin).is_line()) {
-      ReplaceTokens(tokens, at, end - at, {"on", "both", "sides"});
-      if (!IsOneOf(word, {"line", "lines", "flank", "flanks"}))
-        ReplaceTokens(tokens, verb, 1, {"border"});
-      return;
-    }
-    EraseTokens(tokens, at, end - at);
-    ReplaceTokens(tokens, verb, 1, {"surrounds"});
-    return;
-  }
-  // "press in on the town from every side"
-  if (word == "on" && verb > begin + 1 && WordAt(*tokens, verb - 1) == "in" &&
-      IsOneOf(WordAt(*tokens, verb - 2),
-              {"press", "presses", "close", "closes", "crowd", "crowds", "closing", "pressing"})) {
-    EraseTokens(tokens, at, end - at);
-    ReplaceTokens(tokens, verb - 2, 3, {"surrounds"});
-    return;
-  }
-  if (it) return;
-  if (word == "by" && verb > begin) {
-    part = verb - (IsOneOf(WordAt(*tokens, verb - 1), {"in", "off", "up"}) ? 2 : 1);
-    if (!IsEnclosed(WordAt(*tokens, part))) return;
-    EraseTokens(tokens, at, end - at);
-    ReplaceTokens(tokens, part, verb + 1 - part, {"surrounded", "by"});
-    return;
-  }
+  EraseTokens(tokens, at, end - at);
+  ReplaceTokens(tokens, verb, 1, {"surrounds"});
+}
+
+// "The lake has houses on all sides", "a lake with houses on all sides": it is surrounded by them.
+void TurnHavingOnAllSides(std::vector<Token>* tokens, std::size_t verb, std::size_t at,
+                          std::size_t end) {
+  const std::size_t begin = SentenceBegin(*tokens, at);
   const std::vector<NamedThing> named = NamedBefore(*tokens, verb);
   const bool mark = IsMark(*tokens, verb - 1);
   const bool pronoun = IsOneOf(WordAt(*tokens, verb - 1), {"it", "they"});
@@ -122,7 +109,8 @@ void TurnAllSides(std::vector<Token>* tokens, std::size_t at) {
   if (!own || IsOneOf(WordAt(*tokens, at - 1), {"island", "islands"})) return;
   // "a village in the wood, with fields on all sides": of which of the two?
   if (mark && named.size() > 1 && named[1].begin >= begin) return;
-  if (!IsOneOf(word, {"has", "have", "with"})) return;
+  const bool with = WordAt(*tokens, verb) == "with";
+  if (!with && !IsOneOf(WordAt(*tokens, verb), {"has", "have"})) return;
   // "roads from every side": no ring of them.
   const bool line = MatchClassWord(*tokens, NamedBefore(*tokens, at).front().begin).is_line();
   if (line && IsOneOf(WordAt(*tokens, at), {"from", "to"})) return;
@@ -130,13 +118,46 @@ void TurnAllSides(std::vector<Token>* tokens, std::size_t at) {
     ReplaceTokens(tokens, at, end - at, {"on", "both", "sides"});
     return;
   }
-  if (IsOneOf(word, {"has", "have"})) {
-    EraseTokens(tokens, at, end - at);
-    ReplaceTokens(tokens, verb, 1, {"is", "surrounded", "by"});
-  } else if (word == "with") {
-    EraseTokens(tokens, at, end - at);
+  EraseTokens(tokens, at, end - at);
+  if (with) {
     ReplaceTokens(tokens, verb, 1, {"surrounded", "by"});
     if (mark) EraseTokens(tokens, verb - 1, 1);
+  } else {
+    ReplaceTokens(tokens, verb, 1, {"is", "surrounded", "by"});
+  }
+}
+
+// "Forest surrounds the lake on all sides", "borders it on every side": surrounds it. "The lake has
+// houses on all sides": it is surrounded by them. "Hemmed in on all sides by woods": surrounded.
+void TurnAllSides(std::vector<Token>* tokens, std::size_t at) {
+  const std::size_t end = AfterAllSides(*tokens, at);
+  if (end == 0 || at == 0 || TurnEnclosedOnAllSides(tokens, at, end)) return;
+  const std::size_t begin = SentenceBegin(*tokens, at);
+  const bool it = at > begin && IsOneOf(WordAt(*tokens, at - 1), {"it", "them"});
+  const std::size_t noun = it ? at - 1 : NounPhraseBefore(*tokens, begin, at);
+  if (noun == at || noun <= begin + 1) return;
+  const std::size_t verb = noun - 1;
+  const std::string_view word = WordAt(*tokens, verb);
+  if (IsEnclosing(word) || IsOneOf(word, {"around", "round"})) {
+    EraseTokens(tokens, at, end - at);
+  } else if (IsBordering(word)) {
+    TurnBorderingAllSides(tokens, verb, at, end);
+  } else if (word == "on" && verb > begin + 1 && WordAt(*tokens, verb - 1) == "in" &&
+             IsOneOf(WordAt(*tokens, verb - 2), {"press", "presses", "close", "closes", "crowd",
+                                                 "crowds", "closing", "pressing"})) {
+    // "press in on the town from every side"
+    EraseTokens(tokens, at, end - at);
+    ReplaceTokens(tokens, verb - 2, 3, {"surrounds"});
+  } else if (it) {
+    return;
+  } else if (word == "by") {
+    const bool two = IsOneOf(WordAt(*tokens, verb - 1), {"in", "off", "up"});
+    const std::size_t part = verb - (two ? 2 : 1);
+    if (!IsEnclosed(WordAt(*tokens, part))) return;
+    EraseTokens(tokens, at, end - at);
+    ReplaceTokens(tokens, part, verb + 1 - part, {"surrounded", "by"});
+  } else {
+    TurnHavingOnAllSides(tokens, verb, at, end);
   }
 }
 

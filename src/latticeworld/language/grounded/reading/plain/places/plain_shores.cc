@@ -54,90 +54,105 @@ void TurnFeet(std::vector<Token>* tokens) {
   }
 }
 
-// "a lake whose northern shore is wooded": its northern shore is. "South of the road it is all
-// houses": there are houses. "Surrounded by fields on three sides; the fourth, the eastern, is
-// forest": to the east of it.
+// "a lake whose northern shore is wooded": its northern shore is.
+void TurnWhoseSide(std::vector<Token>* tokens, std::size_t at) {
+  Heading heading;
+  const std::size_t end = TakeHeading(*tokens, at + 1, &heading);
+  const bool is =
+      end > 0 && IsFlank(WordAt(*tokens, end)) && IsOneOf(WordAt(*tokens, end + 1), {"is", "are"});
+  if (!is) return;
+  const Token beside = (*tokens)[at];
+  (*tokens)[at].text = "its";
+  const Token stop{TokenKind::kStop, ".", beside.begin, beside.begin};
+  if (WordAt(*tokens, at - 1) == "and" || IsMark(*tokens, at - 1)) {
+    (*tokens)[at - 1] = stop;
+  } else {
+    InsertTokens(tokens, at, {stop});
+  }
+}
+
+// "bordered by forest on its west side and by rocks on its east side": it has forest ...
+void TurnBorderedSides(std::vector<Token>* tokens, std::size_t at) {
+  std::size_t its = at + 2;
+  while (!IsStopAt(*tokens, its) && WordAt(*tokens, its) != "its") ++its;
+  Heading heading;
+  const std::size_t side = TakeHeading(*tokens, its + 1, &heading);
+  if (WordAt(*tokens, its) != "its" || side == 0 || !IsFlank(WordAt(*tokens, side))) return;
+  for (std::size_t i = its; !IsStopAt(*tokens, i); ++i)
+    if (WordAt(*tokens, i) == "and" && WordAt(*tokens, i + 1) == "by")
+      EraseTokens(tokens, i + 1, 1);
+  ReplaceTokens(tokens, at - 1, 3, {"has"});
+}
+
+// "South of the road it is all houses": there are houses.
+void TurnItIs(std::vector<Token>* tokens, std::size_t at) {
+  std::size_t begin = at;
+  while (begin > 0 && begin + 9 > at && !IsPauseAt(*tokens, begin - 1)) --begin;
+  if (begin == at && at > 1 && IsMark(*tokens, at - 1)) {
+    begin = at - 1;
+    while (begin > 0 && begin + 9 > at && !IsPauseAt(*tokens, begin - 1)) --begin;
+  }
+  if (WordAt(*tokens, begin) == "to" || WordAt(*tokens, begin) == "and") ++begin;
+  const bool above = IsOneOf(WordAt(*tokens, begin), {"above", "below", "behind", "beyond"});
+  Heading heading;
+  const std::size_t of = TakeHeading(*tokens, begin, &heading);
+  // "to the south it is open fields", of what was spoken of
+  const bool flank = of == at && begin > 0 && WordAt(*tokens, begin - 1) == "to";
+  if (begin < at && (above || flank || (of > 0 && of < at && WordAt(*tokens, of) == "of"))) {
+    (*tokens)[at].text = "there";
+  }
+}
+
+// "the fourth, the eastern, is forest", where three sides were told: to the east of it. Whether it
+// was; *at becomes the first word that is put in.
+bool TurnFourthSide(std::vector<Token>* tokens, std::size_t* at) {
+  if (WordAt(*tokens, *at) != "the" ||
+      !IsOneOf(WordAt(*tokens, *at + 1), {"fourth", "other", "last"})) {
+    return false;
+  }
+  std::size_t next = *at + 2;
+  if (WordAt(*tokens, next) == "side") ++next;
+  if (!IsMark(*tokens, next)) return false;
+  Heading heading;
+  std::size_t end = TakeHeading(*tokens, next + 1, &heading);
+  if (end == 0) return false;
+  if (IsFlank(WordAt(*tokens, end)) || WordAt(*tokens, end) == "one") ++end;
+  if (!IsMark(*tokens, end)) return false;
+  ++end;
+  if (WordAt(*tokens, end) == "there") ++end;
+  if (IsOneOf(WordAt(*tokens, *at - 1), {"on", "to", "at"})) --*at;
+  while (IsOneOf(WordAt(*tokens, end), {"is", "has", "faces", "touches", "open", "to", "borders",
+                                        "on", "facing", "by"})) {
+    ++end;
+  }
+  ReplaceTokens(tokens, *at, end - *at, {"to", "the", NameOf(heading), "of", "it", "there", "is"});
+  return true;
+}
+
+// Sides that belong to what was spoken of, each told in a way of its own.
 void TurnOwnSides(std::vector<Token>* tokens) {
-  bool three = false;
+  bool three = false;  // "on three sides" was said
   for (std::size_t at = 1; at + 3 < tokens->size(); ++at) {
-    Heading heading;
-    if (WordAt(*tokens, at) == "whose") {
-      const std::size_t end = TakeHeading(*tokens, at + 1, &heading);
-      const bool is = end > 0 && IsFlank(WordAt(*tokens, end)) &&
-                      IsOneOf(WordAt(*tokens, end + 1), {"is", "are"});
-      if (!is) continue;
-      const Token beside = (*tokens)[at];
-      (*tokens)[at].text = "its";
-      const Token stop{TokenKind::kStop, ".", beside.begin, beside.begin};
-      if (WordAt(*tokens, at - 1) == "and" || IsMark(*tokens, at - 1)) {
-        (*tokens)[at - 1] = stop;
-      } else {
-        InsertTokens(tokens, at, {stop});
-      }
-      continue;
-    }
-    // "bordered by forest on its west side and by rocks on its east side": it has forest ...
-    if (IsOneOf(WordAt(*tokens, at), {"bordered", "flanked", "fringed", "edged", "lined"}) &&
-        IsOneOf(WordAt(*tokens, at - 1), {"is", "are"}) && WordAt(*tokens, at + 1) == "by") {
-      std::size_t its = at + 2;
-      while (!IsStopAt(*tokens, its) && WordAt(*tokens, its) != "its") ++its;
-      const std::size_t side = TakeHeading(*tokens, its + 1, &heading);
-      if (WordAt(*tokens, its) == "its" && side > 0 && IsFlank(WordAt(*tokens, side))) {
-        for (std::size_t i = its; !IsStopAt(*tokens, i); ++i)
-          if (WordAt(*tokens, i) == "and" && WordAt(*tokens, i + 1) == "by")
-            EraseTokens(tokens, i + 1, 1);
-        ReplaceTokens(tokens, at - 1, 3, {"has"});
-      }
-      continue;
-    }
+    const std::string_view word = WordAt(*tokens, at);
+    const std::string_view next = WordAt(*tokens, at + 1);
+    const std::string_view before = WordAt(*tokens, at - 1);
     // Behind "of it" or "of the road" at the beginning of a clause.
-    const bool owns = IsOneOf(WordAt(*tokens, at - 1), {"of", "above", "below"});
-    if (WordAt(*tokens, at) == "it" && owns && IsOneOf(WordAt(*tokens, at + 1), {"all", "only"}) &&
-        MatchClassWord(*tokens, at + 2).word != nullptr) {
+    const bool owns = IsOneOf(before, {"of", "above", "below"});
+    if (word == "whose") {
+      TurnWhoseSide(tokens, at);
+    } else if (IsOneOf(word, {"bordered", "flanked", "fringed", "edged", "lined"}) &&
+               IsOneOf(before, {"is", "are"}) && next == "by") {
+      TurnBorderedSides(tokens, at);
+    } else if (word == "it" && owns && IsOneOf(next, {"all", "only"}) &&
+               MatchClassWord(*tokens, at + 2).word != nullptr) {
       InsertTokens(tokens, at + 1,
                    {WordLike("there", (*tokens)[at]), WordLike("is", (*tokens)[at])});
-      continue;
+    } else if (word == "it" && !owns && next == "is") {
+      TurnItIs(tokens, at);
+    } else {
+      three = three || (word == "three" && IsOneOf(next, {"sides", "side"}));
+      if (three && TurnFourthSide(tokens, &at)) three = false;
     }
-    const bool all = !owns && WordAt(*tokens, at) == "it" && WordAt(*tokens, at + 1) == "is";
-    if (all) {
-      std::size_t begin = at;
-      while (begin > 0 && begin + 9 > at && !IsPauseAt(*tokens, begin - 1)) --begin;
-      if (begin == at && at > 1 && IsMark(*tokens, at - 1)) {
-        begin = at - 1;
-        while (begin > 0 && begin + 9 > at && !IsPauseAt(*tokens, begin - 1)) --begin;
-      }
-      if (WordAt(*tokens, begin) == "to" || WordAt(*tokens, begin) == "and") ++begin;
-      const bool above = IsOneOf(WordAt(*tokens, begin), {"above", "below", "behind", "beyond"});
-      const std::size_t of = TakeHeading(*tokens, begin, &heading);
-      // "to the south it is open fields", of what was spoken of
-      const bool flank = of == at && begin > 0 && WordAt(*tokens, begin - 1) == "to";
-      if (begin < at && (above || flank || (of > 0 && of < at && WordAt(*tokens, of) == "of"))) {
-        (*tokens)[at].text = "there";
-      }
-      continue;
-    }
-    three = three ||
-            (WordAt(*tokens, at) == "three" && IsOneOf(WordAt(*tokens, at + 1), {"sides", "side"}));
-    if (!three || WordAt(*tokens, at) != "the" ||
-        !IsOneOf(WordAt(*tokens, at + 1), {"fourth", "other", "last"})) {
-      continue;
-    }
-    std::size_t next = at + 2;
-    if (WordAt(*tokens, next) == "side") ++next;
-    if (!IsMark(*tokens, next)) continue;
-    std::size_t end = TakeHeading(*tokens, next + 1, &heading);
-    if (end == 0) continue;
-    if (IsFlank(WordAt(*tokens, end)) || WordAt(*tokens, end) == "one") ++end;
-    if (!IsMark(*tokens, end)) continue;
-    ++end;
-    if (WordAt(*tokens, end) == "there") ++end;
-    if (IsOneOf(WordAt(*tokens, at - 1), {"on", "to", "at"})) --at;
-    while (IsOneOf(WordAt(*tokens, end), {"is", "has", "faces", "touches", "open", "to", "borders",
-                                          "on", "facing", "by"})) {
-      ++end;
-    }
-    ReplaceTokens(tokens, at, end - at, {"to", "the", NameOf(heading), "of", "it", "there", "is"});
-    three = false;
   }
 }
 

@@ -132,87 +132,109 @@ bool IsBendWord(std::string_view word) {
                         "winding", "windings", "meander", "meanders", "kinks", "corners", "loops"});
 }
 
+// "It never bends", "that does not curve": is straight.
+void TurnNeverBends(std::vector<Token>* tokens, std::size_t at) {
+  std::size_t begin = at;
+  if (WordAt(*tokens, at) == "not") {
+    if (at == 0 || !IsOneOf(WordAt(*tokens, at - 1), {"does", "do"})) return;
+    --begin;
+  }
+  const bool bends = IsOneOf(WordAt(*tokens, at + 1), {"bends", "bend", "curves", "curve", "winds",
+                                                       "wind", "meanders", "meander"});
+  if (bends && (IsPauseAt(*tokens, at + 2) ||
+                IsOneOf(WordAt(*tokens, at + 2),
+                        {"and", "at", "goes", "runs", "leads", "flows", "crosses"}))) {
+    ReplaceTokens(tokens, begin, at + 2 - begin, {"is", "straight"});
+  }
+}
+
+// The token after "sharp bends or turns at all", where they are what is lacked; 0: they are not.
+std::size_t AfterBends(const std::vector<Token>& tokens, const Lack& lack) {
+  std::size_t noun = lack.end;
+  if (IsOneOf(WordAt(tokens, noun), {"sharp", "big", "real", "single"})) ++noun;
+  if (!IsBendWord(WordAt(tokens, noun))) return 0;
+  std::size_t end = noun + 1;
+  if (!IsPauseAt(tokens, end) && MatchClassWord(tokens, end).tokens > 0) return 0;
+  if (IsOneOf(WordAt(tokens, end), {"or", "and"}) && IsBendWord(WordAt(tokens, end + 1))) end += 2;
+  if (WordAt(tokens, end) == "at" && WordAt(tokens, end + 1) == "all") end += 2;
+  return end;
+}
+
+// The token after what lacks something.
+std::size_t OwnerEnd(const std::vector<Token>& tokens, const Lack& lack) {
+  return lack.begin - (lack.begin > 0 && IsMark(tokens, lack.begin - 1) ? 1 : 0);
+}
+
+// What lacks bends: a line, or a pronoun or nothing that may stand for one; `thing` is the line
+// where it is named.
+struct Bent {
+  bool line = false;
+  NamedThing thing = {0, 0};
+};
+Bent BentBefore(const std::vector<Token>& tokens, const Lack& lack, bool has) {
+  const std::size_t before = OwnerEnd(tokens, lack);
+  const bool pronoun =
+      has && IsOneOf(WordAt(tokens, lack.begin), {"it", "they", "which", "that", "and", "but"});
+  const std::size_t sentence = SentenceBegin(tokens, lack.begin);
+  Bent bent;
+  bent.line = pronoun || before == sentence;
+  for (const NamedThing& named : NamedBefore(tokens, before)) {
+    if (bent.line || named.begin < sentence) break;
+    bent.line = MatchClassWord(tokens, named.begin).is_line();
+    if (bent.line) bent.thing = named;
+    // "a road from the village to the lake without bends"
+    const std::size_t first = PhraseBegin(tokens, named.end);
+    if (!bent.line && named.end == before &&
+        (first == 0 || !IsOneOf(WordAt(tokens, first - 1), {"to", "from", "past", "through",
+                                                            "across", "towards", "between"}))) {
+      break;
+    }
+  }
+  return bent;
+}
+
+// "A town without any bends in the river": with a straight river. Nothing else is straight: "a lake
+// with no corners" is a lake. `end` is the token after the bends.
+void TurnBendsOfOther(std::vector<Token>* tokens, const Lack& lack, std::size_t end) {
+  const std::size_t in = WordAt(*tokens, end) == "in" ? PastThing(*tokens, end + 1) : 0;
+  const NamedThing other = in > 0 ? NamedBefore(*tokens, in).front() : NamedThing{0, 0};
+  if (in > 0 && MatchClassWord(*tokens, other.begin).is_line()) {
+    const Token beside = (*tokens)[lack.begin];
+    const bool many = MatchClassWord(*tokens, other.begin).plural;
+    const std::string name = JoinWords(*tokens, other.begin, other.end);
+    EraseTokens(tokens, lack.begin, in - lack.begin);
+    InsertTokens(tokens, lack.begin,
+                 SaidLike((many ? "with straight " : "with a straight ") + name, beside));
+  } else if (IsPauseAt(*tokens, end) || WordAt(*tokens, end) == "and") {
+    EraseTokens(tokens, lack.begin, end - lack.begin);
+  }
+}
+
 // "A road without bends": in a straight line. "It has no curves", "that never bends": is straight.
 void TurnNoBends(std::vector<Token>* tokens, std::size_t at) {
-  const auto ends = [&](std::size_t i) {
-    return IsPauseAt(*tokens, i) || MatchClassWord(*tokens, i).tokens == 0;
-  };
   if (IsOneOf(WordAt(*tokens, at), {"never", "not"})) {
-    std::size_t begin = at;
-    if (WordAt(*tokens, at) == "not") {
-      if (at == 0 || !IsOneOf(WordAt(*tokens, at - 1), {"does", "do"})) return;
-      --begin;
-    }
-    const bool bends = IsOneOf(WordAt(*tokens, at + 1), {"bends", "bend", "curves", "curve",
-                                                         "winds", "wind", "meanders", "meander"});
-    if (bends && (IsPauseAt(*tokens, at + 2) ||
-                  IsOneOf(WordAt(*tokens, at + 2),
-                          {"and", "at", "goes", "runs", "leads", "flows", "crosses"}))) {
-      ReplaceTokens(tokens, begin, at + 2 - begin, {"is", "straight"});
-    }
+    TurnNeverBends(tokens, at);
     return;
   }
   const Lack lack = LackAt(*tokens, at);
   if (lack.end == 0 || lack.there) return;
-  std::size_t noun = lack.end;
-  if (IsOneOf(WordAt(*tokens, noun), {"sharp", "big", "real", "single"})) ++noun;
-  if (!IsBendWord(WordAt(*tokens, noun)) || !ends(noun + 1)) return;
-  std::size_t end = noun + 1;
-  if (IsOneOf(WordAt(*tokens, end), {"or", "and"}) && IsBendWord(WordAt(*tokens, end + 1)))
-    end += 2;
-  if (WordAt(*tokens, end) == "at" && WordAt(*tokens, end + 1) == "all") end += 2;
-  const bool has = IsOneOf(WordAt(*tokens, lack.begin), {"has", "have"}) ||
-                   IsOneOf(WordAt(*tokens, lack.begin + 1), {"has", "have"}) ||
-                   IsOneOf(WordAt(*tokens, lack.begin + 2), {"has", "have"});
-  // "a lake with no corners", "a town without bends in the river": nothing straight
-  const std::size_t before =
-      lack.begin - (lack.begin > 0 && IsMark(*tokens, lack.begin - 1) ? 1 : 0);
-  const bool pronoun =
-      has && IsOneOf(WordAt(*tokens, lack.begin), {"it", "they", "which", "that", "and", "but"});
-  const std::size_t sentence = SentenceBegin(*tokens, lack.begin);
-  bool line = pronoun || before == sentence;
-  NamedThing bent = {0, 0};
-  for (const NamedThing& named : NamedBefore(*tokens, before)) {
-    if (line || named.begin < sentence) break;
-    line = MatchClassWord(*tokens, named.begin).is_line();
-    if (line) bent = named;
-    // "a road from the village to the lake without bends"
-    const std::size_t first = PhraseBegin(*tokens, named.end);
-    if (!line && named.end == before &&
-        (first == 0 || !IsOneOf(WordAt(*tokens, first - 1), {"to", "from", "past", "through",
-                                                             "across", "towards", "between"}))) {
-      break;
-    }
-  }
-  if (!line) {
-    // "a town without any bends in the river": with a straight one
-    const std::size_t in = WordAt(*tokens, end) == "in" ? PastThing(*tokens, end + 1) : 0;
-    const NamedThing other = in > 0 ? NamedBefore(*tokens, in).front() : NamedThing{0, 0};
-    const Token beside = (*tokens)[lack.begin];
-    if (!has && in > 0 && MatchClassWord(*tokens, other.begin).is_line()) {
-      const bool many = MatchClassWord(*tokens, other.begin).plural;
-      const std::string name = JoinWords(*tokens, other.begin, other.end);
-      EraseTokens(tokens, lack.begin, in - lack.begin);
-      InsertTokens(tokens, lack.begin,
-                   SaidLike((many ? "with straight " : "with a straight ") + name, beside));
-    } else if (!has && (IsPauseAt(*tokens, end) || WordAt(*tokens, end) == "and")) {
-      EraseTokens(tokens, lack.begin, end - lack.begin);
-    }
-    return;
-  }
-  // "a road from the village to the lake without bends": a straight road
-  if (!has && bent.end > 0 && bent.end < before) {
+  const std::size_t end = AfterBends(*tokens, lack);
+  if (end == 0) return;
+  std::size_t verb = lack.begin;
+  while (verb < lack.begin + 3 && !IsOneOf(WordAt(*tokens, verb), {"has", "have"})) ++verb;
+  const bool has = verb < lack.begin + 3;
+  const Bent bent = BentBefore(*tokens, lack, has);
+  if (!bent.line) {
+    if (!has) TurnBendsOfOther(tokens, lack, end);
+  } else if (has) {
+    ReplaceTokens(tokens, verb, end - verb, {"is", "straight"});
+  } else if (bent.thing.end > 0 && bent.thing.end < OwnerEnd(*tokens, lack)) {
+    // "a road from the village to the lake without bends": a straight road
     EraseTokens(tokens, lack.begin, end - lack.begin);
-    InsertTokens(tokens, bent.begin, {WordLike("straight", (*tokens)[bent.begin])});
-    return;
-  }
-  if (!has) {
+    InsertTokens(tokens, bent.thing.begin, {WordLike("straight", (*tokens)[bent.thing.begin])});
+  } else {
     ReplaceTokens(tokens, lack.begin, end - lack.begin, {"in", "a", "straight", "line"});
-    return;
   }
-  std::size_t begin = lack.begin;
-  while (!IsOneOf(WordAt(*tokens, begin), {"has", "have"})) ++begin;
-  ReplaceTokens(tokens, begin, end - begin, {"is", "straight"});
 }
 
 // "No river, only a lake in the north": a lake.

@@ -99,6 +99,113 @@ Closeness TakeCloseness(const std::vector<Token>& tokens, std::size_t at) {
   return close;
 }
 
+// "to the left and to the right of the road", "on its eastern and western side": on both sides of
+// it.
+void TurnBothSides(std::vector<Token>* tokens, std::size_t at) {
+  const SidePhrase first = TakeSide(*tokens, at, true);
+  if (!first.found || WordAt(*tokens, first.end) != "and") return;
+  const SidePhrase second = TakeSide(*tokens, first.end + 1, false);
+  if (second.found && AreOpposite(first.heading, second.heading) &&
+      WordAt(*tokens, second.end) == "of" && IsLineAt(*tokens, second.end + 1)) {
+    ReplaceTokens(tokens, at, second.end + 1 - at, {"on", "both", "sides", "of"});
+  }
+}
+
+// "with a village on each bank": on both banks.
+void TurnEachBank(std::vector<Token>* tokens, std::size_t at) {
+  if (IsOneOf(WordAt(*tokens, at), {"on", "along"}) &&
+      IsOneOf(WordAt(*tokens, at + 1), {"each", "either"}) &&
+      IsOneOf(WordAt(*tokens, at + 2), {"bank", "shore"}) && WordAt(*tokens, at + 3) != "of") {
+    ReplaceTokens(tokens, at, 3, {"on", "both", "banks"});
+  }
+}
+
+// "in two of the corners: top left and top right": in top left and top right.
+void TurnSomeCorners(std::vector<Token>* tokens, std::size_t at) {
+  if (!IsOneOf(WordAt(*tokens, at), {"two", "three"}) || WordAt(*tokens, at + 1) != "of" ||
+      WordAt(*tokens, at + 2) != "the") {
+    return;
+  }
+  std::size_t end = at + 3;
+  if (WordAt(*tokens, end) == "four") ++end;
+  const bool corners = IsOneOf(WordAt(*tokens, end), {"corners", "edges", "sides"});
+  const bool listed = corners && end + 1 < tokens->size() &&
+                      (*tokens)[end + 1].kind == TokenKind::kComma &&
+                      TakeSide(*tokens, end + 2, false).found;
+  if (listed) EraseTokens(tokens, at, end + 2 - at);
+}
+
+// "dividing the map into a wooded left half and a farmed right half": there is a wooded left half.
+void TurnHalves(std::vector<Token>* tokens, std::size_t at) {
+  if (IsOneOf(WordAt(*tokens, at), {"dividing", "splitting", "cutting"}) &&
+      WordAt(*tokens, at + 1) == "the" && IsMapWord(WordAt(*tokens, at + 2)) &&
+      WordAt(*tokens, at + 3) == "into" && IsOneOf(WordAt(*tokens, at + 4), {"a", "an"}) &&
+      !TakeSide(*tokens, at + 5, false).found) {
+    ReplaceTokens(tokens, at, 4, {"x", "there", "is"});
+    (*tokens)[at] = {TokenKind::kStop, ".", (*tokens)[at].begin, (*tokens)[at].begin};
+  }
+}
+
+// "on one side of the river there are fields, on the other side a wood": the river lies between
+// them.
+void TurnOneSide(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at) != "on" || WordAt(*tokens, at + 1) != "one" ||
+      !IsSideNoun(WordAt(*tokens, at + 2)) || WordAt(*tokens, at + 3) != "of") {
+    return;
+  }
+  std::size_t thing = at + 4;
+  if (WordAt(*tokens, thing) == "the") ++thing;
+  const ClassWordMatch line = MatchClassWord(*tokens, thing);
+  if (line.word == nullptr) return;
+  std::size_t verb = thing + line.tokens;
+  const std::size_t named = verb;
+  if (WordAt(*tokens, verb) == "there") ++verb;
+  while (IsOneOf(WordAt(*tokens, verb), {"is", "are", "lies", "lie", "stands", "i", "put"})) ++verb;
+  const std::size_t comma = PauseAfter(*tokens, verb);
+  std::size_t other = comma + 1;
+  if (IsOneOf(WordAt(*tokens, other), {"and", "while"})) ++other;
+  if (IsStopAt(*tokens, comma) || WordAt(*tokens, other) != "on" ||
+      WordAt(*tokens, other + 1) != "the" || WordAt(*tokens, other + 2) != "other") {
+    return;
+  }
+  other += IsSideNoun(WordAt(*tokens, other + 3)) ? 4 : 3;
+  while (IsOneOf(WordAt(*tokens, other), {"there", "is", "are"})) ++other;
+  if (IsPauseAt(*tokens, other)) return;
+  const Token beside = (*tokens)[at];
+  std::vector<Token> turned = {WordLike("the", beside)};
+  for (std::size_t i = thing; i < named; ++i) turned.push_back((*tokens)[i]);
+  for (const std::string_view word : {"lies", "between"}) turned.push_back(WordLike(word, beside));
+  for (std::size_t i = verb; i < comma; ++i) turned.push_back((*tokens)[i]);
+  turned.push_back(WordLike("and", beside));
+  EraseTokens(tokens, at, other - at);
+  InsertTokens(tokens, at, turned);
+}
+
+// "goes around the village on the east": to the east of the village.
+void TurnAroundOnSide(std::vector<Token>* tokens, std::size_t at) {
+  if (!IsOneOf(WordAt(*tokens, at), {"around", "round", "past"}) ||
+      WordAt(*tokens, at + 1) != "the") {
+    return;
+  }
+  const ClassWordMatch noun = MatchClassWord(*tokens, at + 2);
+  if (noun.word == nullptr) return;
+  const std::size_t first = at + 2 + noun.tokens;
+  const SidePhrase side = TakeSide(*tokens, first, true);
+  if (!side.found || WordAt(*tokens, first + 1) != "the" ||
+      !(IsPauseAt(*tokens, side.end) || WordAt(*tokens, side.end) == "and")) {
+    return;
+  }
+  std::vector<Token> turned;
+  for (std::size_t i = first; i < side.end; ++i) {
+    if (!IsSideNoun(WordAt(*tokens, i))) turned.push_back((*tokens)[i]);
+  }
+  turned.front().text = "to";
+  turned.push_back(WordLike("of", turned.front()));
+  EraseTokens(tokens, first, side.end - first);
+  EraseTokens(tokens, at, 1);
+  InsertTokens(tokens, at, turned);
+}
+
 }  // namespace
 
 void TurnOrders(std::vector<Token>* tokens) {
@@ -149,95 +256,12 @@ void TurnOrders(std::vector<Token>* tokens) {
 
 void TurnOpposites(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 2 < tokens->size(); ++at) {
-    // "to the left and to the right of the road", "on its eastern and western side"
-    const SidePhrase first = TakeSide(*tokens, at, true);
-    if (first.found && WordAt(*tokens, first.end) == "and") {
-      const SidePhrase second = TakeSide(*tokens, first.end + 1, false);
-      if (second.found && AreOpposite(first.heading, second.heading) &&
-          WordAt(*tokens, second.end) == "of" && IsLineAt(*tokens, second.end + 1)) {
-        ReplaceTokens(tokens, at, second.end + 1 - at, {"on", "both", "sides", "of"});
-      }
-    }
-    // "with a village on each bank"
-    if (IsOneOf(WordAt(*tokens, at), {"on", "along"}) &&
-        IsOneOf(WordAt(*tokens, at + 1), {"each", "either"}) &&
-        IsOneOf(WordAt(*tokens, at + 2), {"bank", "shore"}) && WordAt(*tokens, at + 3) != "of") {
-      ReplaceTokens(tokens, at, 3, {"on", "both", "banks"});
-    }
-    // "in two of the corners: top left and top right"
-    if (IsOneOf(WordAt(*tokens, at), {"two", "three"}) && WordAt(*tokens, at + 1) == "of" &&
-        WordAt(*tokens, at + 2) == "the") {
-      std::size_t end = at + 3;
-      if (WordAt(*tokens, end) == "four") ++end;
-      const bool corners = IsOneOf(WordAt(*tokens, end), {"corners", "edges", "sides"});
-      const bool listed = corners && end + 1 < tokens->size() &&
-                          (*tokens)[end + 1].kind == TokenKind::kComma &&
-                          TakeSide(*tokens, end + 2, false).found;
-      if (listed) EraseTokens(tokens, at, end + 2 - at);
-    }
-    // "dividing the map into a wooded left half and a farmed right half"
-    if (IsOneOf(WordAt(*tokens, at), {"dividing", "splitting", "cutting"}) &&
-        WordAt(*tokens, at + 1) == "the" && IsMapWord(WordAt(*tokens, at + 2)) &&
-        WordAt(*tokens, at + 3) == "into" && IsOneOf(WordAt(*tokens, at + 4), {"a", "an"}) &&
-        !TakeSide(*tokens, at + 5, false).found) {
-      ReplaceTokens(tokens, at, 4, {"x", "there", "is"});
-      (*tokens)[at] = {TokenKind::kStop, ".", (*tokens)[at].begin, (*tokens)[at].begin};
-    }
-    // "on one side of the river there are fields, on the other side a wood"
-    if (WordAt(*tokens, at) == "on" && WordAt(*tokens, at + 1) == "one" &&
-        IsSideNoun(WordAt(*tokens, at + 2)) && WordAt(*tokens, at + 3) == "of") {
-      std::size_t thing = at + 4;
-      if (WordAt(*tokens, thing) == "the") ++thing;
-      const ClassWordMatch line = MatchClassWord(*tokens, thing);
-      if (line.word == nullptr) continue;
-      std::size_t verb = thing + line.tokens;
-      const std::size_t named = verb;
-      if (WordAt(*tokens, verb) == "there") ++verb;
-      while (IsOneOf(WordAt(*tokens, verb), {"is", "are", "lies", "lie", "stands", "i", "put"})) {
-        ++verb;
-      }
-      const std::size_t comma = PauseAfter(*tokens, verb);
-      std::size_t other = comma + 1;
-      if (IsOneOf(WordAt(*tokens, other), {"and", "while"})) ++other;
-      if (IsStopAt(*tokens, comma) || WordAt(*tokens, other) != "on" ||
-          WordAt(*tokens, other + 1) != "the" || WordAt(*tokens, other + 2) != "other") {
-        continue;
-      }
-      other += IsSideNoun(WordAt(*tokens, other + 3)) ? 4 : 3;
-      while (IsOneOf(WordAt(*tokens, other), {"there", "is", "are"})) ++other;
-      if (IsPauseAt(*tokens, other)) continue;
-      const Token beside = (*tokens)[at];
-      std::vector<Token> turned = {WordLike("the", beside)};
-      for (std::size_t i = thing; i < named; ++i) turned.push_back((*tokens)[i]);
-      for (const std::string_view word : {"lies", "between"}) {
-        turned.push_back(WordLike(word, beside));
-      }
-      for (std::size_t i = verb; i < comma; ++i) turned.push_back((*tokens)[i]);
-      turned.push_back(WordLike("and", beside));
-      EraseTokens(tokens, at, other - at);
-      InsertTokens(tokens, at, turned);
-    }
-    // "goes around the village on the east"
-    if (IsOneOf(WordAt(*tokens, at), {"around", "round", "past"}) &&
-        WordAt(*tokens, at + 1) == "the") {
-      const ClassWordMatch noun = MatchClassWord(*tokens, at + 2);
-      if (noun.word == nullptr) continue;
-      const SidePhrase side = TakeSide(*tokens, at + 2 + noun.tokens, true);
-      if (!side.found || WordAt(*tokens, at + 3 + noun.tokens) != "the" ||
-          !(IsPauseAt(*tokens, side.end) || WordAt(*tokens, side.end) == "and")) {
-        continue;
-      }
-      const std::size_t first_word = at + 2 + noun.tokens;
-      std::vector<Token> turned;
-      for (std::size_t i = first_word; i < side.end; ++i) {
-        if (!IsSideNoun(WordAt(*tokens, i))) turned.push_back((*tokens)[i]);
-      }
-      turned.front().text = "to";
-      turned.push_back(WordLike("of", turned.front()));
-      EraseTokens(tokens, first_word, side.end - first_word);
-      EraseTokens(tokens, at, 1);
-      InsertTokens(tokens, at, turned);
-    }
+    TurnBothSides(tokens, at);
+    TurnEachBank(tokens, at);
+    TurnSomeCorners(tokens, at);
+    TurnHalves(tokens, at);
+    TurnOneSide(tokens, at);
+    TurnAroundOnSide(tokens, at);
   }
 }
 

@@ -44,6 +44,98 @@ std::size_t LeadingException(const std::vector<Token>& tokens, std::size_t at) {
   return 0;
 }
 
+// "no two houses touch": the houses are scattered. "no trees within 3 cells of a house": the trees
+// at least 3 cells away from the house.
+void TurnNoneNear(std::vector<Token>* tokens, std::size_t at) {
+  std::size_t noun_at = at + 1;
+  if (WordAt(*tokens, noun_at) == "two") ++noun_at;
+  const ClassWordMatch noun = MatchClassWord(*tokens, noun_at);
+  if (noun.word == nullptr) return;
+  std::size_t next = noun_at + noun.tokens;
+  if (noun_at == at + 2) {
+    while (IsOneOf(WordAt(*tokens, next), {"of", "them", "should", "may", "must", "can"})) ++next;
+    if (IsOneOf(WordAt(*tokens, next), {"touch", "touching", "adjoin", "meet", "adjacent"})) {
+      ReplaceTokens(tokens, next, 1, {"are", "scattered"});
+      EraseTokens(tokens, at, noun_at - at);
+      return;
+    }
+  }
+  if (IsBe(WordAt(*tokens, next))) ++next;
+  const bool number = IsNumberAt(*tokens, next + 1) ||
+                      IsOneOf(WordAt(*tokens, next + 1), {"two", "three", "four", "five"});
+  const bool within =
+      WordAt(*tokens, next) == "within" && number &&
+      IsOneOf(WordAt(*tokens, next + 2), {"cells", "steps", "squares", "tiles", "cell", "pixels"});
+  if (!within) return;
+  if (WordAt(*tokens, next + 3) == "of") {
+    ReplaceTokens(tokens, next + 3, 1, {"away", "from"});
+    if (IsOneOf(WordAt(*tokens, next + 5), {"a", "an", "any"})) (*tokens)[next + 5].text = "the";
+  }
+  ReplaceTokens(tokens, next, 1, {"at", "least"});
+  ReplaceTokens(tokens, at, 1, {"the"});
+}
+
+// "as far from the factory as possible": far away from it.
+void TurnAsFar(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at + 1) != "far") return;
+  std::size_t from = at + 2;
+  if (WordAt(*tokens, from) == "away") ++from;
+  if (WordAt(*tokens, from) != "from") return;
+  for (std::size_t i = from; i < from + 12 && !IsStopAt(*tokens, i); ++i) {
+    if (WordAt(*tokens, i) != "as" ||
+        !IsOneOf(WordAt(*tokens, i + 1), {"possible", "can", "you", "it"})) {
+      continue;
+    }
+    const std::size_t said = WordAt(*tokens, i + 1) == "possible" ? 2 : 3;
+    EraseTokens(tokens, i, std::min(said, tokens->size() - i));
+    ReplaceTokens(tokens, at, from - at, {"far", "away"});
+    return;
+  }
+}
+
+// "ends where the meadow begins": touches the meadow.
+void TurnEndsWhere(std::vector<Token>* tokens, std::size_t at) {
+  if (WordAt(*tokens, at + 1) != "where") return;
+  const std::size_t verb = PauseAfter(*tokens, at + 2) - 1;
+  if (IsOneOf(WordAt(*tokens, verb),
+              {"begins", "starts", "begin", "start", "ends", "stops", "end", "stop"}) &&
+      HasClass(*tokens, at + 2, verb)) {
+    EraseTokens(tokens, verb, 1);
+    ReplaceTokens(tokens, at, 2, {"touches"});
+  }
+}
+
+// "swings around the town to the east": with a bend to the east of the town. False: it is not said
+// on which side.
+bool TurnBendsRoundSide(std::vector<Token>* tokens, std::size_t at) {
+  const std::size_t thing = at + (WordAt(*tokens, at + 2) == "the" ? 3 : 2);
+  const std::size_t to = thing + MatchClassWord(*tokens, thing).tokens;
+  if (to == thing || !IsOneOf(WordAt(*tokens, to), {"to", "on", "in"})) return false;
+  const std::size_t first = to + (WordAt(*tokens, to + 1) == "the" ? 2 : 1);
+  PlaceCursor cursor(*tokens, first);
+  if (!TakeDirection(&cursor).found) return false;
+  std::size_t end = cursor.at();
+  if (WordAt(*tokens, end) == "side") ++end;
+  if (!IsPauseAt(*tokens, end)) return false;
+  std::vector<Token> where;
+  for (const std::string_view word : {"with", "a", "bend", "to", "the"}) {
+    where.push_back(WordLike(word, (*tokens)[at]));
+  }
+  for (std::size_t i = first; i < cursor.at(); ++i) where.push_back((*tokens)[i]);
+  where.push_back(WordLike("of", where.back()));
+  for (std::size_t i = at + 2; i < to; ++i) where.push_back((*tokens)[i]);
+  EraseTokens(tokens, at, end - at);
+  InsertTokens(tokens, at, where);
+  return true;
+}
+
+// "bends round the town": with a bend next to it.
+void TurnBendsRound(std::vector<Token>* tokens, std::size_t at) {
+  if (!IsOneOf(WordAt(*tokens, at + 1), {"round", "around"}) || IsPauseAt(*tokens, at + 2)) return;
+  if (TurnBendsRoundSide(tokens, at)) return;
+  ReplaceTokens(tokens, at, 2, {"with", "a", "bend", "next", "to"});
+}
+
 }  // namespace
 
 void TurnLeadingExceptions(std::vector<Token>* tokens) {
@@ -141,96 +233,16 @@ void TurnParts(std::vector<Token>* tokens) {
 
 void TurnDistances(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 2 < tokens->size(); ++at) {
-    const std::string word(WordAt(*tokens, at));
+    const std::string_view word = WordAt(*tokens, at);
     if (word == "no") {
-      std::size_t noun_at = at + 1;
-      if (WordAt(*tokens, noun_at) == "two") ++noun_at;
-      const ClassWordMatch noun = MatchClassWord(*tokens, noun_at);
-      std::size_t next = noun_at + noun.tokens;
-      if (noun.word != nullptr && noun_at == at + 2) {
-        while (IsOneOf(WordAt(*tokens, next), {"of", "them", "should", "may", "must", "can"})) {
-          ++next;
-        }
-        if (IsOneOf(WordAt(*tokens, next), {"touch", "touching", "adjoin", "meet", "adjacent"})) {
-          ReplaceTokens(tokens, next, 1, {"are", "scattered"});
-          EraseTokens(tokens, at, noun_at - at);
-          continue;
-        }
-      }
-      if (noun.word != nullptr && IsBe(WordAt(*tokens, next))) ++next;
-      const bool within = noun.word != nullptr && WordAt(*tokens, next) == "within" &&
-                          next + 1 < tokens->size() &&
-                          ((*tokens)[next + 1].kind == TokenKind::kNumber ||
-                           IsOneOf(WordAt(*tokens, next + 1), {"two", "three", "four", "five"})) &&
-                          IsOneOf(WordAt(*tokens, next + 2),
-                                  {"cells", "steps", "squares", "tiles", "cell", "pixels"});
-      if (within) {
-        if (WordAt(*tokens, next + 3) == "of") {
-          ReplaceTokens(tokens, next + 3, 1, {"away", "from"});
-          if (IsOneOf(WordAt(*tokens, next + 5), {"a", "an", "any"})) {
-            (*tokens)[next + 5].text = "the";
-          }
-        }
-        ReplaceTokens(tokens, next, 1, {"at", "least"});
-        ReplaceTokens(tokens, at, 1, {"the"});
-      }
-    }
-    // "as far from the factory as possible"
-    if (word == "as" && WordAt(*tokens, at + 1) == "far") {
-      std::size_t as = at + 2;
-      if (WordAt(*tokens, as) == "away") ++as;
-      if (WordAt(*tokens, as) != "from") continue;
-      bool possible = false;
-      for (std::size_t i = as; i < as + 12 && !IsStopAt(*tokens, i); ++i) {
-        if (WordAt(*tokens, i) != "as" ||
-            !IsOneOf(WordAt(*tokens, i + 1), {"possible", "can", "you", "it"})) {
-          continue;
-        }
-        const std::size_t said = WordAt(*tokens, i + 1) == "possible" ? 2 : 3;
-        EraseTokens(tokens, i, std::min(said, tokens->size() - i));
-        possible = true;
-        break;
-      }
-      if (possible) ReplaceTokens(tokens, at, as - at, {"far", "away"});
-    }
-    // "ends where the meadow begins"
-    const bool ends = IsOneOf(word, {"ends", "end", "stops", "stop", "begins", "starts", "begin"});
-    if (ends && WordAt(*tokens, at + 1) == "where") {
-      const std::size_t verb = PauseAfter(*tokens, at + 2) - 1;
-      if (IsOneOf(WordAt(*tokens, verb),
-                  {"begins", "starts", "begin", "start", "ends", "stops", "end", "stop"}) &&
-          HasClass(*tokens, at + 2, verb)) {
-        EraseTokens(tokens, verb, 1);
-        ReplaceTokens(tokens, at, 2, {"touches"});
-      }
-    }
-    // "bends round the town"
-    if (IsOneOf(word, {"bends", "curves", "loops", "swings", "bending", "curving", "swinging",
-                       "curls", "looping", "bend", "turns"}) &&
-        IsOneOf(WordAt(*tokens, at + 1), {"round", "around"}) && !IsPauseAt(*tokens, at + 2)) {
-      // "swings around the town to the east"
-      const std::size_t thing = at + (WordAt(*tokens, at + 2) == "the" ? 3 : 2);
-      const std::size_t to = thing + MatchClassWord(*tokens, thing).tokens;
-      if (to > thing && IsOneOf(WordAt(*tokens, to), {"to", "on", "in"})) {
-        PlaceCursor cursor(*tokens, to + (WordAt(*tokens, to + 1) == "the" ? 2 : 1));
-        const bool side = TakeDirection(&cursor).found;
-        std::size_t end = cursor.at();
-        if (side && WordAt(*tokens, end) == "side") ++end;
-        if (side && IsPauseAt(*tokens, end)) {
-          std::vector<Token> where = {WordLike("with", (*tokens)[at]), WordLike("a", (*tokens)[at]),
-                                      WordLike("bend", (*tokens)[at]),
-                                      WordLike("to", (*tokens)[at]),
-                                      WordLike("the", (*tokens)[at])};
-          const std::size_t first = to + (WordAt(*tokens, to + 1) == "the" ? 2 : 1);
-          for (std::size_t i = first; i < cursor.at(); ++i) where.push_back((*tokens)[i]);
-          where.push_back(WordLike("of", where.back()));
-          for (std::size_t i = at + 2; i < to; ++i) where.push_back((*tokens)[i]);
-          EraseTokens(tokens, at, end - at);
-          InsertTokens(tokens, at, where);
-          continue;
-        }
-      }
-      ReplaceTokens(tokens, at, 2, {"with", "a", "bend", "next", "to"});
+      TurnNoneNear(tokens, at);
+    } else if (word == "as") {
+      TurnAsFar(tokens, at);
+    } else if (IsOneOf(word, {"ends", "end", "stops", "stop", "begins", "starts", "begin"})) {
+      TurnEndsWhere(tokens, at);
+    } else if (IsOneOf(word, {"bends", "curves", "loops", "swings", "bending", "curving",
+                              "swinging", "curls", "looping", "bend", "turns"})) {
+      TurnBendsRound(tokens, at);
     }
   }
 }
