@@ -194,6 +194,64 @@ class Chunker {
     return false;
   }
 
+  // What a word of a noun phrase does to it.
+  enum class Step {
+    kNext,  // the phrase goes on
+    kRead,  // it ends here
+    kNone   // this is no noun phrase
+  };
+  // Reads a word of a sense in a noun phrase: a pronoun, which may be its head, or a modifier.
+  Step ReadSenseOfPhrase(std::size_t at, bool any_unknown, NounPhrase* phrase,
+                         bool* said_something) {
+    const Lexeme& lexeme = lexemes_[at];
+    if (const auto pronoun = PronounOf(lexeme.sense); pronoun.has_value()) {
+      // "one of the lakes", "the other lake", "both lakes": the noun is the head.
+      const bool before_noun = lexeme.sense != Sense::kIt && lexeme.sense != Sense::kThey &&
+                               lexeme.sense != Sense::kMap && lexeme.sense != Sense::kRest &&
+                               NounSoon(at + 1);
+      // "country lane"
+      if (lexeme.sense == Sense::kMap && IsNounAt(at + 1) &&
+          tokens_[lexeme.first].text == "country") {
+        return Step::kNext;
+      }
+      if (any_unknown || phrase->qualities.axis.has_value()) return Step::kNone;
+      if (before_noun) {
+        phrase->head = *pronoun;
+        if (lexeme.sense == Sense::kOne) phrase->qualities.count = CountMatch{1, 1, 1};
+        return Step::kNext;
+      }
+      EmitPronoun(*pronoun, at, std::move(*phrase));
+      return Step::kRead;
+    }
+    // "nothing rocky", but not "nothing because ..."
+    if (tokens_[lexeme.first].text == "nothing" && lexeme.Is(Sense::kNo) && !IsNounAt(at + 1)) {
+      return Step::kNone;
+    }
+    if (AddModifier(lexeme, phrase)) {
+      *said_something = true;
+      return Step::kNext;
+    }
+    if (lexeme.sense == Sense::kFunction) return Step::kNext;
+    if (lexeme.sense == Sense::kOfPlace && (*said_something || AfterShore(at))) return Step::kNext;
+    // "six separate trees", "the shore of the lake"
+    if (lexeme.sense == Sense::kBetween && tokens_[lexeme.first].text == "separate" &&
+        *said_something) {
+      phrase->qualities.texture = Texture::kScattered;
+      return Step::kNext;
+    }
+    if (lexeme.sense == Sense::kShore) {
+      if (SenseAt(at + 1, Sense::kOfPlace) && NounSoon(at + 2)) {
+        phrase->shore = true;
+        return Step::kNext;
+      }
+      if (any_unknown) return Step::kNone;
+      EmitPronoun(Head::kShore, at, std::move(*phrase));
+      return Step::kRead;
+    }
+    // "a long, narrow lake": no further than one comma between qualities.
+    return Step::kNone;
+  }
+
   // Reads modifiers up to a head; false, and nothing read, where none follows.
   bool ReadNounPhrase() {
     NounPhrase phrase;
@@ -225,52 +283,9 @@ class Chunker {
         continue;
       }
       if (lexeme.kind == LexemeKind::kSense) {
-        if (const auto pronoun = PronounOf(lexeme.sense); pronoun.has_value()) {
-          // "one of the lakes", "the other lake", "both lakes": the noun is the head.
-          const bool before_noun = lexeme.sense != Sense::kIt && lexeme.sense != Sense::kThey &&
-                                   lexeme.sense != Sense::kMap && lexeme.sense != Sense::kRest &&
-                                   NounSoon(at + 1);
-          // "country lane"
-          if (lexeme.sense == Sense::kMap && IsNounAt(at + 1) &&
-              tokens_[lexeme.first].text == "country") {
-            continue;
-          }
-          if (!unknown.empty() || phrase.qualities.axis.has_value()) return false;
-          if (before_noun) {
-            phrase.head = *pronoun;
-            if (lexeme.sense == Sense::kOne) phrase.qualities.count = CountMatch{1, 1, 1};
-            continue;
-          }
-          EmitPronoun(*pronoun, at, std::move(phrase));
-          return true;
-        }
-        // "nothing rocky", but not "nothing because ..."
-        if (tokens_[lexeme.first].text == "nothing" && lexeme.Is(Sense::kNo) && !IsNounAt(at + 1)) {
-          return false;
-        }
-        if (AddModifier(lexeme, &phrase)) {
-          said_something = true;
-          continue;
-        }
-        if (lexeme.sense == Sense::kFunction) continue;
-        if (lexeme.sense == Sense::kOfPlace && (said_something || AfterShore(at))) continue;
-        // "six separate trees", "the shore of the lake"
-        if (lexeme.sense == Sense::kBetween && tokens_[lexeme.first].text == "separate" &&
-            said_something) {
-          phrase.qualities.texture = Texture::kScattered;
-          continue;
-        }
-        if (lexeme.sense == Sense::kShore) {
-          if (SenseAt(at + 1, Sense::kOfPlace) && NounSoon(at + 2)) {
-            phrase.shore = true;
-            continue;
-          }
-          if (!unknown.empty()) return false;
-          EmitPronoun(Head::kShore, at, std::move(phrase));
-          return true;
-        }
-        // "a long, narrow lake": no further than one comma between qualities.
-        return false;
+        const Step step = ReadSenseOfPhrase(at, !unknown.empty(), &phrase, &said_something);
+        if (step == Step::kNext) continue;
+        return step == Step::kRead;
       }
       if (lexeme.kind == LexemeKind::kComma && said_something && at > at_ && IsComma(at) &&
           !lexemes_[at - 1].Is(Sense::kMostly) && QualityAt(at - 1) && QualityAt(at + 1) &&

@@ -77,6 +77,12 @@ class Asserter {
   }
 
   void AssertSense() {
+    if (AssertNearness() || AssertJoining()) return;
+    AssertOrder();
+  }
+
+  // How two things lie beside, around or in each other. False: the sense is none of these.
+  bool AssertNearness() {
     switch (frame_.sense) {
       case Sense::kNextTo:
         Relate(RelationKind::kAdjacent, subject_, object_,
@@ -121,6 +127,15 @@ class Asserter {
       case Sense::kFlankedBy:
         Relate(RelationKind::kBothSides, object_, subject_);
         break;
+      default:
+        return false;
+    }
+    return true;
+  }
+
+  // What lies between, joins, parts, follows or crosses. False: the sense is none of these.
+  bool AssertJoining() {
+    switch (frame_.sense) {
       case Sense::kBetween:
         AssertTwo(RelationKind::kBetween, subject_, frame_.objects);
         // "a motorway between the two towns", "a road between the lake and the village": joins
@@ -164,6 +179,15 @@ class Asserter {
           AssertAlong(subject_, object_);
         }
         break;
+      default:
+        return false;
+    }
+    return true;
+  }
+
+  // Ends of lines, what is strewn, which way from something, and how much of it.
+  void AssertOrder() {
+    switch (frame_.sense) {
       case Sense::kFrom:
         AssertEnd(/*from=*/true);
         break;
