@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "latticeworld/common/random.h"
-#include "latticeworld/simulation/ode/body_sweep.h"
+#include "latticeworld/simulation/ode/contacts/body_sweep.h"
 #include "simulation/step_times.h"
 
 namespace latticeworld {

@@ -11,7 +11,7 @@
 #include "latticeworld/mapping/octree/octree.h"
 #include "latticeworld/mapping/traversability.h"
 #include "latticeworld/sensing/solids/ray_scene.h"
-#include "latticeworld/simulation/ode/ground_contact.h"
+#include "latticeworld/simulation/ode/contacts/ground_contact.h"
 #include "mapping/hand_made_scene.h"
 
 namespace latticeworld {

@@ -1,6 +1,6 @@
 // The sweep finds what looking at every pair finds, each pair once, whatever moved before.
 
-#include "latticeworld/simulation/ode/body_sweep.h"
+#include "latticeworld/simulation/ode/contacts/body_sweep.h"
 
 #include <gtest/gtest.h>
 

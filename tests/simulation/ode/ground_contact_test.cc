@@ -1,4 +1,4 @@
-#include "latticeworld/simulation/ode/ground_contact.h"
+#include "latticeworld/simulation/ode/contacts/ground_contact.h"
 
 #include <gtest/gtest.h>
 

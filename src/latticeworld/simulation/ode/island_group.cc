@@ -61,8 +61,8 @@ std::size_t IslandGroup::PlaceOf(const OdeBody* member) const {
 void IslandGroup::SetEnabled(char which, bool enabled) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     if (fine_[i] != which) continue;
-    for (std::size_t k = 0; k < members_[i]->part_count(); ++k) {
-      enabled ? dBodyEnable(members_[i]->part(k)) : dBodyDisable(members_[i]->part(k));
+    for (const dBodyID part : members_[i]->parts().all()) {
+      enabled ? dBodyEnable(part) : dBodyDisable(part);
     }
   }
 }
@@ -74,7 +74,7 @@ void IslandGroup::Solve(double step_s, std::uint64_t solver_seed) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const OdeBody& body = *members_[i];
     if (body.stands()) continue;
-    fine_[i] = body.link_count() > 0 || body.Brakes() ? kFine : kCoarse;
+    fine_[i] = body.parts().link_count() > 0 || body.control().Brakes() ? kFine : kCoarse;
     (fine_[i] == kFine ? any_fine : any_coarse) = true;
   }
   for (bool spread = any_fine && any_coarse; spread;) {

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "latticeworld/simulation/ode/contact_joints.h"
-#include "latticeworld/simulation/ode/ground_contact.h"
-#include "latticeworld/simulation/ode/ode_body.h"
+#include "latticeworld/simulation/ode/body/ode_body.h"
+#include "latticeworld/simulation/ode/contacts/contact_joints.h"
+#include "latticeworld/simulation/ode/contacts/ground_contact.h"
 #include "latticeworld/simulation/ode/ode_library.h"
 #include "latticeworld/simulation/physics_world.h"
 
@@ -41,8 +41,8 @@ class IslandGroup {
   std::vector<Contact> contacts;  // with ground, assets and boundary; by member
   // A contact with an asset about which the judge is to be asked.
   struct Asked {
-    BodyId body;
-    std::size_t contact, joint;
+    BodyId body = 0;
+    std::size_t contact = 0, joint = 0;  // places in contacts and among joints
   };
   std::vector<Asked> asked;
   std::chrono::nanoseconds search_time{};  // for contacts
@@ -53,8 +53,8 @@ class IslandGroup {
   // Kept between bodies and steps.
   struct SampleTouch {
     GroundContact contact;
-    std::size_t part;
-    bool walks;
+    std::size_t part = 0;
+    bool walks = false;
   };
   std::vector<SampleTouch> sample_touch;    // of the body at hand
   std::vector<GroundContacts> wheel_touch;  // of the body at hand

@@ -24,10 +24,10 @@ void IslandGroup::WatchEnergy(double step_s) {
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const OdeBody& body = *members_[i];
     if (body.stands()) continue;
-    gained_j_[i] = body.EnergyGained(step_s);
-    const double own_j = body.EnergyOfCorrection();
+    gained_j_[i] = body.energy().Gained(step_s);
+    const double own_j = body.energy().OfCorrection();
     if (gained_j_[i] <= own_j) continue;
-    overdrawn_[i] = gained_j_[i] > own_j + body.EnergyOfMotors(step_s);
+    overdrawn_[i] = gained_j_[i] > own_j + body.energy().OfMotors(step_s);
     any = any || overdrawn_[i];
   }
   if (!any) return;
@@ -50,12 +50,12 @@ void IslandGroup::WatchEnergy(double step_s) {
     const OdeBody& body = *members_[i];
     if (body.stands()) continue;
     const double lost_j = std::isfinite(gained_j_[i]) ? std::max(0.0, -gained_j_[i]) : 0.0;
-    together_j[FirstOf(&touching, i)] += lost_j + stems_j[i] + body.EnergyOfMotors(step_s);
+    together_j[FirstOf(&touching, i)] += lost_j + stems_j[i] + body.energy().OfMotors(step_s);
   }
   for (std::size_t i = 0; i < members_.size(); ++i) {
     if (!overdrawn_[i]) continue;
     OdeBody* body = members_[i];
-    const double most_j = body->EnergyOfCorrection() + together_j[FirstOf(&touching, i)];
+    const double most_j = body->energy().OfCorrection() + together_j[FirstOf(&touching, i)];
     overdrawn_[i] = gained_j_[i] > most_j;
     if (!overdrawn_[i]) continue;
     body->TakeEnergy(gained_j_[i] - most_j);

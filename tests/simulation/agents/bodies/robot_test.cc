@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "latticeworld/simulation/agents/bodies/bodies.h"
-#include "latticeworld/simulation/ode/ground_contact.h"
+#include "latticeworld/simulation/ode/contacts/ground_contact.h"
 #include "latticeworld/species/species_catalogue.h"
 #include "simulation/test_scene.h"
 
