@@ -45,6 +45,13 @@ class ClauseReader {
     int sentence = 0;
   };
 
+  // What stood right before a relation, in the one before it.
+  struct Anchor {
+    int owner = -1;            // "flows past the town on its western side": the town
+    std::vector<int> nearest;  // its last object, if that is the last thing named
+    bool nested = false;       // which lies in something itself: "a lake in a forest in a desert"
+  };
+
   void ReadChunk(const Chunk& chunk);
   void ReadNounPhrase(const Chunk& chunk);
   void ReadPlace(const Chunk& chunk);
@@ -281,6 +288,16 @@ class ClauseReader {
   bool TiesSubject(std::size_t at) const;
   bool IsBeyondKnown(int index) const;
   void Open(Frame frame);
+  bool NamesSecondObject(Sense sense);
+  void StartFromObject();
+  bool StandsInFrame(const Frame& frame, Sense sense);
+  bool GiveWay(Sense sense, const std::string& words, Frame* frame);
+  Anchor AnchorOf(const Frame& frame, Sense sense) const;
+  bool AfterBreak() const;
+  bool MayLead(const Frame& frame, Sense sense) const;
+  void OpenFronted(Frame frame, Sense sense);
+  std::vector<int> SubjectsOf(Sense sense, const std::string& words, const Anchor& anchor);
+  bool TakeOwnObject(int owner, Frame* frame);
   void OpenSense(Sense sense, bool of_it);
   void TakeBackDenials();
   void PlaceDenials(const Frame& frame);
