@@ -45,109 +45,8 @@ Facet FacetAt(const HeightField& ground, double x_m, double y_m, double radius_m
     *whole = u >= reach && v >= reach && u + reach <= 1.0 && v + reach <= 1.0 &&
              std::abs(u - v) >= 2.0 * reach;
   }
-  Facet facet;
-  facet.height_m = north_west + u * dz_du + v * dz_dv;
-  facet.dz_dx = dz_du / geometry.resolution_m();
-  facet.dz_dy = -dz_dv / geometry.resolution_m();
-  return facet;
-}
-
-struct Ball {
-  const Eigen::Vector3d& center_m;
-  double radius_m;
-};
-
-// The next one of a ball's contacts, to be filled in.
-GroundContact& NextOf(GroundContacts* found) {
-  return found->contact[static_cast<std::size_t>(found->count++)];
-}
-
-void TouchWithPoint(const Eigen::Vector3d& point_m, const Facet& below, GroundContacts* found) {
-  if (point_m.z() >= below.height_m) return;
-  GroundContact& contact = NextOf(found);
-  contact.position_m = point_m;
-  contact.normal = below.Normal();
-  contact.depth_m = (below.height_m - point_m.z()) * contact.normal.z();
-}
-
-// Of a ball whose centre is above the facet, and that can touch no other one.
-void TouchFacet(const Ball& ball, const Facet& below, GroundContacts* found) {
-  const Eigen::Vector3d normal = below.Normal();
-  const double distance_m = (ball.center_m.z() - below.height_m) * normal.z();
-  if (distance_m >= ball.radius_m) return;
-  GroundContact& contact = NextOf(found);
-  contact.position_m = ball.center_m - distance_m * normal;
-  contact.normal = normal;
-  contact.depth_m = ball.radius_m - distance_m;
-}
-
-constexpr int kSamples = 5;  // of the ground around a ball
-
-// Facets of one plane, most of all those of the one triangle, need to be looked at once.
-class KnownPlanes {
- public:
-  // Takes in the plane of a facet at a place; false: it is known.
-  bool Add(const Facet& facet, double x_m, double y_m) {
-    for (int i = 0; i < count_; ++i) {
-      if (IsSame(facets_[i], facet, x_m - x_m_[i], y_m - y_m_[i])) return false;
-    }
-    x_m_[count_] = x_m;
-    y_m_[count_] = y_m;
-    facets_[count_++] = facet;
-    return true;
-  }
-
- private:
-  static bool IsSame(const Facet& a, const Facet& b, double dx_m, double dy_m) {
-    return a.dz_dx == b.dz_dx && a.dz_dy == b.dz_dy &&
-           std::abs(a.height_m + a.dz_dx * dx_m + a.dz_dy * dy_m - b.height_m) < 1e-9;
-  }
-
-  Facet facets_[kSamples];
-  double x_m_[kSamples], y_m_[kSamples];
-  int count_ = 0;
-};
-
-// Adds a ball's contact with the plane of a facet, where there is one in no direction that is
-// known. on_ground: a point of the facet.
-void TouchPlane(const HeightField& ground, const Ball& ball, const Facet& facet,
-                const Eigen::Vector3d& on_ground, GroundContacts* found) {
-  const Eigen::Vector3d normal = facet.Normal();
-  const double distance_m = (ball.center_m - on_ground).dot(normal);
-  if (distance_m >= ball.radius_m) return;
-  // The plane counts only where it is the ground: beyond a crest it runs on through the air.
-  const Eigen::Vector3d foot = ball.center_m - distance_m * normal;
-  const double at_foot_m = FacetAt(ground, foot.x(), foot.y(), 0.0, nullptr).height_m;
-  if (std::abs(at_foot_m - foot.z()) > kFootTolerance_m) return;
-  bool same = false;
-  for (int i = 0; i < found->count; ++i) {
-    same |= found->contact[static_cast<std::size_t>(i)].normal.dot(normal) > kSamePlaneCosine;
-  }
-  if (same) return;
-  GroundContact& contact = NextOf(found);
-  contact.position_m = foot;
-  contact.normal = normal;
-  contact.depth_m = ball.radius_m - distance_m;
-}
-
-// Adds a ball's contact with a crest or peak: the nearest sampled point of it, or straight up where
-// the centre is below.
-void TouchCrest(const Ball& ball, const Facet& below, const Eigen::Vector3d& nearest,
-                GroundContacts* found) {
-  const Eigen::Vector3d& center_m = ball.center_m;
-  const Eigen::Vector3d from_ground = center_m - nearest;
-  const double distance_m = from_ground.norm();
-  if (center_m.z() <= below.height_m) {
-    GroundContact& contact = NextOf(found);
-    contact.position_m = Eigen::Vector3d(center_m.x(), center_m.y(), below.height_m);
-    contact.normal = below.Normal();
-    contact.depth_m = (below.height_m - center_m.z()) * contact.normal.z() + ball.radius_m;
-  } else if (distance_m < ball.radius_m) {
-    GroundContact& contact = NextOf(found);
-    contact.position_m = nearest;
-    contact.normal = from_ground / distance_m;
-    contact.depth_m = ball.radius_m - distance_m;
-  }
+  return {north_west + u * dz_du + v * dz_dv, dz_du / geometry.resolution_m(),
+          -dz_dv / geometry.resolution_m()};
 }
 
 }  // namespace
@@ -158,32 +57,81 @@ GroundContacts TouchGround(const HeightField& ground, const Eigen::Vector3d& cen
   if (center_m.z() - radius_m > ground.max_m()) return found;
   bool whole = false;
   const Facet below = FacetAt(ground, center_m.x(), center_m.y(), radius_m, &whole);
+  const double height_m = below.height_m;
   if (radius_m <= 0.0) {
-    TouchWithPoint(center_m, below, &found);
+    if (center_m.z() >= height_m) return found;
+    const Eigen::Vector3d normal = below.Normal();
+    found.contact[0] = {center_m, normal, (height_m - center_m.z()) * normal.z()};
+    found.count = 1;
     return found;
   }
-  const Ball ball{center_m, radius_m};
-  if (whole && center_m.z() > below.height_m) {
-    TouchFacet(ball, below, &found);
+  if (whole && center_m.z() > height_m) {
+    const Eigen::Vector3d normal = below.Normal();
+    const double distance_m = (center_m.z() - height_m) * normal.z();
+    if (distance_m >= radius_m) return found;
+    found.contact[0] = {center_m - distance_m * normal, normal, radius_m - distance_m};
+    found.count = 1;
     return found;
   }
 
-  constexpr double kOffsets[kSamples][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-  Eigen::Vector3d nearest(center_m.x(), center_m.y(), below.height_m);
-  KnownPlanes known;
-  for (int i = 0; i < kSamples; ++i) {
-    const double x_m = center_m.x() + kOffsets[i][0] * radius_m;
-    const double y_m = center_m.y() + kOffsets[i][1] * radius_m;
-    const Facet facet = i == 0 ? below : FacetAt(ground, x_m, y_m, 0.0, nullptr);
+  const double offsets[5][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+  Eigen::Vector3d nearest(center_m.x(), center_m.y(), height_m);
+  Facet known[5];
+  double known_x_m[5], known_y_m[5];
+  int known_count = 0;
+  // Facets of one plane, most of all those of the one triangle, need to be looked at once.
+  const auto same_plane = [](const Facet& a, const Facet& b, double dx_m, double dy_m) {
+    return a.dz_dx == b.dz_dx && a.dz_dy == b.dz_dy &&
+           std::abs(a.height_m + a.dz_dx * dx_m + a.dz_dy * dy_m - b.height_m) < 1e-9;
+  };
+  for (const auto& offset : offsets) {
+    const double x_m = center_m.x() + offset[0] * radius_m;
+    const double y_m = center_m.y() + offset[1] * radius_m;
+    const Facet facet =
+        known_count == 0 ? below : FacetAt(ground, x_m, y_m, 0.0, nullptr);  // the first is below
     const Eigen::Vector3d on_ground(x_m, y_m, facet.height_m);
     if ((on_ground - center_m).squaredNorm() < (nearest - center_m).squaredNorm()) {
       nearest = on_ground;
     }
-    if (!known.Add(facet, x_m, y_m)) continue;
-    TouchPlane(ground, ball, facet, on_ground, &found);
+    bool again = false;
+    for (int i = 0; i < known_count; ++i) {
+      const double dx_m = x_m - known_x_m[i], dy_m = y_m - known_y_m[i];
+      again = again || same_plane(known[i], facet, dx_m, dy_m);
+    }
+    if (again) continue;
+    known_x_m[known_count] = x_m;
+    known_y_m[known_count] = y_m;
+    known[known_count++] = facet;
+    const Eigen::Vector3d normal = facet.Normal();
+    const double distance_m = (center_m - on_ground).dot(normal);
+    if (distance_m >= radius_m) continue;
+    // The plane counts only where it is the ground: beyond a crest it runs on through the air.
+    const Eigen::Vector3d foot = center_m - distance_m * normal;
+    const double at_foot_m = FacetAt(ground, foot.x(), foot.y(), 0.0, nullptr).height_m;
+    if (std::abs(at_foot_m - foot.z()) > kFootTolerance_m) continue;
+    bool same = false;
+    for (int i = 0; i < found.count; ++i) {
+      same |= found.contact[static_cast<std::size_t>(i)].normal.dot(normal) > kSamePlaneCosine;
+    }
+    if (same) continue;
+    found.contact[static_cast<std::size_t>(found.count++)] = {foot, normal, radius_m - distance_m};
     if (found.count == 3) return found;
   }
-  if (found.count == 0) TouchCrest(ball, below, nearest, &found);
+  if (found.count > 0) return found;
+
+  // A crest or peak: the nearest sampled point of it, or straight up where the centre is below.
+  const Eigen::Vector3d from_ground = center_m - nearest;
+  const double distance_m = from_ground.norm();
+  if (center_m.z() <= height_m) {
+    const Eigen::Vector3d normal = below.Normal();
+    found.contact[0] = {{center_m.x(), center_m.y(), height_m},
+                        normal,
+                        (height_m - center_m.z()) * normal.z() + radius_m};
+    found.count = 1;
+  } else if (distance_m < radius_m) {
+    found.contact[0] = {nearest, from_ground / distance_m, radius_m - distance_m};
+    found.count = 1;
+  }
   return found;
 }
 
