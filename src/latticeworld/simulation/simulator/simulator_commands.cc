@@ -10,14 +10,7 @@
 namespace latticeworld {
 namespace {
 
-constexpr int kTeams = 16;
 constexpr std::string_view kExternal = "external";
-
-Status CheckPolicy(const std::string& policy) {
-  if (policy.empty() || FindPolicy(policy) != nullptr) return Status();
-  return InvalidArgument("there is no policy " + Quote(policy) + ": it must be one of " +
-                         Join(PolicyNames(), ", ") + ", or empty");
-}
 
 // The joint that a command is for, and what it asks of it.
 Result<std::pair<std::size_t, JointTarget>> TargetOf(const JointCommand& command,
@@ -142,10 +135,7 @@ Status SimulatorImpl::Strike(const std::string& name) {
 }
 
 Status SimulatorImpl::SetPolicy(const PolicyChange& change) {
-  if (change.agent.empty() != change.team.has_value()) {
-    return InvalidArgument("a policy is set for an agent or for a team, not for both or neither");
-  }
-  LW_RETURN_IF_ERROR(CheckPolicy(change.policy));
+  LW_RETURN_IF_ERROR(Status::FromViolations("policy", Validate(change)));
   // What the policy before had in mind is over; what was perceived stays.
   const auto begin_anew = [](Agent* agent) {
     Mind& mind = agent->mind;
@@ -170,10 +160,6 @@ Status SimulatorImpl::SetPolicy(const PolicyChange& change) {
     agent.policy = change.policy;
     begin_anew(&agent);
   } else {
-    if (*change.team < 0 || *change.team >= kTeams) {
-      return InvalidArgument("team must be in [0, " + std::to_string(kTeams - 1) + "], not " +
-                             std::to_string(*change.team));
-    }
     const auto before = team_policies_.find(*change.team);
     if ((before == team_policies_.end() ? "" : before->second) == change.policy) return Status();
     if (change.policy.empty()) {

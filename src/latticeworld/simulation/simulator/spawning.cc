@@ -1,19 +1,16 @@
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/scene/agents/agent_placement.h"
 #include "latticeworld/scene/agents/spawn_rules.h"
 #include "latticeworld/simulation/agent_names.h"
-#include "latticeworld/simulation/agents/minds/policy.h"
 #include "latticeworld/simulation/agents/ways/steering.h"
 #include "latticeworld/simulation/simulator/simulator_impl.h"
 
 namespace latticeworld {
 namespace {
 
-constexpr int kMostTeam = 15;
 constexpr int kRobotTeam = 1;
 constexpr int kTries = 8;  // places that the rules allow and something that moved is in the way of
 constexpr double kStemSpacing_m = 3.0;  // between the places that a fallen stem takes
@@ -61,24 +58,10 @@ Status SimulatorImpl::CheckRequest(const SpawnRequest& request, const Species& s
     return InvalidArgument("a " + species.name + " cannot be " +
                            std::string(NameOf(*request.state)));
   }
-  if (!std::isfinite(request.heading_rad)) {
-    return InvalidArgument("heading must be finite, not " + FormatDouble(request.heading_rad));
-  }
-  if (request.position.has_value() &&
-      (!std::isfinite(request.position->x_m) || !std::isfinite(request.position->y_m))) {
-    return InvalidArgument("position must be finite, not " + At(*request.position));
-  }
-  if (request.team.has_value() && (*request.team < 0 || *request.team > kMostTeam)) {
-    return InvalidArgument("team must be in [0, " + std::to_string(kMostTeam) + "], not " +
-                           std::to_string(*request.team));
-  }
+  LW_RETURN_IF_ERROR(Status::FromViolations("spawn", Validate(request)));
   if (request.controllable && !request.policy.empty()) {
     return InvalidArgument("a controllable agent follows its own commands: it has no policy, not " +
                            Quote(request.policy));
-  }
-  if (!request.policy.empty() && FindPolicy(request.policy) == nullptr) {
-    return InvalidArgument("there is no policy " + Quote(request.policy) + ": it must be one of " +
-                           Join(PolicyNames(), ", ") + ", or empty");
   }
   return Status();
 }
