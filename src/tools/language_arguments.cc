@@ -12,6 +12,18 @@
 #include "tools/server_arguments.h"
 
 namespace latticeworld::tools {
+namespace {
+
+// Illegal fields of the models' options are told by the options that set them.
+Status ByOptions(const Status& status) {
+  if (status.violations().empty()) return status;
+  std::vector<Violation> violations = status.violations();
+  for (Violation& violation : violations) violation.pointer = OptionOf("--", violation.pointer);
+  return Status::FromViolations("unusable arguments", std::move(violations));
+}
+
+}  // namespace
+
 void AddLanguageOptions(CLI::App* command) {
   AddValueOption(
       command, "--reader", "NAME",
@@ -91,16 +103,9 @@ Result<LanguageStack> LoadLanguage(const CLI::App& command) {
   if (!reader.is_wanted()) arguments.RequireBeside("--reader-threads", "--reader-model");
   LW_RETURN_IF_ERROR(arguments.status());
 
-  std::vector<Violation> violations = Validate(remote);
-  for (Violation& violation : violations)
-    violation.pointer = OptionOf("--remote-", violation.pointer);
-  for (Violation& violation : Validate(local)) {
-    violation.pointer = OptionOf("--local-", violation.pointer);
-    violations.push_back(std::move(violation));
-  }
-  LW_RETURN_IF_ERROR(Status::FromViolations("unusable arguments", std::move(violations)));
-  LW_ASSIGN_OR_RETURN(LoadedLanguage loaded, latticeworld::LoadLanguage(remote, local, reader));
-  return std::move(loaded.stack);
+  auto loaded = latticeworld::LoadLanguage(remote, local, reader);
+  if (!loaded.ok()) return ByOptions(loaded.status());
+  return std::move(loaded->stack);
 }
 
 }  // namespace latticeworld::tools

@@ -379,6 +379,22 @@ TEST(WorldGeneratorTest, MakesTheSameWorldFromTheSameRequest) {
   }
 }
 
+TEST(WorldGeneratorTest, MakesOfAnAcceptedRequestTheWorldOfTheRequest) {
+  WorldGenerator generator = MakeDefaultWorldGenerator();
+  for (const GenerationRequest& request : {SmallRequest(), HeightMapRequest()}) {
+    auto accepted = generator.Accept(request);
+    ASSERT_TRUE(accepted.ok()) << accepted.status().ToString();
+    EXPECT_EQ((*accepted)->visual, request.visual);
+    const auto world = generator.Generate(*std::move(accepted), Progress());
+    const auto same = generator.Generate(request, Progress());
+    ASSERT_TRUE(world.ok() && same.ok()) << world.status().ToString();
+    ExpectSameWorld(**world, **same);
+  }
+  GenerationRequest illegal = SmallRequest();
+  illegal.size_m = -1.0;
+  EXPECT_EQ(generator.Accept(illegal).status().ToString(), generator.Validate(illegal).ToString());
+}
+
 TEST(WorldGeneratorTest, LeavesTheLayoutAloneWhenOnlyTheEnvironmentIsAskedForAnew) {
   GenerationRequest request = SmallRequest();
   const auto first = MakeDefaultWorldGenerator().Generate(request, Progress());

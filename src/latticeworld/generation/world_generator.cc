@@ -33,18 +33,11 @@ void Append(const Status& status, std::string_view pointer, std::vector<Violatio
 }
 
 void CheckTexts(const GenerationRequest& request, std::vector<Violation>* violations) {
-  Relief relief;  // stands for the picture, which is not read yet
-  relief.summary = Grid<float>(kReliefSummarySize, kReliefSummarySize);
-  SymbolicLayout layout;
-  layout.cells = Grid<char>(kLayoutSize, kLayoutSize, ClassesOf(layout.vocabulary)[0].letter);
-  LayoutRequest layout_request;
-  layout_request.instruction = request.layout_instruction;
-  if (request.visual_kind != VisualKind::kNone) layout_request.relief = &relief;
-  Append(Validate(layout_request), "layout_instruction", violations);
-  EnvironmentRequest environment_request;
-  environment_request.instruction = request.environment_instruction;
-  environment_request.layout = &layout;
-  Append(Validate(environment_request), "environment_instruction", violations);
+  const bool has_relief = request.visual_kind != VisualKind::kNone;
+  Append(ValidateLayoutInstruction(request.layout_instruction, has_relief), "layout_instruction",
+         violations);
+  Append(ValidateEnvironmentInstruction(request.environment_instruction), "environment_instruction",
+         violations);
 }
 
 template <typename Value>
@@ -233,6 +226,23 @@ class WorldStages {
   std::shared_ptr<const Terrain> terrain_;
 };
 
+using WorldResult = Result<std::shared_ptr<const World>>;
+
+// What `function` gives, or the Status of what it throws: a defect of a stage or of a library below
+// it must not end the program that asked. The size and the resolution are those of the request.
+template <typename Function>
+WorldResult WithoutExceptions(double size_m, double resolution_m, Function&& function) {
+  try {
+    return function();
+  } catch (const std::bad_alloc&) {
+    return ResourceExhausted("not enough memory for a world of " + FormatDouble(size_m) + " m at " +
+                             FormatDouble(resolution_m) +
+                             " m; ask for a smaller size or a coarser resolution");
+  } catch (const std::exception& error) {
+    return Internal(std::string("generation failed: ") + error.what());
+  }
+}
+
 Result<std::shared_ptr<const World>> RunStages(GenerationRequest request, InstructionReader* reader,
                                                LanguageGenerator* generator,
                                                const SketchTranslator& sketches,
@@ -307,26 +317,35 @@ Status WorldGenerator::Validate(const GenerationRequest& request) const {
   return Status::FromViolations("unusable request", std::move(violations));
 }
 
+Result<AcceptedRequest> WorldGenerator::Accept(GenerationRequest request) const {
+  LW_RETURN_IF_ERROR(Validate(request));
+  return AcceptedRequest(std::move(request));
+}
+
 Result<std::shared_ptr<const World>> WorldGenerator::Generate(const GenerationRequest& request,
                                                               const Progress& progress) {
-  try {
-    LW_RETURN_IF_ERROR(Validate(request));
-    GenerationRequest resolved = request;
-    resolved.vocabulary = std::string(NameOf(ResolveVocabulary(request)));
-    if (resolved.reader.empty()) resolved.reader = language_.default_reader;
-    if (resolved.generator.empty()) resolved.generator = language_.default_generator;
-    ResolveVisual(sketches_, &resolved);
-    InstructionReader* reader = language_.readers.at(resolved.reader).get();
-    LanguageGenerator* generator = &language_.generators.at(resolved.generator);
-    return RunStages(std::move(resolved), reader, generator, sketches_, catalogue_, progress);
-  } catch (const std::bad_alloc&) {
-    return ResourceExhausted("not enough memory for a world of " + FormatDouble(request.size_m) +
-                             " m at " + FormatDouble(request.resolution_m) +
-                             " m; ask for a smaller size or a coarser resolution");
-  } catch (const std::exception& error) {
-    // A defect of a stage or of a library below it must not end the program that asked.
-    return Internal(std::string("generation failed: ") + error.what());
-  }
+  return WithoutExceptions(request.size_m, request.resolution_m, [&]() -> WorldResult {
+    LW_ASSIGN_OR_RETURN(AcceptedRequest accepted, Accept(request));
+    return Make(std::move(accepted), progress);
+  });
+}
+
+Result<std::shared_ptr<const World>> WorldGenerator::Generate(AcceptedRequest request,
+                                                              const Progress& progress) {
+  return WithoutExceptions(request->size_m, request->resolution_m,
+                           [&] { return Make(std::move(request), progress); });
+}
+
+Result<std::shared_ptr<const World>> WorldGenerator::Make(AcceptedRequest request,
+                                                          const Progress& progress) {
+  GenerationRequest resolved = std::move(request).Take();
+  resolved.vocabulary = std::string(NameOf(ResolveVocabulary(resolved)));
+  if (resolved.reader.empty()) resolved.reader = language_.default_reader;
+  if (resolved.generator.empty()) resolved.generator = language_.default_generator;
+  ResolveVisual(sketches_, &resolved);
+  InstructionReader* reader = language_.readers.at(resolved.reader).get();
+  LanguageGenerator* generator = &language_.generators.at(resolved.generator);
+  return RunStages(std::move(resolved), reader, generator, sketches_, catalogue_, progress);
 }
 
 }  // namespace latticeworld

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "latticeworld/catalogue/catalogue.h"
@@ -14,6 +15,21 @@
 
 namespace latticeworld {
 
+// A request that a WorldGenerator has found nothing wrong with. Only the generator makes one, so
+// who holds one need not ask again.
+class AcceptedRequest {
+ public:
+  const GenerationRequest& operator*() const { return request_; }
+  const GenerationRequest* operator->() const { return &request_; }
+  GenerationRequest Take() && { return std::move(request_); }
+
+ private:
+  friend class WorldGenerator;
+  explicit AcceptedRequest(GenerationRequest request) : request_(std::move(request)) {}
+
+  GenerationRequest request_;
+};
+
 // Request to World. One request at a time; call from one thread (Cancel comes through Progress).
 class WorldGenerator {
  public:
@@ -23,16 +39,23 @@ class WorldGenerator {
 
   // Everything that can be said about a request before any work is done, every violation at once.
   Status Validate(const GenerationRequest& request) const;
+  // The same for who wants to know early and to generate later: the request is looked at once.
+  // Errors: INVALID_ARGUMENT (every violation).
+  Result<AcceptedRequest> Accept(GenerationRequest request) const;
 
   // Errors: INVALID_ARGUMENT (every violation), CANCELLED, RESOURCE_EXHAUSTED, what readers and
   // generators say.
   Result<std::shared_ptr<const World>> Generate(const GenerationRequest& request,
                                                 const Progress& progress);
+  // request: accepted by this generator. Errors: as above, but for the violations.
+  Result<std::shared_ptr<const World>> Generate(AcceptedRequest request, const Progress& progress);
 
   std::vector<std::string> reader_names() const;
   std::vector<std::string> generator_names() const;
 
  private:
+  Result<std::shared_ptr<const World>> Make(AcceptedRequest request, const Progress& progress);
+
   LanguageStack language_;
   SketchTranslator sketches_;
   std::shared_ptr<const Catalogue> catalogue_;

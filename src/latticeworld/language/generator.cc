@@ -28,10 +28,9 @@ Status ValidateRelief(const Relief* relief) {
 
 }  // namespace
 
-Status Validate(const LayoutRequest& request) {
-  LW_RETURN_IF_ERROR(ValidateText("layout instruction", request.instruction, kMaxInstructionBytes));
-  LW_RETURN_IF_ERROR(ValidateRelief(request.relief));
-  if (request.relief == nullptr && !HasWords(request.instruction)) {
+Status ValidateLayoutInstruction(std::string_view instruction, bool has_relief) {
+  LW_RETURN_IF_ERROR(ValidateText("layout instruction", instruction, kMaxInstructionBytes));
+  if (!has_relief && !HasWords(instruction)) {
     return InvalidArgument(
         "layout instruction is empty (no words) and there is no relief; give a text, a relief, or "
         "both");
@@ -39,9 +38,17 @@ Status Validate(const LayoutRequest& request) {
   return Status();
 }
 
+Status ValidateEnvironmentInstruction(std::string_view instruction) {
+  return ValidateText("environment instruction", instruction, kMaxInstructionBytes);
+}
+
+Status Validate(const LayoutRequest& request) {
+  LW_RETURN_IF_ERROR(ValidateLayoutInstruction(request.instruction, request.relief != nullptr));
+  return ValidateRelief(request.relief);
+}
+
 Status Validate(const EnvironmentRequest& request) {
-  LW_RETURN_IF_ERROR(
-      ValidateText("environment instruction", request.instruction, kMaxInstructionBytes));
+  LW_RETURN_IF_ERROR(ValidateEnvironmentInstruction(request.instruction));
   LW_RETURN_IF_ERROR(ValidateRelief(request.relief));
   if (request.layout == nullptr) {
     return InvalidArgument("an environment needs a layout; none was given");

@@ -101,7 +101,12 @@ class EnvironmentGenerator {
   }
 };
 
-// The checks that every back end's request passes: UTF-8, length, emptiness.
+// What is wrong with the words alone, before there is a request that holds them: UTF-8, length, and
+// of a layout that there are some unless a relief speaks for them.
+Status ValidateLayoutInstruction(std::string_view instruction, bool has_relief);
+Status ValidateEnvironmentInstruction(std::string_view instruction);
+
+// The checks that every back end's request passes: its words, and what stands beside them.
 Status Validate(const LayoutRequest& request);
 Status Validate(const EnvironmentRequest& request);
 

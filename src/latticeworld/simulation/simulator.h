@@ -43,6 +43,8 @@ struct JointCommand {
   double effort_nm;
 };
 
+inline constexpr int kMaxTeam = 15;  // teams are 0, who fights nobody, to this one
+
 struct SpawnRequest {
   std::string name;  // "": "<species>_<n>"; else a legal ROS base name not in use
   AgentCategory category = AgentCategory::kWheeledRobot;
@@ -52,9 +54,11 @@ struct SpawnRequest {
   Region region = Region::kAnywhere;
   double heading_rad = 0.0;
   bool controllable = false;
-  std::optional<int> team;  // none: what suits the category; [0, 15]
+  std::optional<int> team;  // none: what suits the category; [0, kMaxTeam]
   std::string policy;       // "": the team's, else the category's usual one; "" where controllable
 };
+// What a request says that is illegal in every world.
+std::vector<Violation> Validate(const SpawnRequest& request);
 
 // Which policy an agent, or every agent of a team now and later, follows. Exactly one of the two.
 // Controllable agents follow commands and no policy: those of a team are left alone.
@@ -63,6 +67,9 @@ struct PolicyChange {
   std::optional<int> team;
   std::string policy;  // of PolicyNames(); "": back to the usual one
 };
+std::vector<Violation> Validate(const PolicyChange& change);
+// A violation of the field "policy" where there is none of that name; "" is legal.
+void CheckPolicy(const std::string& policy, std::vector<Violation>* violations);
 // Adversarial and other policies that agents can follow, sorted: "pursuer", "ambusher" ...
 // "external" does what Simulator::Command says.
 std::vector<std::string> PolicyNames();

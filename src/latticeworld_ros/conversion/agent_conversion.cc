@@ -13,15 +13,6 @@
 namespace latticeworld {
 namespace {
 
-constexpr int kMaxTeam = 15;
-
-void CheckPolicy(const std::string& policy, std::vector<Violation>* violations) {
-  if (policy.empty()) return;
-  const std::vector<std::string> names = PolicyNames();
-  if (std::find(names.begin(), names.end(), policy) != names.end()) return;
-  RefuseUnknown("policy", policy, Join(names, ", "), violations);
-}
-
 void RefuseTeam(int given, const std::string& legal, std::vector<Violation>* violations) {
   violations->push_back({"out_of_range", "team",
                          std::to_string(given) + " is not legal; legal is " + legal,
@@ -39,12 +30,12 @@ Eigen::Isometry3d PoseOf(const AgentSnapshot& agent) {
 
 geometry_msgs::Twist TwistOf(const AgentSnapshot& agent) {
   geometry_msgs::Twist twist;
-  twist.linear = ToVector(agent.linear_velocity_mps);
-  twist.angular = ToVector(agent.angular_velocity_radps);
+  twist.linear = ToVector3(agent.linear_velocity_mps);
+  twist.angular = ToVector3(agent.angular_velocity_radps);
   return twist;
 }
 
-latticeworld_msgs::AgentState ToRos(const AgentSnapshot& agent) {
+latticeworld_msgs::AgentState ToAgentStateMessage(const AgentSnapshot& agent) {
   latticeworld_msgs::AgentState message;
   message.name = agent.name;
   message.species = agent.species;
@@ -59,8 +50,8 @@ latticeworld_msgs::AgentState ToRos(const AgentSnapshot& agent) {
   return message;
 }
 
-latticeworld_msgs::AgentStates ToRos(const WorldState& state, ros::Time stamp,
-                                     const std::string& world_id) {
+latticeworld_msgs::AgentStates ToAgentStates(const WorldState& state, ros::Time stamp,
+                                             const std::string& world_id) {
   latticeworld_msgs::AgentStates message;
   message.header.stamp = stamp;
   message.header.frame_id = kMapFrame;
@@ -69,12 +60,13 @@ latticeworld_msgs::AgentStates ToRos(const WorldState& state, ros::Time stamp,
   message.episode_step = state.episode_step;
   message.episode_time = state.episode_time_s;
   message.agents.reserve(state.agents.size());
-  for (const AgentSnapshot& agent : state.agents) message.agents.push_back(ToRos(agent));
+  for (const AgentSnapshot& agent : state.agents)
+    message.agents.push_back(ToAgentStateMessage(agent));
   return message;
 }
 
-latticeworld_msgs::AgentEvent ToRos(const Event& event, ros::Time stamp,
-                                    const std::string& world_id) {
+latticeworld_msgs::AgentEvent ToAgentEvent(const Event& event, ros::Time stamp,
+                                           const std::string& world_id) {
   latticeworld_msgs::AgentEvent message;
   message.header.stamp = stamp;
   message.header.frame_id = kMapFrame;
@@ -106,7 +98,7 @@ nav_msgs::Odometry ToOdometry(const AgentSnapshot& agent, ros::Time stamp, const
   message.header.stamp = stamp;
   message.header.frame_id = frame;
   message.child_frame_id = BaseFrame(agent.name);
-  message.pose.pose = ToRos(frame_from_map * PoseOf(agent));
+  message.pose.pose = ToPose(frame_from_map * PoseOf(agent));
   message.twist.twist = TwistOf(agent);
   // True to a millimetre and a milliradian; filters refuse or divide by a variance of 0.
   constexpr double kExact = 1e-6;
@@ -124,7 +116,7 @@ VelocityCommand ToVelocityCommand(const geometry_msgs::Twist& twist) {
   return command;
 }
 
-sensor_msgs::JointState ToJointStates(const AgentSnapshot& agent, ros::Time stamp) {
+sensor_msgs::JointState ToJointState(const AgentSnapshot& agent, ros::Time stamp) {
   sensor_msgs::JointState message;
   message.header.stamp = stamp;
   for (const JointSnapshot& joint : agent.joints) {
@@ -185,10 +177,7 @@ Result<SpawnRequest> ToSpawnRequest(const latticeworld_msgs::SpawnAgent::Request
         ReadName<Region>("place", request.place, &violations).value_or(Region::kAnywhere);
   } else {
     spawn.position = WorldPoint{request.position.x, request.position.y};
-    CheckFinite({{"position.x", request.position.x}, {"position.y", request.position.y}},
-                &violations);
   }
-  CheckFinite({{"heading", request.heading}}, &violations);
   spawn.heading_rad = request.heading;
   spawn.controllable = request.controllable;
   if (request.team < -1 || request.team > kMaxTeam) {
@@ -196,8 +185,8 @@ Result<SpawnRequest> ToSpawnRequest(const latticeworld_msgs::SpawnAgent::Request
   } else if (request.team != 0) {
     spawn.team = std::max(0, request.team);
   }
-  CheckPolicy(request.policy, &violations);
   spawn.policy = request.policy;
+  for (Violation& violation : Validate(spawn)) violations.push_back(std::move(violation));
   if (!violations.empty()) {
     return Status::FromViolations("spawn_agent", std::move(violations));
   }
@@ -211,14 +200,11 @@ Result<PolicyChange> ToPolicyChange(const latticeworld_msgs::SetPolicy::Request&
   change.policy = request.policy;
   if (request.team < 0 || request.team > kMaxTeam) {
     RefuseTeam(request.team, "1 .. 15, or 0 with the name of an agent", &violations);
-  } else if (request.agent.empty() == (request.team == 0)) {
-    violations.push_back({"wrong_combination", "agent",
-                          request.agent.empty() ? "neither agent nor team is given; give one"
-                                                : "agent and team are given; give one",
-                          Quote(request.agent)});
+    CheckPolicy(request.policy, &violations);
+  } else {
+    if (request.team != 0) change.team = request.team;
+    violations = Validate(change);
   }
-  if (request.team != 0) change.team = request.team;
-  CheckPolicy(request.policy, &violations);
   if (!violations.empty()) return Status::FromViolations("set_policy", std::move(violations));
   return change;
 }

@@ -30,11 +30,11 @@ Eigen::Isometry3d PoseOf(const AgentSnapshot& agent);
 Eigen::Isometry3d LevelFrameAt(const Eigen::Isometry3d& pose);
 
 geometry_msgs::Twist TwistOf(const AgentSnapshot& agent);
-latticeworld_msgs::AgentState ToRos(const AgentSnapshot& agent);
-latticeworld_msgs::AgentStates ToRos(const WorldState& state, ros::Time stamp,
-                                     const std::string& world_id);
-latticeworld_msgs::AgentEvent ToRos(const Event& event, ros::Time stamp,
-                                    const std::string& world_id);
+latticeworld_msgs::AgentState ToAgentStateMessage(const AgentSnapshot& agent);
+latticeworld_msgs::AgentStates ToAgentStates(const WorldState& state, ros::Time stamp,
+                                             const std::string& world_id);
+latticeworld_msgs::AgentEvent ToAgentEvent(const Event& event, ros::Time stamp,
+                                           const std::string& world_id);
 
 // Odometry without noise: pose of base_link in `frame`, twist in base_link. frame_from_map: where
 // the map lies in that frame; the identity for ground truth.
@@ -42,7 +42,7 @@ nav_msgs::Odometry ToOdometry(const AgentSnapshot& agent, ros::Time stamp, const
                               const Eigen::Isometry3d& frame_from_map);
 
 // Angles, rates and torques of its joints, in their order.
-sensor_msgs::JointState ToJointStates(const AgentSnapshot& agent, ros::Time stamp);
+sensor_msgs::JointState ToJointState(const AgentSnapshot& agent, ros::Time stamp);
 
 // Velocities as they are; Simulator::Command refuses what is not finite.
 VelocityCommand ToVelocityCommand(const geometry_msgs::Twist& twist);

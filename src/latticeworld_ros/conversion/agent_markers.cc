@@ -113,8 +113,8 @@ class Markers {
     marker_.ns = ns;
     marker_.id = id;
     marker_.type = form.type;
-    marker_.pose = latticeworld::ToRos(map_from_thing * Eigen::Translation3d(form.middle_m));
-    marker_.scale = ToVector(form.size_m);
+    marker_.pose = latticeworld::ToPose(map_from_thing * Eigen::Translation3d(form.middle_m));
+    marker_.scale = ToVector3(form.size_m);
     marker_.color = color;
     marker_.text = text;
     array_.markers.push_back(marker_);
@@ -168,8 +168,8 @@ void AddFallingTree(const FallenTree& tree, const Asset& asset, Markers* markers
 
 }  // namespace
 
-visualization_msgs::MarkerArray ToMarkers(const WorldState& state, const Scene& scene,
-                                          const SpeciesCatalogue& catalogue, ros::Time stamp) {
+visualization_msgs::MarkerArray ToMarkerArray(const WorldState& state, const Scene& scene,
+                                              const SpeciesCatalogue& catalogue, ros::Time stamp) {
   Markers markers(stamp);
   int id = 0;
   for (const AgentSnapshot& agent : state.agents) AddAgent(id++, agent, catalogue, &markers);

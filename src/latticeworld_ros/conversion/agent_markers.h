@@ -13,8 +13,8 @@ namespace latticeworld {
 // What moves, for rviz, as it stands or lies: of every agent a body of its species' size, coloured
 // by team (the dead are faint), an arrow along its x and its name; props; trees while they fall.
 // Namespaces bodies, headings, names, props, trees. The first marker deletes what is gone.
-visualization_msgs::MarkerArray ToMarkers(const WorldState& state, const Scene& scene,
-                                          const SpeciesCatalogue& catalogue, ros::Time stamp);
+visualization_msgs::MarkerArray ToMarkerArray(const WorldState& state, const Scene& scene,
+                                              const SpeciesCatalogue& catalogue, ros::Time stamp);
 
 }  // namespace latticeworld
 

@@ -10,7 +10,7 @@ geometry_msgs::Point ToPoint(const Eigen::Vector3d& v) {
   return point;
 }
 
-geometry_msgs::Vector3 ToVector(const Eigen::Vector3d& v) {
+geometry_msgs::Vector3 ToVector3(const Eigen::Vector3d& v) {
   geometry_msgs::Vector3 vector;
   vector.x = v.x();
   vector.y = v.y();
@@ -37,20 +37,21 @@ Eigen::Isometry3d ToIsometry(const Eigen::Vector3d& position_m,
   return pose;
 }
 
-geometry_msgs::Pose ToRos(const Eigen::Isometry3d& pose) {
+geometry_msgs::Pose ToPose(const Eigen::Isometry3d& pose) {
   geometry_msgs::Pose message;
   message.position = ToPoint(pose.translation());
   message.orientation = ToQuaternion(Eigen::Quaterniond(pose.linear()).normalized());
   return message;
 }
 
-geometry_msgs::TransformStamped ToRos(const Eigen::Isometry3d& parent_from_child, ros::Time stamp,
-                                      const std::string& parent, const std::string& child) {
+geometry_msgs::TransformStamped ToTransformStamped(const Eigen::Isometry3d& parent_from_child,
+                                                   ros::Time stamp, const std::string& parent,
+                                                   const std::string& child) {
   geometry_msgs::TransformStamped message;
   message.header.stamp = stamp;
   message.header.frame_id = parent;
   message.child_frame_id = child;
-  message.transform.translation = ToVector(parent_from_child.translation());
+  message.transform.translation = ToVector3(parent_from_child.translation());
   message.transform.rotation =
       ToQuaternion(Eigen::Quaterniond(parent_from_child.linear()).normalized());
   return message;

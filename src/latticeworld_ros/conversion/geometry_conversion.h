@@ -16,15 +16,16 @@ namespace latticeworld {
 inline constexpr char kMapFrame[] = "map";
 
 geometry_msgs::Point ToPoint(const Eigen::Vector3d& v);
-geometry_msgs::Vector3 ToVector(const Eigen::Vector3d& v);
+geometry_msgs::Vector3 ToVector3(const Eigen::Vector3d& v);
 geometry_msgs::Quaternion ToQuaternion(const Eigen::Quaterniond& q);
 Eigen::Vector3d FromVector(const geometry_msgs::Vector3& v);
 
 Eigen::Isometry3d ToIsometry(const Eigen::Vector3d& position_m,
                              const Eigen::Quaterniond& orientation);
-geometry_msgs::Pose ToRos(const Eigen::Isometry3d& pose);
-geometry_msgs::TransformStamped ToRos(const Eigen::Isometry3d& parent_from_child, ros::Time stamp,
-                                      const std::string& parent, const std::string& child);
+geometry_msgs::Pose ToPose(const Eigen::Isometry3d& pose);
+geometry_msgs::TransformStamped ToTransformStamped(const Eigen::Isometry3d& parent_from_child,
+                                                   ros::Time stamp, const std::string& parent,
+                                                   const std::string& child);
 
 }  // namespace latticeworld
 

@@ -11,8 +11,9 @@ constexpr char kMapFrame[] = "map";
 
 }  // namespace
 
-latticeworld_msgs::JournalEntry ToRos(const JournalEntry& entry, ros::Time stamp,
-                                      const std::string& world_id, std::uint64_t run) {
+latticeworld_msgs::JournalEntry ToJournalEntryMessage(const JournalEntry& entry, ros::Time stamp,
+                                                      const std::string& world_id,
+                                                      std::uint64_t run) {
   latticeworld_msgs::JournalEntry message;
   message.header.stamp = stamp;
   message.header.frame_id = kMapFrame;
@@ -36,7 +37,7 @@ RecordedHash ToRecordedHash(const latticeworld_msgs::StateHash& message) {
   return {message.step, message.calls, message.state_hash};
 }
 
-std::vector<latticeworld_msgs::WorldFile> ToRos(const std::vector<WorldFile>& files) {
+std::vector<latticeworld_msgs::WorldFile> ToWorldFileMessages(const std::vector<WorldFile>& files) {
   std::vector<latticeworld_msgs::WorldFile> messages(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     messages[i].path = files[i].path;

@@ -16,14 +16,15 @@
 namespace latticeworld {
 
 // stamp: of the moment after the call.
-latticeworld_msgs::JournalEntry ToRos(const JournalEntry& entry, ros::Time stamp,
-                                      const std::string& world_id, std::uint64_t run);
+latticeworld_msgs::JournalEntry ToJournalEntryMessage(const JournalEntry& entry, ros::Time stamp,
+                                                      const std::string& world_id,
+                                                      std::uint64_t run);
 // Errors: DATA_LOSS saying which call is none.
 Result<JournalEntry> ToJournalEntry(const latticeworld_msgs::JournalEntry& message);
 
 RecordedHash ToRecordedHash(const latticeworld_msgs::StateHash& message);
 
-std::vector<latticeworld_msgs::WorldFile> ToRos(const std::vector<WorldFile>& files);
+std::vector<latticeworld_msgs::WorldFile> ToWorldFileMessages(const std::vector<WorldFile>& files);
 std::vector<WorldFile> ToWorldFiles(const std::vector<latticeworld_msgs::WorldFile>& messages);
 
 }  // namespace latticeworld

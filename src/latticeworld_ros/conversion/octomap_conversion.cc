@@ -6,7 +6,7 @@
 
 namespace latticeworld {
 
-octomap_msgs::Octomap ToRos(OctreeData data, double resolution_m, bool binary) {
+octomap_msgs::Octomap ToOctomap(OctreeData data, double resolution_m, bool binary) {
   octomap_msgs::Octomap message;
   message.header.frame_id = kMapFrame;
   message.binary = binary;

@@ -9,7 +9,7 @@ namespace latticeworld {
 
 // Frame map, stamp left at zero. binary: data is octomap's binary stream, which knows occupied or
 // not; else the full one, with every node's value.
-octomap_msgs::Octomap ToRos(OctreeData data, double resolution_m, bool binary);
+octomap_msgs::Octomap ToOctomap(OctreeData data, double resolution_m, bool binary);
 
 }  // namespace latticeworld
 

@@ -7,35 +7,16 @@
 
 #include "latticeworld/common/files.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld_ros/conversion/same_fields.h"
 
 namespace latticeworld {
 namespace {
 
-using Ros = latticeworld_msgs::GenerateWorld::Request;
+using Request = latticeworld_msgs::GenerateWorld::Request;
+using Goal = latticeworld_msgs::GenerateWorldTaskGoal;
 
-template <typename Message>
-GenerateWorldFields CopyFields(const Message& message) {
-  GenerateWorldFields fields;
-  fields.layout_instruction = message.layout_instruction;
-  fields.environment_instruction = message.environment_instruction;
-  fields.things = message.things;
-  fields.visual_kind = message.visual_kind;
-  fields.visual = message.visual;
-  fields.visual_path = message.visual_path;
-  fields.height_scale = message.height_scale;
-  fields.height_offset = message.height_offset;
-  fields.latitude = message.latitude;
-  fields.longitude = message.longitude;
-  fields.keep_altitude = message.keep_altitude;
-  fields.elevation_unit = message.elevation_unit;
-  fields.vocabulary = message.vocabulary;
-  fields.reader = message.reader;
-  fields.generator = message.generator;
-  fields.seed = message.seed;
-  fields.size = message.size;
-  fields.resolution = message.resolution;
-  return fields;
-}
+static_assert(HaveSameFields<Request, Goal>(),
+              "srv/GenerateWorld.srv and action/GenerateWorldTask.action ask for the same");
 
 // The file's bytes. A relative path is looked for below each allowed directory in turn.
 Result<std::string> ReadVisualFile(const std::string& path,
@@ -57,20 +38,21 @@ Result<std::string> ReadVisualFile(const std::string& path,
 
 std::optional<VisualKind> KindOf(std::uint8_t constant) {
   switch (constant) {
-    case Ros::NONE:
+    case Request::NONE:
       return VisualKind::kNone;
-    case Ros::HEIGHT_MAP:
+    case Request::HEIGHT_MAP:
       return VisualKind::kHeightMap;
-    case Ros::SKETCH:
+    case Request::SKETCH:
       return VisualKind::kSketch;
-    case Ros::ELEVATION:
+    case Request::ELEVATION:
       return VisualKind::kElevation;
     default:
       return std::nullopt;
   }
 }
 
-void CheckVisual(const GenerateWorldFields& fields, std::vector<Violation>* violations) {
+template <typename Message>
+void CheckVisual(const Message& fields, std::vector<Violation>* violations) {
   const std::optional<VisualKind> kind = KindOf(fields.visual_kind);
   if (!kind) {
     const std::string given = std::to_string(static_cast<int>(fields.visual_kind));
@@ -103,7 +85,8 @@ void CheckVisual(const GenerateWorldFields& fields, std::vector<Violation>* viol
 }
 
 // The visual instruction of fields that CheckVisual accepted.
-Status TakeVisual(const GenerateWorldFields& fields, const RequestDefaults& defaults,
+template <typename Message>
+Status TakeVisual(const Message& fields, const RequestDefaults& defaults,
                   GenerationRequest* request) {
   request->visual_kind = *KindOf(fields.visual_kind);
   if (request->visual_kind == VisualKind::kNone) return Status();
@@ -127,39 +110,35 @@ Status TakeVisual(const GenerateWorldFields& fields, const RequestDefaults& defa
 
 }  // namespace
 
-GenerateWorldFields FieldsOf(const latticeworld_msgs::GenerateWorld::Request& request) {
-  return CopyFields(request);
-}
-GenerateWorldFields FieldsOf(const latticeworld_msgs::GenerateWorldTaskGoal& goal) {
-  return CopyFields(goal);
-}
-
-Result<GenerationRequest> ToGenerationRequest(GenerateWorldFields fields,
-                                              const RequestDefaults& defaults,
-                                              const WorldGenerator& generator,
-                                              std::uint64_t drawn_seed) {
+template <typename Message>
+Result<AcceptedRequest> ToGenerationRequest(const Message& message, const RequestDefaults& defaults,
+                                            const WorldGenerator& generator,
+                                            std::uint64_t drawn_seed) {
   std::vector<Violation> violations;
-  CheckVisual(fields, &violations);
-  const bool legal_visual = violations.empty();
+  CheckVisual(message, &violations);
 
   GenerationRequest request;
-  if (legal_visual) LW_RETURN_IF_ERROR(TakeVisual(fields, defaults, &request));
-  request.layout_instruction = std::move(fields.layout_instruction);
-  request.environment_instruction = std::move(fields.environment_instruction);
-  request.things = std::move(fields.things);
-  request.vocabulary = std::move(fields.vocabulary);
-  request.reader = fields.reader.empty() ? defaults.reader : std::move(fields.reader);
-  request.generator = fields.generator.empty() ? defaults.generator : std::move(fields.generator);
-  request.seed = fields.seed != 0 ? fields.seed : drawn_seed;
-  if (fields.size != 0.0) request.size_m = fields.size;
-  if (fields.resolution != 0.0) request.resolution_m = fields.resolution;
+  if (violations.empty()) LW_RETURN_IF_ERROR(TakeVisual(message, defaults, &request));
+  request.layout_instruction = message.layout_instruction;
+  request.environment_instruction = message.environment_instruction;
+  request.things = message.things;
+  request.vocabulary = message.vocabulary;
+  request.reader = message.reader.empty() ? defaults.reader : message.reader;
+  request.generator = message.generator.empty() ? defaults.generator : message.generator;
+  request.seed = message.seed != 0 ? message.seed : drawn_seed;
+  if (message.size != 0.0) request.size_m = message.size;
+  if (message.resolution != 0.0) request.resolution_m = message.resolution;
 
-  const Status core = generator.Validate(request);
-  if (core.ok() && violations.empty()) return request;
-  if (violations.empty()) return core;
-  violations.insert(violations.end(), core.violations().begin(), core.violations().end());
+  Result<AcceptedRequest> accepted = generator.Accept(std::move(request));
+  if (violations.empty()) return accepted;
+  const std::vector<Violation>& of_core = accepted.status().violations();
+  violations.insert(violations.end(), of_core.begin(), of_core.end());
   return Status::FromViolations("generate_world", std::move(violations));
 }
+template Result<AcceptedRequest> ToGenerationRequest(const Request&, const RequestDefaults&,
+                                                     const WorldGenerator&, std::uint64_t);
+template Result<AcceptedRequest> ToGenerationRequest(const Goal&, const RequestDefaults&,
+                                                     const WorldGenerator&, std::uint64_t);
 
 std::uint64_t DrawSeed() {
   std::random_device device;

@@ -9,13 +9,13 @@
 
 namespace latticeworld {
 
-latticeworld_msgs::ElementState ToRos(const PropSnapshot& prop) {
+latticeworld_msgs::ElementState ToElementState(const PropSnapshot& prop) {
   latticeworld_msgs::ElementState message;
   message.name = prop.name;
   message.kind = std::string(NameOf(prop.kind));
   message.pose.position = ToPoint(prop.position_m);
   message.pose.orientation = ToQuaternion(prop.orientation);
-  message.size = ToVector(prop.size_m);
+  message.size = ToVector3(prop.size_m);
   message.opening = prop.opening_rad;
   message.broken = prop.broken;
   return message;
@@ -28,12 +28,12 @@ latticeworld_msgs::ElementStates ToElementStates(const WorldState& state, ros::T
   message.header.frame_id = kMapFrame;
   message.world_id = world_id;
   message.step = state.step;
-  for (const PropSnapshot& prop : state.props) message.elements.push_back(ToRos(prop));
+  for (const PropSnapshot& prop : state.props) message.elements.push_back(ToElementState(prop));
   return message;
 }
 
-latticeworld_msgs::SceneChanges ToSceneChanges(const WorldState& state, ros::Time stamp,
-                                               const std::string& world_id) {
+latticeworld_msgs::SceneChanges ToSceneChangesMessage(const WorldState& state, ros::Time stamp,
+                                                      const std::string& world_id) {
   latticeworld_msgs::SceneChanges message;
   message.header.stamp = stamp;
   message.header.frame_id = kMapFrame;

@@ -14,11 +14,11 @@ namespace latticeworld {
 
 // Props and trees: what else changes in a world.
 
-latticeworld_msgs::ElementState ToRos(const PropSnapshot& prop);
+latticeworld_msgs::ElementState ToElementState(const PropSnapshot& prop);
 latticeworld_msgs::ElementStates ToElementStates(const WorldState& state, ros::Time stamp,
                                                  const std::string& world_id);
-latticeworld_msgs::SceneChanges ToSceneChanges(const WorldState& state, ros::Time stamp,
-                                               const std::string& world_id);
+latticeworld_msgs::SceneChanges ToSceneChangesMessage(const WorldState& state, ros::Time stamp,
+                                                      const std::string& world_id);
 
 // What is left open is usual for the kind. Errors: INVALID_ARGUMENT with every violation (kind, a
 // name that is another frame's, numbers that are not finite or below 0).

@@ -83,8 +83,8 @@ sensor_msgs::LaserScan ToLaserScan(const LidarSweep& sweep, const LidarModel& mo
   return scan;
 }
 
-sensor_msgs::PointCloud2 ToPointCloud(const LidarSweep& sweep, const std::string& frame_id,
-                                      ros::Time end, PointTimes times) {
+sensor_msgs::PointCloud2 ToPointCloud2(const LidarSweep& sweep, const std::string& frame_id,
+                                       ros::Time end, PointTimes times) {
   using sensor_msgs::PointField;
   const double revolution_s = sweep.end_s - sweep.begin_s;
   const bool from_begin = times == PointTimes::kBegin;
@@ -126,17 +126,17 @@ sensor_msgs::Imu ToImu(const ImuReading& reading, const ImuModel& model, double 
     imu.orientation.w = 1.0;
     imu.orientation_covariance[0] = -1.0;
   }
-  imu.angular_velocity = ToVector(reading.angular_velocity_radps);
+  imu.angular_velocity = ToVector3(reading.angular_velocity_radps);
   SetDiagonal(Eigen::Vector3d::Constant(VarianceOf(model.gyroscope, rate_hz)),
               &imu.angular_velocity_covariance);
-  imu.linear_acceleration = ToVector(reading.acceleration_mps2);
+  imu.linear_acceleration = ToVector3(reading.acceleration_mps2);
   SetDiagonal(Eigen::Vector3d::Constant(VarianceOf(model.accelerometer, rate_hz)),
               &imu.linear_acceleration_covariance);
   return imu;
 }
 
-sensor_msgs::NavSatFix ToFix(const GnssReading& reading, const std::string& frame_id,
-                             ros::Time stamp) {
+sensor_msgs::NavSatFix ToNavSatFix(const GnssReading& reading, const std::string& frame_id,
+                                   ros::Time stamp) {
   sensor_msgs::NavSatFix fix;
   fix.header = HeaderOf(frame_id, stamp);
   fix.status.status = sensor_msgs::NavSatStatus::STATUS_FIX;
@@ -154,7 +154,7 @@ sensor_msgs::MagneticField ToMagneticField(const MagnetometerReading& reading,
                                            const std::string& frame_id, ros::Time stamp) {
   sensor_msgs::MagneticField field;
   field.header = HeaderOf(frame_id, stamp);
-  field.magnetic_field = ToVector(reading.field_t);
+  field.magnetic_field = ToVector3(reading.field_t);
   SetDiagonal(Eigen::Vector3d::Constant(model.noise_t * model.noise_t),
               &field.magnetic_field_covariance);
   return field;

@@ -31,14 +31,14 @@ sensor_msgs::LaserScan ToLaserScan(const LidarSweep& sweep, const LidarModel& mo
 // The layout of Velodyne's and other drivers: x, y, z, intensity (float32), ring (uint16), time
 // (float32): seconds from the stamp to the point's firing. Unordered, dense. end: of the sweep;
 // that or its begin is the stamp, as `times` says.
-sensor_msgs::PointCloud2 ToPointCloud(const LidarSweep& sweep, const std::string& frame_id,
-                                      ros::Time end, PointTimes times = PointTimes::kEnd);
+sensor_msgs::PointCloud2 ToPointCloud2(const LidarSweep& sweep, const std::string& frame_id,
+                                       ros::Time end, PointTimes times = PointTimes::kEnd);
 
 // Covariances are those of the model's white noise at that rate.
 sensor_msgs::Imu ToImu(const ImuReading& reading, const ImuModel& model, double rate_hz,
                        const std::string& frame_id, ros::Time stamp);
-sensor_msgs::NavSatFix ToFix(const GnssReading& reading, const std::string& frame_id,
-                             ros::Time stamp);
+sensor_msgs::NavSatFix ToNavSatFix(const GnssReading& reading, const std::string& frame_id,
+                                   ros::Time stamp);
 sensor_msgs::MagneticField ToMagneticField(const MagnetometerReading& reading,
                                            const MagnetometerModel& model,
                                            const std::string& frame_id, ros::Time stamp);

@@ -2,7 +2,7 @@
 
 namespace latticeworld {
 
-latticeworld_msgs::Status ToRos(const Status& status) {
+latticeworld_msgs::Status ToStatusMessage(const Status& status) {
   latticeworld_msgs::Status message;
   message.code = static_cast<std::uint8_t>(status.code());
   message.message = status.message();

@@ -6,7 +6,7 @@
 
 namespace latticeworld {
 
-latticeworld_msgs::Status ToRos(const Status& status);
+latticeworld_msgs::Status ToStatusMessage(const Status& status);
 
 }  // namespace latticeworld
 

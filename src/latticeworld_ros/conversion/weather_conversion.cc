@@ -26,8 +26,8 @@ std::optional<double> ReadOne(const char* field, const std::vector<double>& give
 
 }  // namespace
 
-latticeworld_msgs::Weather ToRos(const Atmosphere& atmosphere, double remaining_s, ros::Time stamp,
-                                 const std::string& world_id) {
+latticeworld_msgs::Weather ToWeatherMessage(const Atmosphere& atmosphere, double remaining_s,
+                                            ros::Time stamp, const std::string& world_id) {
   latticeworld_msgs::Weather message;
   message.header.stamp = stamp;
   message.header.frame_id = kMapFrame;
@@ -38,10 +38,10 @@ latticeworld_msgs::Weather ToRos(const Atmosphere& atmosphere, double remaining_
   message.rain = atmosphere.rain_mmph;
   message.snowfall = atmosphere.snowfall_mmph;
   message.cloud_cover = atmosphere.cloud_cover;
-  message.wind = ToVector(atmosphere.wind_mps);
+  message.wind = ToVector3(atmosphere.wind_mps);
   message.gust = atmosphere.gust_mps;
   message.hour = atmosphere.hour;
-  message.sun_direction = ToVector(atmosphere.sun_direction);
+  message.sun_direction = ToVector3(atmosphere.sun_direction);
   message.sun_intensity = atmosphere.sun_intensity;
   message.ambient_intensity = atmosphere.ambient_intensity;
   message.ground_wetness = atmosphere.ground_wetness;

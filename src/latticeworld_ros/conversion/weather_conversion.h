@@ -12,8 +12,8 @@
 namespace latticeworld {
 
 // remaining_s: until the weather stops moving.
-latticeworld_msgs::Weather ToRos(const Atmosphere& atmosphere, double remaining_s, ros::Time stamp,
-                                 const std::string& world_id);
+latticeworld_msgs::Weather ToWeatherMessage(const Atmosphere& atmosphere, double remaining_s,
+                                            ros::Time stamp, const std::string& world_id);
 
 // Errors: INVALID_ARGUMENT with every violation: unknown weather, more than one number for a value,
 // and what Validate finds.

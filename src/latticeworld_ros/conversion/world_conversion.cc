@@ -10,9 +10,16 @@
 #include "latticeworld/scene/surface_table.h"
 #include "latticeworld/scene/weather/water_depth.h"
 #include "latticeworld_ros/conversion/geometry_conversion.h"
+#include "latticeworld_ros/conversion/same_fields.h"
 
 namespace latticeworld {
 namespace {
+
+using Response = latticeworld_msgs::GenerateWorld::Response;
+using TaskResult = latticeworld_msgs::GenerateWorldTaskResult;
+
+static_assert(HaveSameFields<Response, TaskResult>(),
+              "srv/GenerateWorld.srv and action/GenerateWorldTask.action answer the same");
 
 // below_m: height of the ground or of the water that stands on it. deck: null where there is none.
 void FillDeck(const PropDeck* deck, double below_m, latticeworld_msgs::TerrainSample* sample) {
@@ -24,7 +31,7 @@ void FillDeck(const PropDeck* deck, double below_m, latticeworld_msgs::TerrainSa
 
 }  // namespace
 
-latticeworld_msgs::WorldInfo ToInfo(const World& world) {
+latticeworld_msgs::WorldInfo ToWorldInfo(const World& world) {
   const Scene& scene = *world.scene;
   latticeworld_msgs::WorldInfo message;
   message.header.frame_id = kMapFrame;
@@ -64,7 +71,8 @@ latticeworld_msgs::Environment ToEnvironment(const World& world) {
   return message;
 }
 
-std::vector<latticeworld_msgs::ClaimOutcome> ToRos(const std::vector<ClaimOutcome>& claims) {
+std::vector<latticeworld_msgs::ClaimOutcome> ToClaimOutcomeMessages(
+    const std::vector<ClaimOutcome>& claims) {
   std::vector<latticeworld_msgs::ClaimOutcome> messages(claims.size());
   for (std::size_t i = 0; i < claims.size(); ++i) {
     messages[i].part = std::string(NameOf(claims[i].part));
@@ -84,11 +92,12 @@ latticeworld_msgs::Reading ToReading(const World& world) {
   message.environment = world.fidelity.environment_sentences;
   message.words = static_cast<std::uint32_t>(world.fidelity.words);
   message.words_read = static_cast<std::uint32_t>(world.fidelity.words_read);
-  message.second = ToRos(world.fidelity.second);
+  message.second = ToClaimOutcomeMessages(world.fidelity.second);
   return message;
 }
 
-std::vector<latticeworld_msgs::StageTime> ToRos(const std::vector<StageTime>& stages) {
+std::vector<latticeworld_msgs::StageTime> ToStageTimeMessages(
+    const std::vector<StageTime>& stages) {
   std::vector<latticeworld_msgs::StageTime> messages(stages.size());
   for (std::size_t i = 0; i < stages.size(); ++i) {
     messages[i].name = stages[i].name;
@@ -96,6 +105,25 @@ std::vector<latticeworld_msgs::StageTime> ToRos(const std::vector<StageTime>& st
   }
   return messages;
 }
+
+template <typename Answer>
+Answer ToGenerationAnswer(const World& world, const std::vector<StageTime>& stages) {
+  Answer answer;
+  answer.world_id = world.id;
+  answer.seed = world.request.seed;
+  answer.layout = ToText(world.layout);
+  answer.vocabulary = std::string(NameOf(world.layout.vocabulary));
+  answer.environment = ToJson(world.environment);
+  answer.generator = world.request.generator;
+  answer.reading = ToReading(world);
+  answer.fidelity = ToClaimOutcomeMessages(world.fidelity.claims);
+  answer.not_understood = world.fidelity.not_understood;
+  answer.warnings = world.warnings;
+  answer.stages = ToStageTimeMessages(stages);
+  return answer;
+}
+template Response ToGenerationAnswer(const World&, const std::vector<StageTime>&);
+template TaskResult ToGenerationAnswer(const World&, const std::vector<StageTime>&);
 
 Result<std::vector<latticeworld_msgs::TerrainSample>> SampleTerrain(
     const Scene& scene, const Atmosphere& atmosphere, const std::vector<PropDeck>& decks,

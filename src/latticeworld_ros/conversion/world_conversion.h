@@ -14,12 +14,19 @@ namespace latticeworld {
 struct PropDeck;
 
 // Frames are map, stamps are left at zero: who publishes sets them.
-latticeworld_msgs::WorldInfo ToInfo(const World& world);
+latticeworld_msgs::WorldInfo ToWorldInfo(const World& world);
 latticeworld_msgs::Layout ToLayout(const World& world);
 latticeworld_msgs::Environment ToEnvironment(const World& world);
 latticeworld_msgs::Reading ToReading(const World& world);
-std::vector<latticeworld_msgs::StageTime> ToRos(const std::vector<StageTime>& stages);
-std::vector<latticeworld_msgs::ClaimOutcome> ToRos(const std::vector<ClaimOutcome>& claims);
+std::vector<latticeworld_msgs::StageTime> ToStageTimeMessages(const std::vector<StageTime>& stages);
+std::vector<latticeworld_msgs::ClaimOutcome> ToClaimOutcomeMessages(
+    const std::vector<ClaimOutcome>& claims);
+
+// What generate_world answers once a world runs: all but the status. Answer: the service's response
+// or the result of generate_world_action, which have the same fields (the build sees to that).
+// stages: those of the world, and of what made it run.
+template <typename Answer>
+Answer ToGenerationAnswer(const World& world, const std::vector<StageTime>& stages);
 
 // Most points that one query_terrain may ask for.
 inline constexpr std::size_t kMaxTerrainPoints = 1000000;

@@ -275,8 +275,8 @@ void AddBridges(const Terrain& terrain, MarkerPieces* pieces) {
 
 }  // namespace
 
-visualization_msgs::MarkerArray ToMarkers(const Scene& scene, const WorldMarkerOptions& options,
-                                          const SceneChanges& changes) {
+visualization_msgs::MarkerArray ToMarkerArray(const Scene& scene, const WorldMarkerOptions& options,
+                                              const SceneChanges& changes) {
   visualization_msgs::MarkerArray array;
   visualization_msgs::Marker clear;
   clear.header.frame_id = kMapFrame;

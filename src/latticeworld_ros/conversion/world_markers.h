@@ -18,8 +18,8 @@ struct WorldMarkerOptions {
 // (their models' coarsest meshes), in natural colours of the season. Frame map, stamps left at
 // zero. The first marker deletes what was there before. changes: trees that fell are drawn where
 // they lie, what is gone is not drawn.
-visualization_msgs::MarkerArray ToMarkers(const Scene& scene, const WorldMarkerOptions& options,
-                                          const SceneChanges& changes = {});
+visualization_msgs::MarkerArray ToMarkerArray(const Scene& scene, const WorldMarkerOptions& options,
+                                              const SceneChanges& changes = {});
 
 }  // namespace latticeworld
 

@@ -145,11 +145,11 @@ EpisodeRecorder::EpisodeRecorder(ros::NodeHandle node, const EpisodeRecorderOpti
   TellStatus();
   services_.Advertise<StartEpisode>("start_episode", [this](const StartEpisode::Request& request,
                                                             StartEpisode::Response* response) {
-    response->status = ToRos(Start(request, response));
+    response->status = ToStatusMessage(Start(request, response));
   });
   services_.Advertise<StopEpisode>(
       "stop_episode", [this](const StopEpisode::Request&, StopEpisode::Response* response) {
-        response->status = ToRos(Stop(response));
+        response->status = ToStatusMessage(Stop(response));
       });
   services_.Advertise<ListEpisodes>(
       "list_episodes",

@@ -258,7 +258,7 @@ void NavigatorNode::Control() {
   // After the command, so that who steps a world may wait for it.
   move_base_msgs::MoveBaseFeedback feedback;
   feedback.base_position.header = HeaderOfNow();
-  feedback.base_position.pose = ToRos(pose->map_from_base);
+  feedback.base_position.pose = ToPose(pose->map_from_base);
   server_.publishFeedback(feedback);
 }
 

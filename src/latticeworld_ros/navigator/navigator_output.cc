@@ -7,7 +7,7 @@
 namespace latticeworld {
 
 geometry_msgs::Pose UprightPose(WorldPoint place, double z_m, double heading_rad) {
-  return ToRos(
+  return ToPose(
       ToIsometry({place.x_m, place.y_m, z_m},
                  Eigen::Quaterniond(Eigen::AngleAxisd(heading_rad, Eigen::Vector3d::UnitZ()))));
 }

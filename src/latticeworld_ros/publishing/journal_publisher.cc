@@ -44,7 +44,7 @@ void JournalPublisher::Publish(const Tick& tick) {
   if (simulator == nullptr) return;
   const std::string world_id = tick.world_id();
   for (const JournalEntry& entry : simulator->TakeNew()) {
-    journal_.publish(ToRos(entry, tick.now, world_id, simulator->run()));
+    journal_.publish(ToJournalEntryMessage(entry, tick.now, world_id, simulator->run()));
   }
   if (!IsHashDue(tick)) return;
   latticeworld_msgs::StateHash message;

@@ -20,10 +20,10 @@ void AppendRobotFrames(const RobotFrameOptions& options, const std::string& robo
                        std::vector<geometry_msgs::TransformStamped>* transforms) {
   const std::string odom = OdomFrame(robot);
   if (options.map_to_odom && !Contains(options.localised_elsewhere, robot)) {
-    transforms->push_back(ToRos(map_from_odom, stamp, kMapFrame, odom));
+    transforms->push_back(ToTransformStamped(map_from_odom, stamp, kMapFrame, odom));
   }
   if (options.odom_to_base && !Contains(options.odometry_elsewhere, robot)) {
-    transforms->push_back(ToRos(odom_from_base, stamp, odom, BaseFrame(robot)));
+    transforms->push_back(ToTransformStamped(odom_from_base, stamp, odom, BaseFrame(robot)));
   }
 }
 

@@ -45,7 +45,7 @@ void ScenePublisher::Publish(const Tick& tick, const WorldState& state) {
   Standing standing = StandingOf(state);
   if (jumped_ || standing.falling != told_.falling || standing.at_rest != told_.at_rest ||
       standing.broken != told_.broken || standing.map_version != told_.map_version) {
-    changes_.publish(ToSceneChanges(state, tick.now, tick.world_id()));
+    changes_.publish(ToSceneChangesMessage(state, tick.now, tick.world_id()));
   }
   if (jumped_ || standing.map_version != told_.map_version) {
     maps_->Follow(tick.world, ChangesOf(state), tick.now);

@@ -29,7 +29,7 @@ struct Publisher {
         return ToLaserScan(sweep, model<LidarModel>(), spec().rate_hz, frame_id(), stamp);
       });
     } else {
-      topics.data.Publish([&] { return ToPointCloud(sweep, frame_id(), stamp, point_times); });
+      topics.data.Publish([&] { return ToPointCloud2(sweep, frame_id(), stamp, point_times); });
     }
   }
   void operator()(const CameraFrame& pictures) const {
@@ -43,7 +43,7 @@ struct Publisher {
         [&] { return ToImu(reading, model<ImuModel>(), spec().rate_hz, frame_id(), stamp); });
   }
   void operator()(const GnssReading& reading) const {
-    topics.data.Publish([&] { return ToFix(reading, frame_id(), stamp); });
+    topics.data.Publish([&] { return ToNavSatFix(reading, frame_id(), stamp); });
   }
   void operator()(const MagnetometerReading& reading) const {
     topics.data.Publish(

@@ -181,10 +181,10 @@ void SensorTopics::PublishTransforms(const std::vector<RobotWish>& robots) {
     for (const SensorSpec& spec : suite_->sensors) {
       const std::string frame = SensorFrameId(robot.name, spec);
       message.transforms.push_back(
-          ToRos(BaseFromSensor(spec, height_m), stamp, BaseFrame(robot.name), frame));
+          ToTransformStamped(BaseFromSensor(spec, height_m), stamp, BaseFrame(robot.name), frame));
       if (!std::holds_alternative<CameraSensor>(spec.model)) continue;
       message.transforms.push_back(
-          ToRos(SensorFromOptical(), stamp, frame, OpticalFrameId(robot.name, spec)));
+          ToTransformStamped(SensorFromOptical(), stamp, frame, OpticalFrameId(robot.name, spec)));
     }
   }
   static_transforms_.publish(message);

@@ -100,8 +100,8 @@ void StatePublisher::OnRestore() {
 void StatePublisher::OnStatistics(const LoopStatistics& statistics) {
   // The clock first: what is published below carries this stamp.
   PublishClock(statistics.now);
-  diagnostics_.publish(
-      ToDiagnostics(statistics, sensors_->statistics(), language_server_.get(), master_->report()));
+  diagnostics_.publish(ToDiagnosticArray(statistics, sensors_->statistics(), language_server_.get(),
+                                         master_->report()));
 }
 
 void StatePublisher::PublishClock(ros::Time now) {
@@ -114,7 +114,7 @@ void StatePublisher::PublishClock(ros::Time now) {
 
 void StatePublisher::PublishEvents(const Tick& tick, const std::vector<Event>& events) {
   for (const Event& event : events) {
-    events_.Publish([&] { return ToRos(event, tick.now, tick.world_id()); });
+    events_.Publish([&] { return ToAgentEvent(event, tick.now, tick.world_id()); });
   }
 }
 
@@ -129,7 +129,7 @@ void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
     const auto robot = robots->find(agent.name);
     if (robot != robots->end()) PublishRobot(agent, tick, robot->second);
     if (!agent.controllable) {
-      transforms.transforms.push_back(ToRos(map_from_base, tick.now, kMapFrame, base));
+      transforms.transforms.push_back(ToTransformStamped(map_from_base, tick.now, kMapFrame, base));
       continue;
     }
     // Odometry begins where the robot begins, as if switched on there, with z up.
@@ -144,11 +144,11 @@ void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
     }
   }
   for (const PropSnapshot& prop : state.props) {
-    transforms.transforms.push_back(
-        ToRos(ToIsometry(prop.position_m, prop.orientation), tick.now, kMapFrame, prop.name));
+    transforms.transforms.push_back(ToTransformStamped(
+        ToIsometry(prop.position_m, prop.orientation), tick.now, kMapFrame, prop.name));
   }
   tf_.Publish([&]() -> const tf2_msgs::TFMessage& { return transforms; });
-  agents_.Publish([&] { return ToRos(state, tick.now, tick.world_id()); });
+  agents_.Publish([&] { return ToAgentStates(state, tick.now, tick.world_id()); });
   scene_.Publish(tick, state);
 }
 
@@ -175,17 +175,19 @@ void StatePublisher::PublishRobot(const AgentSnapshot& agent, const Tick& tick,
                                   const RobotPublishers& robot) {
   robot.ground_truth.Publish(
       [&] { return ToOdometry(agent, tick.now, kMapFrame, Eigen::Isometry3d::Identity()); });
-  robot.joint_states.Publish([&] { return ToJointStates(agent, tick.now); });
+  robot.joint_states.Publish([&] { return ToJointState(agent, tick.now); });
 }
 
 void StatePublisher::PublishWeather(const Tick& tick, const WorldState& state) {
   weather_moves_ = state.weather_change_s > 0.0 || tick.simulator->options().day_length_s > 0.0;
-  weather_.publish(ToRos(state.atmosphere, state.weather_change_s, tick.now, tick.world_id()));
+  weather_.publish(
+      ToWeatherMessage(state.atmosphere, state.weather_change_s, tick.now, tick.world_id()));
 }
 
 void StatePublisher::PublishMarkers(const Tick& tick, const WorldState& state) {
   markers_.Publish([&] {
-    return ToMarkers(state, tick.simulator->scene(), *tick.simulator->options().species, tick.now);
+    return ToMarkerArray(state, tick.simulator->scene(), *tick.simulator->options().species,
+                         tick.now);
   });
 }
 

@@ -53,9 +53,9 @@ Status BuildOctomaps(const Scene& scene, const WorldServerOptions& options,
   }
   const double resolution_m = octree_options.resolution_m;
   messages->octomap_binary =
-      boost::make_shared<octomap_msgs::Octomap>(ToRos(std::move(binary), resolution_m, true));
+      boost::make_shared<octomap_msgs::Octomap>(ToOctomap(std::move(binary), resolution_m, true));
   messages->octomap_full =
-      boost::make_shared<octomap_msgs::Octomap>(ToRos(std::move(full), resolution_m, false));
+      boost::make_shared<octomap_msgs::Octomap>(ToOctomap(std::move(full), resolution_m, false));
   return Status();
 }
 
@@ -122,7 +122,7 @@ Status BuildOthers(const World& world, const WorldServerOptions& options, const 
                    WorldMessages* messages) {
   const Scene& scene = *world.scene;
   progress.Report(kStage, 0.0);
-  messages->info = boost::make_shared<latticeworld_msgs::WorldInfo>(ToInfo(world));
+  messages->info = boost::make_shared<latticeworld_msgs::WorldInfo>(ToWorldInfo(world));
   messages->layout = boost::make_shared<latticeworld_msgs::Layout>(ToLayout(world));
   messages->environment = boost::make_shared<latticeworld_msgs::Environment>(ToEnvironment(world));
   LW_RETURN_IF_ERROR(BuildGridMaps(scene, options, {}, kEveryCore, progress, messages));
@@ -130,8 +130,8 @@ Status BuildOthers(const World& world, const WorldServerOptions& options, const 
   progress.Report(kStage, 0.7);
   messages->height_image =
       boost::make_shared<sensor_msgs::Image>(ToImage(scene.terrain->ground.height_m()));
-  messages->markers =
-      boost::make_shared<visualization_msgs::MarkerArray>(ToMarkers(scene, MarkerOptions(options)));
+  messages->markers = boost::make_shared<visualization_msgs::MarkerArray>(
+      ToMarkerArray(scene, MarkerOptions(options)));
   progress.Report(kStage, 1.0);
   return Status();
 }
@@ -170,7 +170,7 @@ Result<WorldMessages> RebuildMaps(const World& world, const WorldServerOptions& 
     LW_RETURN_IF_ERROR(
         BuildOctomaps(*world.scene, options, changes, kOneThread, progress, &messages));
     messages.markers = boost::make_shared<visualization_msgs::MarkerArray>(
-        ToMarkers(*world.scene, MarkerOptions(options), changes));
+        ToMarkerArray(*world.scene, MarkerOptions(options), changes));
     SetStamp(stamp, messages.markers.get());
     messages.scan_map = MakeScanMap(*world.scene, changes, kOneThread);
     SetStamp(stamp, messages.scan_map.get());

@@ -43,7 +43,7 @@ void AdvertiseAgentServices(const SimulatorOptions& options, SimulationLoop* loo
           robots->WaitUntilReady();
           return Status();
         };
-        response->status = ToRos(spawn());
+        response->status = ToStatusMessage(spawn());
       });
   queue->Advertise<RemoveAgent>(
       "remove_agent", [=](const RemoveAgent::Request& request, RemoveAgent::Response* response) {
@@ -51,7 +51,7 @@ void AdvertiseAgentServices(const SimulatorOptions& options, SimulationLoop* loo
           LW_RETURN_IF_ERROR(simulator->Remove(request.name));
           return request.name;
         };
-        response->status = ToRos(Apply(loop, remove, response).status());
+        response->status = ToStatusMessage(Apply(loop, remove, response).status());
         robots->WaitUntilReady();
       });
   queue->Advertise<SetPolicy>(
@@ -66,7 +66,7 @@ void AdvertiseAgentServices(const SimulatorOptions& options, SimulationLoop* loo
           robots->WaitUntilReady();
           return Status();
         };
-        response->status = ToRos(set());
+        response->status = ToStatusMessage(set());
       });
   queue->Advertise<SpawnElement>("spawn_element", [=](const SpawnElement::Request& request,
                                                       SpawnElement::Response* response) {
@@ -78,7 +78,7 @@ void AdvertiseAgentServices(const SimulatorOptions& options, SimulationLoop* loo
               loop, [&](Simulator* simulator) { return simulator->SpawnProp(prop); }, response));
       return Status();
     };
-    response->status = ToRos(spawn());
+    response->status = ToStatusMessage(spawn());
   });
   queue->Advertise<RemoveElement>("remove_element", [=](const RemoveElement::Request& request,
                                                         RemoveElement::Response* response) {
@@ -86,7 +86,7 @@ void AdvertiseAgentServices(const SimulatorOptions& options, SimulationLoop* loo
       LW_RETURN_IF_ERROR(simulator->RemoveProp(request.name));
       return request.name;
     };
-    response->status = ToRos(Apply(loop, remove, response).status());
+    response->status = ToStatusMessage(Apply(loop, remove, response).status());
   });
   queue->Advertise<OpenGate>(
       "open_gate", [=](const OpenGate::Request& request, OpenGate::Response* response) {
@@ -94,7 +94,7 @@ void AdvertiseAgentServices(const SimulatorOptions& options, SimulationLoop* loo
           LW_RETURN_IF_ERROR(simulator->OpenGate(request.name, OpeningOf(request)));
           return request.name;
         };
-        response->status = ToRos(Apply(loop, open, response).status());
+        response->status = ToStatusMessage(Apply(loop, open, response).status());
       });
 }
 

@@ -69,7 +69,8 @@ void Fill(const Look& look, const SimulationLoop::Moment& moment,
   response->journal_complete = look.complete;
   response->journal.reserve(look.journal.size());
   for (const JournalEntry& entry : look.journal) {
-    response->journal.push_back(ToRos(entry, moment.now, moment.world->id, look.run));
+    response->journal.push_back(
+        ToJournalEntryMessage(entry, moment.now, moment.world->id, look.run));
   }
 }
 
@@ -88,7 +89,7 @@ BundleService::BundleService(SimulationLoop* loop, ServiceQueue* queue) : loop_(
   queue->Advertise<GetWorldBundle>(
       "get_world_bundle",
       [this](const GetWorldBundle::Request& request, GetWorldBundle::Response* response) {
-        response->status = ToRos(Answer(request, response));
+        response->status = ToStatusMessage(Answer(request, response));
       });
 }
 
@@ -106,7 +107,7 @@ Status BundleService::Answer(const GetWorldBundle::Request& request,
     if (!request.files) return Status();
     LW_ASSIGN_OR_RETURN(const auto files, FilesOf(moment.world));
     LW_RETURN_IF_ERROR(CheckSize(*files));
-    response->world = ToRos(*files);
+    response->world = ToWorldFileMessages(*files);
     return Status();
   }
   return Unavailable("one world after another takes the place of the one before");

@@ -130,10 +130,10 @@ DiagnosticStatus OfServices(const MasterReport& master) {
 
 }  // namespace
 
-diagnostic_msgs::DiagnosticArray ToDiagnostics(const LoopStatistics& statistics,
-                                               const SensorStatistics& sensors,
-                                               const OpenAiClient* server,
-                                               const MasterReport& master) {
+diagnostic_msgs::DiagnosticArray ToDiagnosticArray(const LoopStatistics& statistics,
+                                                   const SensorStatistics& sensors,
+                                                   const OpenAiClient* server,
+                                                   const MasterReport& master) {
   diagnostic_msgs::DiagnosticArray array;
   array.header.stamp = statistics.now;
   array.status.push_back(OfSimulation(statistics));

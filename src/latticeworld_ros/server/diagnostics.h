@@ -17,10 +17,10 @@ namespace latticeworld {
 // node's topics, and names topics that are not delivered; "world_server: services" warns while
 // another node has one of its services. server: nullptr where there is none. master: as looked at
 // last.
-diagnostic_msgs::DiagnosticArray ToDiagnostics(const LoopStatistics& statistics,
-                                               const SensorStatistics& sensors,
-                                               const OpenAiClient* server,
-                                               const MasterReport& master = {});
+diagnostic_msgs::DiagnosticArray ToDiagnosticArray(const LoopStatistics& statistics,
+                                                   const SensorStatistics& sensors,
+                                                   const OpenAiClient* server,
+                                                   const MasterReport& master = {});
 
 }  // namespace latticeworld
 

@@ -25,24 +25,6 @@ Status Busy() {
       "when it is done");
 }
 
-latticeworld_msgs::GenerateWorldTaskResult ToResult(
-    const latticeworld_msgs::GenerateWorld::Response& answer) {
-  latticeworld_msgs::GenerateWorldTaskResult result;
-  result.status = answer.status;
-  result.world_id = answer.world_id;
-  result.seed = answer.seed;
-  result.layout = answer.layout;
-  result.vocabulary = answer.vocabulary;
-  result.environment = answer.environment;
-  result.generator = answer.generator;
-  result.reading = answer.reading;
-  result.fidelity = answer.fidelity;
-  result.not_understood = answer.not_understood;
-  result.warnings = answer.warnings;
-  result.stages = answer.stages;
-  return result;
-}
-
 }  // namespace
 
 GenerationService::GenerationService(ros::NodeHandle node, Options options,
@@ -107,12 +89,12 @@ std::unique_ptr<GenerationSlot::Hold> GenerationService::TakeSlot(ReportProgress
 }
 
 bool GenerationService::OnGenerate(latticeworld_msgs::GenerateWorld::Request& request,
-                                   Answer& response) {
+                                   latticeworld_msgs::GenerateWorld::Response& response) {
   const auto hold = TakeSlot(nullptr);
   if (hold == nullptr) {
-    response.status = ToRos(Busy());
+    response.status = ToStatusMessage(Busy());
   } else {
-    response = Generate(FieldsOf(request), hold->progress());
+    Generate(request, hold->progress(), &response);
   }
   return true;
 }
@@ -138,7 +120,7 @@ bool GenerationService::OnLoad(latticeworld_msgs::LoadWorld::Request& request,
   } catch (const std::exception& error) {  // the middleware's, and memory that ends
     status = Internal(error.what());
   }
-  response.status = ToRos(status);
+  response.status = ToStatusMessage(status);
   if (status.ok()) {
     ROS_INFO_STREAM("loaded " << request.name << ": " << response.world_id << " runs");
   } else {
@@ -147,46 +129,35 @@ bool GenerationService::OnLoad(latticeworld_msgs::LoadWorld::Request& request,
   return true;
 }
 
-GenerationService::Answer GenerationService::Generate(GenerateWorldFields fields,
-                                                      const Progress& progress) {
+template <typename Message, typename Answer>
+void GenerationService::Generate(const Message& request, const Progress& progress, Answer* answer) {
   StepBack();
-  Answer answer;
   Status status;
   try {
-    status = GenerateInto(std::move(fields), progress, &answer);
+    status = GenerateInto(request, progress, answer);
   } catch (const std::exception& error) {  // the middleware's, and memory that ends
     status = Internal(error.what());
   }
   if (status.ok()) {
-    ROS_INFO_STREAM("generated " << answer.world_id << " from seed " << answer.seed << ": it runs");
+    ROS_INFO_STREAM("generated " << answer->world_id << " from seed " << answer->seed
+                                 << ": it runs");
   } else {
     ROS_WARN_STREAM("generate_world: " << status.ToString());
-    answer = Answer();
+    *answer = Answer();
   }
-  answer.status = ToRos(status);
-  return answer;
+  answer->status = ToStatusMessage(status);
 }
 
-Status GenerationService::GenerateInto(GenerateWorldFields fields, const Progress& progress,
+template <typename Message, typename Answer>
+Status GenerationService::GenerateInto(const Message& request, const Progress& progress,
                                        Answer* answer) {
-  LW_ASSIGN_OR_RETURN(
-      const GenerationRequest request,
-      ToGenerationRequest(std::move(fields), options_.defaults, generator_, DrawSeed()));
+  LW_ASSIGN_OR_RETURN(AcceptedRequest accepted,
+                      ToGenerationRequest(request, options_.defaults, generator_, DrawSeed()));
   LW_ASSIGN_OR_RETURN(const std::shared_ptr<const World> world,
-                      generator_.Generate(request, progress));
+                      generator_.Generate(std::move(accepted), progress));
   std::vector<StageTime> stages = world->stages;
   LW_RETURN_IF_ERROR(launcher_->Launch(world, progress, &stages));
-  answer->world_id = world->id;
-  answer->seed = world->request.seed;
-  answer->layout = ToText(world->layout);
-  answer->vocabulary = std::string(NameOf(world->layout.vocabulary));
-  answer->environment = ToJson(world->environment);
-  answer->generator = world->request.generator;
-  answer->reading = ToReading(*world);
-  answer->fidelity = ToRos(world->fidelity.claims);
-  answer->not_understood = world->fidelity.not_understood;
-  answer->warnings = world->warnings;
-  answer->stages = ToRos(stages);
+  *answer = ToGenerationAnswer<Answer>(*world, stages);
   return Status();
 }
 
@@ -199,9 +170,9 @@ void GenerationService::OnGoal(Action::GoalHandle goal) {
     goal.publishFeedback(feedback);
   });
   if (hold == nullptr) {
-    Answer answer;
-    answer.status = ToRos(Busy());
-    goal.setRejected(ToResult(answer), answer.status.message);
+    latticeworld_msgs::GenerateWorldTaskResult result;
+    result.status = ToStatusMessage(Busy());
+    goal.setRejected(result, result.status.message);
     return;
   }
   // The thread of the goal before has given its slot back: it is at its end.
@@ -219,19 +190,20 @@ void GenerationService::OnGoal(Action::GoalHandle goal) {
 
 void GenerationService::RunGoal(Action::GoalHandle goal,
                                 std::unique_ptr<GenerationSlot::Hold> hold) {
-  const Answer answer = Generate(FieldsOf(*goal.getGoal()), hold->progress());
+  latticeworld_msgs::GenerateWorldTaskResult result;
+  Generate(*goal.getGoal(), hold->progress(), &result);
   {
     const std::lock_guard<std::mutex> lock(goal_mutex_);
     goal_id_.clear();
   }
   // Free before the goal ends: who hears of the end may ask for the next world at once.
   hold.reset();
-  if (answer.status.code == latticeworld_msgs::Status::OK) {
-    goal.setSucceeded(ToResult(answer));
-  } else if (answer.status.code == latticeworld_msgs::Status::CANCELLED) {
-    goal.setCanceled(ToResult(answer), answer.status.message);
+  if (result.status.code == latticeworld_msgs::Status::OK) {
+    goal.setSucceeded(result);
+  } else if (result.status.code == latticeworld_msgs::Status::CANCELLED) {
+    goal.setCanceled(result, result.status.message);
   } else {
-    goal.setAborted(ToResult(answer), answer.status.message);
+    goal.setAborted(result, result.status.message);
   }
 }
 

@@ -44,10 +44,10 @@ class GenerationService {
 
  private:
   using Action = actionlib::ActionServer<latticeworld_msgs::GenerateWorldTaskAction>;
-  using Answer = latticeworld_msgs::GenerateWorld::Response;
   using ReportProgress = std::function<void(const latticeworld_msgs::GenerationProgress&)>;
 
-  bool OnGenerate(latticeworld_msgs::GenerateWorld::Request& request, Answer& response);
+  bool OnGenerate(latticeworld_msgs::GenerateWorld::Request& request,
+                  latticeworld_msgs::GenerateWorld::Response& response);
   bool OnLoad(latticeworld_msgs::LoadWorld::Request& request,
               latticeworld_msgs::LoadWorld::Response& response);
   void OnGoal(Action::GoalHandle goal);
@@ -55,8 +55,12 @@ class GenerationService {
 
   // also_report: gets what goes to world/progress. Null: a world is being made already.
   std::unique_ptr<GenerationSlot::Hold> TakeSlot(ReportProgress also_report);
-  Answer Generate(GenerateWorldFields fields, const Progress& progress);
-  Status GenerateInto(GenerateWorldFields fields, const Progress& progress, Answer* answer);
+  // Service and action alike: Message and Answer are the request and response of the one, or the
+  // goal and result of the other.
+  template <typename Message, typename Answer>
+  void Generate(const Message& request, const Progress& progress, Answer* answer);
+  template <typename Message, typename Answer>
+  Status GenerateInto(const Message& request, const Progress& progress, Answer* answer);
   void RunGoal(Action::GoalHandle goal, std::unique_ptr<GenerationSlot::Hold> hold);
 
   const Options options_;

@@ -38,13 +38,13 @@ latticeworld_msgs::Bumper ContactOf(const AgentSnapshot& agent, ros::Time stamp)
 
 Observation Observe(const AgentSnapshot& agent, ros::Time stamp, const Gathered& gathered) {
   Observation observation;
-  observation.state = ToRos(agent);
+  observation.state = ToAgentStateMessage(agent);
   observation.alive = agent.behaviour != Behaviour::kDead;
   observation.bumper = ContactOf(agent, stamp);
   const auto odom = gathered.map_from_odom.find(agent.name);
-  observation.odom = ToRos(odom != gathered.map_from_odom.end()
-                               ? Eigen::Isometry3d(odom->second.inverse() * PoseOf(agent))
-                               : Eigen::Isometry3d(Eigen::Isometry3d::Identity()));
+  observation.odom = ToPose(odom != gathered.map_from_odom.end()
+                                ? Eigen::Isometry3d(odom->second.inverse() * PoseOf(agent))
+                                : Eigen::Isometry3d(Eigen::Isometry3d::Identity()));
   const auto scan = gathered.scans.find(agent.name);
   if (scan != gathered.scans.end()) observation.scan = *scan->second;
   return observation;
@@ -66,7 +66,7 @@ void Answer(const SimulationLoop::Moment& moment, const LockstepCommands& comman
   }
   for (const auto& [stamp, event] : moment.events) {
     if (!event.agent.empty() && !is_observed(event.agent) && !is_observed(event.other)) continue;
-    response->events.push_back(ToRos(event, stamp, response->world_id));
+    response->events.push_back(ToAgentEvent(event, stamp, response->world_id));
   }
 }
 
@@ -95,7 +95,7 @@ void OnLockstep(SimulationLoop* loop, const StatePublisher* states, SensorThread
     }
   };
   const Result<SimulationLoop::Moment> moment = loop->Step(call);
-  response->status = ToRos(moment.status());
+  response->status = ToStatusMessage(moment.status());
   if (moment.ok()) Answer(*moment, commands, gathered, response);
 }
 

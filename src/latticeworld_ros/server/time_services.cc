@@ -23,7 +23,7 @@ void OnStep(SimulationLoop* loop, const latticeworld_msgs::Step::Request& reques
             latticeworld_msgs::Step::Response* response) {
   const std::uint32_t steps = request.steps == 0 ? 1 : request.steps;
   const Result<SimulationLoop::Moment> moment = loop->Step(steps, request.hash);
-  response->status = ToRos(moment.status());
+  response->status = ToStatusMessage(moment.status());
   if (!moment.ok()) return;
   response->world_id = moment->world->id;
   response->step = moment->step;
@@ -36,7 +36,7 @@ void OnReset(SimulationLoop* loop, RobotTopics* robots,
              const latticeworld_msgs::ResetWorld::Request& request,
              latticeworld_msgs::ResetWorld::Response* response) {
   const Result<SimulationLoop::Moment> moment = loop->Reset(request.seed);
-  response->status = ToRos(moment.status());
+  response->status = ToStatusMessage(moment.status());
   if (!moment.ok()) return;
   robots->WaitUntilReady();
   response->world_id = moment->world->id;
@@ -49,7 +49,7 @@ void OnSave(SimulationLoop* loop, const latticeworld_msgs::SaveSnapshot::Request
             latticeworld_msgs::SaveSnapshot::Response* response) {
   const Result<SimulationLoop::Moment> moment =
       loop->SaveSnapshot(request.name.empty() ? kSnapshotName : request.name);
-  response->status = ToRos(moment.status());
+  response->status = ToStatusMessage(moment.status());
   if (!moment.ok()) return;
   response->world_id = moment->world->id;
   response->episode_step = moment->episode_step;
@@ -62,7 +62,7 @@ void OnRestore(SimulationLoop* loop, RobotTopics* robots,
                latticeworld_msgs::RestoreSnapshot::Response* response) {
   const Result<SimulationLoop::Moment> moment =
       loop->RestoreSnapshot(request.name.empty() ? kSnapshotName : request.name);
-  response->status = ToRos(moment.status());
+  response->status = ToStatusMessage(moment.status());
   if (!moment.ok()) return;
   robots->WaitUntilReady();
   response->world_id = moment->world->id;
@@ -94,7 +94,7 @@ void AdvertiseTimeServices(SimulationLoop* loop, RobotTopics* robots, ServiceQue
       "set_real_time_factor",
       [=](const SetRealTimeFactor::Request& request, SetRealTimeFactor::Response* response) {
         const Result<double> before = loop->SetRealTimeFactor(request.factor);
-        response->status = ToRos(before.status());
+        response->status = ToStatusMessage(before.status());
         if (before.ok()) response->before = *before;
       });
   queue->Advertise<ResetWorld>(

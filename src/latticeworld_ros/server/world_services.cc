@@ -38,10 +38,10 @@ const WorldMessages& MessagesOf(const PublishedWorld* current) {
 void OnGet(SimulationLoop* loop, const CurrentWorld& current,
            latticeworld_msgs::GetWorld::Response* response) {
   const Result<SimulationLoop::Moment> moment = loop->Inspect(/*hash=*/true);
-  response->status = ToRos(moment.status());
+  response->status = ToStatusMessage(moment.status());
   if (!moment.ok()) return;
   const World& world = *moment->world;
-  response->info = ToInfo(world);
+  response->info = ToWorldInfo(world);
   // The stamp belongs to the running world, which may be another one by now.
   const std::shared_ptr<const PublishedWorld> published = current.Get();
   if (published != nullptr && published->world == moment->world) {
@@ -53,10 +53,10 @@ void OnGet(SimulationLoop* loop, const CurrentWorld& current,
   response->species = SpeciesNames(*moment->species);
   response->policies = PolicyNames();
   response->reading = ToReading(world);
-  response->fidelity = ToRos(world.fidelity.claims);
+  response->fidelity = ToClaimOutcomeMessages(world.fidelity.claims);
   response->not_understood = world.fidelity.not_understood;
   response->warnings = world.warnings;
-  response->stages = ToRos(world.stages);
+  response->stages = ToStageTimeMessages(world.stages);
   response->step = moment->step;
   response->episode_step = moment->episode_step;
   response->paused = moment->paused;
@@ -84,7 +84,7 @@ void OnList(const std::filesystem::path& worlds_directory,
             latticeworld_msgs::ListWorlds::Response* response) {
   response->directory = worlds_directory.string();
   const Result<std::vector<BundleSummary>> bundles = ListBundles(worlds_directory);
-  response->status = ToRos(bundles.status());
+  response->status = ToStatusMessage(bundles.status());
   if (!bundles.ok()) return;
   for (const BundleSummary& bundle : *bundles) {
     latticeworld_msgs::WorldBundle message;
@@ -98,7 +98,7 @@ void OnList(const std::filesystem::path& worlds_directory,
 void OnQuery(SimulationLoop* loop, const latticeworld_msgs::QueryTerrain::Request& request,
              latticeworld_msgs::QueryTerrain::Response* response) {
   const Result<SimulationLoop::Moment> moment = loop->Inspect(/*hash=*/false);
-  response->status = ToRos(moment.status());
+  response->status = ToStatusMessage(moment.status());
   if (!moment.ok()) return;
   response->world_id = moment->world->id;
   const Scene& scene = *moment->world->scene;
@@ -106,14 +106,14 @@ void OnQuery(SimulationLoop* loop, const latticeworld_msgs::QueryTerrain::Reques
   changes.props = moment->state->standing;
   Result<std::vector<latticeworld_msgs::TerrainSample>> samples =
       SampleTerrain(scene, moment->atmosphere, PropsIn(scene, changes)->decks, request.points);
-  response->status = ToRos(samples.status());
+  response->status = ToStatusMessage(samples.status());
   if (samples.ok()) response->samples = std::move(samples).value();
 }
 
 void OnQueryThings(SimulationLoop* loop, const latticeworld_msgs::QueryThings::Request& request,
                    latticeworld_msgs::QueryThings::Response* response) {
   const Result<SimulationLoop::Moment> moment = loop->Inspect(/*hash=*/false);
-  response->status = ToRos(moment.status());
+  response->status = ToStatusMessage(moment.status());
   if (!moment.ok()) return;
   response->world_id = moment->world->id;
   AnswerQuery(*moment->world->scene, *moment->state, request, response);
@@ -124,7 +124,7 @@ Status SetWeather(SimulationLoop* loop, const latticeworld_msgs::SetWeather::Req
   LW_ASSIGN_OR_RETURN(const WeatherChange change, ToWeatherChange(request));
   LW_ASSIGN_OR_RETURN(const SimulationLoop::WeatherAnswer answer, loop->SetWeather(change));
   response->world_id = answer.world_id;
-  response->weather = ToRos(answer.target, 0.0, answer.now, answer.world_id);
+  response->weather = ToWeatherMessage(answer.target, 0.0, answer.now, answer.world_id);
   return Status();
 }
 
@@ -148,7 +148,8 @@ void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, MapVa
                              });
   queue->Advertise<SaveWorld>(
       "save_world", [=](const SaveWorld::Request& request, SaveWorld::Response* response) {
-        response->status = ToRos(Save(worlds_directory, map_values, *current, request, response));
+        response->status =
+            ToStatusMessage(Save(worlds_directory, map_values, *current, request, response));
       });
   queue->Advertise<ListWorlds>("list_worlds",
                                [=](const ListWorlds::Request&, ListWorlds::Response* response) {
@@ -164,7 +165,7 @@ void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, MapVa
       });
   queue->Advertise<SetWeatherService>("set_weather", [=](const SetWeatherService::Request& request,
                                                          SetWeatherService::Response* response) {
-    response->status = ToRos(SetWeather(loop, request, response));
+    response->status = ToStatusMessage(SetWeather(loop, request, response));
   });
   queue->Advertise<GetOctomap>("octomap_full",
                                [=](const GetOctomap::Request&, GetOctomap::Response* response) {

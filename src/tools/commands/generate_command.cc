@@ -95,7 +95,7 @@ Result<GenerationRequest> ReadRequest(const CLI::App& command) {
 
 // The request's members are told by the options that set them.
 Status ByOptions(const Status& status) {
-  if (status.ok() || status.violations().empty()) return status;
+  if (status.violations().empty()) return status;
   static constexpr std::pair<std::string_view, std::string_view> kOptions[] = {
       {"layout_instruction", "--layout"}, {"environment_instruction", "--environment"},
       {"vocabulary", "--vocabulary"},     {"reader", "--reader"},
@@ -123,7 +123,7 @@ Status CheckTarget(const std::filesystem::path& target) {
 }
 
 Status Generate(const CLI::App& command) {
-  LW_ASSIGN_OR_RETURN(const GenerationRequest request, ReadRequest(command));
+  LW_ASSIGN_OR_RETURN(GenerationRequest request, ReadRequest(command));
   std::filesystem::path target = *ValueOf(command, "--out");
   if (target.empty()) return InvalidArgument("--out: is empty; give the directory to be made");
   if (!target.has_filename()) target = target.parent_path();  // a trailing slash
@@ -132,7 +132,8 @@ Status Generate(const CLI::App& command) {
   if (!sketches.ok()) return sketches.status().WithContext("--sketch-model");
   LW_ASSIGN_OR_RETURN(auto catalogue, CatalogueOf(command));
   WorldGenerator generator(std::move(language), *std::move(sketches), std::move(catalogue));
-  LW_RETURN_IF_ERROR(ByOptions(generator.Validate(request)));
+  auto accepted = generator.Accept(std::move(request));
+  if (!accepted.ok()) return ByOptions(accepted.status());
   LW_RETURN_IF_ERROR(CheckTarget(target));
 
   // Of the time of a default world; how long a language model reads is its own affair.
@@ -140,7 +141,7 @@ Status Generate(const CLI::App& command) {
   Progress progress(
       [&display](std::string_view stage, double fraction) { display.Show(stage, fraction); });
   const CancelOnInterrupt cancel_on_interrupt(&progress);
-  const auto world = generator.Generate(request, progress);
+  const auto world = generator.Generate(*std::move(accepted), progress);
   if (!world.ok()) {
     display.Clear();
     return world.status();

@@ -148,6 +148,24 @@ TEST(LoadLanguageTest, EveryIllegalOptionIsNamedAtOnce) {
   EXPECT_EQ(language.status().violations().size(), 3u) << language.status().ToString();
 }
 
+// Each under the name of its kind, as the options of the programs are called.
+TEST(LoadLanguageTest, TheIllegalOptionsOfEveryModelAreNamedTogether) {
+  RemoteModelOptions remote;
+  remote.server.url = "http://127.0.0.1:9/v1";
+  remote.server.max_retries = 99;
+  LocalModelOptions local;
+  local.layout_model = "layouts.gguf";
+  local.tries = 0;
+  ReaderModelOptions reader;
+  reader.model = "reader.gguf";
+  reader.threads = -1;
+  const Status status = LoadLanguage(remote, local, reader).status();
+  ASSERT_EQ(status.violations().size(), 3u) << status.ToString();
+  EXPECT_EQ(status.violations()[0].pointer, "remote_max_retries");
+  EXPECT_EQ(status.violations()[1].pointer, "local_tries");
+  EXPECT_EQ(status.violations()[2].pointer, "reader_threads");
+}
+
 // Nobody listens on the discard port: what a setting makes of a server that cannot be had.
 TEST(LoadLanguageTest, AServerThatCannotBeHadIsAnErrorOrTheGroundedBackEnd) {
   RemoteModelOptions options;

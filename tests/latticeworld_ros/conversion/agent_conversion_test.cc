@@ -35,7 +35,7 @@ TEST(AgentConversionTest, StatesCarryTheStepAndEveryField) {
   state.episode_step = 2;
   state.episode_time_s = 0.02;
   state.agents = {Robot()};
-  const auto message = ToRos(state, ros::Time(7, 5), "world-1");
+  const auto message = ToAgentStates(state, ros::Time(7, 5), "world-1");
   EXPECT_EQ(message.header.stamp, ros::Time(7, 5));
   EXPECT_EQ(message.header.frame_id, "map");
   EXPECT_EQ(message.world_id, "world-1");
@@ -103,7 +103,8 @@ TEST(AgentConversionTest, ExactOdometryHasSmallVariancesThatAreNotZero) {
 }
 
 TEST(AgentConversionTest, TransformsHaveUnitQuaternionsAndNoLeadingSlash) {
-  const auto message = ToRos(PoseOf(Robot()), ros::Time(1, 0), kMapFrame, BaseFrame("scout"));
+  const auto message =
+      ToTransformStamped(PoseOf(Robot()), ros::Time(1, 0), kMapFrame, BaseFrame("scout"));
   EXPECT_EQ(message.header.frame_id, "map");
   EXPECT_EQ(message.child_frame_id, "scout/base_link");
   const auto& q = message.transform.rotation;
@@ -226,7 +227,7 @@ TEST(AgentConversionTest, APolicyChangeIsOfAnAgentOrATeam) {
 TEST(AgentConversionTest, JointStatesKeepTheJointsInOrder) {
   AgentSnapshot robot = Robot();
   robot.joints = {{"left_wheel", 0.1, 0.2, 0.3}, {"right_wheel", 1.1, 1.2, 1.3}};
-  const auto message = ToJointStates(robot, ros::Time(3, 0));
+  const auto message = ToJointState(robot, ros::Time(3, 0));
   EXPECT_EQ(message.header.stamp, ros::Time(3, 0));
   EXPECT_EQ(message.name, (std::vector<std::string>{"left_wheel", "right_wheel"}));
   EXPECT_EQ(message.position, (std::vector<double>{0.1, 1.1}));

@@ -34,7 +34,8 @@ TEST(AgentMarkersTest, ABodyStandsOnItsPlaceAndLiesWhenItFell) {
   WorldState state;
   state.agents = {Goblin()};
   const Marker standing =
-      Of(ToMarkers(state, Scene(), *SpeciesCatalogue::BuiltIn(), ros::Time(1, 0)), "bodies").at(0);
+      Of(ToMarkerArray(state, Scene(), *SpeciesCatalogue::BuiltIn(), ros::Time(1, 0)), "bodies")
+          .at(0);
   EXPECT_EQ(standing.header.frame_id, "map");
   EXPECT_EQ(standing.header.stamp, ros::Time(1, 0));
   EXPECT_NEAR(standing.pose.position.z, 3.0 + height_m / 2.0, 1e-9);
@@ -42,7 +43,8 @@ TEST(AgentMarkersTest, ABodyStandsOnItsPlaceAndLiesWhenItFell) {
   // On its face: its height lies along x.
   state.agents[0].orientation = Eigen::AngleAxisd(M_PI / 2.0, Eigen::Vector3d::UnitY());
   const Marker fallen =
-      Of(ToMarkers(state, Scene(), *SpeciesCatalogue::BuiltIn(), ros::Time(1, 0)), "bodies").at(0);
+      Of(ToMarkerArray(state, Scene(), *SpeciesCatalogue::BuiltIn(), ros::Time(1, 0)), "bodies")
+          .at(0);
   EXPECT_NEAR(fallen.pose.position.x, 1.0 + height_m / 2.0, 1e-9);
   EXPECT_NEAR(fallen.pose.position.z, 3.0, 1e-9);
 }
@@ -53,7 +55,7 @@ TEST(AgentMarkersTest, TheDeadAreFaintAndTeamsHaveColours) {
   state.agents[1].behaviour = Behaviour::kDead;
   state.agents[1].team = 1;
   const std::vector<Marker> bodies =
-      Of(ToMarkers(state, Scene(), *SpeciesCatalogue::BuiltIn(), ros::Time(1, 0)), "bodies");
+      Of(ToMarkerArray(state, Scene(), *SpeciesCatalogue::BuiltIn(), ros::Time(1, 0)), "bodies");
   ASSERT_EQ(bodies.size(), 2u);
   EXPECT_LT(bodies[1].color.a, bodies[0].color.a);
   EXPECT_GT(bodies[0].color.r, bodies[0].color.b);
@@ -68,7 +70,7 @@ TEST(AgentMarkersTest, AGateIsDrawnFromItsHinge) {
   gate.size_m = {2.0, 0.1, 1.5};
   state.props = {gate};
   const Marker marker =
-      Of(ToMarkers(state, Scene(), *SpeciesCatalogue::BuiltIn(), ros::Time(1, 0)), "elements")
+      Of(ToMarkerArray(state, Scene(), *SpeciesCatalogue::BuiltIn(), ros::Time(1, 0)), "elements")
           .at(0);
   EXPECT_NEAR(marker.pose.position.x, 1.0, 1e-9);
   EXPECT_NEAR(marker.pose.position.z, 0.75, 1e-9);
@@ -82,7 +84,7 @@ TEST(AgentMarkersTest, TreesAreDrawnWhileTheyFall) {
   state.felled = {{{0, {0.0, 0.0, 0.0}, {6.0, 0.0, 0.0}}, true},
                   {{1, {0.0, 0.0, 0.0}, {8.0, 0.0, 0.0}}, false}};
   const std::vector<Marker> trees =
-      Of(ToMarkers(state, scene, *SpeciesCatalogue::BuiltIn(), ros::Time(1, 0)), "trees");
+      Of(ToMarkerArray(state, scene, *SpeciesCatalogue::BuiltIn(), ros::Time(1, 0)), "trees");
   ASSERT_EQ(trees.size(), 2u);  // stem and crown of the one that falls
   EXPECT_NEAR(trees[0].pose.position.x, 4.0, 1e-9);
   EXPECT_NEAR(trees[0].scale.z, 8.0, 1e-9);

@@ -9,7 +9,7 @@ namespace {
 
 TEST(JournalConversionTest, ACallComesBackFromItsMessage) {
   const JournalEntry entry{3, 40, OpenGateCall{"gate", 1.0 / 3.0}};
-  const auto message = ToRos(entry, ros::Time(1.5), "world-1", 2);
+  const auto message = ToJournalEntryMessage(entry, ros::Time(1.5), "world-1", 2);
   EXPECT_EQ(message.header.stamp, ros::Time(1.5));
   EXPECT_EQ(message.world_id, "world-1");
   EXPECT_EQ(message.run, 2u);
@@ -32,8 +32,8 @@ TEST(JournalConversionTest, AMessageThatHoldsNoCallIsNamed) {
 TEST(JournalConversionTest, FilesKeepEveryByte) {
   std::string bytes;
   for (int i = 0; i < 256; ++i) bytes += static_cast<char>(i);
-  const auto back =
-      ToWorldFiles(ToRos(std::vector<WorldFile>{{"weights/G.png", bytes}, {"a", ""}}));
+  const auto back = ToWorldFiles(
+      ToWorldFileMessages(std::vector<WorldFile>{{"weights/G.png", bytes}, {"a", ""}}));
   ASSERT_EQ(back.size(), 2u);
   EXPECT_EQ(back[0].path, "weights/G.png");
   EXPECT_EQ(back[0].data, bytes);

@@ -26,7 +26,7 @@ std::string DataOf(const octomap_msgs::Octomap& message) {
 
 TEST(OctomapConversionTest, FullMessageReadsBackAsTheSameTree) {
   const octomap::OcTree tree = SmallTree();
-  const auto message = ToRos(FullData(tree), tree.getResolution(), false);
+  const auto message = ToOctomap(FullData(tree), tree.getResolution(), false);
   EXPECT_FALSE(message.binary);
   EXPECT_EQ(message.id, tree.getTreeType());
   EXPECT_EQ(message.header.frame_id, "map");
@@ -38,7 +38,7 @@ TEST(OctomapConversionTest, FullMessageReadsBackAsTheSameTree) {
 
 TEST(OctomapConversionTest, BinaryMessageReadsBackWithTheSameOccupiedVoxels) {
   const octomap::OcTree tree = SmallTree();
-  const auto message = ToRos(BinaryData(tree), tree.getResolution(), true);
+  const auto message = ToOctomap(BinaryData(tree), tree.getResolution(), true);
   EXPECT_TRUE(message.binary);
   octomap::OcTree back(message.resolution);
   std::stringstream stream(DataOf(message));

@@ -26,8 +26,10 @@ class RequestConversionTest : public testing::Test {
   }
   ~RequestConversionTest() override { fs::remove_all(directory_); }
 
-  Result<GenerationRequest> Convert() {
-    return ToGenerationRequest(fields_, defaults_, generator_, 99);
+  Result<GenerationRequest> Convert(std::uint64_t drawn_seed = 99) {
+    LW_ASSIGN_OR_RETURN(AcceptedRequest accepted,
+                        ToGenerationRequest(fields_, defaults_, generator_, drawn_seed));
+    return std::move(accepted).Take();
   }
   void ExpectRefused(StatusCode code, std::size_t violations) {
     const auto request = Convert();
@@ -39,7 +41,7 @@ class RequestConversionTest : public testing::Test {
   WorldGenerator generator_;
   fs::path directory_;
   RequestDefaults defaults_;
-  GenerateWorldFields fields_;
+  latticeworld_msgs::GenerateWorld::Request fields_;
 };
 
 TEST_F(RequestConversionTest, EmptyFieldsHaveTheirMeaning) {
@@ -73,15 +75,49 @@ TEST_F(RequestConversionTest, ASketchTakesTheHeightsOfTheRequest) {
   fields_.visual_kind = 2;
   fields_.visual.data = {1, 2, 3};
   fields_.height_offset = -20.0;
-  auto request = ToGenerationRequest(fields_, defaults_, generator_, 5);
+  auto request = Convert(5);
   ASSERT_TRUE(request.ok()) << request.status().ToString();
   EXPECT_EQ(request->visual_kind, VisualKind::kSketch);
   EXPECT_EQ(request->height_map.height_scale_m, 100.0);
   EXPECT_EQ(request->height_map.height_offset_m, -20.0);
   fields_.height_scale = 0.5;
-  request = ToGenerationRequest(fields_, defaults_, generator_, 5);
+  request = Convert(5);
   ASSERT_FALSE(request.ok());
   EXPECT_EQ(request.status().violations()[0].pointer, "height_scale");
+}
+
+// What the action asks for is read as what the service asks for.
+TEST_F(RequestConversionTest, AGoalIsReadAsARequest) {
+  latticeworld_msgs::GenerateWorldTaskGoal goal;
+  goal.layout_instruction = fields_.layout_instruction = "hills in the north";
+  goal.environment_instruction = fields_.environment_instruction = "a winter morning";
+  goal.visual_kind = fields_.visual_kind = 3;
+  goal.visual.data = fields_.visual.data = {1, 2, 3};
+  goal.visual.format = fields_.visual.format = "N40W106.hgt";
+  goal.latitude = fields_.latitude = 40.5;
+  goal.longitude = fields_.longitude = -105.25;
+  goal.vocabulary = fields_.vocabulary = "wild";
+  goal.size = fields_.size = 256.0;
+  const auto asked = Convert();
+  const auto accepted = ToGenerationRequest(goal, defaults_, generator_, 99);
+  ASSERT_TRUE(asked.ok() && accepted.ok()) << asked.status().ToString();
+  const GenerationRequest& read = **accepted;
+  EXPECT_EQ(read.layout_instruction, asked->layout_instruction);
+  EXPECT_EQ(read.environment_instruction, asked->environment_instruction);
+  EXPECT_EQ(read.visual_kind, asked->visual_kind);
+  EXPECT_EQ(read.visual, asked->visual);
+  EXPECT_EQ(read.visual_name, asked->visual_name);
+  EXPECT_EQ(read.elevation.latitude_deg, asked->elevation.latitude_deg);
+  EXPECT_EQ(read.elevation.longitude_deg, asked->elevation.longitude_deg);
+  EXPECT_EQ(read.vocabulary, asked->vocabulary);
+  EXPECT_EQ(read.generator, asked->generator);
+  EXPECT_EQ(read.seed, asked->seed);
+  EXPECT_EQ(read.size_m, asked->size_m);
+
+  goal.size = fields_.size = -1.0;
+  goal.visual_kind = fields_.visual_kind = 9;
+  EXPECT_EQ(ToGenerationRequest(goal, defaults_, generator_, 99).status().ToString(),
+            Convert().status().ToString());
 }
 
 TEST_F(RequestConversionTest, AReaderIsTheRequestsOwn) {
@@ -104,7 +140,7 @@ TEST_F(RequestConversionTest, ElevationIsTheMiddleOfTheDataUnlessAPlaceIsGiven) 
   fields_.visual_kind = 3;
   fields_.visual.data = {1, 2, 3};
   fields_.visual.format = "N40W106.hgt";
-  auto request = ToGenerationRequest(fields_, defaults_, generator_, 5);
+  auto request = Convert(5);
   ASSERT_TRUE(request.ok()) << request.status().ToString();
   EXPECT_EQ(request->visual_kind, VisualKind::kElevation);
   EXPECT_EQ(request->visual_name, "N40W106.hgt");
@@ -114,18 +150,18 @@ TEST_F(RequestConversionTest, ElevationIsTheMiddleOfTheDataUnlessAPlaceIsGiven) 
   fields_.latitude = 40.5;
   fields_.longitude = -105.25;
   fields_.keep_altitude = true;
-  request = ToGenerationRequest(fields_, defaults_, generator_, 5);
+  request = Convert(5);
   ASSERT_TRUE(request.ok()) << request.status().ToString();
   EXPECT_FALSE(request->elevation.centered);
   EXPECT_EQ(request->elevation.latitude_deg, 40.5);
   EXPECT_EQ(request->elevation.longitude_deg, -105.25);
   EXPECT_TRUE(request->elevation.keep_altitude);
   fields_.latitude = 0.0;  // on the equator
-  EXPECT_FALSE(ToGenerationRequest(fields_, defaults_, generator_, 5)->elevation.centered);
+  EXPECT_FALSE(Convert(5)->elevation.centered);
 
   for (const double illegal : {90.5, std::nan(""), -HUGE_VAL}) {
     fields_.latitude = illegal;
-    request = ToGenerationRequest(fields_, defaults_, generator_, 5);
+    request = Convert(5);
     ASSERT_FALSE(request.ok());
     EXPECT_EQ(request.status().violations()[0].pointer, "latitude");
   }

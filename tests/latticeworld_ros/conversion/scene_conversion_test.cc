@@ -46,7 +46,8 @@ TEST(SceneConversionTest, PropsCarryEveryField) {
 }
 
 TEST(SceneConversionTest, ChangesTellTreesAndWhatBroke) {
-  const auto message = ToSceneChanges(StateWithAGateAndAFallenTree(), ros::Time(2, 0), "world-1");
+  const auto message =
+      ToSceneChangesMessage(StateWithAGateAndAFallenTree(), ros::Time(2, 0), "world-1");
   EXPECT_EQ(message.map_version, 2u);
   ASSERT_EQ(message.felled.size(), 2u);
   EXPECT_EQ(message.felled[0].asset, 17u);

@@ -54,7 +54,7 @@ TEST(SensorConversionTest, PointsLieAsDriversLayThemOut) {
   sweep.end_s = 2.1;
   sweep.rings = 16;
   sweep.points = {{1.0f, 2.0f, 3.0f, 99.0f, 7, 0, 0}, {4.0f, 5.0f, 6.0f, 55.0f, 15, 9, 60000000}};
-  const auto cloud = ToPointCloud(sweep, "robot/points", ros::Time(9, 0));
+  const auto cloud = ToPointCloud2(sweep, "robot/points", ros::Time(9, 0));
   EXPECT_EQ(cloud.header.stamp, ros::Time(9, 0));
   EXPECT_EQ(cloud.width, 2u);
   EXPECT_EQ(cloud.height, 1u);
@@ -77,7 +77,7 @@ TEST(SensorConversionTest, PointTimesMayCountFromTheRevolutionsBegin) {
   sweep.end_s = 2.1;
   sweep.rings = 16;
   sweep.points = {{1.0f, 2.0f, 3.0f, 99.0f, 7, 0, 0}, {4.0f, 5.0f, 6.0f, 55.0f, 15, 9, 60000000}};
-  const auto cloud = ToPointCloud(sweep, "robot/points", ros::Time(9, 0), PointTimes::kBegin);
+  const auto cloud = ToPointCloud2(sweep, "robot/points", ros::Time(9, 0), PointTimes::kBegin);
   EXPECT_EQ(cloud.header.stamp, ros::Time(8, 900000000));
   EXPECT_EQ(At<float>(cloud.data, cloud.fields[5].offset), 0.0f);
   EXPECT_FLOAT_EQ(At<float>(cloud.data, 22 + cloud.fields[5].offset), 0.06f);
@@ -106,7 +106,7 @@ TEST(SensorConversionTest, AFixHasVariancesEastNorthAndUp) {
   reading.longitude_deg = 11.25;
   reading.altitude_m = 520.0;
   reading.stddev_m = {1.0, 2.0, 3.0};
-  const auto fix = ToFix(reading, "robot/fix", ros::Time(1, 0));
+  const auto fix = ToNavSatFix(reading, "robot/fix", ros::Time(1, 0));
   EXPECT_EQ(fix.latitude, 48.5);
   EXPECT_EQ(fix.longitude, 11.25);
   EXPECT_EQ(fix.altitude, 520.0);

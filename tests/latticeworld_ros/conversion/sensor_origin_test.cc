@@ -12,7 +12,7 @@ namespace {
 // Of a receiver without noise that stands 3 m above the world's origin.
 sensor_msgs::NavSatFix FixAt(const GeoOrigin& origin) {
   GnssReceiver receiver({}, origin, 5.0, 1);
-  return ToFix(receiver.Read({0.0, 0.0, 3.0}, false, 0), "robot/fix", ros::Time(1, 0));
+  return ToNavSatFix(receiver.Read({0.0, 0.0, 3.0}, false, 0), "robot/fix", ros::Time(1, 0));
 }
 
 TEST(SensorOriginTest, TheGeoidUndulationIsAddedToTheAltitudeOfAFixOnRealLand) {

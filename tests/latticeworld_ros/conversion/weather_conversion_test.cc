@@ -76,7 +76,8 @@ TEST(WeatherConversionTest, TheMessageSaysWhatTheAtmosphereIs) {
   atmosphere.wind_mps = {1.0, 2.0, 0.0};
   atmosphere.snow_depth_m = 0.3;
   atmosphere.water_rise_m = -0.1;
-  const latticeworld_msgs::Weather message = ToRos(atmosphere, 1.5, ros::Time(4.0), "world-1");
+  const latticeworld_msgs::Weather message =
+      ToWeatherMessage(atmosphere, 1.5, ros::Time(4.0), "world-1");
   EXPECT_EQ(message.header.stamp, ros::Time(4.0));
   EXPECT_EQ(message.header.frame_id, "map");
   EXPECT_EQ(message.world_id, "world-1");

@@ -35,7 +35,7 @@ std::map<std::string, std::size_t> TrianglesByNamespace(
 
 TEST(WorldMarkersTest, PiecesAreBoundedAndNamedOnce) {
   const auto world = ForestWithALake(256.0);
-  const auto array = ToMarkers(*world->scene, WorldMarkerOptions());
+  const auto array = ToMarkerArray(*world->scene, WorldMarkerOptions());
   ASSERT_GT(array.markers.size(), 20u);
   EXPECT_EQ(array.markers.front().action, static_cast<int>(Marker::DELETEALL));
   std::set<std::pair<std::string, int>> names;
@@ -55,7 +55,7 @@ TEST(WorldMarkersTest, PiecesAreBoundedAndNamedOnce) {
 
 TEST(WorldMarkersTest, EveryDrawnAssetIsThereOnce) {
   const auto world = ForestWithALake(128.0);
-  const auto triangles = TrianglesByNamespace(ToMarkers(*world->scene, WorldMarkerOptions()));
+  const auto triangles = TrianglesByNamespace(ToMarkerArray(*world->scene, WorldMarkerOptions()));
   std::map<AssetKind, std::size_t> counts;
   for (const Asset& asset : world->scene->assets) ++counts[asset.kind];
   EXPECT_EQ(triangles.at("trees"), 10 * counts[AssetKind::kTree]);
@@ -68,7 +68,7 @@ TEST(WorldMarkersTest, MoreThanTheLimitIsThinnedOutToIt) {
   const auto world = ForestWithALake(128.0);
   WorldMarkerOptions options;
   options.max_assets = 100;
-  auto triangles = TrianglesByNamespace(ToMarkers(*world->scene, options));
+  auto triangles = TrianglesByNamespace(ToMarkerArray(*world->scene, options));
   EXPECT_EQ(triangles["trees"] / 10 + triangles["bushes"] / 8 + triangles["stones"] / 8, 100u);
 }
 

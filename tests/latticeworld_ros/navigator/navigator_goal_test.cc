@@ -28,9 +28,10 @@ void Fill(tf2_ros::Buffer* buffer) {
       ToIsometry({10.0, 20.0, 1.0},
                  Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 2.0, Eigen::Vector3d::UnitZ())));
   const ros::Time stamp(5.0);
-  buffer->setTransform(ToRos(Eigen::Isometry3d::Identity(), stamp, "map", "odom"), "test");
-  buffer->setTransform(ToRos(north, stamp, "odom", "base_link"), "test");
-  buffer->setTransform(ToRos(north, stamp, "moon", "rover"), "test");
+  buffer->setTransform(ToTransformStamped(Eigen::Isometry3d::Identity(), stamp, "map", "odom"),
+                       "test");
+  buffer->setTransform(ToTransformStamped(north, stamp, "odom", "base_link"), "test");
+  buffer->setTransform(ToTransformStamped(north, stamp, "moon", "rover"), "test");
 }
 
 TEST(NavigatorGoalTest, AGoalInTheMapIsWhatItSays) {

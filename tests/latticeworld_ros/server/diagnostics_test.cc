@@ -24,7 +24,7 @@ std::string ValueOf(const DiagnosticStatus& status, const std::string& key) {
 
 TEST(DiagnosticsTest, SayWhetherTheSimulationRuns) {
   LoopStatistics statistics;
-  DiagnosticStatus status = ToDiagnostics(statistics, SensorStatistics(), nullptr).status[0];
+  DiagnosticStatus status = ToDiagnosticArray(statistics, SensorStatistics(), nullptr).status[0];
   EXPECT_EQ(status.level, DiagnosticStatus::WARN);
   EXPECT_EQ(status.message, "no world is running");
 
@@ -33,7 +33,7 @@ TEST(DiagnosticsTest, SayWhetherTheSimulationRuns) {
   statistics.world = world.world;
   statistics.simulator = fake;
   statistics.real_time_factor = 2.5;
-  status = ToDiagnostics(statistics, SensorStatistics(), nullptr).status[0];
+  status = ToDiagnosticArray(statistics, SensorStatistics(), nullptr).status[0];
   EXPECT_EQ(status.level, DiagnosticStatus::OK);
   EXPECT_EQ(status.message, "running");
   EXPECT_EQ(ValueOf(status, "world"), "meadow");
@@ -42,7 +42,7 @@ TEST(DiagnosticsTest, SayWhetherTheSimulationRuns) {
 
   statistics.simulator = nullptr;
   statistics.failure = "numbers ran away";
-  status = ToDiagnostics(statistics, SensorStatistics(), nullptr).status[0];
+  status = ToDiagnosticArray(statistics, SensorStatistics(), nullptr).status[0];
   EXPECT_EQ(status.level, DiagnosticStatus::ERROR);
   EXPECT_NE(status.message.find("numbers ran away"), std::string::npos);
   EXPECT_EQ(ValueOf(status, "world"), "meadow");
@@ -61,7 +61,7 @@ TEST(DiagnosticsTest, SayHowTheLanguageServerDoesAndNeverItsKey) {
   const auto client = MakeOpenAiClient(options);
   ASSERT_TRUE(client.ok()) << client.status().ToString();
   const auto report = [&] {
-    return ToDiagnostics(LoopStatistics(), SensorStatistics(), client->get());
+    return ToDiagnosticArray(LoopStatistics(), SensorStatistics(), client->get());
   };
   const auto ask = [&] {
     ChatRequest request;
@@ -109,14 +109,14 @@ TEST(DiagnosticsTest, SayHowTheLanguageServerDoesAndNeverItsKey) {
 
 TEST(DiagnosticsTest, SayThatThereIsNoLanguageServer) {
   const DiagnosticStatus status =
-      ToDiagnostics(LoopStatistics(), SensorStatistics(), nullptr).status[2];
+      ToDiagnosticArray(LoopStatistics(), SensorStatistics(), nullptr).status[2];
   EXPECT_EQ(status.level, DiagnosticStatus::OK);
   EXPECT_EQ(status.message, "embedded only; remote_url is not set");
 }
 
 TEST(DiagnosticsTest, WarnOfServicesThatAnotherNodeHas) {
   const auto report = [](const MasterReport& master) {
-    return ToDiagnostics(LoopStatistics(), SensorStatistics(), nullptr, master).status[4];
+    return ToDiagnosticArray(LoopStatistics(), SensorStatistics(), nullptr, master).status[4];
   };
   EXPECT_EQ(report({}).name, "world_server: services");
   EXPECT_EQ(report({}).level, DiagnosticStatus::OK);
@@ -128,7 +128,7 @@ TEST(DiagnosticsTest, WarnOfServicesThatAnotherNodeHas) {
 
 TEST(DiagnosticsTest, NameTopicsThatAreNotDelivered) {
   const auto report = [](const MasterReport& master) {
-    return ToDiagnostics(LoopStatistics(), SensorStatistics(), nullptr, master).status[3];
+    return ToDiagnosticArray(LoopStatistics(), SensorStatistics(), nullptr, master).status[3];
   };
   MasterReport master;
   master.descriptors = {100, 1024};

@@ -41,7 +41,7 @@ WorldState SomeState() {
 
 TEST(ViewerConversionTest, MessagesGiveTheStreamOfTheStateThatTheyWereMadeOf) {
   const WorldState state = SomeState();
-  const auto agents = Streamed(ToRos(state, ros::Time(1.0), "world"));
+  const auto agents = Streamed(ToAgentStates(state, ros::Time(1.0), "world"));
   const auto wanted = Streamed(state.agents);
   EXPECT_EQ(agents.rows, wanted.rows);
   EXPECT_EQ(agents.things, wanted.things);
@@ -69,7 +69,7 @@ TEST(ViewerConversionTest, WeatherComesBackAsItWas) {
   atmosphere.wind_mps = {1.0, -2.0, 0.0};
   atmosphere.sun_direction = {0.6, 0.0, 0.8};
   atmosphere.water_rise_m = -0.5;
-  const Atmosphere back = ToAtmosphere(ToRos(atmosphere, 0.0, ros::Time(1.0), "world"));
+  const Atmosphere back = ToAtmosphere(ToWeatherMessage(atmosphere, 0.0, ros::Time(1.0), "world"));
   EXPECT_EQ(back.weather, atmosphere.weather);
   EXPECT_EQ(back.visibility_m, atmosphere.visibility_m);
   EXPECT_EQ(back.wind_mps, atmosphere.wind_mps);
@@ -85,7 +85,7 @@ TEST(ViewerConversionTest, FallingTreesStandWhereTheirMarkersShowThem) {
   stem.id = 2 * 17;
   stem.scale.z = 10.0;
   const Eigen::Vector3d foot_m(3.0, 4.0, 1.0), along = Eigen::Vector3d(0.6, 0.0, 0.8);
-  stem.pose = ToRos(ToIsometry(
+  stem.pose = ToPose(ToIsometry(
       foot_m + 5.0 * along, Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along)));
   markers.markers[2] = stem;  // its crown
   markers.markers[2].id = 2 * 17 + 1;
@@ -104,7 +104,7 @@ TEST(ViewerConversionTest, DiagnosticsTellWhetherTimeStandsStill) {
   LoopStatistics statistics;
   statistics.wanted_factor = 3.0;
   statistics.real_time_factor = 2.5;
-  auto report = ReportOf(ToDiagnostics(statistics, SensorStatistics(), nullptr));
+  auto report = ReportOf(ToDiagnosticArray(statistics, SensorStatistics(), nullptr));
   ASSERT_TRUE(report.has_value());
   EXPECT_FALSE(report->has_world);
   EXPECT_EQ(report->speed, 3.0);

@@ -103,6 +103,24 @@ TEST(SpawningTest, RefusesAndSaysWhyAndChangesNothing) {
   EXPECT_TRUE(simulator->TakeEvents().empty());
 }
 
+TEST(SpawningTest, NamesEverythingThatIsIllegalAtOnce) {
+  const auto simulator = MakeSimulator(Place());
+  SpawnRequest request = At(AgentCategory::kGoblin, std::numeric_limits<double>::infinity(), 0.0);
+  request.heading_rad = std::numeric_limits<double>::quiet_NaN();
+  request.team = 16;
+  request.policy = "pacifist";
+  const Status spawned = simulator->Spawn(request).status();
+  ASSERT_EQ(spawned.violations().size(), 4u) << spawned.ToString();
+  EXPECT_EQ(spawned.violations()[0].pointer, "position.x");
+  EXPECT_EQ(spawned.violations()[1].pointer, "heading");
+  EXPECT_EQ(spawned.violations()[2].pointer, "team");
+  EXPECT_EQ(spawned.violations()[3].pointer, "policy");
+
+  const Status set = simulator->SetPolicy({"robot", 16, "pacifist"});
+  ASSERT_EQ(set.violations().size(), 3u) << set.ToString();
+  EXPECT_EQ(set.violations()[0].pointer, "agent");
+}
+
 TEST(SpawningTest, NamesTheSpeciesThatItRefuses) {
   const auto simulator = MakeSimulator(Place());
   SpawnRequest car = At(AgentCategory::kWheeledRobot, 0.0, 10.0);

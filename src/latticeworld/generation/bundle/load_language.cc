@@ -125,6 +125,22 @@ std::shared_ptr<InstructionReader> AsRecorded(std::shared_ptr<InstructionReader>
       MakeFailedReader(std::move(reader), std::move(layout), std::move(environment)), true);
 }
 
+// Every violation of the three, of fields that are called "remote_url", "local_tries" and so on.
+Status ValidateAll(const RemoteModelOptions& remote, const LocalModelOptions& local,
+                   const ReaderModelOptions& reader) {
+  std::vector<Violation> violations;
+  const auto add = [&violations](const char* prefix, std::vector<Violation> found) {
+    for (Violation& violation : found) {
+      violation.pointer = prefix + violation.pointer;
+      violations.push_back(std::move(violation));
+    }
+  };
+  add("remote_", Validate(remote));
+  add("local_", Validate(local));
+  add("reader_", Validate(reader));
+  return Status::FromViolations("language models", std::move(violations));
+}
+
 }  // namespace
 
 std::vector<Violation> Validate(const RemoteModelOptions& options) {
@@ -152,9 +168,7 @@ std::vector<Violation> Validate(const ReaderModelOptions& options) {
 Result<LoadedLanguage> LoadLanguage(const RemoteModelOptions& remote,
                                     const LocalModelOptions& local,
                                     const ReaderModelOptions& reader) {
-  LW_RETURN_IF_ERROR(Status::FromViolations("model that reads", Validate(reader)));
-  LW_RETURN_IF_ERROR(Status::FromViolations("remote model", Validate(remote)));
-  LW_RETURN_IF_ERROR(Status::FromViolations("local model", Validate(local)));
+  LW_RETURN_IF_ERROR(ValidateAll(remote, local, reader));
   LoadedLanguage loaded;
   LanguageStack& stack = loaded.stack;
   stack = MakeEmbedded();

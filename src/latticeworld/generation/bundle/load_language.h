@@ -57,7 +57,8 @@ struct LoadedLanguage {
 // Readers "rules" and "controlled", and generator "grounded"; and those of the models that are
 // wanted. Default reader: "checked" where there is a model that reads, else "rules". Default
 // generator: a model, where one was named, else "grounded".
-// Errors: INVALID_ARGUMENT with every violation; those of MakeLocalChatServer.
+// Errors: INVALID_ARGUMENT with every violation of the three, whose pointers are the fields' names
+// after "remote_", "local_" and "reader_"; those of MakeLocalChatServer.
 Result<LoadedLanguage> LoadLanguage(const RemoteModelOptions& remote,
                                     const LocalModelOptions& local = {},
                                     const ReaderModelOptions& reader = {});

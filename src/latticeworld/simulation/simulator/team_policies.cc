@@ -26,12 +26,6 @@ void BeginAnew(Agent* agent) {
 
 }  // namespace
 
-Status CheckPolicy(const std::string& policy) {
-  if (policy.empty() || FindPolicy(policy) != nullptr) return Status();
-  return InvalidArgument("there is no policy " + Quote(policy) + ": it must be one of " +
-                         Join(PolicyNames(), ", ") + ", or empty");
-}
-
 const std::string& TeamPolicies::PolicyAsTold(const Agent& agent) const {
   if (!agent.policy.empty()) return agent.policy;
   const auto of_team = of_team_.find(agent.team);
@@ -49,12 +43,10 @@ std::string TeamPolicies::PolicyOf(const Agent& agent) const {
 }
 
 Status TeamPolicies::Set(const PolicyChange& change, AgentRoster* agents) {
-  if (change.agent.empty() != change.team.has_value()) {
-    return InvalidArgument("a policy is set for an agent or for a team, not for both or neither");
-  }
-  LW_RETURN_IF_ERROR(CheckPolicy(change.policy));
-  if (change.team.has_value()) return SetOfTeam(*change.team, change.policy, agents);
-  return SetOfAgent(change, agents);
+  LW_RETURN_IF_ERROR(Status::FromViolations("policy", Validate(change)));
+  if (!change.team.has_value()) return SetOfAgent(change, agents);
+  SetOfTeam(*change.team, change.policy, agents);
+  return Status();
 }
 
 Status TeamPolicies::SetOfAgent(const PolicyChange& change, AgentRoster* agents) const {
@@ -71,13 +63,9 @@ Status TeamPolicies::SetOfAgent(const PolicyChange& change, AgentRoster* agents)
   return Status();
 }
 
-Status TeamPolicies::SetOfTeam(int team, const std::string& policy, AgentRoster* agents) {
-  if (team < 0 || team > kMaxTeam) {
-    return InvalidArgument("team must be in [0, " + std::to_string(kMaxTeam) + "], not " +
-                           std::to_string(team));
-  }
+void TeamPolicies::SetOfTeam(int team, const std::string& policy, AgentRoster* agents) {
   const auto before = of_team_.find(team);
-  if ((before == of_team_.end() ? "" : before->second) == policy) return Status();
+  if ((before == of_team_.end() ? "" : before->second) == policy) return;
   if (policy.empty()) {
     of_team_.erase(team);
   } else {
@@ -86,7 +74,6 @@ Status TeamPolicies::SetOfTeam(int team, const std::string& policy, AgentRoster*
   for (auto& [id, agent] : agents->all()) {
     if (agent.team == team && agent.policy.empty() && !agent.controllable) BeginAnew(&agent);
   }
-  return Status();
 }
 
 void TeamPolicies::AddTo(Digest* digest) const {

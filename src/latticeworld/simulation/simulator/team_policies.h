@@ -10,12 +10,6 @@
 
 namespace latticeworld {
 
-inline constexpr int kMaxTeam = 15;  // teams are 0 to this
-
-// OK for a policy that there is, and for none (""); else INVALID_ARGUMENT that names those that
-// there are.
-Status CheckPolicy(const std::string& policy);
-
 // Which policy each agent follows: its own, else its team's, else what is usual for its category.
 // Plain data, to copy into a snapshot.
 class TeamPolicies {
@@ -32,7 +26,7 @@ class TeamPolicies {
 
  private:
   Status SetOfAgent(const PolicyChange& change, AgentRoster* agents) const;
-  Status SetOfTeam(int team, const std::string& policy, AgentRoster* agents);
+  void SetOfTeam(int team, const std::string& policy, AgentRoster* agents);
   // Its own policy or its team's; "": neither.
   const std::string& PolicyAsTold(const Agent& agent) const;
 

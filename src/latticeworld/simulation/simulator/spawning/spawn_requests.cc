@@ -1,6 +1,5 @@
 #include "latticeworld/simulation/simulator/spawning/spawn_requests.h"
 
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -34,22 +33,12 @@ Status CheckRequest(const SpawnRequest& request, const Species& species,
     return InvalidArgument("a " + species.name + " cannot be " +
                            std::string(NameOf(*request.state)));
   }
-  if (!std::isfinite(request.heading_rad)) {
-    return InvalidArgument("heading must be finite, not " + FormatDouble(request.heading_rad));
-  }
-  if (request.position.has_value() &&
-      (!std::isfinite(request.position->x_m) || !std::isfinite(request.position->y_m))) {
-    return InvalidArgument("position must be finite, not " + TextOf(*request.position));
-  }
-  if (request.team.has_value() && (*request.team < 0 || *request.team > kMaxTeam)) {
-    return InvalidArgument("team must be in [0, " + std::to_string(kMaxTeam) + "], not " +
-                           std::to_string(*request.team));
-  }
+  LW_RETURN_IF_ERROR(Status::FromViolations("spawn", Validate(request)));
   if (request.controllable && !request.policy.empty()) {
     return InvalidArgument("a controllable agent follows its own commands: it has no policy, not " +
                            Quote(request.policy));
   }
-  return CheckPolicy(request.policy);
+  return Status();
 }
 
 }  // namespace latticeworld
