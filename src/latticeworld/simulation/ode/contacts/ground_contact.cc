@@ -49,6 +49,26 @@ Facet FacetAt(const HeightField& ground, double x_m, double y_m, double radius_m
           -dz_dv / geometry.resolution_m()};
 }
 
+// A crest or peak: the nearest sampled point of it, or straight up where the centre is below.
+GroundContacts TouchCrest(const Eigen::Vector3d& center_m, double radius_m, const Facet& below,
+                          const Eigen::Vector3d& nearest) {
+  GroundContacts found;
+  const double height_m = below.height_m;
+  const Eigen::Vector3d from_ground = center_m - nearest;
+  const double distance_m = from_ground.norm();
+  if (center_m.z() <= height_m) {
+    const Eigen::Vector3d normal = below.Normal();
+    found.contact[0] = {{center_m.x(), center_m.y(), height_m},
+                        normal,
+                        (height_m - center_m.z()) * normal.z() + radius_m};
+    found.count = 1;
+  } else if (distance_m < radius_m) {
+    found.contact[0] = {nearest, from_ground / distance_m, radius_m - distance_m};
+    found.count = 1;
+  }
+  return found;
+}
+
 }  // namespace
 
 GroundContacts TouchGround(const HeightField& ground, const Eigen::Vector3d& center_m,
@@ -119,20 +139,7 @@ GroundContacts TouchGround(const HeightField& ground, const Eigen::Vector3d& cen
   }
   if (found.count > 0) return found;
 
-  // A crest or peak: the nearest sampled point of it, or straight up where the centre is below.
-  const Eigen::Vector3d from_ground = center_m - nearest;
-  const double distance_m = from_ground.norm();
-  if (center_m.z() <= height_m) {
-    const Eigen::Vector3d normal = below.Normal();
-    found.contact[0] = {{center_m.x(), center_m.y(), height_m},
-                        normal,
-                        (height_m - center_m.z()) * normal.z() + radius_m};
-    found.count = 1;
-  } else if (distance_m < radius_m) {
-    found.contact[0] = {nearest, from_ground / distance_m, radius_m - distance_m};
-    found.count = 1;
-  }
-  return found;
+  return TouchCrest(center_m, radius_m, below, nearest);
 }
 
 double DepthBelowGround(const HeightField& ground, const Eigen::Vector3d& center_m,
