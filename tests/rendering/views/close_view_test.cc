@@ -118,7 +118,9 @@ TEST(CloseViewTest, ChosenPlacesShowStreetShoreForestAndHill) {
     });
     const WorldPoint ahead = {view.position.x_m + 15.0 * std::cos(view.heading_rad),
                               view.position.y_m + 15.0 * std::sin(view.heading_rad)};
-    if (view.name == "shore") EXPECT_GT(scene.terrain->WaterDepthAt(ahead), 0.0);
+    if (view.name == "shore") {
+      EXPECT_GT(scene.terrain->WaterDepthAt(ahead), 0.0);
+    }
     if (view.name == "street") {
       EXPECT_EQ(scene.terrain->SurfaceAt(view.position), SurfaceClass::kRoad);
       EXPECT_EQ(scene.terrain->SurfaceAt(ahead), SurfaceClass::kRoad);
