@@ -143,6 +143,14 @@ class RealStacksTest(unittest.TestCase):
     def test_a_robot_with_its_nose_at_a_bush_can_back_off(self):
         self.assertLess(self.planner["DWAPlannerROS"]["min_vel_x"], 0.0)
 
+    def test_a_robot_that_is_stuck_forgets_what_its_scan_has_marked(self):
+        layers = {plugin["name"] for costmap in (self.local, self.global_)
+                  for plugin in costmap["plugins"]}
+        for behaviour in ("conservative_reset", "aggressive_reset"):
+            cleared = self.planner[behaviour]["layer_names"]
+            self.assertIn("obstacle_layer", cleared)
+            self.assertLessEqual(set(cleared), layers)
+
     def test_ways_are_planned_around_what_the_scan_will_mark(self):
         order = [plugin["name"] for plugin in self.global_["plugins"]]
         self.assertLess(order.index("static_layer"), order.index("plants_layer"))
