@@ -8,26 +8,26 @@
 
 namespace latticeworld {
 
-// The secret that a server wants to see, and the care that it shows up nowhere else.
+// ApiKey holds the secret that a server wants to see, and takes care that it shows up nowhere else.
 class ApiKey {
  public:
   ApiKey() = default;  // no key
 
-  // The key in an environment variable, without the blanks around it; variable "": no key. Errors:
-  // UNAUTHENTICATED when the variable is unset or empty or holds anything but visible ASCII; no
-  // message repeats what it holds.
+  // Returns the key in an environment variable, without the blanks around it; no key where
+  // `variable` is "". Errors: UNAUTHENTICATED when the variable is unset or empty or holds anything
+  // but visible ASCII; no message repeats what it holds.
   static Result<ApiKey> FromEnvironment(const std::string& variable);
 
   bool empty() const { return value_.empty(); }
-  // For the request's header, and nothing else.
+  // Returns the key for the request's header, and for nothing else.
   const std::string& value() const { return value_; }
 
-  // text with "[key]" wherever the key stands in it. Before a text is cut for a message, so that no
-  // half of a key stays.
+  // Returns the text with "[key]" wherever the key stands in it. Scrub a text before it is cut for
+  // a message, so that no half of a key stays.
   std::string Scrub(std::string_view text) const;
 
-  // Whether a text gives the key away. A key of a few letters, such as "none" for a server that
-  // wants just any, occurs in texts by itself and is no secret.
+  // Returns whether a text gives the key away. A key of a few letters, such as "none" for a server
+  // that wants just any, occurs in texts by itself and is no secret.
   bool IsGivenAwayBy(std::string_view text) const;
 
  private:

@@ -7,11 +7,11 @@
 
 namespace latticeworld {
 
-// What bounds one call in time: its total timeout and its caller's wish to end it. Real time here
-// bounds waiting for others and nothing else; no result depends on it.
+// CallClock bounds one call in time by its total timeout and by its caller's wish to end it. Real
+// time bounds waiting for others here and nothing else; no result depends on it.
 class CallClock {
  public:
-  // progress: must outlive the clock.
+  // `progress` must outlive the clock.
   CallClock(double total_s, const Progress& progress)
       : begin_(Clock::now()), total_s_(total_s), progress_(progress) {}
 
@@ -20,7 +20,7 @@ class CallClock {
   double left_s() const { return total_s_ - elapsed_s(); }
   bool cancelled() const { return progress_.cancelled(); }
 
-  // Waits; ends within 20 ms once the caller cancels.
+  // Waits so long, and ends within 20 ms once the caller cancels.
   void Wait(double seconds) const;
 
  private:

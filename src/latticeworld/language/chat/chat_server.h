@@ -20,8 +20,9 @@ struct ChatMessage {
   std::string image_png;  // bytes of a PNG that goes with the text; empty: none
 };
 
-// The form that an answer must have, in every language in which a server may ask for it. A server
-// uses the one that its dialect knows; empty members: the form cannot be said in that language.
+// AnswerForm is the form that an answer must have, in every language in which a server may ask for
+// it. A server uses the language that its dialect knows. Where a member is empty, the form cannot
+// be said in that language.
 struct AnswerForm {
   std::string name;         // [a-z_]+, for servers that want one
   std::string gbnf;         // llama.cpp grammar of the whole answer
@@ -29,8 +30,8 @@ struct AnswerForm {
   std::string json_schema;  // draft 2020-12; an answer in this form is one JSON value
 };
 
-// In which of them a server was told the form. What is told so holds by force: the server lets the
-// model write nothing else.
+// FormLanguage is the language in which a server was told the form. What was told so holds by
+// force: the server lets the model write nothing else.
 enum class FormLanguage : std::uint8_t { kNone, kGbnf, kRegex, kJsonSchema };
 
 struct ChatRequest {
@@ -49,7 +50,8 @@ struct ChatReply {
   int prompt_tokens = 0;      // 0: not said
   int completion_tokens = 0;
   int retries = 0;
-  // Of the answer, natural, where a form and temperature 0 left the model choices; 0: not said.
+  // The natural logarithm of the answer's probability, where a form and temperature 0 left the
+  // model choices; 0: not said.
   double log_probability = 0.0;
   double first_token_s = 0.0;               // from the last try's start
   double total_s = 0.0;                     // with all tries and waits between them
@@ -58,24 +60,25 @@ struct ChatReply {
                                             // "what it does: how that shows"
 };
 
-// The answer so far, each time more of it has come; false: enough, cut it short. When a connection
-// breaks in the middle, the answer may be asked for once more: the text then starts anew, and so is
-// shorter than what was heard last.
+// AnswerListener hears the answer so far each time more of it has come. It returns false to cut the
+// answer short. When a connection breaks in the middle, the answer may be asked for once more: the
+// text then starts anew, and so is shorter than what was heard last.
 using AnswerListener = std::function<bool(std::string_view text_so_far)>;
 
-// Something that one can talk to: an HTTP server, a recording, a fake.
+// ChatServer is something that one can talk to: an HTTP server, a recording, a fake.
 class ChatServer {
  public:
   virtual ~ChatServer() = default;
-  // Whether it looks at images.
+  // Returns whether the model looks at images.
   virtual bool sees() const = 0;
-  // One answer. The listener (empty: nobody listens) is called in the calling thread. Errors:
-  // CANCELLED at once when progress is cancelled; DEADLINE_EXCEEDED (a timeout, each with words of
-  // its own, or the server's own HTTP 408, 504); UNAVAILABLE (nobody there, not to be trusted,
-  // busy, out of quota, or gave up after retries); UNAUTHENTICATED and PERMISSION_DENIED (the key);
-  // NOT_FOUND (model or path, or the server has moved); INVALID_ARGUMENT (the server refused the
-  // request, or its model to answer); RESOURCE_EXHAUSTED (answer too long); INTERNAL (the server
-  // failed, or speaks no HTTP) and DATA_LOSS (the answer makes no sense). Never carries the key.
+  // Asks for one answer. The listener is called in the calling thread; an empty one means that
+  // nobody listens. No error message carries the key. Errors: CANCELLED at once when progress is
+  // cancelled; DEADLINE_EXCEEDED (a timeout, each with words of its own, or the server's own HTTP
+  // 408, 504); UNAVAILABLE (nobody there, not to be trusted, busy, out of quota, or gave up after
+  // retries); UNAUTHENTICATED and PERMISSION_DENIED (the key); NOT_FOUND (model or path, or the
+  // server has moved); INVALID_ARGUMENT (the server refused the request, or its model to answer);
+  // RESOURCE_EXHAUSTED (answer too long); INTERNAL (the server failed, or speaks no HTTP) and
+  // DATA_LOSS (the answer makes no sense).
   virtual Result<ChatReply> Complete(const ChatRequest& request, const AnswerListener& listener,
                                      const Progress& progress) = 0;
 };

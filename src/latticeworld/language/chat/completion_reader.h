@@ -12,37 +12,39 @@
 
 namespace latticeworld {
 
-// What a server has said of one answer so far.
+// Completion is what a server has said of one answer so far.
 struct Completion {
   std::string text;
-  std::string thinking;       // marked so by the server
-  std::string refusal;        // said in the text's place
+  std::string thinking;       // what the server marks as thinking
+  std::string refusal;        // what is said in the text's place
   std::string finish_reason;  // "": not said (yet)
   std::string model;
   int prompt_tokens = 0;
   int completion_tokens = 0;
 };
 
-// Reads the body of a 200 answer to POST /chat/completions as it comes: an event stream or one JSON
-// object, told apart by how it begins and not by its Content-Type, which servers get wrong. What is
-// marked as thinking (reasoning_content, reasoning, thinking, thinking parts) is not part of the
-// text; all but the parts is kept apart from it.
+// CompletionReader reads the body of a 200 answer to POST /chat/completions as it comes: an event
+// stream or one JSON object, which it tells apart by how they begin and not by their Content-Type,
+// which servers get wrong. What is marked as thinking (reasoning_content, reasoning, thinking,
+// thinking parts) is not part of the text; all but the parts is kept apart from it.
 class CompletionReader {
  public:
-  // key: must outlive the reader; it is scrubbed from what is quoted.
+  // `key` must outlive the reader, which scrubs it from what it quotes.
   explicit CompletionReader(const ApiKey* key) : key_(key) {}
 
-  // More of the body. False: the answer is whole, or it failed; the rest is of no interest.
+  // Takes the next bytes of the body. Returns false once the answer is whole or has failed; the
+  // rest is then of no interest.
   bool Feed(std::string_view bytes);
-  // The body ended, or was cut off. OK: the answer is whole. To try again: the answer broke off.
-  // Errors: DATA_LOSS (no chat completion), INVALID_ARGUMENT (the model refuses) and those of
-  // FailureOf for an error that stands in the 200 answer. content_type: for the message.
+  // Ends the body, which came to its end or was cut off. Returns OK where the answer is whole, and
+  // a failure to try again where the answer broke off. Errors: DATA_LOSS (no chat completion),
+  // INVALID_ARGUMENT (the model refuses) and those of FailureOf for an error that stands in the 200
+  // answer. `content_type` is quoted in the message.
   Failure Finish(std::string_view content_type);
 
   const Completion& completion() const { return completion_; }
-  // A token has come, thinking included.
+  // Returns whether a token has come, thinking included.
   bool spoken() const { return spoken_; }
-  // The server said why it stopped; only usage and the end mark may follow.
+  // Returns whether the server said why it stopped; only usage and the end mark may follow then.
   bool finished() const { return !completion_.finish_reason.empty(); }
 
  private:
@@ -50,7 +52,7 @@ class CompletionReader {
 
   void Sniff();
   void ReadEvent(std::string_view type, std::string_view data);
-  // in_stream: one chunk of many, which may say nothing.
+  // Reads one JSON object. in_stream: it is one chunk of many, which may say nothing.
   void ReadObject(std::string_view text, bool in_stream);
   void Fail(Failure failure);
 

@@ -9,7 +9,7 @@
 
 namespace latticeworld {
 
-// What a server says about its failure; members that it leaves out are empty.
+// ErrorBody is what a server says about its failure; members that the server leaves out are empty.
 struct ErrorBody {
   std::string message;
   std::string type;     // "invalid_request_error", ...
@@ -18,8 +18,8 @@ struct ErrorBody {
   int http_status = 0;  // when type or code say one, 400 .. 599
 };
 
-// Reads every shape that servers are known to use; never fails, for at worst the message is the
-// body itself (of a page in HTML: its title).
+// Reads every shape of an error that servers are known to use. It never fails: at worst the message
+// is the body itself, or the title of a page in HTML.
 //   {"error": {"message", "type", "code", "param"}}   OpenAI, llama.cpp (code: a number), Ollama
 //   [{"error": {...}}]                                 Gemini
 //   {"error": "text", "error_type": ...}               TGI, Ollama's own interface
@@ -28,7 +28,7 @@ struct ErrorBody {
 //   {"detail": [{"loc": [...], "msg", "type"}]}        FastAPI
 ErrorBody ParseErrorBody(std::string_view body);
 
-// The failure that an answer with this HTTP status is, without retry_after_s:
+// Returns the failure that an answer with this HTTP status is, without retry_after_s:
 //   401, 407            UNAUTHENTICATED
 //   402, 403            PERMISSION_DENIED
 //   404, 410            NOT_FOUND
@@ -39,8 +39,8 @@ ErrorBody ParseErrorBody(std::string_view body);
 //   other               INTERNAL
 Failure FailureOf(int http_status, const ErrorBody& body, const ApiKey& key);
 
-// The HTTP status that an error within a 200 answer stands for: the one it says, or the one of its
-// type, else 500.
+// Returns the HTTP status that an error within a 200 answer stands for: the one that it says, or
+// the one of its type, else 500.
 int HttpStatusOf(const ErrorBody& body);
 
 }  // namespace latticeworld

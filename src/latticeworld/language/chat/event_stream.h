@@ -7,17 +7,19 @@
 
 namespace latticeworld {
 
-// Reads server-sent events (WHATWG HTML, "Server-sent events") from bytes that come in pieces of
-// any size: lines end in LF, CR or CRLF, comments are dropped, data lines of one event are joined
-// by LF. What it holds back is at most one event, so whoever feeds it bounds it.
+// EventStreamParser reads server-sent events (WHATWG HTML, "Server-sent events") from bytes that
+// come in pieces of any size. Lines end in LF, CR or CRLF, comments are dropped, and the data lines
+// of one event are joined by LF. The parser holds back one event at most, so whoever feeds it
+// bounds what it holds.
 class EventStreamParser {
  public:
-  // type: the event's name, "" when it has none; data: what its data lines say.
+  // Handler is called with the event's name in `type`, "" when it has none, and with what its data
+  // lines say in `data`.
   using Handler = std::function<void(std::string_view type, std::string_view data)>;
 
   // Calls handler for every event that these bytes complete.
   void Feed(std::string_view bytes, const Handler& handler);
-  // The stream is over. An event whose closing blank line is missing is handed on as well: servers
+  // Ends the stream. An event whose closing blank line is missing is handed on as well: servers
   // leave it out after their last event.
   void Finish(const Handler& handler);
 

@@ -8,7 +8,7 @@
 
 namespace latticeworld {
 
-// How one try ended.
+// Failure says how one try ended.
 struct Failure {
   Status status;                        // OK: it did not fail
   bool again = false;                   // another try may go better

@@ -8,6 +8,7 @@
 
 namespace latticeworld {
 
+// HttpRequest is what is asked of a server, and within which bounds.
 struct HttpRequest {
   std::string url;   // http or https
   std::string body;  // JSON; empty: GET, else POST
@@ -18,7 +19,7 @@ struct HttpRequest {
   std::size_t max_body_bytes = 0;
 };
 
-// What the answer's header says.
+// HttpHead is what the answer's header says.
 struct HttpHead {
   int status = 0;  // 0: none has come
   std::string content_type;
@@ -27,6 +28,7 @@ struct HttpHead {
   std::string location;
 };
 
+// HttpEnd says how an exchange ended.
 enum class HttpEnd : std::uint8_t {
   kComplete,        // the whole body came
   kStopped,         // the handler wanted no more of the body
@@ -42,22 +44,23 @@ enum class HttpEnd : std::uint8_t {
 struct HttpResult {
   HttpEnd end = HttpEnd::kComplete;
   HttpHead head;
-  std::string detail;  // of a failure, in libcurl's words
+  std::string detail;  // what failed, in libcurl's words
 };
 
-// Hears an exchange while it goes on, in the thread that called Exchange.
+// HttpHandler hears an exchange while it goes on, in the thread that called Exchange.
 class HttpHandler {
  public:
   virtual ~HttpHandler() = default;
-  // More of the body. False: enough, the connection is closed.
+  // Takes the next bytes of the body. Returning false means that these are enough, and the
+  // connection is closed.
   virtual bool OnBody(const HttpHead& head, std::string_view bytes) = 0;
-  // Asked at least every 20 ms; true: the connection is closed at once.
+  // Is asked at least every 20 ms. Returning true closes the connection at once.
   virtual bool Interrupted() = 0;
 };
 
-// One request and its answer, over a connection of its own. Certificates are verified, redirects
-// are not followed (the key goes nowhere else), header and body are bounded, and no signal is
-// raised. Any thread.
+// Sends one request and hears its answer, over a connection of its own. Certificates are verified,
+// redirects are not followed (the key goes nowhere else), header and body are bounded, and no
+// signal is raised. May be called in any thread.
 HttpResult Exchange(const HttpRequest& request, HttpHandler* handler);
 
 }  // namespace latticeworld

@@ -6,10 +6,10 @@
 
 namespace latticeworld {
 
-// The first name in the answer to GET /models that is not one of a model for something else than
-// answers (embeddings, ranking, speech, pictures, moderation); where all are, the first of them.
-// The list is {"data": [{"id": ...}]}, or {"models": [{"name": ...}]} of servers that speak
-// Ollama's own tongue there. "": there is none.
+// Returns the first name in the answer to GET /models that is not one of a model for something else
+// than answers (embeddings, ranking, speech, pictures, moderation); where all are, the first of
+// them. The list is {"data": [{"id": ...}]}, or {"models": [{"name": ...}]} of servers that speak
+// Ollama's own tongue there. Returns "" where the list has no name.
 std::string FirstModel(std::string_view list);
 
 }  // namespace latticeworld

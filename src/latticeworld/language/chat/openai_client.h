@@ -14,7 +14,8 @@
 
 namespace latticeworld {
 
-// How a server wants to be told the form of an answer; request_body.h says what each is sent.
+// ChatDialect says how a server wants to be told the form of an answer; request_body.h says what
+// each is sent.
 enum class ChatDialect : std::uint8_t { kLlamaCpp, kVllm, kOllama, kOpenAi, kNone };
 
 constexpr std::array<EnumName<ChatDialect>, 5> EnumNames(ChatDialect) {
@@ -25,9 +26,9 @@ constexpr std::array<EnumName<ChatDialect>, 5> EnumNames(ChatDialect) {
            {ChatDialect::kNone, "none"}}};
 }
 
-// Where a server is and how long it may take. A request that a timeout ends gives DEADLINE_EXCEEDED
-// with words of its own: the first-token and the total timeout end it at once, the connect timeout
-// when no retry is left.
+// OpenAiOptions says where a server is and how long it may take. A request that a timeout ends
+// gives DEADLINE_EXCEEDED with words of its own: the first-token and the total timeout end it at
+// once, the connect timeout when no retry is left.
 struct OpenAiOptions {
   std::string url;    // base, "http://127.0.0.1:8080/v1"; http or https, no password, no query
   std::string model;  // "": the first that the server lists and that answers by its name
@@ -42,11 +43,11 @@ struct OpenAiOptions {
   double backoff_s = 0.5;                   // before the first retry, doubled each time; 0 .. 60
   std::size_t max_answer_bytes = 1u << 20;  // of the body; 1024 .. 64 MiB
 };
-// Every violation. None repeats the url or the variable's name: a password or the key may stand
-// there by mistake.
+// Returns every violation of the options. None repeats the url or the variable's name: a password
+// or the key may stand there by mistake.
 std::vector<Violation> Validate(const OpenAiOptions& options);
 
-// What went over the wire so far, of requests that have ended.
+// ServerStatistics counts what went over the wire so far, of requests that have ended.
 struct ServerStatistics {
   std::uint64_t requests = 0;
   std::uint64_t failures = 0;  // those that the caller cancelled are none
@@ -58,15 +59,15 @@ struct ServerStatistics {
   std::string last_error;           // "": the last request went well
 };
 
-// A chat server behind the HTTP interface of OpenAI (llama.cpp, vLLM, Ollama, hosted ones). Safe to
-// use from several threads at once; each request has a connection of its own.
+// OpenAiClient talks to a chat server behind the HTTP interface of OpenAI (llama.cpp, vLLM, Ollama,
+// hosted ones). Several threads may use it at once; each request has a connection of its own.
 //
-// Tried again, after a growing wait or what Retry-After says: HTTP 429 (unless the quota is used
-// up), 502, 503 and 529, an error of that kind within a 200 answer, no connection in time, and a
-// connection that breaks, be it in the middle of the answer. A wait that would reach beyond the
-// total timeout is not begun: the request ends at once. A request that is refused (HTTP 400, 422)
-// for a member that servers differ about (max_tokens, temperature, seed, stream_options) is said
-// once more without it, and the client remembers.
+// The client tries again, after a growing wait or what Retry-After says, at HTTP 429 (unless the
+// quota is used up), 502, 503 and 529, at an error of that kind within a 200 answer, where there is
+// no connection in time, and where a connection breaks, be it in the middle of the answer. A wait
+// that would reach beyond the total timeout is not begun: the request ends at once. A request that
+// is refused (HTTP 400, 422) for a member that servers differ about (max_tokens, temperature, seed,
+// stream_options) is said once more without it, and the client remembers.
 //
 // An answer that stands where thinking should, with nothing in its own place, is taken from there
 // when the server was told its form and all of it is in that form. A prompt that the server seems
@@ -75,11 +76,11 @@ struct ServerStatistics {
 // The key is read from its variable at each request and stands in the request's header alone.
 class OpenAiClient : public ChatServer {
  public:
-  // Any thread.
+  // Returns what went over the wire so far. May be called in any thread.
   virtual ServerStatistics statistics() const = 0;
 };
 
-// Errors: INVALID_ARGUMENT with every violation of the options.
+// Makes a client. Errors: INVALID_ARGUMENT with every violation of the options.
 Result<std::unique_ptr<OpenAiClient>> MakeOpenAiClient(const OpenAiOptions& options);
 
 }  // namespace latticeworld

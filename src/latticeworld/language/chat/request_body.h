@@ -11,7 +11,8 @@
 
 namespace latticeworld {
 
-// Members of the request that servers differ about, as far as one has told us by refusing them.
+// AcceptedMembers says which members of the request that servers differ about a server accepts, as
+// far as it has told us by refusing them.
 struct AcceptedMembers {
   bool max_tokens = true;  // false: it wants max_completion_tokens (OpenAI's thinking models)
   bool temperature = true;
@@ -19,11 +20,12 @@ struct AcceptedMembers {
   bool stream_options = true;
 };
 
-// In which language a server of this dialect is told a form; kNone: it is not told.
+// Returns the language in which a server of this dialect is told a form; kNone: it is not told.
 FormLanguage FormLanguageOf(const AnswerForm& form, ChatDialect dialect);
 
-// The JSON of POST /chat/completions. Messages, max_tokens, temperature, seed, stream and
-// stream_options are said to all; the form of the answer, the first that there is of
+// Returns the JSON of POST /chat/completions. Messages, max_tokens, temperature, seed, stream and
+// stream_options are said to all servers. The form of the answer is said in the first of the
+// dialect's ways that the form has:
 //   llama.cpp  grammar, json_schema                      (it refuses both at once)
 //   vllm       response_format json_schema, which old and new versions enforce; a form without a
 //              schema structured_outputs: {regex}, {grammar}, which versions before 0.10.2 ignore,
@@ -40,8 +42,8 @@ FormLanguage FormLanguageOf(const AnswerForm& form, ChatDialect dialect);
 Result<std::string> CompletionBody(const ChatRequest& request, std::string_view model,
                                    const OpenAiOptions& options, const AcceptedMembers& accepted);
 
-// Whether a server's refusal (HTTP 400 or 422) is about one of those members; it is then noted, and
-// the request may be said again without it.
+// Returns whether a server's refusal (HTTP 400 or 422) is about one of those members. The member is
+// then noted, and the request may be said again without it.
 bool NoteRefusal(const ErrorBody& refusal, AcceptedMembers* accepted);
 
 }  // namespace latticeworld

@@ -9,15 +9,16 @@
 
 namespace latticeworld {
 
-// How long to wait before the next try: exponential backoff with jitter, so that clients that
-// failed together do not come back together. The jitter is drawn from the request's own seed.
+// RetryPolicy says how long to wait before the next try: exponential backoff with jitter, so that
+// clients that failed together do not come back together. The jitter is drawn from the request's
+// own seed.
 class RetryPolicy {
  public:
-  // first_wait_s >= 0: before the first retry.
+  // first_wait_s, at least 0, is the wait before the first retry.
   RetryPolicy(double first_wait_s, std::uint64_t seed);
 
-  // retry: 0 for the first. Between half of and the whole first_wait_s * 2^retry, at most a minute;
-  // never less than what the server asks for.
+  // Returns the wait before a retry, where `retry` is 0 for the first: between half of and the
+  // whole first_wait_s * 2^retry, at most a minute, and never less than what the server asks for.
   double WaitSeconds(int retry, std::optional<double> retry_after_s);
 
  private:
@@ -25,9 +26,9 @@ class RetryPolicy {
   RandomStream jitter_;
 };
 
-// A Retry-After header (RFC 9110, section 10.2.3): seconds, or a date that is taken relative to the
-// Date header of the same answer, so that no clock here has to agree with the server's. nullopt:
-// absent, or neither.
+// Reads a Retry-After header (RFC 9110, section 10.2.3): seconds, or a date that is taken relative
+// to the Date header of the same answer, so that no clock here has to agree with the server's.
+// Returns nullopt where it is absent, or neither.
 std::optional<double> ParseRetryAfter(const std::string& retry_after, const std::string& date);
 
 }  // namespace latticeworld

@@ -15,7 +15,8 @@
 
 namespace latticeworld {
 
-// What one request to a server is made of, apart from its body; all of it outlives the try.
+// TryContext is what one request to a server is made of, apart from its body. All of it outlives
+// the try.
 struct TryContext {
   const OpenAiOptions& options;
   const ApiKey& key;
@@ -23,16 +24,16 @@ struct TryContext {
   bool is_loopback;
 };
 
-// One GET, its body in *answer. Errors: those of AskOnce.
+// Sends one GET and puts the body of its answer into *answer. Errors: those of AskOnce.
 Failure FetchOnce(const TryContext& context, const std::string& url, std::string* answer);
 
-// One POST of a chat completion, its answer into *reply (text, thinking, finish_reason,
-// model, tokens, first_token_s). A refusal of the request (HTTP 400, 422) is described in *refusal
-// as well. Errors: those of FailureOf and of CompletionReader; CANCELLED; DEADLINE_EXCEEDED, with a
-// message of its own for each of the three timeouts: connecting (to try again), first token and
-// total (final); UNAVAILABLE for no connection or a broken one (to try again) and for a certificate
-// that does not hold (final); NOT_FOUND for a redirect; RESOURCE_EXHAUSTED for a body or header
-// that is too large; INTERNAL for what is no HTTP.
+// Sends one POST of a chat completion and puts its answer into *reply (text, thinking,
+// finish_reason, model, tokens, first_token_s). A refusal of the request (HTTP 400, 422) is
+// described in *refusal as well. Errors: those of FailureOf and of CompletionReader; CANCELLED;
+// DEADLINE_EXCEEDED, with a message of its own for each of the three timeouts: connecting (to try
+// again), first token and total (final); UNAVAILABLE for no connection or a broken one (to try
+// again) and for a certificate that does not hold (final); NOT_FOUND for a redirect;
+// RESOURCE_EXHAUSTED for a body or header that is too large; INTERNAL for what is no HTTP.
 Failure AskOnce(const TryContext& context, const std::string& url, const std::string& body,
                 const AnswerListener& listener, ChatReply* reply, ErrorBody* refusal);
 

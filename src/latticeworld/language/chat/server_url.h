@@ -7,14 +7,15 @@
 
 namespace latticeworld {
 
-// A server's base address, taken apart once.
+// ServerUrl is a server's base address, taken apart once.
 struct ServerUrl {
   std::string base;  // without a slash at its end; endpoints are base + "/models" and so on
   bool is_loopback = false;
 };
 
-// Errors: INVALID_ARGUMENT for anything but http or https, for no host, for a user or password (an
-// address is written into logs), a query or fragment, and for an endpoint in the base's place.
+// Takes a base address apart. Errors: INVALID_ARGUMENT for anything but http or https, for no host,
+// for a user or password (an address is written into logs), a query or fragment, and for an
+// endpoint in the base's place.
 Result<ServerUrl> ParseServerUrl(const std::string& url);
 
 }  // namespace latticeworld

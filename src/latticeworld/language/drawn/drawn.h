@@ -9,9 +9,9 @@
 
 namespace latticeworld {
 
-// Generators that draw what a reader reads: instruction -> reading -> a layout or an environment
-// that satisfies its claims -> self-check. The request's own reading is used where it has one.
-// name: of the back end.
+// These make generators that draw what a reader reads. The reader reads the instruction, the
+// generator draws a layout or an environment that satisfies the claims, and checks the result
+// itself. The request's own reading is used where it has one. `name` is that of the back end.
 std::unique_ptr<LayoutGenerator> MakeDrawnLayoutGenerator(
     std::string name, std::shared_ptr<InstructionReader> reader);
 std::unique_ptr<EnvironmentGenerator> MakeDrawnEnvironmentGenerator(

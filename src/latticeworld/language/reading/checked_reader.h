@@ -7,11 +7,12 @@
 
 namespace latticeworld {
 
-// Two readers read every text, and each reading is checked by the other: the first one's, a
-// model's, counts where it is sure of its sentences, else the second one's does. Of an environment
-// the reading that counts is completed by what only the other one has read. The other reading
-// stands beside it (second). A text that is already the small language needs no second reader.
-// name(): "checked". Errors: those of the readers.
+// Makes a reader that lets two readers read every text and checks each reading by the other. The
+// reading of `first`, a model, counts where the model is sure of its sentences; else that of
+// `second` counts. The reading of an environment that counts is completed by what only the other
+// reader has read. The other reading is kept beside it (`second` of the reading). A text that is
+// already the small language is read without the second reader. name() is "checked". Errors: those
+// of the readers.
 std::shared_ptr<InstructionReader> MakeCheckedReader(std::shared_ptr<InstructionReader> first,
                                                      std::shared_ptr<InstructionReader> second);
 

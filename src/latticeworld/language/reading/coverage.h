@@ -9,13 +9,15 @@
 
 namespace latticeworld {
 
-// How much of a text was read.
+// TextCoverage says how much of a text was read.
 struct TextCoverage {
   int words = 0;    // units of the text (text_units.h)
   int carried = 0;  // of them, those that a sentence carries
-  // The known ones that none carries, as they stand in the text, each once.
+  // The known units that no sentence carries, as they stand in the text, each once.
   std::vector<std::string> lost;
 };
+
+// Counts the units of `text` and those that one of the sentences carries.
 TextCoverage CoverageOf(std::string_view text, const std::vector<std::string>& sentences,
                         SentenceKind kind, Vocabulary vocabulary);
 
@@ -24,8 +26,8 @@ TextCoverage CoverageOf(std::string_view text, const std::vector<std::string>& s
 void AddLost(const TextCoverage& coverage, const std::vector<std::string>& quotes,
              std::vector<std::string>* not_understood);
 
-// The piece of a text, between two pauses, that says most of a sentence; the sentence itself where
-// none says anything of it.
+// Returns the piece of a text, between two pauses, that says most of a sentence. Where none says
+// anything of it, the sentence itself is returned.
 std::string QuoteOf(std::string_view text, const std::string& sentence, SentenceKind kind,
                     Vocabulary vocabulary);
 

@@ -9,8 +9,8 @@
 
 namespace latticeworld {
 
-// What sentences of the small language say of an environment, each wish with the sentence that it
-// comes from. `not_understood` holds the sentences that no form has.
+// Returns what sentences of the small language say of an environment. Each wish keeps the sentence
+// that it comes from. `not_understood` of the result holds the sentences that fit no form.
 HeardEnvironment EnvironmentOfSentences(const std::vector<std::string>& sentences,
                                         const Catalogue& catalogue = *Catalogue::BuiltIn());
 

@@ -16,21 +16,22 @@
 
 namespace latticeworld {
 
-// What was read in a layout instruction. A text is read once in a request: who draws the layout and
-// the fidelity report use the same reading.
+// LayoutReading is what a reader has read in a layout instruction. A text is read once in a
+// request: the generator that draws the layout and the fidelity report use the same reading.
 struct LayoutReading {
   std::vector<std::string> sentences;  // of the small language
   bool of_sentences = false;  // the plan was made of them; false: they say what rules have read
   LayoutPlan plan;            // with its claims, its warnings and what was not understood
   TextCoverage coverage;
-  // Of a token of the sentences, in the mean, natural, where a model said them and tells it; 0:
-  // none.
+  // The mean natural logarithm of the probability of a token of the sentences, where a model said
+  // them and its server tells it; else 0.
   double log_probability = 0.0;
   std::vector<Claim> second;  // claims of a second reading of the same text; empty: there is none
 };
 
-// What was read in an environment instruction. Claims of it depend on the layout that it speaks of:
-// ClaimsOf (claims_of_heard.h).
+// EnvironmentReading is what a reader has read in an environment instruction. The claims that
+// follow from it depend on the layout that the instruction speaks of: ClaimsOf (claims_of_heard.h)
+// makes them.
 struct EnvironmentReading {
   std::vector<std::string> sentences;
   HeardEnvironment heard;
@@ -39,17 +40,18 @@ struct EnvironmentReading {
   std::optional<HeardEnvironment> second;
 };
 
-// The purposes of the replies of a model that reads (ModelReply).
+// A model that reads gives its replies (ModelReply) these purposes.
 inline constexpr std::string_view kLayoutWords = "layout_words";
 inline constexpr std::string_view kEnvironmentWords = "environment_words";
 
-// Reads instructions: text to plan.
+// InstructionReader reads instructions: it makes a plan of a text.
 class InstructionReader {
  public:
   virtual ~InstructionReader() = default;
   virtual std::string_view name() const = 0;
-  // replies (never null): what a model answered is appended, in order. Errors: CANCELLED, and what
-  // the reader adds (UNAVAILABLE, ...).
+  // Reads the request's instruction. What a model answered on the way is appended to *replies, in
+  // order; `replies` is never null. Errors: CANCELLED, and those that the reader adds (UNAVAILABLE,
+  // ...).
   virtual Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& progress,
                                            std::vector<ModelReply>* replies) = 0;
   virtual Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& request,
@@ -57,20 +59,23 @@ class InstructionReader {
                                                      std::vector<ModelReply>* replies) = 0;
 };
 
-// The text already is the small language (sentences/sentence.h); what is not is not understood. No
-// model, some microseconds a sentence.
+// Makes the reader of texts that are the small language already (sentences/sentence.h). Whatever
+// else stands in a text is not understood. It uses no model and takes some microseconds a sentence.
 std::unique_ptr<InstructionReader> MakeControlledReader();
 
-// The rules of grounded/reading and grounded/environment over free text.
+// Makes the reader that applies the rules of grounded/reading and grounded/environment to free
+// text.
 std::unique_ptr<InstructionReader> MakeRuleReader();
 
-// Lets the first read; whatever it fails of, but CANCELLED, the second reads, with a first warning
-// that says why, and the failure is recorded after the first one's replies. name(): the first's.
+// Makes a reader that lets `first` read. Where `first` fails of anything but CANCELLED, `second`
+// reads: its reading gets a first warning that says why, and the failure is recorded after the
+// replies of `first`. name() is that of `first`.
 std::shared_ptr<InstructionReader> MakeFallbackReader(std::shared_ptr<InstructionReader> first,
                                                       std::shared_ptr<InstructionReader> second);
 
-// A reader that fails as another one did: its replies, of which the last is the record of the
-// failure, are those of layouts and of environments. Where there are none `reader` reads.
+// Makes a reader that fails as another one did. It gives that reader's replies, those of layouts
+// and those of environments, of which the last is the record of the failure. Where there are no
+// replies `reader` reads.
 std::shared_ptr<InstructionReader> MakeFailedReader(std::shared_ptr<InstructionReader> reader,
                                                     std::vector<ModelReply> layout,
                                                     std::vector<ModelReply> environment);

@@ -8,9 +8,10 @@
 
 namespace latticeworld {
 
-// The plan of sentences of the small language (sentences/sentence.h), and its claims, each with the
-// sentence that it comes from. `not_understood` of the plan holds the sentences that no form has;
-// `warnings` name those whose meaning a layout cannot show, such as the height of a hill.
+// Returns the plan that sentences of the small language (sentences/sentence.h) say, with its
+// claims, each with the sentence that it comes from. `not_understood` of the plan holds the
+// sentences that fit no form; its `warnings` name those whose meaning a layout cannot show, such as
+// the height of a hill.
 LayoutPlan LayoutOfSentences(const std::vector<std::string>& sentences, Vocabulary vocabulary);
 
 }  // namespace latticeworld

@@ -8,12 +8,13 @@
 
 namespace latticeworld {
 
-// A language model that was taught to say instructions in the small language (training/, "readers")
-// reads them: the system message is the kind ("layout", "environment"), the user's the text, and
-// the answer is held to the grammar of sentences, drawn greedily. What it says is read by the
-// tables of forms. A text that already is the small language, whole, is not given to the model.
-// Words of the text that name a class of land which no sentence speaks of are not understood.
-// server: never null. Errors: those of ChatServer::Complete.
+// Makes a reader that asks a language model which was taught to say instructions in the small
+// language (training/, "readers"). The system message is the kind ("layout", "environment"), the
+// user's message is the text, and the server holds the answer, drawn greedily, to the grammar of
+// sentences. The tables of forms read what the model says. A text that is wholly the small language
+// already is not given to the model. Words of the text that name a class of land of which no
+// sentence speaks count as not understood. `server` is never null. Errors: those of
+// ChatServer::Complete.
 std::unique_ptr<InstructionReader> MakeModelReader(std::shared_ptr<ChatServer> server);
 
 }  // namespace latticeworld

@@ -9,9 +9,9 @@
 
 namespace latticeworld {
 
-// The reading of a text that was said in sentences of the small language: plan and claims, which
-// quote the text, how much of it the sentences carry, and what of it is not understood: sentences
-// of no form, and known words that no sentence carries.
+// Returns the reading of a text that was said in sentences of the small language: the plan and the
+// claims, which quote the text, how much of the text the sentences carry, and what of it is not
+// understood, which is sentences that fit no form and known words that no sentence carries.
 LayoutReading ReadingOfSentences(const LayoutRequest& request, std::vector<std::string> sentences);
 EnvironmentReading ReadingOfSentences(const EnvironmentRequest& request,
                                       std::vector<std::string> sentences);

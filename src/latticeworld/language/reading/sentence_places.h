@@ -12,20 +12,20 @@
 
 namespace latticeworld {
 
-// The step of the compass that a heading's name says ("north-east").
+// Returns the step of the compass that a heading's name says ("north-east").
 Heading HeadingOfName(std::string_view name);
 
-// The zones of a phrase of slot {zone} or {place}: "the north and the center". A side that is said
-// loosely is a third of the map, or a ninth; "the corners" are four zones.
+// Returns the zones that a phrase of slot {zone} or {place} names: "the north and the center". A
+// side that is named loosely is a third of the map, or a ninth; "the corners" are four zones.
 std::vector<Zone> ZonesOf(const Phrase& phrase);
 
-// Where a line begins or ends that is said to come from a place: "the north" is the northern edge,
-// "the north-west" the corner.
+// Returns the zone where a line begins or ends that is said to come from a place: "the north" is
+// the northern edge, "the north-west" the corner.
 Zone EndZoneOf(const Phrase& phrase);
 
-// The other way: what slot {heading} says of a step of the compass, {zone} and {place} of a zone,
-// and {end} of the zone where a line ends. A zone that has no name in the small language is said as
-// the ninth of its middle.
+// These go the other way. They return what slot {heading} says of a step of the compass, what
+// {zone} and {place} say of a zone, and what {end} says of the zone where a line ends. A zone that
+// has no name in the small language is named as the ninth of its middle.
 std::string HeadingName(Claim::Heading heading);
 std::string PlaceName(const Zone& zone);
 std::string EndName(const Zone& zone);

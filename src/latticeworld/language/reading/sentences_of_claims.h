@@ -10,14 +10,14 @@
 
 namespace latticeworld {
 
-// A claim said in the small language, so that whoever reads it makes the same claim of it: one
-// sentence, or one that places a thing and gives it a label ("Forest A in the north") and one that
-// speaks of it, without their stops. Empty where no form has what the claim says. Bounds are said
-// as far as a form has them: "touches", "near", "at most 7 cells from".
+// Says a claim in the small language, so that whoever reads the result makes the same claim of it.
+// The result is one sentence, or one that places a thing and gives it a label ("Forest A in the
+// north") and one that speaks of it, without their stops. It is empty where no form has what the
+// claim says. Bounds are said as far as a form has them: "touches", "near", "at most 7 cells from".
 std::vector<std::string> SentencesOf(const Claim& claim, Vocabulary vocabulary);
 std::vector<std::string> SentencesOf(const EnvironmentClaim& claim);
 
-// Those of all claims, in their order, each sentence once.
+// Says all claims, in their order, and each sentence once.
 std::vector<std::string> SentencesOf(const std::vector<Claim>& claims, Vocabulary vocabulary);
 std::vector<std::string> SentencesOf(const std::vector<EnvironmentClaim>& claims);
 

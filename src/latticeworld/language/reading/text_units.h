@@ -12,9 +12,9 @@
 
 namespace latticeworld {
 
-// A word of a text that says something, or a phrase that names one thing ("fire engine", "upper
-// left", "a dozen"). What it may mean stands in keys, so that words of a text and of the sentences
-// that it was read as can be told to be the same: "orc" and "goblin" share one.
+// TextUnit is a word of a text that says something, or a phrase that names one thing ("fire
+// engine", "upper left", "a dozen"). Its keys tell what it may mean, so that words of a text can be
+// compared with those of the sentences that it was read as: "orc" and "goblin" share a key.
 struct TextUnit {
   std::size_t begin = 0;  // bytes of the text: [begin, end)
   std::size_t end = 0;
@@ -22,14 +22,14 @@ struct TextUnit {
   bool known = false;  // a noun, a place or a number that the program knows
 };
 
-// The units of a text, in its order: all but the words that only hold it together.
+// Returns the units of a text, in its order: all words but those that only hold it together.
 std::vector<TextUnit> UnitsOf(std::string_view text, SentenceKind kind, Vocabulary vocabulary);
 
-// All keys of the units of sentences.
+// Returns all keys of the units of sentences.
 std::set<std::string> KeysOf(const std::vector<std::string>& sentences, SentenceKind kind,
                              Vocabulary vocabulary);
 
-// Whether one of the unit's keys is among them.
+// Returns whether one of the unit's keys is among `keys`.
 bool IsCarried(const TextUnit& unit, const std::set<std::string>& keys);
 
 }  // namespace latticeworld

@@ -9,9 +9,10 @@
 
 namespace latticeworld {
 
-// Puts before the warnings what is to be said of a text whoever reads it: that it seems to be of
-// another language (hardly any of its words, of four or more, is a common English one or one that
-// the program knows), and, of land, that it asks for more than the whole ("forest covers 300 %").
+// Puts before the warnings what is to be said of a text whoever reads it. One warning says that the
+// text seems to be of another language: hardly any of its words of four or more letters is a common
+// English one or one that the program knows. Another, of land, says that the text asks for more
+// than the whole ("forest covers 300 %").
 void WarnOfText(std::string_view text, SentenceKind kind, std::vector<std::string>* warnings);
 
 }  // namespace latticeworld

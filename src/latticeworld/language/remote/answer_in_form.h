@@ -8,16 +8,18 @@
 
 namespace latticeworld {
 
-// What EnvironmentForm() accepts has numbers in steps. A model that learns from other numbers
-// meets, where the form holds at work, what it has never seen.
+// EnvironmentForm() accepts numbers in steps only. A model that learned from other numbers would
+// meet numbers that it has never seen where a server enforces the form. The functions here put
+// training answers into the form.
 
-// Every number of the fine attributes becomes the nearest of the form's values that keeps to the
-// rules; one whose bounds leave out all of them stays as it is.
+// Rounds every number of the fine attributes to the nearest of the form's values that keeps to the
+// rules. A number whose bounds leave out all of them stays as it is.
 void RoundToForm(EnvironmentConfig* environment,
                  const Catalogue& catalogue = *Catalogue::BuiltIn());
 
-// JSON as the form spells it: no blanks, whole steps as whole numbers. The numbers of a rounded
-// environment match the form; others are told as they are.
+// Writes the environment as JSON as the form spells it: without blanks, and whole steps as whole
+// numbers. The numbers of a rounded environment match the form; other numbers are written as they
+// are.
 std::string AnswerInForm(const EnvironmentConfig& environment,
                          const Catalogue& catalogue = *Catalogue::BuiltIn());
 

@@ -10,13 +10,15 @@
 
 namespace latticeworld {
 
-// The environment of a whole answer: the JSON object in it, with thinking, prose and Markdown
+// Reads the environment of a whole answer: the JSON object in it, with thinking, prose and Markdown
 // fences around. Of several objects the last legal one counts, or without one the longest (of
 // equally long ones the last). The object itself is read strictly. Errors: INVALID_ARGUMENT with
-// every violation, as ParseEnvironment gives them, or no_object when there is nothing like one.
+// every violation, as ParseEnvironment gives them, or no_object when the answer holds nothing like
+// an object.
 Result<EnvironmentConfig> ReadEnvironmentAnswer(std::string_view text,
                                                 const Catalogue& catalogue = *Catalogue::BuiltIn());
-// The same, with what only the rules forbid made legal (KeepToRules); `changes`: what was changed.
+// Does the same, and makes legal what only the rules forbid (KeepToRules). It appends what was
+// changed to *changes.
 Result<EnvironmentConfig> ReadMendedEnvironmentAnswer(std::string_view text,
                                                       const Catalogue& catalogue,
                                                       std::vector<std::string>* changes);

@@ -6,8 +6,8 @@
 
 namespace latticeworld {
 
-// The outermost JSON objects in a text with anything around them, in order, at most sixteen; the
-// last one may be cut.
+// Returns the outermost JSON objects of a text that may hold anything around them, in order, at
+// most sixteen. The last one may be cut off.
 std::vector<std::string_view> ObjectsIn(std::string_view text);
 
 }  // namespace latticeworld

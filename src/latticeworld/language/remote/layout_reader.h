@@ -11,11 +11,11 @@
 
 namespace latticeworld {
 
-// Finds the matrix in an answer, letter by letter as it arrives. It reads plain lines and JSON
-// strings alike, with thinking, prose and Markdown fences around, CRLF, spaces, commas or bars
-// between letters, and line numbers before them. Lower case counts as upper case: no vocabulary
-// tells them apart, so nothing is guessed. Of several matrices the last legal one counts, or
-// without one the longest (of equally long ones the last).
+// LayoutReader finds the matrix in an answer, letter by letter as it arrives. It reads plain lines
+// and JSON strings alike, with thinking, prose and Markdown fences around, CRLF, spaces, commas or
+// bars between letters, and line numbers before them. Lower case counts as upper case: no
+// vocabulary tells them apart, so nothing is guessed. Of several matrices the last legal one
+// counts, or without one the longest (of equally long ones the last).
 class LayoutReader {
  public:
   explicit LayoutReader(Vocabulary vocabulary) : vocabulary_(vocabulary) {}
@@ -24,12 +24,14 @@ class LayoutReader {
   // Ends the answer.
   void Finish();
 
-  // Rows of the matrix that is being written, or of the best one so far where that is more.
+  // Returns how many rows the matrix that is being written has, or the best one so far where that
+  // has more.
   int rows() const;
-  // Whether what is being written can no longer become legal: a matrix of at least four rows with a
-  // bad one among them or with too many, or a row that does not end.
+  // Returns whether what is being written can no longer become legal: a matrix of at least four
+  // rows with a bad one among them or with too many, or a row that does not end.
   bool hopeless() const;
-  // The rows of the matrix that counts; empty when there is none. After Finish.
+  // Returns the rows of the matrix that counts; empty when there is none. To be called after
+  // Finish.
   const std::vector<std::string>& matrix() const { return best_; }
 
  private:
@@ -54,8 +56,8 @@ class LayoutReader {
   bool best_is_legal_ = false;
 };
 
-// The layout of a whole answer. Errors: INVALID_ARGUMENT with every violation, as ParseLayout gives
-// them, or no_matrix when there is nothing like one.
+// Reads the layout of a whole answer. Errors: INVALID_ARGUMENT with every violation, as ParseLayout
+// gives them, or no_matrix when the answer holds nothing like a matrix.
 Result<SymbolicLayout> ReadLayoutAnswer(std::string_view text, Vocabulary vocabulary);
 
 }  // namespace latticeworld

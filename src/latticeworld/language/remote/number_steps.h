@@ -5,16 +5,17 @@
 
 namespace latticeworld {
 
-// A range of numbers as a few values that every grammar can spell: the multiples of a step in it.
+// NumberSteps stands for a range of numbers by a few values that every grammar can spell: the
+// multiples of a step that lie in it.
 class NumberSteps {
  public:
-  // The smallest of the usual steps that has 24 values in the range at most.
+  // Takes the smallest of the usual steps that has at most 24 values in the range.
   explicit NumberSteps(const Range& range);
 
   int count() const { return count_; }
-  // From low to high; 0 <= i < count.
+  // Returns the i-th value, from low to high; 0 <= i < count().
   double At(int i) const;
-  // Whether all values are whole, and spelled so: 45, not 45.0.
+  // Returns whether all values are whole, and spelled so: 45, not 45.0.
   bool whole() const { return per_ == 1; }
 
  private:

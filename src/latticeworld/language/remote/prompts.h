@@ -10,23 +10,25 @@
 
 namespace latticeworld {
 
-// What is said to a model. The words stand in prompts/*.txt.
+// The functions here make what is said to a model. The words stand in prompts/*.txt.
 
-// System prompt with the vocabulary; instruction, relief in words, and as a picture for a model
-// that sees. Errors: INTERNAL (the picture cannot be made).
+// Returns the messages that ask for a layout: a system prompt with the vocabulary, then the
+// instruction and the relief in words, and as a picture for a model that sees. Errors: INTERNAL
+// (the picture cannot be made).
 Result<std::vector<ChatMessage>> LayoutMessages(const LayoutRequest& request, bool sees);
 
-// System prompt with the schema; layout, relief and instruction. Errors: the same.
+// Returns the messages that ask for an environment: a system prompt with the schema, then the
+// layout, the relief and the instruction. Errors: the same.
 Result<std::vector<ChatMessage>> EnvironmentMessages(const EnvironmentRequest& request, bool sees);
 
-// What goes back to the model after an answer that cannot be used: all that is wrong with it, one
-// violation a line, at most a hundred of them, and the form that is wanted.
+// Returns what goes back to the model after an answer that cannot be used: all that is wrong with
+// it, one violation a line, at most a hundred of them, and the form that is wanted.
 std::string LayoutRepairText(const std::vector<Violation>& violations, Vocabulary vocabulary);
 std::string EnvironmentRepairText(const std::vector<Violation>& violations);
 
-// "A = farmland: fields, orchards, crops" and so on, a line each.
+// Returns a line for each class: "A = farmland: fields, orchards, crops" and so on.
 std::string ClassLines(Vocabulary vocabulary);
-// At most a hundred violations, a line each.
+// Returns a line for each violation, a hundred at most.
 std::string ViolationLines(const std::vector<Violation>& violations);
 
 }  // namespace latticeworld

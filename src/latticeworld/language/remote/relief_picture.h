@@ -10,9 +10,9 @@ namespace latticeworld {
 
 inline constexpr int kMaxReliefPictureSide = 512;  // [pixels], what models look at
 
-// The heights as an 8-bit grey PNG for a model that sees: black the lowest, white the highest, the
-// longer side at most kMaxReliefPictureSide pixels (means of the samples), row 0 north.
-// height_m: (rows x cols), finite. Errors: INTERNAL.
+// Returns the heights as an 8-bit grey PNG for a model that sees: black is the lowest, white the
+// highest, the longer side has at most kMaxReliefPictureSide pixels (means of the samples), and row
+// 0 is north. height_m: (rows x cols), finite. Errors: INTERNAL.
 Result<std::string> ReliefPicture(const Grid<float>& height_m);
 
 }  // namespace latticeworld

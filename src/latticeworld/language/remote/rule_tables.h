@@ -7,18 +7,18 @@
 
 namespace latticeworld {
 
-// What no schema can say, in words for a prompt, made from the rules that the validation of an
-// environment uses.
+// The functions here say for a prompt what no schema can say. They make it from the rules that the
+// validation of an environment uses.
 
-// Which seasonal variants go with which seasons, one asset type a line:
+// Returns which seasonal variants go with which seasons, a line for each asset type:
 // "grass: lush (spring, summer, autumn), dry (any season), snow-covered (winter or weather snow)".
 std::string SeasonTable(const Catalogue& catalogue);
 
-// What single coarse values forbid besides, one of them a line:
+// Returns what single coarse values forbid besides, a line for each of them:
 // "winter: grass density 0.9 at most, crops density 0.9 at most".
 std::string LimitTable(const Catalogue& catalogue);
 
-// Which states a category can be in, one category a line: "sheep: idle, grazing".
+// Returns which states a category can be in, a line for each category: "sheep: idle, grazing".
 std::string StateTable();
 
 }  // namespace latticeworld

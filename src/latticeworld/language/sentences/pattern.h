@@ -10,7 +10,8 @@
 
 namespace latticeworld {
 
-// What may stand at one place of a sentence; data/slots.txt describes how a pattern is written.
+// Pattern says what may stand at one place of a sentence; data/slots.txt describes how a pattern is
+// written.
 struct Pattern {
   enum class Kind : std::uint8_t {
     kWords,     // one of `words`, each a single token

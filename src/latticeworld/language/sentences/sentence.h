@@ -10,19 +10,20 @@
 
 namespace latticeworld {
 
-// What a slot of a sentence was filled with, and the slots within it in their order.
+// Phrase is what a slot of a sentence was filled with, and the slots within it in their order.
 struct Phrase {
   std::string slot;
   std::string text;  // its words, parted by blanks
   std::vector<Phrase> parts;
 
-  // The first slot of that name among the parts and what they hold, depth first; nullptr: none.
+  // Find returns the first slot of that name among the parts and what they hold, depth first, or
+  // nullptr; FindAll returns all of them in that order.
   const Phrase* Find(std::string_view name) const;
   std::vector<const Phrase*> FindAll(std::string_view name) const;
   bool Has(std::string_view name) const { return Find(name) != nullptr; }
 };
 
-// A sentence of the small language.
+// Sentence is a sentence of the small language, read.
 struct Sentence {
   const SentenceForm* form = nullptr;  // never null
   Phrase whole;                        // of the slot "": all words, all slots
@@ -30,12 +31,12 @@ struct Sentence {
   bool Says(std::string_view word) const;  // whether it is one of the sentence's words
 };
 
-// The sentences of a text without their stops and the blanks around them. A stop ends a sentence
-// where a blank or the end of the text follows, and so does a line break.
+// Returns the sentences of a text, without their stops and the blanks around them. A stop ends a
+// sentence where a blank or the end of the text follows, and so does a line break.
 std::vector<std::string> SplitSentences(std::string_view text);
 
-// Reads one sentence, with or without its stop. Case counts for labels alone. nullopt: no form of
-// the kind has it.
+// Reads one sentence, with or without its stop. Upper and lower case count for labels alone.
+// Returns nullopt where the sentence fits no form of the kind.
 std::optional<Sentence> ReadSentence(std::string_view text, SentenceKind kind);
 
 }  // namespace latticeworld

@@ -7,11 +7,12 @@
 
 namespace latticeworld {
 
-// The most sentences that a model may answer with.
+// A model may answer with so many sentences at most.
 inline constexpr int kMostSentences = 64;
 
-// The grammar, in llama.cpp's notation (GBNF), of up to kMostSentences sentences of a kind, parted
-// by blanks, each with a capital letter and a stop; or of a dash, where there is nothing to say.
+// Returns a grammar in llama.cpp's notation (GBNF). It allows up to kMostSentences sentences of a
+// kind, parted by blanks, each with a capital letter and a stop, or a dash where there is nothing
+// to say.
 std::string SentenceGrammar(SentenceKind kind);
 
 }  // namespace latticeworld

@@ -7,11 +7,12 @@
 
 namespace latticeworld {
 
-// The small language in words, for the prompt of a model that does not know it: a form a line, as
-// the table writes it, with its example.
+// Describes the small language for the prompt of a model that does not know it: a line for each
+// form, as the table writes it, with its example.
 std::string FormsInWords(SentenceKind kind);
 
-// What the slots of these forms take, a slot a line: its pattern, or the words of its list.
+// Describes what the slots of these forms take: a line for each slot, with its pattern or the words
+// of its list.
 std::string SlotsInWords(SentenceKind kind);
 
 }  // namespace latticeworld

@@ -13,7 +13,7 @@ namespace latticeworld {
 
 enum class SentenceKind : std::uint8_t { kLayout, kEnvironment };
 
-// A form of sentences.
+// SentenceForm is one of the forms that sentences can have.
 struct SentenceForm {
   std::string name;
   Pattern pattern;
@@ -21,21 +21,22 @@ struct SentenceForm {
   std::string example;  // a sentence, with its stop
 };
 
-// The forms of a kind, in the order of data/layout_forms.txt or data/environment_forms.txt.
+// Returns the forms of a kind, in the order of data/layout_forms.txt or data/environment_forms.txt.
 const std::vector<SentenceForm>& SentenceForms(SentenceKind kind);
 
-// The pattern of a slot of data/slots.txt; nullptr: it is a list of words, or {n} or {label}.
+// Returns the pattern of a slot of data/slots.txt; nullptr where the slot is a list of words, or
+// {n} or {label}.
 const Pattern* SlotPattern(std::string_view slot);
-// The same as the file writes it; empty where SlotPattern has none.
+// Returns the pattern as the file writes it; "" where SlotPattern returns nullptr.
 std::string_view SlotText(std::string_view slot);
 
-// The words of a list of data/words.txt, in its order; NAME_s has the plurals of NAME. Empty for
-// another name.
+// Returns the words of a list of data/words.txt, in its order; a list NAME_s has the plurals of
+// NAME. The result is empty for another name.
 const std::vector<std::string>& SentenceWords(std::string_view list);
 
-// The regular English plural of a noun ("beaches", "valleys", "robotic dogs").
+// Returns the regular English plural of a noun ("beaches", "valleys", "robotic dogs").
 std::string PluralNoun(std::string_view noun);
-// The word of a list whose plural a noun is; the noun itself where it is none.
+// Returns the word of a list whose plural `noun` is; `noun` itself where it is the plural of none.
 std::string SingularNoun(std::string_view list, std::string_view noun);
 
 }  // namespace latticeworld

@@ -10,13 +10,15 @@
 
 namespace latticeworld {
 
-// What a slot of a sentence is filled with. Slots of one name are filled in their order.
+// Filling names a slot of a sentence and says what it is filled with. Slots of one name are filled
+// in their order.
 using Filling = std::pair<std::string_view, std::string>;
 
-// Says a sentence of a form of the tables, with a capital letter and, as SplitSentences gives them,
-// without a stop: the words of the form's pattern, its slots filled. What may be missing is said
-// where a filling is left for it. A verb agrees with {x}: "forest covers", "the lakes cover". The
-// form and a filling for each slot that may not be missing have to be there.
+// Writes a sentence of a form of the tables: the words of the form's pattern with its slots filled,
+// with a capital letter and, as SplitSentences gives sentences, without a stop. An optional part is
+// written where a filling is left for it. A verb agrees with {x}: "forest covers", "the lakes
+// cover". The tables must have the form, and `fillings` one filling for each slot that is not
+// optional.
 std::string WriteSentence(SentenceKind kind, std::string_view form,
                           const std::vector<Filling>& fillings);
 

@@ -10,14 +10,14 @@
 
 namespace latticeworld {
 
-// Adds what a sentence says of one of its mentions to its wish: number, size, measures, place and
-// course. What stands between the things around a mention is said of it. Of two measures that
-// differ the later counts, with a warning.
+// Adds what a sentence says of one of its mentions to that mention's wish: number, size, measures,
+// place and course. The words between the things around a mention are taken to be said of it. Where
+// two measures differ the later counts, and a warning says so.
 void ReadReliefAttributes(std::size_t mention, ReliefSentence* sentence, ReliefWish* wish,
                           std::vector<std::string>* warnings);
 
-// The side that land is said to rise to in [begin, end): "rises to the north", "falls to the
-// south", "slopes down to the east"; {0, 0}: nothing said.
+// Returns the side to which the words [begin, end) say that land rises: "rises to the north",
+// "falls to the south", "slopes down to the east". {0, 0} means that they say nothing of it.
 Claim::Heading RiseOf(const ReliefSentence& sentence, std::size_t begin, std::size_t end);
 
 }  // namespace latticeworld

@@ -7,16 +7,16 @@
 
 namespace latticeworld {
 
-// Reads what a layout instruction says of the land's form, whoever read the rest: its sentences of
-// the small language where the reading has them, else the text. Fills `plan.reliefs` and
-// `plan.covers`, and takes what it has read off the plan's warnings, off what was not understood,
-// and off the features that the words of a cover were taken for. Features that a relief
-// noun names ("snow mountain") are where the relief is; the others lie where the words say, or are
-// tied to what they are said to lie at.
+// Reads what a layout instruction says of the land's form, whoever read the rest. It reads the
+// sentences of the small language where the reading has them, else the text. It fills
+// `plan.reliefs` and `plan.covers`, and takes what it has read off the plan's warnings, off what
+// was not understood, and off the features that the words of a cover were taken for. Features that
+// a relief noun names ("snow mountain") lie where the relief is; the others lie where the words
+// say, or are tied to what they are said to lie at.
 void ReadRelief(std::string_view text, LayoutReading* reading);
 
-// Where the layout's words say nothing of relief, the terrain type that the environment's words
-// name does: mountains, hills or a plain all over the world.
+// Adds the terrain type that the environment's words name to the layout's plan, where the layout's
+// words say nothing of relief: mountains, hills or a plain all over the world.
 void AddTerrainType(const EnvironmentReading& environment, LayoutReading* layout);
 
 }  // namespace latticeworld

@@ -15,48 +15,49 @@
 
 namespace latticeworld {
 
-// A relief noun or adjective in a sentence; positions are tokens.
+// ReliefMention is a relief noun or adjective in a sentence. Positions count tokens.
 struct ReliefMention {
   ReliefKind kind = ReliefKind::kHill;
   std::size_t begin = 0;
   std::size_t end = 0;
-  const ClassWord* noun = nullptr;  // that the layout knows it by, or none
+  const ClassWord* noun = nullptr;  // the noun that the layout knows it by; nullptr: none
   bool plural = false;
   std::string label;  // "A" of "hill A"
-  int wish = -1;      // that it means, once known
+  int wish = -1;      // index of the wish that it means; -1: not known yet
 };
 
-// Something of the layout in the same sentence.
+// OtherMention is a thing of the layout that the same sentence names.
 struct OtherMention {
   const ClassWord* noun = nullptr;
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-// One sentence: what it names, and the words of it that were read so far.
+// ReliefSentence holds what one sentence names and which of its words were read so far.
 class ReliefSentence {
  public:
   ReliefSentence(std::string_view sentence, Vocabulary vocabulary);
 
-  // Without the stop at its end.
+  // The sentence without the stop at its end.
   const std::string& words() const { return words_; }
   const std::vector<Token>& tokens() const { return tokens_; }
   std::vector<ReliefMention>& mentions() { return mentions_; }
   const std::vector<ReliefMention>& mentions() const { return mentions_; }
   const std::vector<OtherMention>& others() const { return others_; }
-  // "Snow above 80 m"; the words of covers are no measures of a form.
+  // Classes by height: "snow above 80 m". The words of covers are no measures of a form.
   const std::vector<HeightCover>& covers() const { return covers_; }
 
-  // The word at a token, or none.
+  // Returns the word at a token; "" where there is none.
   std::string_view Word(std::size_t at) const;
   bool Is(std::size_t at, std::initializer_list<std::string_view> words) const;
   bool Has(std::size_t begin, std::size_t end, std::initializer_list<std::string_view> words) const;
   bool IsNumber(std::size_t at) const;
   bool IsOfCover(std::size_t at) const { return of_covers_.count(at) == 1; }
-  // The metres that a number and the unit behind it say, or none.
+  // Returns the metres that a number at `at` and the unit behind it say; nullopt where they say
+  // none.
   std::optional<double> MetresAt(std::size_t at) const;
 
-  // Notes words as read.
+  // Notes the words [begin, end) as read.
   void Take(std::size_t begin, std::size_t end);
   const std::set<std::string>& taken() const { return taken_; }
 

@@ -8,13 +8,15 @@
 
 namespace latticeworld {
 
-// The kind of relief that a word in the singular names: "hill", "hilly"; data/relief_words.txt.
+// Returns the kind of relief that a word in the singular names ("hill", "hilly"), by
+// data/relief_words.txt; nullopt where it names none.
 std::optional<ReliefKind> ReliefOfWord(std::string_view word);
 
-// The kind that a noun phrase in the singular names: "snow mountain", "mountain range".
+// Returns the kind of relief that a noun phrase in the singular names ("snow mountain", "mountain
+// range"); nullopt where it names none.
 std::optional<ReliefKind> ReliefOfNoun(std::string_view phrase);
 
-// Whether the word means land as a whole: "terrain".
+// Returns whether the word means land as a whole: "terrain".
 bool IsLandWord(std::string_view word);
 
 }  // namespace latticeworld

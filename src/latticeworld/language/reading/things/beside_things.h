@@ -8,9 +8,10 @@
 
 namespace latticeworld {
 
-// The one way in which readers of free text come to single things: they are taken out of the text
-// (things_of_text.h), `read` reads what is left, and the reading gets the things of the text first
-// and behind them those that `read` has found. Errors: those of `read`.
+// Reads a text with its single things set apart; all readers of free text use this function. It
+// takes the things out of the text (things_of_text.h), lets `read` read what is left, and gives the
+// reading the things of the text first and those that `read` has found behind them. Errors: those
+// of `read`.
 Result<LayoutReading> ReadBesideThings(
     const LayoutRequest& request,
     const std::function<Result<LayoutReading>(const LayoutRequest& rest)>& read);

@@ -7,7 +7,8 @@
 
 namespace latticeworld {
 
-// The asset type of a word of the list "asset" of the small language ("crops"), and its word.
+// AssetOf returns the asset type of a word of the small language's list "asset" ("crops");
+// AssetWord returns the word of an asset type.
 AssetType AssetOf(std::string_view word);
 std::string_view AssetWord(AssetType asset);
 

@@ -9,19 +9,19 @@
 
 namespace latticeworld {
 
-// The number of a phrase of slot {n}.
+// Returns the number that a phrase of slot {n} says.
 double NumberOf(const Phrase& phrase);
 
-// The share of the map that a phrase of slot {percent} means: "30 %" leaves eight points of room to
-// either side, bounds leave none.
+// Returns the share of the map that a phrase of slot {percent} means. "30 %" leaves eight points of
+// room to either side; bounds leave none.
 ShareMatch ShareOf(const Phrase& percent);
 
-// Adds what a word of the lists "size" or "shape" says of a thing.
+// Adds to `qualities` what a word of the list "size" or "shape" says of a thing.
 void AddSize(std::string_view size, Qualities* qualities);
 void AddShape(std::string_view shape, Qualities* qualities);
 
-// A thing's words, of slot {thing} or {noun}: its class, number, sizes and shapes. Without a class
-// (`noun` is nullptr) nothing is known by that noun.
+// Reads a thing's words, of slot {thing} or {noun}: its class, number, sizes and shapes. Where
+// `noun` of the result is nullptr, no class is known by the noun.
 NounPhrase NounOf(const Phrase& thing);
 
 }  // namespace latticeworld

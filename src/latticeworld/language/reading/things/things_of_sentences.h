@@ -10,25 +10,27 @@
 
 namespace latticeworld {
 
-// Gathers what sentences of the small language say of single things: objects with an article or a
-// number ("a well", "3 trees", "the church"). Bare plurals ("trees are on both sides of the river")
-// are land, and bridges and fords are not of here.
+// SentenceThings gathers what sentences of the small language say of single things: objects with an
+// article or a number ("a well", "3 trees", "the church"). Bare plurals ("trees are on both sides
+// of the river") are land, and this class leaves bridges and fords to other readers.
 class SentenceThings {
  public:
   explicit SentenceThings(Vocabulary vocabulary) : vocabulary_(vocabulary) {}
 
-  // False: the sentence is about land.
+  // Reads one sentence. Returns false where the sentence is about land.
   bool Say(const Sentence& sentence, const std::string& words);
 
   const std::vector<ThingWish>& wishes() const { return wishes_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  // The wish that a phrase of slot {thing} is about, a new one where none is known; -1: land.
+  // Returns the index of the wish that a phrase of slot {thing} is about, a new one where none is
+  // known; -1 where the phrase is about land.
   int WishOf(const Phrase& thing, const std::string& words);
   int Known(const std::string& kind) const;
   ThingTarget TargetOf(const Phrase& thing, const std::string& words);
-  // beside: the wish that it is to stand by, where it was made for it; -1: what the words say.
+  // Notes how a thing stands to others. `beside` is the index of the wish that it is to stand by,
+  // where the wish was made for that; -1 means that the words say where.
   bool Relate(const Sentence& sentence, ThingWish wish, int index, int beside,
               const std::string& words);
 

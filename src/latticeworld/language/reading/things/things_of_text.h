@@ -10,17 +10,18 @@
 
 namespace latticeworld {
 
-// Single things of free text, and the text without them.
+// TextThings holds the single things of free text, and the text without them.
 struct TextThings {
   std::vector<ThingWish> things;
   std::string rest;   // what is left for readers of land; the text itself where there are no things
   std::string taken;  // the words that were taken out
 };
 
-// Takes out noun phrases of single things with how and where they stand: "three trees in a row
-// beside", "a well in front of a church", "a row of six lamps along". What land they stand by stays
-// in the text. Nouns that are land too (data/class_words.txt) count where an arrangement or, for
-// trees, bushes and boulders, a number says that single ones are meant.
+// Takes the noun phrases of single things out of a text, with how and where the things stand:
+// "three trees in a row beside", "a well in front of a church", "a row of six lamps along". The
+// land that they stand by stays in the text. Nouns that are land too (data/class_words.txt) count
+// where an arrangement or, for trees, bushes and boulders, a number says that single ones are
+// meant.
 TextThings TakeThings(std::string_view text, Vocabulary vocabulary);
 
 }  // namespace latticeworld
