@@ -29,6 +29,12 @@ rospy.spin()
 """
 
 
+def wait_until_static_map_is_held():
+    """A server offers its services one by one: one that is taken too early it would take itself."""
+    wait_until(lambda: rosservice.get_service_node("/static_map") == "/world_server",
+               "world_server holds the service")
+
+
 class OrderTest(unittest.TestCase):
     @staticmethod
     def forget_time():
@@ -105,12 +111,12 @@ class OrderTest(unittest.TestCase):
             return next(one for one in message.status if one.name == "world_server: services")
 
         with Server(), Collector("diagnostics", DiagnosticArray) as diagnostics:
+            wait_until_static_map_is_held()
             other = rospy.Service("static_map", GetMap, lambda _: GetMapResponse())
             warning = diagnostics.wait_for(lambda m: services(m).level == DiagnosticStatus.WARN)
             self.assertIn(f"{rospy.get_name()} has taken /static_map", services(warning).message)
             other.shutdown()
-            wait_until(lambda: rosservice.get_service_node("/static_map") == "/world_server",
-                       "the service is held again")
+            wait_until_static_map_is_held()
             with self.assertRaisesRegex(rospy.ServiceException, "generate_world"):
                 service("static_map", GetMap)()
             diagnostics.wait_for(lambda m: m.header.stamp > warning.header.stamp and
@@ -118,6 +124,7 @@ class OrderTest(unittest.TestCase):
 
     def test_a_service_of_a_node_that_was_killed_is_held_again(self):
         with Server():
+            wait_until_static_map_is_held()
             other = subprocess.Popen([sys.executable, "-c", TAKES_STATIC_MAP])
             try:
                 wait_until(lambda: rosservice.get_service_node("/static_map") == "/taker",
@@ -125,8 +132,7 @@ class OrderTest(unittest.TestCase):
             finally:
                 other.kill()  # it takes no leave of the master
                 other.wait(TIMEOUT_S)
-            wait_until(lambda: rosservice.get_service_node("/static_map") == "/world_server",
-                       "the service is held again")
+            wait_until_static_map_is_held()
             with self.assertRaisesRegex(rospy.ServiceException, "generate_world"):
                 service("static_map", GetMap)()
 
