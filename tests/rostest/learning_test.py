@@ -12,7 +12,7 @@ import warnings
 import gymnasium.utils.env_checker
 import numpy
 import rospy
-from geometry_msgs.msg import Point
+from geometry_msgs.msg import Point, Vector3
 from nav_msgs.msg import OccupancyGrid
 from pettingzoo.test import parallel_api_test
 
@@ -148,8 +148,10 @@ class LearningTest(ServerTest):
         self.assertEqual({"scan", "velocity"}, set(observation))
         x, y = info["position_m"]
         place = Point(x=x + 3.0 * math.cos(info["yaw_rad"]), y=y + 3.0 * math.sin(info["yaw_rad"]))
+        # So tall that the scan meets it on a slope, too.
         self.assert_ok(self.world.spawn_element(kind="crate", name="box", position=place,
-                                                heading=info["yaw_rad"]))
+                                                heading=info["yaw_rad"],
+                                                size=Vector3(x=1.0, y=1.0, z=2.0)))
         after, *_ , info = env.step((0.0, 0.0))
         ahead = len(after["scan"]) // 2
         self.assertLess(after["scan"][ahead], 3.0)
