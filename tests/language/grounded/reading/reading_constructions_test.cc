@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "language/grounded/reading/reading_sample.h"
+#include "latticeworld/language/grounded/reading/layout_parser.h"
 #include "latticeworld/layout/vocabulary.h"
 
 // Constructions of English that say more than their words do one by one: what is left out, what
@@ -193,6 +194,23 @@ INSTANTIATE_TEST_SUITE_P(Chains, ReadingConstructions, testing::ValuesIn(Chains(
 INSTANTIATE_TEST_SUITE_P(Lines, ReadingConstructions, testing::ValuesIn(Lines()));
 INSTANTIATE_TEST_SUITE_P(Numbers, ReadingConstructions, testing::ValuesIn(Numbers()));
 INSTANTIATE_TEST_SUITE_P(Denials, ReadingConstructions, testing::ValuesIn(Denials()));
+
+// Some of what covers a share of a place, split off from it, have no place of their own: what else
+// there is of their class may lie there too, so that they are no bound of it from above.
+TEST(ReadingConstructionsTest, ShareOfAPlaceIsNoUpperBoundForSomeOfItElsewhere) {
+  const LayoutPlan plan = ParseLayoutInstruction(
+      "Around 30 percent of the left side is grass, nine cells or more. Three of them lie by the "
+      "orchard.",
+      kWild);
+  int amounts = 0;
+  for (const Claim& claim : plan.claims) {
+    if (claim.kind != ClaimKind::kAmount) continue;
+    ++amounts;
+    EXPECT_EQ(claim.subject, 'B');
+    EXPECT_EQ(claim.most, Claim::kUnsaid) << claim.words;
+  }
+  EXPECT_EQ(amounts, 2);
+}
 
 }  // namespace
 }  // namespace latticeworld

@@ -173,7 +173,7 @@ class ClaimMaker {
       const bool total = std::all_of(
           plan_.features.begin(), plan_.features.end(), [&](const PlannedFeature& other) {
             return &other == &feature || other.letter != feature.letter ||
-                   (of_zone && IsElsewhere(other, feature)) ||
+                   (of_zone && IsElsewhere(other, zones.front())) ||
                    (other.zones.empty() && other.pieces_least == 0 && !IsLine(other) &&
                     !other.share.has_value() && feature.zones.empty());
           });
@@ -182,9 +182,9 @@ class ClaimMaker {
     if (claim.least != Claim::kUnsaid || claim.most != Claim::kUnsaid) Add(std::move(claim));
   }
 
-  // Placed where the other, of one zone, is not.
-  static bool IsElsewhere(const PlannedFeature& feature, const PlannedFeature& other) {
-    const LayoutMask there = MaskOf(other.zones.front());
+  // Placed somewhere, and nowhere in the zone.
+  static bool IsElsewhere(const PlannedFeature& feature, const Zone& place) {
+    const LayoutMask there = MaskOf(place);
     return !feature.zones.empty() &&
            std::all_of(feature.zones.begin(), feature.zones.end(),
                        [&](const Zone& zone) { return (MaskOf(zone) & there).empty(); });
