@@ -83,19 +83,6 @@ void BM_ThermalIteration(benchmark::State& state) {
   CountCells(state, options.iterations);
 }
 
-// One drop for every fifth cell.
-void BM_Droplets(benchmark::State& state) {
-  const Grid<float> land = RoughLand(static_cast<int>(state.range(0)));
-  DropletOptions options;
-  options.droplets = static_cast<int>(land.size() / 5);
-  for (auto _ : state) {
-    Grid<float> height_m = land;
-    ErodeByDroplets(kResolution_m, options, 1, static_cast<int>(state.range(1)), &height_m);
-    benchmark::DoNotOptimize(height_m.data());
-  }
-  CountCells(state);
-}
-
 void BM_Noise(benchmark::State& state) {
   const int size = static_cast<int>(state.range(0));
   const auto geometry = GridGeometry::FromCells(size, size * kResolution_m);
@@ -118,7 +105,6 @@ BENCHMARK(BM_FillDepressions)->Apply(Sizes);
 BENCHMARK(BM_FlowAccumulation)->Apply(Sizes);
 BENCHMARK(BM_FluvialStep)->Apply(Sizes);
 BENCHMARK(BM_ThermalIteration)->Apply(Sizes);
-BENCHMARK(BM_Droplets)->Apply(Sizes);
 BENCHMARK(BM_Noise)->Apply(Sizes);
 
 }  // namespace

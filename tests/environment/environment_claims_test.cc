@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 
 namespace latticeworld {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 EnvironmentConfig Winter() {
   EnvironmentConfig config;
@@ -22,9 +25,9 @@ EnvironmentConfig Winter() {
 }
 
 EnvironmentClaim Parsed(const std::string& json) {
-  Result<EnvironmentClaim> claim = ParseEnvironmentClaim(json);
-  EXPECT_TRUE(claim.ok()) << claim.status().ToString();
-  return claim.ok() ? *claim : EnvironmentClaim();
+  const auto claims = ParseEnvironmentClaims("[" + json + "]");
+  EXPECT_TRUE(claims.ok()) << claims.status().ToString();
+  return claims.ok() ? claims->front() : EnvironmentClaim();
 }
 
 EnvironmentClaimMeasure MeasureOf(const std::string& json) {
@@ -97,6 +100,63 @@ TEST(EnvironmentClaimsTest, ExplainsWhatIsAndWhatIsAsked) {
             "2 goblin; 3 are asked");
 }
 
+template <typename Enum>
+Json NamesOf(const std::vector<Enum>& values) {
+  Json names = Json::array();
+  for (const Enum value : values) names.push_back(NameOf(value));
+  return names;
+}
+
+Json CategoryJson(const std::vector<AgentCategory>& categories) {
+  if (categories.empty()) return "";
+  if (categories.size() == 1) return NameOf(categories.front());
+  return NamesOf(categories);
+}
+
+// One line, every key that counts written out.
+std::string ToJson(const EnvironmentClaim& claim) {
+  Json json;
+  json["kind"] = NameOf(claim.kind);
+  switch (claim.kind) {
+    case EnvironmentClaimKind::kCoarse:
+      json["attribute"] = NameOf(claim.coarse_key);
+      json["values"] = claim.values;
+      break;
+    case EnvironmentClaimKind::kDensity:
+      json["asset"] = NameOf(claim.asset);
+      json["least"] = claim.least;
+      json["most"] = claim.most;
+      break;
+    case EnvironmentClaimKind::kVariant:
+      json["asset"] = NameOf(claim.asset);
+      json["key"] = NameOf(claim.variant_key);
+      json["values"] = claim.values;
+      break;
+    case EnvironmentClaimKind::kParameter:
+      json["asset"] = NameOf(claim.asset);
+      json["key"] = NameOf(claim.parameter_key);
+      json["least"] = claim.least;
+      json["most"] = claim.most;
+      break;
+    case EnvironmentClaimKind::kAgents:
+      json["category"] = CategoryJson(claim.categories);
+      json["least_quantity"] = claim.least_quantity;
+      json["most_quantity"] = claim.most_quantity;
+      json["states"] = NamesOf(claim.states);
+      json["positions"] = NamesOf(claim.positions);
+      break;
+    case EnvironmentClaimKind::kNoAgents:
+      json["category"] = CategoryJson(claim.categories);
+      break;
+    case EnvironmentClaimKind::kTotalAgents:
+      json["least_quantity"] = claim.least_quantity;
+      json["most_quantity"] = claim.most_quantity;
+      break;
+  }
+  json["words"] = claim.words;
+  return json.dump();
+}
+
 TEST(EnvironmentClaimsTest, JsonComesBackAsItWent) {
   const std::string json =
       R"({"kind":"agents","category":["goblin","sheep"],"least_quantity":2,"most_quantity":7,)"
@@ -123,38 +183,38 @@ struct Refusal {
 
 TEST(EnvironmentClaimsTest, EveryViolationNamesItsKey) {
   for (const Refusal& refusal : std::vector<Refusal>{
-           {"[]", "", "wrong_type"},
+           {"[]", "/0", "wrong_type"},
            {"{", "", "parse_error"},
-           {R"({"kind": "wish"})", "/kind", "unknown_value"},
-           {R"({"kind": "coarse", "attribute": "season", "values": ["fog"]})", "/values/0",
+           {R"({"kind": "wish"})", "/0/kind", "unknown_value"},
+           {R"({"kind": "coarse", "attribute": "season", "values": ["fog"]})", "/0/values/0",
             "unknown_value"},
-           {R"({"kind": "coarse", "attribute": "season", "values": []})", "/values",
+           {R"({"kind": "coarse", "attribute": "season", "values": []})", "/0/values",
             "missing_value"},
-           {R"({"kind": "coarse", "attribute": "season", "value": ["fog"]})", "/values",
+           {R"({"kind": "coarse", "attribute": "season", "value": ["fog"]})", "/0/values",
             "missing_key"},
-           {R"({"kind": "density", "asset": "grass"})", "/least", "missing_key"},
-           {R"({"kind": "density", "asset": "grass", "least": 2})", "/least", "out_of_range"},
-           {R"({"kind": "density", "asset": "grass", "least": 0.5, "most": 0.4})", "/most",
+           {R"({"kind": "density", "asset": "grass"})", "/0/least", "missing_key"},
+           {R"({"kind": "density", "asset": "grass", "least": 2})", "/0/least", "out_of_range"},
+           {R"({"kind": "density", "asset": "grass", "least": 0.5, "most": 0.4})", "/0/most",
             "out_of_range"},
-           {R"({"kind": "parameter", "asset": "grass", "key": "scale", "least": 1})", "/key",
+           {R"({"kind": "parameter", "asset": "grass", "key": "scale", "least": 1})", "/0/key",
             "unknown_value"},
-           {R"({"kind": "agents", "category": "", "least_quantity": 1})", "/category",
+           {R"({"kind": "agents", "category": "", "least_quantity": 1})", "/0/category",
             "missing_key"},
-           {R"({"kind": "agents", "category": "cow", "least_quantity": 1})", "/category",
+           {R"({"kind": "agents", "category": "cow", "least_quantity": 1})", "/0/category",
             "unknown_value"},
-           {R"({"kind": "agents", "category": "sheep", "least_quantity": 0})", "/least_quantity",
+           {R"({"kind": "agents", "category": "sheep", "least_quantity": 0})", "/0/least_quantity",
             "out_of_range"},
-           {R"({"kind": "agents", "category": "sheep", "least_quantity": 1.5})", "/least_quantity",
-            "wrong_type"},
+           {R"({"kind": "agents", "category": "sheep", "least_quantity": 1.5})",
+            "/0/least_quantity", "wrong_type"},
            {R"({"kind": "agents", "category": "sheep", "least_quantity": 1, "states": "idle"})",
-            "/states", "wrong_type"},
-           {R"({"kind": "no_agents", "category": "sheep", "words": 3})", "/words", "wrong_type"},
+            "/0/states", "wrong_type"},
+           {R"({"kind": "no_agents", "category": "sheep", "words": 3})", "/0/words", "wrong_type"},
        }) {
-    const Result<EnvironmentClaim> claim = ParseEnvironmentClaim(refusal.json);
-    ASSERT_FALSE(claim.ok()) << refusal.json;
-    ASSERT_FALSE(claim.status().violations().empty()) << refusal.json;
-    EXPECT_EQ(claim.status().violations().front().pointer, refusal.pointer) << refusal.json;
-    EXPECT_EQ(claim.status().violations().front().code, refusal.code) << refusal.json;
+    const auto claims = ParseEnvironmentClaims("[" + refusal.json + "]");
+    ASSERT_FALSE(claims.ok()) << refusal.json;
+    ASSERT_FALSE(claims.status().violations().empty()) << refusal.json;
+    EXPECT_EQ(claims.status().violations().front().pointer, refusal.pointer) << refusal.json;
+    EXPECT_EQ(claims.status().violations().front().code, refusal.code) << refusal.json;
   }
 }
 

@@ -90,7 +90,8 @@ TEST(Tasks, BeginWhereTheRobotIsPut) {
       TaskWishes wishes = Wishes(seed, 40);
       wishes.robot.radius_m = radius_m;
       for (const NavigationTask& task : SampleTasks(*scene, wishes, Progress()).value()) {
-        const Status put = CheckSpawn(*scene, AgentCategory::kWheeledRobot, radius_m, task.start);
+        const Status put = CheckSpawn(*scene, scene->atmosphere, AgentCategory::kWheeledRobot,
+                                      radius_m, task.start);
         EXPECT_TRUE(put.ok()) << put.ToString();
       }
     }

@@ -57,7 +57,7 @@ void ExpectRulesHold(const Scene& scene) {
             ASSERT_FALSE(SolidContains(other, asset.position(), 0.0));
           } else if (building && other.kind == AssetKind::kBuilding) {
             // The houses of a terrace touch.
-            const double gap_m = GapBetween(asset, other);
+            const double gap_m = GapBetween(FootprintOf(asset), FootprintOf(other));
             ASSERT_TRUE(gap_m >= kLeastWallGap_m - 1e-3 || std::abs(gap_m) < 0.02) << gap_m;
           } else if (building || other.kind == AssetKind::kBuilding) {
             const Asset& round = building ? other : asset;

@@ -13,6 +13,11 @@
 namespace latticeworld {
 namespace {
 
+// Before anything has changed.
+bool HasLineOfSight(const Scene& scene, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return HasLineOfSight(scene, SceneChanges(), from, to);
+}
+
 using Eigen::Vector3d;
 
 Scene Flat() {

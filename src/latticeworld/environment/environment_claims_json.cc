@@ -219,30 +219,7 @@ Result<Json> ParseText(std::string_view text) {
   }
 }
 
-template <typename Enum>
-Json NamesOf(const std::vector<Enum>& values) {
-  Json names = Json::array();
-  for (const Enum value : values) names.push_back(NameOf(value));
-  return names;
-}
-
-Json CategoryJson(const std::vector<AgentCategory>& categories) {
-  if (categories.empty()) return "";
-  if (categories.size() == 1) return NameOf(categories.front());
-  return NamesOf(categories);
-}
-
 }  // namespace
-
-Result<EnvironmentClaim> ParseEnvironmentClaim(std::string_view text) {
-  LW_ASSIGN_OR_RETURN(const Json json, ParseText(text));
-  std::vector<Violation> violations;
-  EnvironmentClaim claim = ClaimReader(json, "", &violations).Read();
-  if (!violations.empty()) {
-    return Status::FromViolations("illegal environment claim", std::move(violations));
-  }
-  return claim;
-}
 
 Result<std::vector<EnvironmentClaim>> ParseEnvironmentClaims(std::string_view text) {
   LW_ASSIGN_OR_RETURN(const Json json, ParseText(text));
@@ -260,49 +237,6 @@ Result<std::vector<EnvironmentClaim>> ParseEnvironmentClaims(std::string_view te
     return Status::FromViolations("illegal environment claims", std::move(violations));
   }
   return claims;
-}
-
-std::string ToJson(const EnvironmentClaim& claim) {
-  Json json;
-  json["kind"] = NameOf(claim.kind);
-  switch (claim.kind) {
-    case EnvironmentClaimKind::kCoarse:
-      json["attribute"] = NameOf(claim.coarse_key);
-      json["values"] = claim.values;
-      break;
-    case EnvironmentClaimKind::kDensity:
-      json["asset"] = NameOf(claim.asset);
-      json["least"] = claim.least;
-      json["most"] = claim.most;
-      break;
-    case EnvironmentClaimKind::kVariant:
-      json["asset"] = NameOf(claim.asset);
-      json["key"] = NameOf(claim.variant_key);
-      json["values"] = claim.values;
-      break;
-    case EnvironmentClaimKind::kParameter:
-      json["asset"] = NameOf(claim.asset);
-      json["key"] = NameOf(claim.parameter_key);
-      json["least"] = claim.least;
-      json["most"] = claim.most;
-      break;
-    case EnvironmentClaimKind::kAgents:
-      json["category"] = CategoryJson(claim.categories);
-      json["least_quantity"] = claim.least_quantity;
-      json["most_quantity"] = claim.most_quantity;
-      json["states"] = NamesOf(claim.states);
-      json["positions"] = NamesOf(claim.positions);
-      break;
-    case EnvironmentClaimKind::kNoAgents:
-      json["category"] = CategoryJson(claim.categories);
-      break;
-    case EnvironmentClaimKind::kTotalAgents:
-      json["least_quantity"] = claim.least_quantity;
-      json["most_quantity"] = claim.most_quantity;
-      break;
-  }
-  json["words"] = claim.words;
-  return json.dump();
 }
 
 }  // namespace latticeworld

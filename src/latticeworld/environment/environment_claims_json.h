@@ -1,7 +1,6 @@
 #ifndef LATTICEWORLD_ENVIRONMENT_ENVIRONMENT_CLAIMS_JSON_H_
 #define LATTICEWORLD_ENVIRONMENT_ENVIRONMENT_CLAIMS_JSON_H_
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,14 +28,10 @@ namespace latticeworld {
 // range; one of least_quantity (then 1; 0 for total_agents) and most_quantity (then kMaxAgents). A
 // category is a name or an array of names, any of which will do; "" of no_agents is every one.
 
-// One claim. Errors: INVALID_ARGUMENT with every violation at once, each with its JSON pointer:
-// parse_error, unknown_key, missing_key, wrong_type, and what Validate finds.
-Result<EnvironmentClaim> ParseEnvironmentClaim(std::string_view json);
-// An array of them; pointers begin with the index.
+// An array of claims. Errors: INVALID_ARGUMENT with every violation at once, each with its JSON
+// pointer, which begins with the index: parse_error, unknown_key, missing_key, wrong_type, and what
+// Validate finds.
 Result<std::vector<EnvironmentClaim>> ParseEnvironmentClaims(std::string_view json);
-
-// One line, without a line break at its end, every key that counts written out.
-std::string ToJson(const EnvironmentClaim& claim);
 
 }  // namespace latticeworld
 

@@ -128,36 +128,6 @@ SurfaceMesh WaterMesh(const Terrain& terrain, const SurfaceLattice& lattice) {
   return mesh;
 }
 
-double GroundError(const Terrain& terrain, const SurfaceLattice& lattice) {
-  const GridGeometry& geometry = terrain.geometry();
-  const Grid<float>& height_m = terrain.ground.height_m();
-  const SurfaceMesh mesh = GroundMesh(terrain, lattice);
-  const auto z = [&](int row, int col) {
-    return static_cast<double>(
-        mesh.positions_m[static_cast<std::size_t>(row) * lattice.cols + col].z());
-  };
-  double worst_m = 0.0;
-  for (int r = 0; r < geometry.rows(); ++r) {
-    for (int c = 0; c < geometry.cols(); ++c) {
-      const WorldPoint point = geometry.CenterOf({r, c});
-      if (!lattice.region.Holds(point)) continue;
-      const double col =
-          (point.x_m - lattice.region.west_m) / lattice.region.width_m() * (lattice.cols - 1);
-      const double row =
-          (lattice.region.north_m - point.y_m) / lattice.region.depth_m() * (lattice.rows - 1);
-      const int west = std::clamp(static_cast<int>(col), 0, lattice.cols - 2);
-      const int north = std::clamp(static_cast<int>(row), 0, lattice.rows - 2);
-      const double u = col - west, v = row - north;
-      const double nw = z(north, west), se = z(north + 1, west + 1);
-      const double surface =
-          u > v ? nw + u * (z(north, west + 1) - nw) + v * (se - z(north, west + 1))
-                : nw + v * (z(north + 1, west) - nw) + u * (se - z(north + 1, west));
-      worst_m = std::max(worst_m, std::abs(surface - height_m(r, c)));
-    }
-  }
-  return worst_m;
-}
-
 Result<std::string> GroundTexture(const Scene& scene, const ExportRegion& region, int most_px) {
   try {
     const cv::Mat whole = MaterialsOf(scene).color;

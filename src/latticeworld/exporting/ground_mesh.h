@@ -43,9 +43,6 @@ SurfaceMesh GroundMesh(const Terrain& terrain, const SurfaceLattice& lattice);
 // cuts them; empty where there is none.
 SurfaceMesh WaterMesh(const Terrain& terrain, const SurfaceLattice& lattice);
 
-// Greatest height between a lattice's surface and the ground at the centres of its cells [m].
-double GroundError(const Terrain& terrain, const SurfaceLattice& lattice);
-
 // JPEG of the ground's own colours, unlit, over the region, north up; its longer side is at most
 // most_px and no finer than the world's cells. Errors: INTERNAL (cannot be encoded).
 Result<std::string> GroundTexture(const Scene& scene, const ExportRegion& region, int most_px);

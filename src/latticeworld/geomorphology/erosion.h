@@ -40,18 +40,6 @@ struct ThermalOptions {
 void ErodeThermally(double resolution_m, const ThermalOptions& options, const Grid<float>* talus_of,
                     int threads, Grid<float>* height_m);
 
-// Rain drop by drop: each runs downhill, takes up soil where it is fast and drops it where it is
-// slow (Beyer 2015). For fine gullies. Mass stays but for what leaves the grid. The drops of one
-// batch see the same land and are added up in their order, so that the result is the same with any
-// number of threads.
-struct DropletOptions {
-  int droplets = 0;         // [0, 10^8]
-  double erosion = 0.3;     // (0, 1] of what a drop could still carry
-  double deposition = 0.3;  // (0, 1] of what it carries too much
-};
-void ErodeByDroplets(double resolution_m, const DropletOptions& options, std::uint64_t seed,
-                     int threads, Grid<float>* height_m);
-
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_GEOMORPHOLOGY_EROSION_H_

@@ -44,10 +44,6 @@ bool ObstacleLayer::IsInside(CellIndex cell) const {
          cell.col < corner_.col + cells_;
 }
 
-bool ObstacleLayer::HasInside(WorldPoint point) const {
-  return is_placed_ && IsInside(CellOf(point.x_m, point.y_m));
-}
-
 double ObstacleLayer::DistanceAt(WorldPoint point) const {
   const CellIndex cell = CellOf(point.x_m, point.y_m);
   if (!is_placed_ || !IsInside(cell)) return kInfinity;

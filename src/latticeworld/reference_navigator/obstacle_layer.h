@@ -41,7 +41,6 @@ class ObstacleLayer {
   // the window. Of the last Settle.
   static constexpr double kFar_m = 2.0;
   double DistanceAt(WorldPoint point) const;
-  bool HasInside(WorldPoint point) const;
   WorldPoint middle() const { return {middle_m_.x(), middle_m_.y()}; }
 
  private:

@@ -65,8 +65,4 @@ double GapBetween(const Footprint& a, const Footprint& b) {
   return gap_m;
 }
 
-double GapBetween(const Asset& a, const Asset& b) {
-  return GapBetween(FootprintOf(a), FootprintOf(b));
-}
-
 }  // namespace latticeworld

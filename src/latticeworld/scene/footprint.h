@@ -25,7 +25,6 @@ Footprint FootprintOf(const Asset& building);
 
 // Distance between the walls [m]; where the rectangles overlap minus the least way out.
 double GapBetween(const Footprint& a, const Footprint& b);
-double GapBetween(const Asset& a, const Asset& b);
 // Distance to the wall [m], negative inside.
 double GapTo(const Footprint& footprint, WorldPoint point);
 

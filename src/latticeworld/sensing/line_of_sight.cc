@@ -178,8 +178,4 @@ bool HasLineOfSight(const Scene& scene, const SceneChanges& changes, const Eigen
   return !AnyAssetHides(scene, changes, segment) && !GroundHides(scene.terrain->ground, segment);
 }
 
-bool HasLineOfSight(const Scene& scene, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  return HasLineOfSight(scene, SceneChanges(), from, to);
-}
-
 }  // namespace latticeworld

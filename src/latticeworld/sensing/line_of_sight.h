@@ -14,7 +14,6 @@ struct SceneChanges;
 // vertical cylinders of their trunk's radius, stones of their own, buildings oriented boxes; all
 // reach down into the ground. Crates, loose stones, posts and gates are the boxes around them.
 // Crowns, bushes, bridges and what is not solid hide nothing.
-bool HasLineOfSight(const Scene& scene, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 // After the (legal) changes: trees that fell or went hide nothing, props hide where they are.
 bool HasLineOfSight(const Scene& scene, const SceneChanges& changes, const Eigen::Vector3d& from,
                     const Eigen::Vector3d& to);

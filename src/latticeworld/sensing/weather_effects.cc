@@ -46,10 +46,6 @@ double LidarRange(const SensorConditions& conditions, double nominal_m) {
   return nominal_m * std::min(1.0, LambertW(depth) / depth);
 }
 
-double CameraContrast(const SensorConditions& conditions, double distance_m) {
-  return std::exp(-conditions.extinction_per_m * distance_m);
-}
-
 double SightRange(const Atmosphere& atmosphere) { return atmosphere.visibility_m; }
 
 }  // namespace latticeworld

@@ -24,10 +24,6 @@ SensorConditions ConditionsIn(const Atmosphere& atmosphere);
 // nominal_m]. nominal_m > 0.
 double LidarRange(const SensorConditions& conditions, double nominal_m);
 
-// Share of its contrast to the sky that a thing distance_m away keeps, (0, 1]: exp(-a d)
-// (Koschmieder 1924).
-double CameraContrast(const SensorConditions& conditions, double distance_m);
-
 // How far away an eye makes out a body against the land [m]: where 5 % of its contrast is left.
 double SightRange(const Atmosphere& atmosphere);
 

@@ -1,7 +1,6 @@
 #include "latticeworld/terrain/cover.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 #include "latticeworld/layout/class_letters.h"
@@ -45,15 +44,6 @@ SurfaceClass SurfaceOf(Vocabulary vocabulary, char letter) {
     default:
       return SurfaceClass::kGrass;
   }
-}
-
-Grid<SurfaceClass> SurfacesOf(Vocabulary vocabulary, const Grid<char>& letters) {
-  std::array<SurfaceClass, 256> table;
-  for (int i = 0; i < 256; ++i) table[i] = SurfaceOf(vocabulary, static_cast<char>(i));
-  Grid<SurfaceClass> surfaces(letters.rows(), letters.cols());
-  std::transform(letters.begin(), letters.end(), surfaces.begin(),
-                 [&table](char letter) { return table[static_cast<unsigned char>(letter)]; });
-  return surfaces;
 }
 
 Grid<unsigned char> MaskOf(char letter, const Grid<char>& letters) {

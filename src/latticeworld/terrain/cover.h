@@ -13,8 +13,6 @@ Grid<char> DominantLetters(const SmoothedMasks& masks);
 // What the ground of a class is made of, in both vocabularies.
 SurfaceClass SurfaceOf(Vocabulary vocabulary, char letter);
 
-Grid<SurfaceClass> SurfacesOf(Vocabulary vocabulary, const Grid<char>& letters);
-
 // 1 where the letter stands, else 0.
 Grid<unsigned char> MaskOf(char letter, const Grid<char>& letters);
 

@@ -106,8 +106,7 @@ TEST(PhraseBookTest, MistypedWordsKeepTheirFirstLetterAndShortWordsStay) {
   EXPECT_EQ(Mistyped(text, 0.0, &random), text);
 }
 
-TEST(PhraseBookTest, ListsAndNumbers) {
-  EXPECT_EQ(Listed({"a", "b", "c"}), "a, b and c");
+TEST(PhraseBookTest, NumbersAndCapitals) {
   EXPECT_EQ(NumberWord(7), "seven");
   EXPECT_EQ(NumberWord(40), "40");
   EXPECT_EQ(Capitalised("the"), "The");

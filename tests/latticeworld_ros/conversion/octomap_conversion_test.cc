@@ -10,6 +10,8 @@
 #include <sstream>
 #include <string>
 
+#include "mapping/octree/tree_data.h"
+
 namespace latticeworld {
 namespace {
 

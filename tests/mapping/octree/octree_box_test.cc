@@ -5,6 +5,7 @@
 
 #include "latticeworld/common/random.h"
 #include "latticeworld/mapping/octree/octree.h"
+#include "mapping/octree/tree_data.h"
 #include "mapping/scene_of_everything.h"
 #include "mapping/voxels_of.h"
 

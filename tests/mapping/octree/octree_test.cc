@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "latticeworld/common/random.h"
+#include "mapping/octree/tree_data.h"
 #include "mapping/scene_of_everything.h"
 #include "mapping/voxels_of.h"
 

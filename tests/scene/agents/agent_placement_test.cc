@@ -59,8 +59,9 @@ TEST(AgentPlacementTest, EveryGroupStandsLegallyInItsRegionWithLegalNames) {
     for (const AgentStart& agent : scene.agents) {
       EXPECT_TRUE(IsRosName(agent.name)) << agent.name;
       EXPECT_TRUE(names.insert(agent.name).second) << agent.name;
-      EXPECT_TRUE(
-          CheckSpawn(scene, agent.category, BodyRadius(agent.category), agent.position).ok());
+      EXPECT_TRUE(CheckSpawn(scene, scene.atmosphere, agent.category, BodyRadius(agent.category),
+                             agent.position)
+                      .ok());
       const bool flies = LocomotionOf(agent.category) == Locomotion::kWings;
       EXPECT_EQ(agent.height_above_ground_m > 0.0, flies);
       if (flies) {

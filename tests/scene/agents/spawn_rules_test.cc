@@ -44,8 +44,12 @@ TestGround Flooded(double depth_m) {
   return ground;
 }
 
+Status Check(const Scene& scene, AgentCategory category, double radius_m, WorldPoint position) {
+  return CheckSpawn(scene, scene.atmosphere, category, radius_m, position);
+}
+
 Status Check(const Scene& scene, AgentCategory category, WorldPoint position) {
-  return CheckSpawn(scene, category, BodyRadius(category), position);
+  return Check(scene, category, BodyRadius(category), position);
 }
 
 void ExpectRefused(const Status& status, StatusCode code, const std::string& word) {
@@ -71,7 +75,7 @@ TEST(SpawnRulesTest, TheBodyMustBeInsideTheWorld) {
     ExpectRefused(Check(scene, kRobot, outside), StatusCode::kOutOfRange, "inside the world");
   }
   for (const double radius_m : {0.0, -1.0, nan, 200.0, double{INFINITY}}) {
-    ExpectRefused(CheckSpawn(scene, kRobot, radius_m, {0.0, 0.0}), StatusCode::kOutOfRange,
+    ExpectRefused(Check(scene, kRobot, radius_m, {0.0, 0.0}), StatusCode::kOutOfRange,
                   "body radius");
   }
 }
@@ -153,12 +157,12 @@ TEST(SpawnRulesTest, TheWholeBodyIsLookedAtAndNotItsCentreAlone) {
     const Scene shore_scene = MakeScene(shore), shelf_scene = MakeScene(shelf),
                 foot_scene = MakeScene(foot);
     constexpr AgentCategory kHorse = AgentCategory::kHorse, kWhale = AgentCategory::kWhale;
-    EXPECT_FALSE(CheckSpawn(shore_scene, kHorse, 3.0, at(8.0)).ok());
-    EXPECT_TRUE(CheckSpawn(shore_scene, kHorse, 3.0, at(5.0)).ok());
-    EXPECT_FALSE(CheckSpawn(shelf_scene, kWhale, 3.0, at(8.0)).ok());
-    EXPECT_TRUE(CheckSpawn(shelf_scene, kWhale, 3.0, at(5.0)).ok());
-    EXPECT_FALSE(CheckSpawn(foot_scene, kHorse, 3.0, at(8.0)).ok());
-    EXPECT_TRUE(CheckSpawn(foot_scene, kHorse, 3.0, at(5.0)).ok());
+    EXPECT_FALSE(Check(shore_scene, kHorse, 3.0, at(8.0)).ok());
+    EXPECT_TRUE(Check(shore_scene, kHorse, 3.0, at(5.0)).ok());
+    EXPECT_FALSE(Check(shelf_scene, kWhale, 3.0, at(8.0)).ok());
+    EXPECT_TRUE(Check(shelf_scene, kWhale, 3.0, at(5.0)).ok());
+    EXPECT_FALSE(Check(foot_scene, kHorse, 3.0, at(8.0)).ok());
+    EXPECT_TRUE(Check(foot_scene, kHorse, 3.0, at(5.0)).ok());
   }
 }
 
@@ -188,7 +192,7 @@ TEST(SpawnRulesTest, WhatIsFoundIsInItsRegionLegalAndClearOfOthers) {
             EXPECT_EQ(place.status().code(), StatusCode::kNotFound);
             continue;
           }
-          EXPECT_TRUE(CheckSpawn(*answer.scene, category.value, radius_m, *place).ok());
+          EXPECT_TRUE(Check(*answer.scene, category.value, radius_m, *place).ok());
           EXPECT_TRUE(IsIn(region.value, answer.scene->geometry(), *place));
           for (const WorldPoint& other : taken) {
             EXPECT_GE(std::hypot(other.x_m - place->x_m, other.y_m - place->y_m), 2.0 * radius_m);

@@ -130,7 +130,7 @@ TEST_F(BuildingsTest, WallsKeepTheirDistanceAndTerracesTouch) {
     ASSERT_GT(buildings.size(), 3u) << "seed " << seed;
     for (std::size_t i = 0; i < buildings.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        const double gap_m = GapBetween(buildings[i], buildings[j]);
+        const double gap_m = GapBetween(FootprintOf(buildings[i]), FootprintOf(buildings[j]));
         if (gap_m >= kLeastWallGap_m - 1e-3) continue;
         ASSERT_NEAR(gap_m, 0.0, 0.02) << "seed " << seed;
         EXPECT_EQ(ModelName(scene, buildings[i]), "row house");
@@ -154,7 +154,9 @@ TEST_F(BuildingsTest, NoneStandsFarFromStreetsAndAllOthers) {
       const Footprint footprint = FootprintOf(buildings[i]);
       double nearest_m = INFINITY;
       for (std::size_t j = 0; j < buildings.size(); ++j) {
-        if (j != i) nearest_m = std::min(nearest_m, GapBetween(buildings[i], buildings[j]));
+        if (j != i)
+          nearest_m =
+              std::min(nearest_m, GapBetween(FootprintOf(buildings[i]), FootprintOf(buildings[j])));
       }
       for (int row = 0; row < geometry.rows(); ++row) {
         for (int col = 0; col < geometry.cols(); ++col) {

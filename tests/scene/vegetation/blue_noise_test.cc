@@ -7,6 +7,8 @@
 #include <cstring>
 #include <set>
 
+#include "scene/vegetation/even_points.h"
+
 namespace latticeworld {
 namespace {
 
@@ -37,7 +39,7 @@ TEST(BlueNoiseTest, PointsKeepTheirSpacingAndStayInside) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     RandomStream random(seed, "blue_noise_test");
     const double size_m = random.Uniform(16.0, 120.0), per_m2 = random.Uniform(0.005, 0.2);
-    const auto points = BlueNoise(size_m, per_m2, &random);
+    const auto points = EvenPoints(size_m, per_m2, random.NextBits());
     const double spacing_m = BlueNoiseSpacing(per_m2);
     for (std::size_t i = 0; i < points.size(); ++i) {
       ASSERT_LE(std::abs(points[i].x_m), 0.5 * size_m + 1e-4);
@@ -55,7 +57,7 @@ TEST(BlueNoiseTest, ThereAreAsManyAsAskedFor) {
     for (const double per_m2 : {0.006, 0.04, 0.11}) {
       RandomStream random(seed, "blue_noise_test");
       const double wanted = 400.0 * 400.0 * per_m2;
-      EXPECT_NEAR(BlueNoise(400.0, per_m2, &random).size(), wanted, 0.05 * wanted);
+      EXPECT_NEAR(EvenPoints(400.0, per_m2, random.NextBits()).size(), wanted, 0.05 * wanted);
     }
   }
 }
@@ -63,7 +65,7 @@ TEST(BlueNoiseTest, ThereAreAsManyAsAskedFor) {
 TEST(BlueNoiseTest, NoLargeHoleIsLeft) {
   RandomStream random(5, "blue_noise_test");
   const double spacing_m = BlueNoiseSpacing(0.04);
-  const auto points = BlueNoise(100.0, 0.04, &random);
+  const auto points = EvenPoints(100.0, 0.04, random.NextBits());
   for (int i = 0; i < 2000; ++i) {
     const double x_m = random.Uniform(-50.0, 50.0), y_m = random.Uniform(-50.0, 50.0);
     double nearest_m = INFINITY;

@@ -8,6 +8,7 @@
 
 #include "latticeworld/scene/vegetation/blue_noise.h"
 #include "scene/test_world.h"
+#include "scene/vegetation/even_points.h"
 
 namespace latticeworld {
 namespace {
@@ -133,7 +134,7 @@ TEST(TreesTest, TreesClumpInForestsAndMoreOnOpenLand) {
         256.0, 16.0);
     RandomStream random(seed, "plain");
     std::vector<Asset> plain;
-    for (const WorldPoint& point : BlueNoise(256.0, 0.08, &random)) {
+    for (const WorldPoint& point : EvenPoints(256.0, 0.08, random.NextBits())) {
       plain.push_back(Asset());
       plain.back().x_m = static_cast<float>(point.x_m);
       plain.back().y_m = static_cast<float>(point.y_m);

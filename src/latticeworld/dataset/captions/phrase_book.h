@@ -60,8 +60,6 @@ std::string FillPhrase(std::string_view phrase, const std::vector<Slot>& slots, 
 
 // The first letter in upper case; the letter before in lower case.
 std::string Capitalised(std::string text);
-// "a", "a and b", "a, b and c".
-std::string Listed(const std::vector<std::string>& words);
 // "seven"; from 13 on in digits.
 std::string NumberWord(int number);
 // `text` with one letter in so many swapped with its neighbour, doubled or left out, never the

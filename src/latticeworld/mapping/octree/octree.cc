@@ -95,10 +95,6 @@ Result<OctreeData> WriteAll(OctreeBytes::Format format, const VoxelPlan& plan, i
   return bytes.Join(plan);
 }
 
-OctreeData DataOf(std::string bytes, const octomap::OcTree& tree) {
-  return {std::vector<std::int8_t>(bytes.begin(), bytes.end()), tree.size()};
-}
-
 }  // namespace
 
 Status Validate(const OctreeOptions& options, const Scene& scene) {
@@ -133,18 +129,6 @@ Result<OctreeData> BuildFullData(const Scene& scene, const OctreeOptions& option
   LW_RETURN_IF_ERROR(ValidateAll(scene, options, changes, progress));
   return WriteAll(OctreeBytes::Format::kFull, VoxelPlan(scene, options, changes), options.threads,
                   progress);
-}
-
-OctreeData BinaryData(const octomap::OcTree& tree) {
-  std::ostringstream stream;
-  tree.writeBinaryData(stream);
-  return DataOf(std::move(stream).str(), tree);
-}
-
-OctreeData FullData(const octomap::OcTree& tree) {
-  std::ostringstream stream;
-  tree.writeData(stream);
-  return DataOf(std::move(stream).str(), tree);
 }
 
 std::string BinaryFile(const OctreeData& binary_data, double resolution_m) {

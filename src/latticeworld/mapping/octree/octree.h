@@ -70,9 +70,6 @@ Result<OctreeData> BuildBinaryData(const Scene& scene, const OctreeOptions& opti
 Result<OctreeData> BuildFullData(const Scene& scene, const OctreeOptions& options,
                                  const Progress& progress, const SceneChanges& changes = {});
 
-OctreeData BinaryData(const octomap::OcTree& tree);
-OctreeData FullData(const octomap::OcTree& tree);
-
 // A whole .bt file.
 std::string BinaryFile(const OctreeData& binary_data, double resolution_m);
 

@@ -23,9 +23,4 @@ Status CheckSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCategor
                     "): " + Describe(scene, category, body_radius_m, site));
 }
 
-Status CheckSpawn(const Scene& scene, AgentCategory category, double body_radius_m,
-                  WorldPoint position) {
-  return CheckSpawn(scene, scene.atmosphere, category, body_radius_m, position);
-}
-
 }  // namespace latticeworld

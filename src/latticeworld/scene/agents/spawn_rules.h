@@ -14,12 +14,10 @@ struct SceneChanges;
 // wheels and of at least 2 m for fins, on slopes of at most 35 degrees for legs and 30 for wheels.
 // Depth and slope are those of the centre and the rim of the body. Else OUT_OF_RANGE (place
 // outside, or a radius that is not positive or larger than half the world) or FAILED_PRECONDITION
-// that says why, with the figures found and allowed. atmosphere: of the moment, whose waters count;
-// none: the scene's own. changes: assets that do not stand are in nobody's way; null: all stand.
+// that says why, with the figures found and allowed. atmosphere: of the moment, whose waters count.
+// changes: assets that do not stand are in nobody's way; null: all stand.
 Status CheckSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
                   double body_radius_m, WorldPoint position, const SceneChanges* changes = nullptr);
-Status CheckSpawn(const Scene& scene, AgentCategory category, double body_radius_m,
-                  WorldPoint position);
 
 // A place for it in the region that passes CheckSpawn, at least 2 m and two radii away from the
 // `taken` places; prefers ground that suits the category (sheep: grass). Random tries, then a scan

@@ -225,17 +225,4 @@ double RankedBlueNoise::RankOf(std::uint32_t cell, std::uint64_t id) const {
   return before + (kShareUpTo[level] - before) * random.Uniform();
 }
 
-std::vector<WorldPoint> BlueNoise(double size_m, double per_m2, RandomStream* random) {
-  const RankedBlueNoise noise(
-      size_m, per_m2, random->NextBits(), [](WorldPoint, WorldPoint) { return 1.0; }, 1);
-  std::vector<WorldPoint> points;
-  points.reserve(static_cast<std::size_t>(size_m * size_m * per_m2 * 1.1) + 1);
-  for (int tile = 0; tile < noise.tiles(); ++tile) {
-    noise.ForEachIn(tile, [&](const RankedBlueNoise::Point& point) {
-      points.push_back({point.x_m, point.y_m});
-    });
-  }
-  return points;
-}
-
 }  // namespace latticeworld

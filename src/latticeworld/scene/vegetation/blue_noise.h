@@ -14,10 +14,6 @@ namespace latticeworld {
 // Least distance between the points of a full set of that density [m].
 double BlueNoiseSpacing(double per_m2);
 
-// Points over the whole world, about per_m2 of them a square metre (within 5 %, away from the
-// borders of tiny worlds), none closer to another than BlueNoiseSpacing. per_m2 > 0.
-std::vector<WorldPoint> BlueNoise(double size_m, double per_m2, RandomStream* random);
-
 // A Poisson-disk set with ranks: those of rank below p are about the share p of all, and evenly
 // spread too. So a density that varies over the world thins the set by comparing ranks, and keeps
 // its points apart where it is low.

@@ -39,7 +39,7 @@ TEST(AmbushTest, HidesAndLetsTheFarPassAndStrikesTheNear) {
   int hidden = 0, looks = 0;
   for (double x = -30.0; x <= 30.0; x += 3.0, ++looks) {
     const Eigen::Vector3d road(x, 0.0, 1.2), eye(hide.x_m, hide.y_m, goblin.species->eye_height_m);
-    hidden += HasLineOfSight(*world.Now().scene, road, eye) ? 0 : 1;
+    hidden += HasLineOfSight(*world.Now().scene, SceneChanges(), road, eye) ? 0 : 1;
   }
   EXPECT_GT(hidden, looks / 3) << "from much of the road it is not seen";
 
