@@ -84,12 +84,12 @@ class Placer {
     placed_.warnings.push_back(Quote(wish.words.empty() ? wish.kind : wish.words) + ": " + what);
   }
 
-  static Ground GroundOf(const ThingWish& wish) {
+  Ground GroundOf(const ThingWish& wish) const {
     const bool lies_in = wish.relation == ThingRelation::kIn;
     Ground ground;
     ground.is_pier = wish.kind == "pier";
-    ground.on_roads =
-        wish.position.has_value() || (lies_in && wish.target.letter == suburb_letter::kRoad);
+    ground.on_roads = wish.position.has_value() ||
+                      (lies_in && IsRoad(terrain_.weights.vocabulary, wish.target.letter));
     ground.in_water = ground.is_pier || (lies_in && wish.target.letter == class_letter::kWater);
     return ground;
   }

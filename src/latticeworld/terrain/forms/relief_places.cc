@@ -102,10 +102,12 @@ class Placer {
     return latticeworld::MaskOf(wish.zones[static_cast<std::size_t>(piece) % wish.zones.size()]);
   }
 
-  static bool CarriesBuilt(const ReliefWish& wish) {
-    return std::any_of(wish.ties.begin(), wish.ties.end(), [](const ReliefTie& tie) {
-      return tie.kind == ReliefTie::Kind::kUnder && tie.letter == suburb_letter::kBuilding;
-    });
+  bool IsBuiltOn(const ReliefTie& tie) const {
+    return tie.kind == ReliefTie::Kind::kUnder && IsBuilding(layout_.vocabulary, tie.letter);
+  }
+  bool CarriesBuilt(const ReliefWish& wish) const {
+    return std::any_of(wish.ties.begin(), wish.ties.end(),
+                       [this](const ReliefTie& tie) { return IsBuiltOn(tie); });
   }
 
   // How far what is built on a form or in it reaches [m].
@@ -113,10 +115,7 @@ class Placer {
     int most = 0;
     for (const ReliefTie& tie : wish.ties) {
       const LayoutMask cells = CellsOf(tie);
-      if (tie.kind != ReliefTie::Kind::kUnder || tie.letter != suburb_letter::kBuilding ||
-          cells.empty()) {
-        continue;
-      }
+      if (!IsBuiltOn(tie) || cells.empty()) continue;
       most = std::max(most, cells.Pieces().front().count());
     }
     return std::sqrt(most / M_PI) * cell_m_;
