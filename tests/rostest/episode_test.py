@@ -20,12 +20,20 @@ from world_client import TIMEOUT_S, Collector, ServerTest, run, service, wait_un
 FILLER_BYTES = 1 << 20
 
 
+def listeners(publisher):
+    """The names of the nodes that are connected with a publisher."""
+    return {connection.endpoint_id for connection in publisher.impl.connections}
+
+
 class EpisodeTest(ServerTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
         cls.recorder = Recorder()
         cls.set_weather = service("set_weather", srv.SetWeather)
+        # One publisher for all episodes: a recorder takes part in a topic that is there when it begins
+        # before start_episode answers, and in a later one some time after its first message.
+        cls.command = rospy.Publisher("/robot/cmd_vel", Twist, queue_size=10)
         cls.world.generate(**FIELD)
 
     def setUp(self):
@@ -46,13 +54,12 @@ class EpisodeTest(ServerTest):
 
     def drive(self, steps, forward=0.8):
         """The robot, by its topic."""
-        publisher = rospy.Publisher("/robot/cmd_vel", Twist, queue_size=10)
-        wait_until(lambda: publisher.get_num_connections() > 0, "the robot listens")
+        wait_until(lambda: "/world_server" in listeners(self.command), "the robot listens")
         for _ in range(steps // 20):
             command = Twist()
             command.linear.x = forward
             command.angular.z = 0.3
-            publisher.publish(command)
+            self.command.publish(command)
             self.assert_ok(self.world.step(steps=20))
 
     def battle(self):
