@@ -53,7 +53,7 @@ std::shared_ptr<Terrain> MakeTerrain(const SymbolicLayout& layout, const GridGeo
     }
   }
   terrain->ground = HeightField(geometry, std::move(height_m));
-  terrain->weights = DecodeLayout(layout, geometry, DecodeOptions(), 5);
+  terrain->weights = ToWeights(DecodeLayout(layout, geometry, DecodeOptions(), 5).masks);
   return terrain;
 }
 

@@ -109,7 +109,6 @@ TEST(MatchersTest, TakeAnyText) {
       EXPECT_LE(MatchPlace(tokens, at).tokens, tokens.size() - at);
       EXPECT_LE(MatchShare(tokens, at).tokens, tokens.size() - at);
       EXPECT_LE(MatchCount(tokens, at).tokens, tokens.size() - at);
-      (void)LayoutSpelling().Correct(tokens[at].text);
     }
   }
 }

@@ -12,6 +12,12 @@
 namespace latticeworld {
 namespace {
 
+// Corrects to the words that layouts know, and leaves common English alone.
+const SpellingDictionary& LayoutSpelling() {
+  static const SpellingDictionary dictionary(LayoutWords(), CommonEnglishWords());
+  return dictionary;
+}
+
 std::string Corrected(const SpellingDictionary& dictionary, std::string_view word) {
   return std::string(dictionary.Correct(word).value_or("-"));
 }

@@ -16,8 +16,8 @@ TEST(DecodeLayoutTest, WeightsSumToOneInEveryCell) {
   for (const int cells : {32, 100, 257}) {
     const GridGeometry geometry = GridGeometry::FromCells(cells, 128.0);
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
-      const ClassWeights weights =
-          DecodeLayout(Random(Vocabulary::kSuburb, seed), geometry, DecodeOptions(), seed);
+      const ClassWeights weights = ToWeights(
+          DecodeLayout(Random(Vocabulary::kSuburb, seed), geometry, DecodeOptions(), seed).masks);
       for (int row = 0; row < cells; ++row) {
         for (int col = 0; col < cells; ++col) {
           float sum = 0.0f;
@@ -34,8 +34,10 @@ TEST(DecodeLayoutTest, WeightsSumToOneInEveryCell) {
 }
 
 TEST(DecodeLayoutTest, OnlyClassesOfTheLayoutHaveWeights) {
-  const ClassWeights weights = DecodeLayout(Uniform(Vocabulary::kWild, 'F'),
-                                            GridGeometry::FromCells(64, 64.0), DecodeOptions(), 1);
+  const ClassWeights weights =
+      ToWeights(DecodeLayout(Uniform(Vocabulary::kWild, 'F'), GridGeometry::FromCells(64, 64.0),
+                             DecodeOptions(), 1)
+                    .masks);
   ASSERT_EQ(weights.classes.size(), 1u);
   EXPECT_NE(weights.Find('F'), nullptr);
   EXPECT_EQ(weights.Find('W'), nullptr);
@@ -46,7 +48,8 @@ TEST(DecodeLayoutTest, AwayFromBordersTheLetterRules) {
   Fill(&layout, {8, 8}, {23, 23}, 'F');
   const GridGeometry geometry = GridGeometry::FromCells(512, 512.0);
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const ClassWeights weights = DecodeLayout(layout, geometry, DecodeOptions(), seed);
+    const ClassWeights weights =
+        ToWeights(DecodeLayout(layout, geometry, DecodeOptions(), seed).masks);
     for (int row = 0; row < 512; row += 3) {
       for (int col = 0; col < 512; col += 3) {
         const bool at_border = (row > 110 && row < 400 && col > 110 && col < 400) &&
@@ -67,7 +70,7 @@ TEST(DecodeLayoutTest, WithoutNoiseAStraightBorderLiesInItsPlaceAndIsAsWideAsAsk
   Fill(&upper, {0, 0}, {11, 31}, 'W');
   Fill(&left, {0, 0}, {31, 11}, 'W');
   for (const SymbolicLayout& layout : {upper, left}) {
-    const ClassWeights weights = DecodeLayout(layout, geometry, options, 1);
+    const ClassWeights weights = ToWeights(DecodeLayout(layout, geometry, options, 1).masks);
     int blended = 0;
     for (int i = 0; i < 512; ++i) {
       const CellIndex cell = layout.cells(0, 31) == 'W' ? CellIndex{i, 300} : CellIndex{300, i};
@@ -84,9 +87,9 @@ TEST(DecodeLayoutTest, ABorderIsBlendedAndChangesWithTheSeed) {
   SymbolicLayout layout = Uniform(Vocabulary::kWild, 'B');
   Fill(&layout, {0, 16}, {31, 31}, 'S');
   const GridGeometry geometry = GridGeometry::FromCells(256, 256.0);
-  const ClassWeights first = DecodeLayout(layout, geometry, DecodeOptions(), 1);
-  const ClassWeights again = DecodeLayout(layout, geometry, DecodeOptions(), 1);
-  const ClassWeights other = DecodeLayout(layout, geometry, DecodeOptions(), 2);
+  const ClassWeights first = ToWeights(DecodeLayout(layout, geometry, DecodeOptions(), 1).masks);
+  const ClassWeights again = ToWeights(DecodeLayout(layout, geometry, DecodeOptions(), 1).masks);
+  const ClassWeights other = ToWeights(DecodeLayout(layout, geometry, DecodeOptions(), 2).masks);
   EXPECT_EQ(*first.Find('S'), *again.Find('S'));
   EXPECT_NE(*first.Find('S'), *other.Find('S'));
   int blended = 0;
@@ -101,7 +104,8 @@ TEST(DecodeLayoutTest, ARoadOneCellWideStaysConnectedInItsPlace) {
   for (int step = 8; step < 32; step += 8) layout.cells(step, 10 + step / 8 - 1) = 'R';
   const GridGeometry geometry = GridGeometry::FromCells(512, 512.0);
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const ClassWeights weights = DecodeLayout(layout, geometry, DecodeOptions(), seed);
+    const ClassWeights weights =
+        ToWeights(DecodeLayout(layout, geometry, DecodeOptions(), seed).masks);
     for (int row = 0; row < 512; ++row) {
       int width = 0;
       for (int col = 130; col < 256; ++col) width += weights.DominantAt({row, col}) == 'R';
@@ -143,8 +147,8 @@ TEST(DecodeLayoutTest, ARiverThatRunsDiagonallyIsOneRiver) {
     SymbolicLayout layout = Uniform(Vocabulary::kSuburb, 'G');
     for (int i = 0; i < 32; ++i) layout.cells(i, falls ? i : 31 - i) = 'W';
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
-      const ClassWeights weights =
-          DecodeLayout(layout, GridGeometry::FromCells(512, 512.0), DecodeOptions(), seed);
+      const ClassWeights weights = ToWeights(
+          DecodeLayout(layout, GridGeometry::FromCells(512, 512.0), DecodeOptions(), seed).masks);
       int all = 0;
       const int connected = ConnectedCells(weights, 'W', &all);
       EXPECT_GT(connected, 0.99 * all) << "seed " << seed << (falls ? ", falls" : ", rises");
@@ -162,8 +166,8 @@ TEST(DecodeLayoutTest, ARoadThatMeetsARiverInACornerGoesOverIt) {
   }
   layout.cells(16, 16) = layout.cells(15, 15) = 'W';
   layout.cells(15, 16) = layout.cells(16, 15) = 'R';
-  const ClassWeights weights =
-      DecodeLayout(layout, GridGeometry::FromCells(512, 512.0), DecodeOptions(), 1);
+  const ClassWeights weights = ToWeights(
+      DecodeLayout(layout, GridGeometry::FromCells(512, 512.0), DecodeOptions(), 1).masks);
   int all = 0;
   EXPECT_GT(ConnectedCells(weights, 'R', &all), 0.99 * all);
 }

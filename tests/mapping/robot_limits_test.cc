@@ -60,7 +60,8 @@ double ReferenceCost(const Scene& scene, const RobotLimits& limits, int row, int
   const double max_step_m =
       std::max(limits.max_step_m, std::tan(limits.max_slope_rad) * resolution_m);
   const SurfaceProperties ground =
-      PropertiesOf(scene.terrain->surface(row, col), scene.atmosphere.ground());
+      Weathered(scene.terrain->surface(row, col), DryPropertiesOf(scene.terrain->surface(row, col)),
+                scene.atmosphere.ground());
   const double steepest_rad = std::min(
       limits.max_slope_rad, std::atan(limits.grip * ground.friction -
                                       (limits.on_wheels ? ground.rolling_resistance : 0.0)));

@@ -9,7 +9,8 @@ TEST(SurfaceTableTest, IsTheSurfacesThemselvesWithoutValues) {
   const Scene scene;
   const SurfaceTable table(scene, {0.5, 0.01, 0.0});
   for (const auto& surface : EnumNames(SurfaceClass{})) {
-    const SurfaceProperties own = PropertiesOf(surface.value, {0.5, 0.01, 0.0});
+    const SurfaceProperties own =
+        Weathered(surface.value, DryPropertiesOf(surface.value), {0.5, 0.01, 0.0});
     EXPECT_EQ(table.Of(surface.value).friction, own.friction) << surface.name;
     EXPECT_EQ(table.Of(surface.value).cone_index_kpa, own.cone_index_kpa) << surface.name;
   }

@@ -24,7 +24,8 @@ std::vector<GroundState> ManyStates() {
 TEST(SurfaceTest, EveryFrictionIsPlausibleInEveryState) {
   for (const auto& surface : EnumNames(SurfaceClass{})) {
     for (const GroundState& state : ManyStates()) {
-      const SurfaceProperties properties = PropertiesOf(surface.value, state);
+      const SurfaceProperties properties =
+          Weathered(surface.value, DryPropertiesOf(surface.value), state);
       EXPECT_GE(properties.friction, 0.1) << surface.name;
       EXPECT_LE(properties.friction, 0.9) << surface.name;
       EXPECT_GT(properties.rolling_resistance, 0.0) << surface.name;
@@ -42,16 +43,20 @@ TEST(SurfaceTest, MoreWaterOrSnowNeverHelps) {
       for (GroundState more :
            {GroundState{state.wetness + 0.2, state.snow_depth_m, state.blown_sand},
             GroundState{state.wetness, state.snow_depth_m + 0.02, state.blown_sand}}) {
-        const SurfaceProperties here = PropertiesOf(surface.value, state);
-        const SurfaceProperties there = PropertiesOf(surface.value, more);
+        const SurfaceProperties here =
+            Weathered(surface.value, DryPropertiesOf(surface.value), state);
+        const SurfaceProperties there =
+            Weathered(surface.value, DryPropertiesOf(surface.value), more);
         EXPECT_LE(there.friction, here.friction + 1e-12) << surface.name;
         EXPECT_GE(there.rolling_resistance, here.rolling_resistance - 1e-12) << surface.name;
         EXPECT_LE(there.cone_index_kpa, here.cone_index_kpa + 1e-9) << surface.name;
       }
     }
-    const double dry = PropertiesOf(surface.value, {}).friction;
-    const double wet = PropertiesOf(surface.value, {1.0, 0.0, 0.0}).friction;
-    const double snowy = PropertiesOf(surface.value, {1.0, 0.1, 0.0}).friction;
+    const double dry = Weathered(surface.value, DryPropertiesOf(surface.value), {}).friction;
+    const double wet =
+        Weathered(surface.value, DryPropertiesOf(surface.value), {1.0, 0.0, 0.0}).friction;
+    const double snowy =
+        Weathered(surface.value, DryPropertiesOf(surface.value), {1.0, 0.1, 0.0}).friction;
     EXPECT_EQ(wet < dry, !stays) << surface.name;
     EXPECT_EQ(snowy < wet, !stays) << surface.name;
   }
@@ -59,10 +64,11 @@ TEST(SurfaceTest, MoreWaterOrSnowNeverHelps) {
 
 TEST(SurfaceTest, NothingJumpsAsTheGroundGetsWetterOrSnowCovered) {
   for (const auto& surface : EnumNames(SurfaceClass{})) {
-    SurfaceProperties before = PropertiesOf(surface.value, {});
+    SurfaceProperties before = Weathered(surface.value, DryPropertiesOf(surface.value), {});
     for (int i = 1; i <= 2000; ++i) {
       const double share = i / 2000.0;
-      const SurfaceProperties now = PropertiesOf(surface.value, {share, 0.5 * share, share});
+      const SurfaceProperties now =
+          Weathered(surface.value, DryPropertiesOf(surface.value), {share, 0.5 * share, share});
       EXPECT_NEAR(now.friction, before.friction, 0.01) << surface.name;
       EXPECT_NEAR(now.rolling_resistance, before.rolling_resistance, 0.001) << surface.name;
       EXPECT_NEAR(now.cone_index_kpa, before.cone_index_kpa, 15.0) << surface.name;
@@ -82,8 +88,9 @@ TEST(SurfaceTest, RoadsRollEasiestAndGripBest) {
 
 TEST(SurfaceTest, SoilSoftensWhenWetAndPavingDoesNot) {
   for (const auto& surface : EnumNames(SurfaceClass{})) {
-    const double dry = PropertiesOf(surface.value, {}).cone_index_kpa;
-    const double wet = PropertiesOf(surface.value, {1.0, 0.0, 0.0}).cone_index_kpa;
+    const double dry = Weathered(surface.value, DryPropertiesOf(surface.value), {}).cone_index_kpa;
+    const double wet =
+        Weathered(surface.value, DryPropertiesOf(surface.value), {1.0, 0.0, 0.0}).cone_index_kpa;
     EXPECT_GE(dry, 50.0) << surface.name;  // carries a light robot
     EXPECT_LE(dry, kHardConeIndex_kPa) << surface.name;
     const bool stays = dry == kHardConeIndex_kPa || StaysAsItIs(surface.value);
@@ -94,10 +101,14 @@ TEST(SurfaceTest, SoilSoftensWhenWetAndPavingDoesNot) {
 
 TEST(SurfaceTest, ThinSnowTakesTheGripAndLeavesTheGroundFirm) {
   const SurfaceProperties bare = DryPropertiesOf(SurfaceClass::kRoad);
-  const SurfaceProperties covered = PropertiesOf(SurfaceClass::kRoad, {0.0, 0.05, 0.0});
+  const SurfaceProperties covered =
+      Weathered(SurfaceClass::kRoad, DryPropertiesOf(SurfaceClass::kRoad), {0.0, 0.05, 0.0});
   EXPECT_LT(covered.friction, 0.4 * bare.friction);
   EXPECT_GT(covered.cone_index_kpa, 1000.0);
-  EXPECT_NEAR(PropertiesOf(SurfaceClass::kGrass, {0.0, 0.5, 0.0}).friction, 0.2, 1e-6);
+  EXPECT_NEAR(
+      Weathered(SurfaceClass::kGrass, DryPropertiesOf(SurfaceClass::kGrass), {0.0, 0.5, 0.0})
+          .friction,
+      0.2, 1e-6);
 }
 
 TEST(SurfaceTest, WhatIsSlipperierThanSnowStaysSo) {

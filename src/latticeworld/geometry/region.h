@@ -49,10 +49,6 @@ struct UnitBox {
 
 // One ninth of the unit square; all of it for kAnywhere.
 UnitBox BoxOf(Region region);
-// The ninth that holds the point (points outside: the nearest ninth). Never kAnywhere.
-Region RegionAt(const GridGeometry& geometry, WorldPoint point);
-// True for every point with kAnywhere.
-bool IsIn(Region region, const GridGeometry& geometry, WorldPoint point);
 
 }  // namespace latticeworld
 

@@ -72,9 +72,4 @@ const std::vector<std::string_view>& CommonEnglishWords() {
   return words;
 }
 
-const SpellingDictionary& LayoutSpelling() {
-  static const SpellingDictionary dictionary(LayoutWords(), CommonEnglishWords());
-  return dictionary;
-}
-
 }  // namespace latticeworld

@@ -53,9 +53,6 @@ class SpellingDictionary {
 const std::vector<std::string_view>& LayoutWords();
 // data/english_words.txt.
 const std::vector<std::string_view>& CommonEnglishWords();
-// Corrects to LayoutWords(), leaves CommonEnglishWords() alone. For the words of a parser of its
-// own, make a dictionary of these lists and those words.
-const SpellingDictionary& LayoutSpelling();
 
 }  // namespace latticeworld
 

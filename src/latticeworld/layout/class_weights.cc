@@ -122,8 +122,8 @@ ClassWeights ToWeights(const SmoothedMasks& masks) {
   return weights;
 }
 
-DecodedLayout DecodeLayoutWithLines(const SymbolicLayout& layout, const GridGeometry& geometry,
-                                    const DecodeOptions& options, std::uint64_t seed) {
+DecodedLayout DecodeLayout(const SymbolicLayout& layout, const GridGeometry& geometry,
+                           const DecodeOptions& options, std::uint64_t seed) {
   const double blend_width_m =
       options.blend_width_m > 0.0 ? options.blend_width_m : 0.5 * geometry.size_m() / kLayoutSize;
   Stretched stretched =
@@ -149,11 +149,6 @@ DecodedLayout DecodeLayoutWithLines(const SymbolicLayout& layout, const GridGeom
   decoded.to_road_center_rows = std::move(stretched.to_road_center_rows);
   decoded.to_road_center_cols = std::move(stretched.to_road_center_cols);
   return decoded;
-}
-
-ClassWeights DecodeLayout(const SymbolicLayout& layout, const GridGeometry& geometry,
-                          const DecodeOptions& options, std::uint64_t seed) {
-  return ToWeights(DecodeLayoutWithLines(layout, geometry, options, seed).masks);
 }
 
 }  // namespace latticeworld

@@ -32,15 +32,7 @@ struct DecodeOptions {
   bool fords = false;            // roads ford narrow rivers; else below roads over water is water
 };
 
-// Psi_L (Duan et al.): binary mask per class, stretched to the grid by nearest neighbour, borders
-// displaced by noise and blended by a Gaussian. Beyond the method, rivers and roads are drawn as
-// curves along the middles of their cells: they stay connected where cells touch with their corners
-// only, rivers meander, and beside them lies what lies beside their cells. The same seed gives the
-// same weights.
-ClassWeights DecodeLayout(const SymbolicLayout& layout, const GridGeometry& geometry,
-                          const DecodeOptions& options, std::uint64_t seed);
-
-// The masks of Psi_L as they come out of the blur.
+// The masks of Psi_L (DecodeLayout) as they come out of the blur.
 struct SmoothedMask {
   char letter;
   Grid<float>
@@ -61,8 +53,14 @@ struct DecodedLayout {
   Grid<float> to_road_center_rows;  // from near a road to its centre line [cells]; 0 far from roads
   Grid<float> to_road_center_cols;  // and within areas of road
 };
-DecodedLayout DecodeLayoutWithLines(const SymbolicLayout& layout, const GridGeometry& geometry,
-                                    const DecodeOptions& options, std::uint64_t seed);
+
+// Psi_L (Duan et al.): binary mask per class, stretched to the grid by nearest neighbour, borders
+// displaced by noise and blended by a Gaussian. Beyond the method, rivers and roads are drawn as
+// curves along the middles of their cells: they stay connected where cells touch with their corners
+// only, rivers meander, and beside them lies what lies beside their cells. The same seed gives the
+// same masks.
+DecodedLayout DecodeLayout(const SymbolicLayout& layout, const GridGeometry& geometry,
+                           const DecodeOptions& options, std::uint64_t seed);
 
 }  // namespace latticeworld
 

@@ -4,11 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "latticeworld/common/result.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/mapping/bridge_decks.h"
 #include "latticeworld/scene/scene.h"
-#include "latticeworld/scene/surface_table.h"
 
 namespace latticeworld {
 namespace {
@@ -38,33 +36,6 @@ Status CheckInside(const GridGeometry& geometry, WorldPoint point, const char* w
   return Status(StatusCode::kOutOfRange, std::string(what) + " " + InWords(point) +
                                              " is outside the world, which reaches from -" + half +
                                              " to " + half + " m in x and y");
-}
-
-Status CheckPlace(const NavigableMap& map, const Scene& scene, const RobotLimits& limits,
-                  WorldPoint point, const char* what, const SceneChanges& changes) {
-  LW_RETURN_IF_ERROR(CheckInside(map.geometry(), point, what));
-  if (map.IsFree(point)) return Status();
-  const std::string place = std::string(what) + " " + InWords(point);
-  const double depth = scene.terrain->WaterDepthAt(point);
-  if (depth > limits.max_fording_depth_m)
-    return FailedPrecondition(place + " is in water " + FormatDouble(depth) +
-                              " m deep; the robot fords " +
-                              FormatDouble(limits.max_fording_depth_m) + " m");
-  const double slope = scene.terrain->ground.SlopeAt(point);
-  const SurfaceClass surface = scene.terrain->SurfaceAt(point);
-  const double holds =
-      ClimbableSlope(SurfacesIn(scene, changes).Of(surface), limits.grip, limits.on_wheels);
-  if (slope > holds && holds < limits.max_slope_rad)
-    return FailedPrecondition(place + " is on a slope of " + FormatDouble(slope) + " rad of " +
-                              std::string(NameOf(surface)) + ", which " +
-                              (holds > 0.0 ? "holds the robot up to " + FormatDouble(holds) + " rad"
-                                           : "does not carry the robot"));
-  if (slope > limits.max_slope_rad)
-    return FailedPrecondition(place + " is on a slope of " + FormatDouble(slope) +
-                              " rad; the robot climbs " + FormatDouble(limits.max_slope_rad) +
-                              " rad");
-  return FailedPrecondition(place + " is in or too near an obstacle for a robot of radius " +
-                            FormatDouble(limits.radius_m) + " m");
 }
 
 SurfaceLine MeasureLine(const NavigableMap& map, WorldPoint from, WorldPoint to) {

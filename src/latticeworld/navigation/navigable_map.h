@@ -34,12 +34,6 @@ NavigableMap BuildNavigableMap(const Scene& scene, const RobotLimits& limits,
 // goal").
 Status CheckInside(const GridGeometry& geometry, WorldPoint point, const char* what);
 
-// OK where the robot can be; else says in words why not, beginning with `what`: as CheckInside, and
-// FAILED_PRECONDITION (in water too deep, on ground too steep for it or for what that ground holds,
-// or in or too near an obstacle). changes: those of the map.
-Status CheckPlace(const NavigableMap& map, const Scene& scene, const RobotLimits& limits,
-                  WorldPoint point, const char* what, const SceneChanges& changes = {});
-
 // A straight line in plan, measured on the surface.
 struct SurfaceLine {
   bool is_free = false;  // the robot can go along it; the rest counts only then

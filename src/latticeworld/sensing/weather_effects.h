@@ -19,11 +19,6 @@ struct SensorConditions {
 // the two lengths are estimates for automotive lidars).
 SensorConditions ConditionsIn(const Atmosphere& atmosphere);
 
-// Range at which a lidar still gets as strong an echo from the same surface as in air without
-// extinction from nominal_m away: r^2 exp(2 a r) = nominal^2, solved by Lambert's W. In (0,
-// nominal_m]. nominal_m > 0.
-double LidarRange(const SensorConditions& conditions, double nominal_m);
-
 // How far away an eye makes out a body against the land [m]: where 5 % of its contrast is left.
 double SightRange(const Atmosphere& atmosphere);
 

@@ -91,10 +91,6 @@ SurfaceProperties Weathered(SurfaceClass surface, const SurfaceProperties& dry,
   return properties;
 }
 
-SurfaceProperties PropertiesOf(SurfaceClass surface, const GroundState& state) {
-  return Weathered(surface, DryPropertiesOf(surface), state);
-}
-
 double ClimbableSlope(const SurfaceProperties& surface, double grip, bool on_wheels) {
   return std::atan(grip * surface.friction - (on_wheels ? surface.rolling_resistance : 0.0));
 }

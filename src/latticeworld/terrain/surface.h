@@ -63,10 +63,6 @@ SurfaceProperties DryPropertiesOf(SurfaceClass surface);
 SurfaceProperties Weathered(SurfaceClass surface, const SurfaceProperties& dry,
                             const GroundState& state);
 
-// Weathered(surface, DryPropertiesOf(surface), state). What the values of a world's environment
-// make of a surface is scene/surface_table.h.
-SurfaceProperties PropertiesOf(SurfaceClass surface, const GroundState& state);
-
 // Steepest slope [rad] that a body climbs without slipping, (-pi/2, pi/2): arctan of what its feet
 // or wheels push with, grip times the friction, less what wheels lose to rolling. Below 0: wheels
 // do not even start on level ground. grip: > 0.

@@ -149,8 +149,8 @@ struct LatticeLayout {
 
 LatticeLayout PutOnLattice(const TerrainRequest& request) {
   const GridGeometry lattice = internal::LatticeOf(request.geometry);
-  DecodedLayout lines = DecodeLayoutWithLines(
-      *request.layout, lattice, BorderOptions(lattice, request.options.fords), request.seed);
+  DecodedLayout lines = DecodeLayout(*request.layout, lattice,
+                                     BorderOptions(lattice, request.options.fords), request.seed);
   Grid<char> letters = internal::DominantLetters(lines.masks);
   const bool lone_is_still = request.relief == nullptr;
   internal::WaterBodies water =

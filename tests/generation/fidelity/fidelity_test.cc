@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "generation/test_world.h"
 #include "latticeworld/generation/bundle/replies_json.h"
@@ -27,11 +30,21 @@ EnvironmentConfig Autumn() {
 FidelityReport Assess(const std::string& layout_instruction,
                       const std::string& environment_instruction, const SymbolicLayout& layout,
                       const EnvironmentConfig& environment) {
-  const auto report =
-      ReadAndAssess(MakeRuleReader().get(), layout_instruction, environment_instruction, layout,
-                    environment, Catalogue::BuiltIn());
-  EXPECT_TRUE(report.ok()) << report.status().ToString();
-  return *report;
+  const std::unique_ptr<InstructionReader> reader = MakeRuleReader();
+  std::vector<ModelReply> replies;
+  LayoutRequest layout_request;
+  layout_request.instruction = layout_instruction;
+  layout_request.vocabulary = layout.vocabulary;
+  const auto layout_reading = reader->ReadLayout(layout_request, Progress(), &replies);
+  EnvironmentRequest environment_request;
+  environment_request.instruction = environment_instruction;
+  environment_request.layout = &layout;
+  environment_request.catalogue = Catalogue::BuiltIn();
+  const auto environment_reading =
+      reader->ReadEnvironment(environment_request, Progress(), &replies);
+  EXPECT_TRUE(layout_reading.ok()) << layout_reading.status().ToString();
+  EXPECT_TRUE(environment_reading.ok()) << environment_reading.status().ToString();
+  return AssessFidelity(*layout_reading, *environment_reading, layout, environment);
 }
 
 TEST(FidelityTest, MeasuresWhatTheWordsSayAndNotWhoAnswered) {

@@ -57,7 +57,7 @@ TEST(ThematicMapTest, ClassesHaveTheColoursOfTheirVocabulary) {
   for (int row = 0; row < kLayoutSize; ++row) text += std::string(kLayoutSize, 'F') + "\n";
   const auto forest = ParseLayout(text, Vocabulary::kWild);
   ASSERT_TRUE(forest.ok());
-  terrain->weights = DecodeLayout(*forest, scene.geometry(), DecodeOptions(), 1);
+  terrain->weights = ToWeights(DecodeLayout(*forest, scene.geometry(), DecodeOptions(), 1).masks);
   scene.terrain = terrain;
   const Rgb rgb = FindClass(Vocabulary::kWild, 'F')->color;
   const cv::Scalar color =

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "geometry/in_region.h"
 #include "latticeworld/geometry/region.h"
 #include "latticeworld/scene/agents/spawn_rules.h"
 #include "scene/test_world.h"

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "geometry/in_region.h"
 #include "latticeworld/geometry/region.h"
 #include "scene/test_world.h"
 

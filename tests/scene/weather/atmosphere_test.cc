@@ -107,8 +107,11 @@ TEST(AtmosphereTest, StrongerWeatherIsThickerWetterAndWindier) {
       EXPECT_GE(now.wind_mps.norm(), before.wind_mps.norm() - 1e-12);
       EXPECT_GE(now.cloud_cover, before.cloud_cover);
       EXPECT_LE(now.sun_intensity, before.sun_intensity);
-      EXPECT_LE(PropertiesOf(SurfaceClass::kRoad, now.ground()).friction,
-                PropertiesOf(SurfaceClass::kRoad, before.ground()).friction);
+      EXPECT_LE(
+          Weathered(SurfaceClass::kRoad, DryPropertiesOf(SurfaceClass::kRoad), now.ground())
+              .friction,
+          Weathered(SurfaceClass::kRoad, DryPropertiesOf(SurfaceClass::kRoad), before.ground())
+              .friction);
       before = now;
     }
   }

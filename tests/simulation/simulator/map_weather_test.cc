@@ -91,8 +91,9 @@ TEST(MapWeatherTest, ARobotClimbsWhatTheMapLeavesOpenAndNotWhatItCloses) {
   limits.grip = robot.grip;
   for (const GroundState& ground :
        {GroundState{0.0, 0.03, 0.0}, GroundState{0.0, 0.3, 0.0}, GroundState{1.0, 0.0, 0.0}}) {
-    const double holds_rad =
-        ClimbableSlope(PropertiesOf(SurfaceClass::kGrass, ground), robot.grip, true);
+    const double holds_rad = ClimbableSlope(
+        Weathered(SurfaceClass::kGrass, DryPropertiesOf(SurfaceClass::kGrass), ground), robot.grip,
+        true);
     SCOPED_TRACE(testing::Message() << "wetness " << ground.wetness << ", snow "
                                     << ground.snow_depth_m << " m: holds " << holds_rad << " rad");
     SceneChanges changes;

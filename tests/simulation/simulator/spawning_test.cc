@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "geometry/in_region.h"
 #include "latticeworld/scene/props/props.h"
 #include "simulation/test_scene.h"
 

@@ -119,17 +119,6 @@ Result<Readings> ReadBoth(InstructionReader* reader, std::string_view layout_ins
 
 Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view layout_instruction,
                                      std::string_view environment_instruction,
-                                     const SymbolicLayout& layout,
-                                     const EnvironmentConfig& environment,
-                                     std::shared_ptr<const Catalogue> catalogue) {
-  LW_ASSIGN_OR_RETURN(
-      const Readings readings,
-      ReadBoth(reader, layout_instruction, environment_instruction, layout, std::move(catalogue)));
-  return AssessFidelity(readings.layout, readings.environment, layout, environment);
-}
-
-Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view layout_instruction,
-                                     std::string_view environment_instruction,
                                      std::string_view things, const SymbolicLayout& layout,
                                      const Scene& scene) {
   LW_ASSIGN_OR_RETURN(

@@ -66,14 +66,8 @@ FidelityReport AssessLayoutFidelity(const LayoutReading& reading, const Symbolic
 // Adds the claims of single things, which stand once there is a scene, after those of the layout.
 void AddThings(const std::vector<ThingOutcome>& things, FidelityReport* report);
 
-// Reads both instructions first. Errors: the reader's.
-Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view layout_instruction,
-                                     std::string_view environment_instruction,
-                                     const SymbolicLayout& layout,
-                                     const EnvironmentConfig& environment,
-                                     std::shared_ptr<const Catalogue> catalogue);
-// The same with what they say of the land's form and of single things, and with the things of a
-// request (things_json.h), measured on the scene.
+// Reads both instructions first, with what they say of the land's form and of single things, and
+// measures these and the things of a request (things_json.h) on the scene. Errors: the reader's.
 Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view layout_instruction,
                                      std::string_view environment_instruction,
                                      std::string_view things, const SymbolicLayout& layout,

@@ -141,11 +141,6 @@ const ModelMixture::Entry* ModelMixture::EntryOf(std::uint8_t model) const {
   return nullptr;
 }
 
-bool ModelMixture::IsDominant(std::uint8_t model) const {
-  const Entry* entry = EntryOf(model);
-  return entry != nullptr && entry->dominant;
-}
-
 std::uint8_t ModelMixture::Show(const Values& values, PointRandom* random) {
   const double draw = random->Uniform();
   if (values.others.empty() || draw >= kOtherShown) return values.usual;

@@ -60,7 +60,6 @@ class ModelMixture {
   // How much the kind stands in groups: Habitat::clumping of the dominant models and, at half
   // weight, of the others.
   double clumping() const { return clumping_; }
-  bool IsDominant(std::uint8_t model) const;
 
  private:
   struct Values {                      // what one model can show of variants or materials

@@ -18,8 +18,7 @@ struct LidarEcho {
 // A pulse's way through the air and its echoes (the lidar equation of Rasshofer, Spies and Spies
 // 2011). A diffuse surface of reflectance r met under the cosine c at d sends back r c exp(-2 a d)
 // / d^2; the receiver takes the strongest echo over the threshold, which is what a surface of
-// max_range_reflectivity sends back from max_range_m in clear air. Solved for d that is
-// weather_effects.h's LidarRange. What the air itself sends back:
+// max_range_reflectivity sends back from max_range_m in clear air. What the air itself sends back:
 //  - fog: the echo of a soft target, b L exp(-2 a r) / max(r, R)^2 with b = 0.046 / V (Hahner et
 //  al.
 //    2021), the pulse's length L and the crossover R of a biaxial receiver; times an exponential

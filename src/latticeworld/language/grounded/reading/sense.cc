@@ -120,10 +120,6 @@ std::string_view SenseFile() { return ReadingFile("layout_senses.txt"); }
 
 std::vector<std::string> CheckSenses(std::string_view text) { return Table(text).errors; }
 
-bool IsSenseWord(std::string_view word) {
-  return Senses().words.find(std::string(word)) != Senses().words.end();
-}
-
 std::vector<std::string_view> SenseWords() {
   return {Senses().words.begin(), Senses().words.end()};
 }

@@ -318,8 +318,6 @@ struct SenseMatch {
 // The longest phrase that starts at tokens[at].
 SenseMatch MatchSense(const std::vector<Token>& tokens, std::size_t at);
 
-// Whether some phrase holds this word.
-bool IsSenseWord(std::string_view word);
 // All words that phrases are made of, sorted: for the spelling of an instruction.
 std::vector<std::string_view> SenseWords();
 

@@ -166,9 +166,4 @@ bool RegisterPolicy(std::string name, std::unique_ptr<const Policy> policy) {
   return Policies().emplace(std::move(name), std::move(policy)).second;
 }
 
-std::string DrawPolicy(std::string_view name) {
-  const Policy* policy = FindPolicy(name);
-  return policy == nullptr || policy->tree() == nullptr ? "" : DrawTree(*policy->tree());
-}
-
 }  // namespace latticeworld

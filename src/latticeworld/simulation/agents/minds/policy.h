@@ -33,10 +33,6 @@ std::string UsualPolicy(AgentCategory category, AgentState state);
 // is taken or empty.
 bool RegisterPolicy(std::string name, std::unique_ptr<const Policy> policy);
 
-// A policy's behaviour tree as a Mermaid flow chart, as docs/behaviours.md shows it; empty: it has
-// none, or there is no such policy.
-std::string DrawPolicy(std::string_view name);
-
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_SIMULATION_AGENTS_MINDS_POLICY_H_

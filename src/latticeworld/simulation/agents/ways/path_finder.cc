@@ -132,19 +132,4 @@ bool PathFinder::IsStraightFree(const Species& species, WorldPoint from, WorldPo
   return layers_->IsStraightFree(&layers_->maps.Of(species), species, from, to);
 }
 
-bool PathFinder::NearestFree(const Species& species, WorldPoint near, double radius_m,
-                             WorldPoint* place) {
-  PathLayer& map = layers_->maps.Of(species);
-  if (map.IsFree(map.CellAt(near))) {
-    *place = near;
-    return true;
-  }
-  CellIndex cell;
-  if (!map.NearestFree(
-          near, radius_m, [](CellIndex) { return true; }, &cell))
-    return false;
-  *place = map.CenterOf(cell);
-  return true;
-}
-
 }  // namespace latticeworld

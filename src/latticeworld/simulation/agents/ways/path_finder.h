@@ -40,8 +40,6 @@ class PathFinder {
   FoundPath Find(const Species& species, WorldPoint from, WorldPoint to, int max_nodes = 4000);
   // Whether the species can go straight from one place to the other.
   bool IsStraightFree(const Species& species, WorldPoint from, WorldPoint to);
-  // The nearest place to `near` where the species can be, within radius_m.
-  bool NearestFree(const Species& species, WorldPoint near, double radius_m, WorldPoint* place);
 
  private:
   struct Layers;

@@ -38,11 +38,6 @@ const PathLayer::Tile& PathLayer::Fill(CellIndex cell) {
   return *tile;
 }
 
-bool PathLayer::IsLineFree(WorldPoint from, WorldPoint to) {
-  double left = 0.0;
-  return IsLineFree(from, to, 0.0, &left);
-}
-
 bool PathLayer::IsLineFree(WorldPoint from, WorldPoint to, double leave_m, double* left) {
   *left = 0.0;
   // In cells, south and east, so that cell (row, col) is [row, row + 1) x [col, col + 1).

@@ -45,10 +45,9 @@ class PathLayer {
   }
   bool IsFree(CellIndex cell) { return Ease(cell) != 0; }
 
-  // Whether every cell that the straight way touches is free, corners included: none is cut.
-  bool IsLineFree(WorldPoint from, WorldPoint to);
-  // The same, for a body that stands where it should not: it may first leave the cells that are not
-  // free by up to leave_m. *left: share of the way [0, 1] at which it has left them.
+  // Whether every cell that the straight way touches is free, corners included: none is cut. A body
+  // that stands where it should not may first leave the cells that are not free by up to leave_m.
+  // *left: share of the way [0, 1] at which it has left them.
   bool IsLineFree(WorldPoint from, WorldPoint to, double leave_m, double* left);
   // The free cell whose centre is nearest to the point among those within radius_m that pass the
   // test. False: there is none.

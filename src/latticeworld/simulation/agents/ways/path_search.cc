@@ -10,7 +10,8 @@ namespace {
 // Half the lengths of steps to a side and across a corner, in whole numbers; times the hardships of
 // both cells.
 constexpr std::int64_t kHalfStep = 5000, kHalfDiagonal = 7071;
-// Of level open ground; half as much more is the worst.
+// What a way through level open ground costs, times its length; the steepest or wettest ground that
+// can be gone costs half as much more.
 constexpr std::int64_t kEasy = 508;
 constexpr std::int64_t kStep = 2 * kHalfStep * kEasy, kDiagonal = 2 * kHalfDiagonal * kEasy;
 constexpr std::size_t kFirstSlots = 1 << 14;
@@ -31,8 +32,6 @@ std::size_t HashOf(std::uint32_t cell) {
 }
 
 }  // namespace
-
-double HardshipOf(std::uint8_t ease) { return static_cast<double>(Hardship(ease)) / kEasy; }
 
 PathSearch::PathSearch() : slots_(kFirstSlots) {}
 

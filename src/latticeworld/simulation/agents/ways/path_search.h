@@ -15,10 +15,6 @@ struct CellPath {
   int expanded = 0;
 };
 
-// What a way through a cell of that ease costs, times its length: 1 on level open ground .. 1.5
-// where it is as steep or wet as can be.
-double HardshipOf(std::uint8_t ease);
-
 // Cheapest ways over a layer in steps to the eight neighbours, none across the corner of a cell
 // that is not free: A* (Hart, Nilsson and Raphael 1968) with the octile distance. Among equals it
 // prefers what is nearer to the goal, then the cell of lower number, so that an answer depends on
