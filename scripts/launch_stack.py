@@ -139,7 +139,7 @@ def serve(options, processes):
                                                *options.arguments)
             try:
                 wait_for(f"a node that takes goals of {options.robot}/move_base",
-                         lambda: self.bridge.has_listener() or processes.launch.poll() is not None,
+                         lambda: self.bridge.is_heard() or processes.launch.poll() is not None,
                          LAUNCH_S)
             except RuntimeError as late:
                 raise latticeworld_stack.Failed(str(late)) from late

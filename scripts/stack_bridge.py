@@ -52,10 +52,15 @@ class Bridge:
         with self.lock:
             self.result = message
 
-    def has_listener(self):
-        """Whether a node takes goals. Tells the time, so that nodes may begin."""
+    def is_heard(self):
+        """Whether a node takes goals, and every node that asked the master for one of our topics
+        is connected: what is told before would not reach it. Tells the time, for nodes to begin."""
         self.clock.publish(Clock(rospy.Time(BEGIN_S)))
-        return self.goal.get_num_connections() > 0
+        _, _, (_, subscribers, _) = rospy.get_master().getSystemState()
+        nodes = {topic: len(names) for topic, names in subscribers}
+        return self.goal.get_num_connections() > 0 and all(
+            one.get_num_connections() >= nodes.get(one.resolved_name, 0)
+            for one in (self.map, self.odometry, self.scan, self.points, self.goal))
 
     def command(self):
         with self.lock:
