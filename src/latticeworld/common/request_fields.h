@@ -1,11 +1,11 @@
-#ifndef LATTICEWORLD_ROS_CONVERSION_REQUEST_FIELDS_H_
-#define LATTICEWORLD_ROS_CONVERSION_REQUEST_FIELDS_H_
+#ifndef LATTICEWORLD_COMMON_REQUEST_FIELDS_H_
+#define LATTICEWORLD_COMMON_REQUEST_FIELDS_H_
 
 #include <algorithm>
-#include <cmath>
-#include <initializer_list>
+#include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,16 +34,15 @@ std::optional<Enum> ReadName(const std::string& field, const std::string& given,
   return value;
 }
 
-using NamedNumber = std::pair<const char*, double>;
-inline void CheckFinite(std::initializer_list<NamedNumber> fields,
-                        std::vector<Violation>* violations) {
-  for (const auto& [field, value] : fields) {
-    if (std::isfinite(value)) continue;
-    violations->push_back(
-        {"out_of_range", field, FormatDouble(value) + " is not finite", FormatDouble(value)});
-  }
+// The refusal of a request of which something cannot be read: what that is, and what its owner has
+// against the rest, so that all is told at once. A request that can be read is for its owner alone
+// to judge.
+inline Status RefuseUnread(std::string_view what, std::vector<Violation> unread,
+                           std::vector<Violation> rest) {
+  std::move(rest.begin(), rest.end(), std::back_inserter(unread));
+  return Status::FromViolations(what, std::move(unread));
 }
 
 }  // namespace latticeworld
 
-#endif  // LATTICEWORLD_ROS_CONVERSION_REQUEST_FIELDS_H_
+#endif  // LATTICEWORLD_COMMON_REQUEST_FIELDS_H_
