@@ -253,10 +253,9 @@ std::string Spawn(PySimulation& self, const std::string& name, const std::string
     if (unread.empty()) return use->simulator()->Spawn(request);
     return RefuseUnread("spawn", std::move(unread), Validate(request, *options.species));
   }();
-  return Made(spawned, "spawn",
-              {{"position.x", "position_m"},
-               {"position.y", "position_m"},
-               {"heading", "heading_rad"}});
+  return Made(
+      spawned, "spawn",
+      {{"position.x", "position_m"}, {"position.y", "position_m"}, {"heading", "heading_rad"}});
 }
 
 std::string SpawnProp(PySimulation& self, const std::string& kind, double x_m, double y_m,

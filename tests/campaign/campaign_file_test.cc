@@ -163,14 +163,14 @@ trials:
   for (const Violation& violation : campaign.status().violations()) {
     EXPECT_TRUE(places.insert(violation.pointer).second) << campaign.status().ToString();
   }
-  EXPECT_EQ(places,
-            (std::set<std::string>{
-                "line 3: /worlds/0/layout", "line 4: /worlds/0/vocabulary",
-                "line 5: /worlds/0/size_m", "line 6: /worlds/0/resolution_m",
-                "line 8: /tasks/goal_radius_m", "line 9: /tasks/climb_m", "line 10: /step_s",
-                "line 13: /trials/0/weather/intensity", "line 14: /trials/0/weather/wind_speed_mps",
-                "line 15: /trials/0/weather/hour", "line 17: /trials/0/adversaries/species",
-                "line 18: /trials/0/adversaries/policy"}))
+  EXPECT_EQ(
+      places,
+      (std::set<std::string>{
+          "line 3: /worlds/0/layout", "line 4: /worlds/0/vocabulary", "line 5: /worlds/0/size_m",
+          "line 6: /worlds/0/resolution_m", "line 8: /tasks/goal_radius_m",
+          "line 9: /tasks/climb_m", "line 10: /step_s", "line 13: /trials/0/weather/intensity",
+          "line 14: /trials/0/weather/wind_speed_mps", "line 15: /trials/0/weather/hour",
+          "line 17: /trials/0/adversaries/species", "line 18: /trials/0/adversaries/policy"}))
       << campaign.status().ToString();
 }
 

@@ -212,12 +212,13 @@ void YamlMapping::Name(const std::string& key, std::string* out) {
 
 void YamlMapping::AddIllegal(const FieldNames& keys, std::vector<Violation> illegal) {
   Rename(keys, &illegal);
+  const std::vector<Violation> before = *violations_;
   for (Violation& violation : illegal) {
     const YAML::Node node = Has(violation.pointer) ? Get(violation.pointer) : node_;
     violation.pointer = YamlPlace(node, PathOf(violation.pointer));
-    const bool told = std::any_of(
-        violations_->begin(), violations_->end(),
-        [&violation](const Violation& before) { return before.pointer == violation.pointer; });
+    const bool told = std::any_of(before.begin(), before.end(), [&violation](const auto& one) {
+      return one.pointer == violation.pointer;
+    });
     if (!told) violations_->push_back(std::move(violation));
   }
 }

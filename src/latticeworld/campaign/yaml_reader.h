@@ -56,8 +56,8 @@ class YamlMapping {
   std::string PathOf(const std::string& key) const { return path_ + "/" + key; }
   std::vector<Violation>* violations() { return violations_; }
 
-  // What the owner of the values that were read has against them, at the places of their keys. keys:
-  // for the owner's names. Nothing of a key that is told as unusable already.
+  // What the owner of the values that were read has against them, at the places of their keys.
+  // keys: for the owner's names. Nothing of a key that is told as unusable already.
   void AddIllegal(const FieldNames& keys, std::vector<Violation> illegal);
 
   void Finish();

@@ -47,9 +47,9 @@ std::string_view ToString(StatusCode code) {
 
 void Rename(const FieldNames& names, std::vector<Violation>* violations) {
   for (Violation& violation : *violations) {
-    const auto known =
-        std::find_if(names.begin(), names.end(),
-                     [&violation](const auto& name) { return name.first == violation.pointer; });
+    const auto known = std::find_if(names.begin(), names.end(), [&violation](const auto& name) {
+      return name.first == violation.pointer;
+    });
     if (known != names.end()) violation.pointer = known->second;
   }
 }

@@ -21,10 +21,9 @@ void CheckFinite(const char* pointer, double value, std::vector<Violation>* viol
 void CheckTeam(const std::optional<int>& team, std::vector<Violation>* violations) {
   if (!team.has_value() || (*team >= 0 && *team <= kMaxTeam)) return;
   const std::string given = std::to_string(*team);
-  violations->push_back({"out_of_range", "team",
-                         given + " is no team; legal is 1 .. " + std::to_string(kMaxTeam) +
-                             ", or neutral",
-                         given});
+  violations->push_back(
+      {"out_of_range", "team",
+       given + " is no team; legal is 1 .. " + std::to_string(kMaxTeam) + ", or neutral", given});
 }
 
 void CheckPolicy(const std::string& policy, std::vector<Violation>* violations) {
@@ -35,8 +34,8 @@ void CheckPolicy(const std::string& policy, std::vector<Violation>* violations) 
 // The species that is asked for, and whether it can be in the state that is asked for.
 void CheckKind(const SpawnRequest& request, const SpeciesCatalogue& catalogue,
                std::vector<Violation>* violations) {
-  const Species* species = request.species.empty() ? &catalogue.Of(request.category)
-                                                   : catalogue.Find(request.species);
+  const Species* species =
+      request.species.empty() ? &catalogue.Of(request.category) : catalogue.Find(request.species);
   if (species == nullptr) {
     std::vector<std::string> names;
     for (const Species& one : catalogue.all()) names.push_back(one.name);
@@ -48,10 +47,9 @@ void CheckKind(const SpawnRequest& request, const SpeciesCatalogue& catalogue,
     if (CanBe(species->category, state)) legal.emplace_back(name);
   }
   const std::string given(NameOf(*request.state));
-  violations->push_back({"wrong_combination", "state",
-                         "a " + species->name + " cannot be " + given + "; legal are " +
-                             Join(legal, ", "),
-                         given});
+  violations->push_back(
+      {"wrong_combination", "state",
+       "a " + species->name + " cannot be " + given + "; legal are " + Join(legal, ", "), given});
 }
 
 }  // namespace

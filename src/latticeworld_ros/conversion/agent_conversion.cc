@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "latticeworld/common/text.h"
 #include "latticeworld/common/request_fields.h"
+#include "latticeworld/common/text.h"
 
 namespace latticeworld {
 

@@ -53,8 +53,8 @@ VelocityCommand ToVelocityCommand(const geometry_msgs::Twist& twist);
 Result<std::vector<JointCommand>> ToJointCommands(const sensor_msgs::JointState& message);
 inline constexpr std::size_t kMaxCommandedJoints = 256;
 
-// options: of the simulator, whose catalogue knows the species. What it says is for the simulator to
-// judge. Errors: INVALID_ARGUMENT where state or place are no names of any; then with everything
+// options: of the simulator, whose catalogue knows the species. What it says is for the simulator
+// to judge. Errors: INVALID_ARGUMENT where state or place are no names of any; then with everything
 // that Validate has against the rest.
 Result<SpawnRequest> ToSpawnRequest(const latticeworld_msgs::SpawnAgent::Request& request,
                                     const SimulatorOptions& options);

@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "latticeworld/common/request_fields.h"
 #include "latticeworld/scene/props/props.h"
 #include "latticeworld/simulation/simulator.h"
 #include "latticeworld_ros/conversion/geometry_conversion.h"
-#include "latticeworld/common/request_fields.h"
 
 namespace latticeworld {
 

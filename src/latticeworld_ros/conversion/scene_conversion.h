@@ -21,8 +21,8 @@ latticeworld_msgs::SceneChanges ToSceneChangesMessage(const WorldState& state, r
                                                       const std::string& world_id);
 
 // What is left open is usual for the kind; what is given is for the simulator to judge. Errors:
-// INVALID_ARGUMENT where kind is no name of any or the name is another frame's; then with everything
-// that ValidateSpawn has against the rest.
+// INVALID_ARGUMENT where kind is no name of any or the name is another frame's; then with
+// everything that ValidateSpawn has against the rest.
 Result<Prop> ToProp(const latticeworld_msgs::SpawnElement::Request& request);
 
 // Opening that the request asks for [rad].

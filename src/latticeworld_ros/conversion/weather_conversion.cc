@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "latticeworld_ros/conversion/geometry_conversion.h"
 #include "latticeworld/common/request_fields.h"
+#include "latticeworld_ros/conversion/geometry_conversion.h"
 
 namespace latticeworld {
 namespace {

@@ -39,11 +39,11 @@ Result<TopicFilter> TopicFilter::Create(const std::vector<std::string>& patterns
   if (sensors) filter.patterns_.push_back(kSensorPattern);
   const std::size_t count = filter.patterns_.size();
   if (count > kMaxPatterns) {
-    return Status::FromViolations(kWhat, {{"too_many", "topics",
-                                           "has " + std::to_string(count) +
-                                               " patterns; legal are at most " +
-                                               std::to_string(kMaxPatterns),
-                                           std::to_string(count)}});
+    return Status::FromViolations(
+        kWhat, {{"too_many", "topics",
+                 "has " + std::to_string(count) + " patterns; legal are at most " +
+                     std::to_string(kMaxPatterns),
+                 std::to_string(count)}});
   }
   std::vector<Violation> violations;
   for (std::size_t i = 0; i < count; ++i) {

@@ -223,8 +223,8 @@ Status EpisodeRecorder::Start(const StartEpisode::Request& request,
   WorldFiles files;
   files.world_id = world.world_id;
   files.files.swap(world.world);
-  LW_RETURN_IF_ERROR(
-      running->recording.Begin(StartOf(world, options.name, read.filter.patterns()), std::move(files)));
+  LW_RETURN_IF_ERROR(running->recording.Begin(StartOf(world, options.name, read.filter.patterns()),
+                                              std::move(files)));
   running_ = std::move(running);
   response->name = options.name;
   response->path = running_->recording.progress().active_path;

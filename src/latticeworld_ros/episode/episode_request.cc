@@ -35,8 +35,9 @@ Result<EpisodeRequest> ReadEpisodeRequest(const latticeworld_msgs::StartEpisode:
   if (request.keep_state && request.seed != 0) {
     const std::string given = std::to_string(request.seed);
     violations.push_back({"conflict", "seed",
-                          "is " + given + ", and keep_state is set: the state has its seed; legal "
-                          "is 0",
+                          "is " + given +
+                              ", and keep_state is set: the state has its seed; legal "
+                              "is 0",
                           given});
   }
   if (const auto compression = ReadName<BagCompression>(

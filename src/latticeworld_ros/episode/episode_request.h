@@ -12,7 +12,8 @@ namespace latticeworld {
 
 // What start_episode asks for.
 struct EpisodeRequest {
-  EpisodeRecordingOptions options;  // name (may be empty), compression and limits; the rest is usual
+  EpisodeRecordingOptions
+      options;  // name (may be empty), compression and limits; the rest is usual
   TopicFilter filter;
 };
 

@@ -93,10 +93,9 @@ TEST(NavigatorGoalTest, EveryViolationIsNamedAtItsField) {
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
   std::vector<std::string> fields;
   for (const Violation& violation : status.violations()) fields.push_back(violation.pointer);
-  EXPECT_EQ(fields,
-            (std::vector<std::string>{"start.pose.position", "goal.pose.position",
-                                      "goal.pose.orientation", "goal.header.frame_id",
-                                      "tolerance"}))
+  EXPECT_EQ(fields, (std::vector<std::string>{"start.pose.position", "goal.pose.position",
+                                              "goal.pose.orientation", "goal.header.frame_id",
+                                              "tolerance"}))
       << status.ToString();
 }
 

@@ -97,14 +97,12 @@ TEST(PropsTest, WhatIsLeftOpenIsUsual) {
   EXPECT_EQ(post.size_m, Eigen::Vector3d(0.2, 0.1, 1.2));
   EXPECT_EQ(post.mass_kg, UsualMass(PropKind::kPost, post.size_m));
   EXPECT_EQ(post.strength, UsualStrength(PropKind::kPost, post.size_m));
-  EXPECT_EQ(PropOf(PropKind::kLooseStone, {0.5, 0.7, 0.0}).size_m,
-            Eigen::Vector3d::Constant(0.5));
+  EXPECT_EQ(PropOf(PropKind::kLooseStone, {0.5, 0.7, 0.0}).size_m, Eigen::Vector3d::Constant(0.5));
 }
 
 TEST(PropsTest, WhatFollowsFromAnIllegalSizeIsNotHeldAgainstIt) {
   for (const double bad : {-1.0, 1e6, std::nan("")}) {
-    const std::vector<Violation> violations =
-        Validate(PropOf(PropKind::kBridge, {bad, 0.0, 0.0}));
+    const std::vector<Violation> violations = Validate(PropOf(PropKind::kBridge, {bad, 0.0, 0.0}));
     ASSERT_EQ(violations.size(), 1u) << bad;
     EXPECT_EQ(violations[0].pointer, "size.x");
   }

@@ -119,9 +119,8 @@ TEST(SpawningTest, NamesEverythingThatIsIllegalAtOnce) {
   request.policy = "pacifist";
   request.controllable = true;
   const Status spawned = simulator->Spawn(request).status();
-  EXPECT_EQ(FieldsOf(spawned),
-            (std::vector<std::string>{"name", "state", "position.x", "heading", "team", "policy",
-                                      "policy"}))
+  EXPECT_EQ(FieldsOf(spawned), (std::vector<std::string>{"name", "state", "position.x", "heading",
+                                                         "team", "policy", "policy"}))
       << spawned.ToString();
   for (const char* word : {"7up", "letter", "grazing", "patrolling", "nan", "16", "1 .. 15",
                            "pacifist", "pursuer", "controllable"}) {

@@ -73,8 +73,8 @@ TEST(ViewerRequestTest, NamesEverythingThatIsWrong) {
 TEST(ViewerRequestTest, CarriesWhatWorldServerJudges) {
   EXPECT_EQ(Parsed(R"({"type": "step", "steps": 100001})").steps, 100001u);
   EXPECT_EQ(Parsed(R"({"type": "speed", "factor": -0.001})").factor, -0.001);
-  const ViewerRequest generate = Parsed(
-      R"({"type": "generate", "size_m": -1, "resolution_m": 1e9, "vocabulary": "moon"})");
+  const ViewerRequest generate =
+      Parsed(R"({"type": "generate", "size_m": -1, "resolution_m": 1e9, "vocabulary": "moon"})");
   EXPECT_EQ(generate.size_m, -1.0);
   EXPECT_EQ(generate.resolution_m, 1e9);
   EXPECT_EQ(generate.vocabulary, "moon");

@@ -125,8 +125,8 @@ std::vector<Violation> Validate(const Prop& prop) {
   };
   const auto check_finite = [&violations](const char* field, double value) {
     if (std::isfinite(value)) return;
-    violations.push_back({"not_finite", field, "must be finite, not " + FormatDouble(value),
-                          FormatDouble(value)});
+    violations.push_back(
+        {"not_finite", field, "must be finite, not " + FormatDouble(value), FormatDouble(value)});
   };
   const SizeLimits limits = LimitsOf(prop.kind);
   constexpr const char* kAxes[] = {"size.x", "size.y", "size.z"};

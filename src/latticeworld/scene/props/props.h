@@ -23,9 +23,9 @@ double UsualMass(PropKind kind, const Eigen::Vector3d& size_m);
 double UsualStrength(PropKind kind, const Eigen::Vector3d& size_m);
 
 // A prop of that kind, at the centre of the world and without a name. size_m: components of 0 are
-// usual for the kind; of a loose stone x is the diameter, and the others are not looked at. mass_kg,
-// strength: 0 is usual for kind and size, and for the kind alone where the size is illegal, so that
-// Validate names only what was given.
+// usual for the kind; of a loose stone x is the diameter, and the others are not looked at.
+// mass_kg, strength: 0 is usual for kind and size, and for the kind alone where the size is
+// illegal, so that Validate names only what was given.
 Prop PropOf(PropKind kind, const Eigen::Vector3d& size_m, double mass_kg = 0.0,
             double strength = 0.0);
 

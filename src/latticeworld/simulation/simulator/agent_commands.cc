@@ -39,7 +39,8 @@ std::optional<JointTarget> TargetOf(const JointCommand& command, JointName::Kind
     target = {mode, value};
   }
   if (finite != 1 || missing != 2) {
-    return refuse("exactly one finite value of position, velocity and effort and NaN for the others");
+    return refuse(
+        "exactly one finite value of position, velocity and effort and NaN for the others");
   }
   if (kind == JointName::Kind::kWheel && target.mode != JointMode::kVelocity) {
     return refuse("a velocity only, for it is a wheel");
@@ -58,8 +59,7 @@ std::map<std::size_t, JointTarget> TargetsOf(const std::vector<JointCommand>& co
   std::set<std::string> commanded;
   for (const JointCommand& command : commands) {
     const auto refuse = [&](const char* code, const std::string& message) {
-      violations->push_back(
-          {code, "joint " + Quote(command.joint), message, Quote(command.joint)});
+      violations->push_back({code, "joint " + Quote(command.joint), message, Quote(command.joint)});
     };
     const auto joint = std::find_if(joints.begin(), joints.end(), [&](const JointName& one) {
       return one.name == command.joint;
