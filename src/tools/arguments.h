@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "latticeworld/common/request_fields.h"
 #include "latticeworld/common/result.h"
 
 namespace CLI {

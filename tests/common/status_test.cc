@@ -41,13 +41,6 @@ TEST(StatusTest, TellsTheFirstViolationsAndKeepsAll) {
   EXPECT_EQ(whole.message().find("more"), std::string::npos);
 }
 
-TEST(StatusTest, ViolationsAreCalledAsTheirReadersKnowThem) {
-  std::vector<Violation> violations = {{"", "size", "", ""}, {"", "seed", "", ""}};
-  Rename({{"size", "size_m"}, {"mass", "mass_kg"}}, &violations);
-  EXPECT_EQ(violations[0].pointer, "size_m");
-  EXPECT_EQ(violations[1].pointer, "seed");
-}
-
 TEST(StatusTest, NoViolationIsOk) { EXPECT_TRUE(Status::FromViolations("x", {}).ok()); }
 
 TEST(StatusTest, ContextKeepsCodeAndViolations) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "latticeworld/common/range.h"
+#include "latticeworld/common/request_fields.h"
 #include "latticeworld/common/status.h"
 
 namespace latticeworld {

@@ -43,6 +43,19 @@ inline Status RefuseUnread(std::string_view what, std::vector<Violation> unread,
   return Status::FromViolations(what, std::move(unread));
 }
 
+// What an interface calls the fields that a validation names: {the validation's name, its own}.
+using FieldNames = std::vector<std::pair<std::string_view, std::string_view>>;
+
+// Gives violations the pointers that their readers know. One that is not among the names stays.
+inline void Rename(const FieldNames& names, std::vector<Violation>* violations) {
+  for (Violation& violation : *violations) {
+    const auto known =
+        std::find_if(names.begin(), names.end(),
+                     [&violation](const auto& name) { return name.first == violation.pointer; });
+    if (known != names.end()) violation.pointer = known->second;
+  }
+}
+
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_COMMON_REQUEST_FIELDS_H_

@@ -45,15 +45,6 @@ std::string_view ToString(StatusCode code) {
   return "UNKNOWN";
 }
 
-void Rename(const FieldNames& names, std::vector<Violation>* violations) {
-  for (Violation& violation : *violations) {
-    const auto known = std::find_if(names.begin(), names.end(), [&violation](const auto& name) {
-      return name.first == violation.pointer;
-    });
-    if (known != names.end()) violation.pointer = known->second;
-  }
-}
-
 Status::Status(StatusCode code, std::string message, std::vector<Violation> violations)
     : code_(code), message_(std::move(message)), violations_(std::move(violations)) {}
 

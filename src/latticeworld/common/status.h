@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace latticeworld {
@@ -40,11 +39,6 @@ struct Violation {
   std::string message;  // what was given and what is legal
   std::string given;    // the offending value, as given
 };
-
-// What an interface calls the fields that a validation names: {the validation's name, its own}.
-using FieldNames = std::vector<std::pair<std::string_view, std::string_view>>;
-// Gives violations the pointers that their readers know. One that is not among the names stays.
-void Rename(const FieldNames& names, std::vector<Violation>* violations);
 
 // The outcome of what can fail. Expected failures are values; nothing here throws.
 class [[nodiscard]] Status {

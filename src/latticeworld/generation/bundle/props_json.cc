@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "latticeworld/common/request_fields.h"
 #include "latticeworld/generation/bundle/json_array.h"
 #include "latticeworld/generation/ros_name.h"
 #include "latticeworld/scene/props/props.h"
