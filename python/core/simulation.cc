@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "latticeworld/common/request_fields.h"
 #include "latticeworld/learning/robot_view.h"
 #include "latticeworld/scene/props/props.h"
 #include "latticeworld/scene/scene.h"
@@ -16,6 +17,7 @@ using Use = PySimulation::Use;
 
 // As world_server has it for worlds that lie nowhere on the earth.
 constexpr double kLongitude_deg = 9.0;
+constexpr int kNeutral = -1;  // team
 
 std::shared_ptr<const SensorSuite> FindSuite(const std::string& name, const std::string& file) {
   std::shared_ptr<const SensorCatalogue> catalogue = SensorCatalogue::BuiltIn();
@@ -215,6 +217,15 @@ nb::object ScannerOf(PySimulation& self) {
   return std::move(dict);
 }
 
+// The name of what was made; what is wrong with what was asked for is told of the arguments.
+std::string Made(const Result<std::string>& name, std::string_view what,
+                 const FieldNames& arguments) {
+  if (name.ok() || name.status().violations().empty()) return Value(name);
+  std::vector<Violation> violations = name.status().violations();
+  Rename(arguments, &violations);
+  throw StatusError(Status::FromViolations(what, std::move(violations)));
+}
+
 std::string Spawn(PySimulation& self, const std::string& name, const std::string& species,
                   const std::optional<std::pair<double, double>>& position_m,
                   const std::string& place, double heading_rad, bool controllable, int team,
@@ -223,46 +234,44 @@ std::string Spawn(PySimulation& self, const std::string& name, const std::string
   const SimulatorOptions& options = use->simulator()->options();
   SpawnRequest request;
   request.name = name;
-  const Species* found = options.species->Find(species.empty() ? options.robot_species : species);
-  if (found == nullptr) {
-    std::string names;
-    for (const Species& legal : options.species->all()) names += ", " + legal.name;
-    Check(InvalidArgument("there is no species \"" + species + "\"; legal are " + names.substr(2)));
+  request.species = species.empty() ? options.robot_species : species;
+  if (const Species* found = options.species->Find(request.species)) {
+    request.species = found->name;
+    request.category = found->category;
   }
-  request.species = found->name;
-  request.category = found->category;
+  std::vector<Violation> unread;
   if (!place.empty()) {
-    const auto region = FromName<Region>(place);
-    if (!region) {
-      Check(InvalidArgument("place is \"" + place +
-                            "\"; legal are upper left, upper, upper right, middle left, center, "
-                            "middle right, lower left, lower, lower right, anywhere"));
-    }
-    request.region = *region;
+    request.region = ReadName<Region>("place", place, &unread).value_or(Region::kAnywhere);
   } else if (position_m) {
     request.position = WorldPoint{position_m->first, position_m->second};
   }
   request.heading_rad = heading_rad;
   request.controllable = controllable;
-  if (team != 0) request.team = std::max(0, team);
+  if (team != 0) request.team = team == kNeutral ? 0 : team;
   request.policy = policy;
-  return Value(use->simulator()->Spawn(request));
+  const auto spawned = [&]() -> Result<std::string> {
+    if (unread.empty()) return use->simulator()->Spawn(request);
+    return RefuseUnread("spawn", std::move(unread), Validate(request, *options.species));
+  }();
+  return Made(
+      spawned, "spawn",
+      {{"position.x", "position_m"}, {"position.y", "position_m"}, {"heading", "heading_rad"}});
 }
 
 std::string SpawnProp(PySimulation& self, const std::string& kind, double x_m, double y_m,
                       double heading_rad, const std::string& name) {
   const Use use(&self);
-  const auto known = FromName<PropKind>(kind);
-  if (!known) {
-    std::string names;
-    for (const auto& entry : EnumNames(PropKind{})) names += ", " + std::string(entry.name);
-    Check(InvalidArgument("kind is \"" + kind + "\"; legal are " + names.substr(2)));
-  }
-  Prop prop = UsualProp(*known);
+  std::vector<Violation> unread;
+  Prop prop = UsualProp(ReadName<PropKind>("kind", kind, &unread).value_or(PropKind::kCrate));
   prop.name = name;
   prop.position = {x_m, y_m};
   prop.yaw_rad = heading_rad;
-  return Value(use->simulator()->SpawnProp(prop));
+  const auto spawned = [&]() -> Result<std::string> {
+    if (unread.empty()) return use->simulator()->SpawnProp(prop);
+    return RefuseUnread("illegal element", std::move(unread), ValidateSpawn(prop));
+  }();
+  return Made(spawned, "illegal element",
+              {{"position.x", "x_m"}, {"position.y", "y_m"}, {"heading", "heading_rad"}});
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ double ArgumentReader::Number(const std::string& name, double absent) {
   if (!text) return absent;
   double value = 0.0;
   if (ParseWhole(*text, &value) && std::isfinite(value)) return value;
-  AddViolation(name, *text, "a number");
+  Refuse(name, *text, "a number");
   return absent;
 }
 
@@ -64,8 +64,16 @@ std::int64_t ArgumentReader::Integer(const std::string& name, std::int64_t low, 
   if (!text) return absent;
   std::int64_t value = 0;
   if (ParseWhole(*text, &value) && value >= low && value <= high) return value;
-  AddViolation(name, *text,
-               "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+  Refuse(name, *text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+  return absent;
+}
+
+int ArgumentReader::Whole(const std::string& name, int absent) {
+  const auto text = ValueOf(*command_, name);
+  if (!text) return absent;
+  int value = 0;
+  if (ParseWhole(*text, &value)) return value;
+  Refuse(name, *text, "a whole number");
   return absent;
 }
 
@@ -74,9 +82,8 @@ std::uint64_t ArgumentReader::Unsigned(const std::string& name, std::uint64_t ab
   if (!text) return absent;
   std::uint64_t value = 0;
   if (ParseWhole(*text, &value)) return value;
-  AddViolation(
-      name, *text,
-      "a whole number from 0 to " + std::to_string(std::numeric_limits<std::uint64_t>::max()));
+  Refuse(name, *text,
+         "a whole number from 0 to " + std::to_string(std::numeric_limits<std::uint64_t>::max()));
   return absent;
 }
 
@@ -89,7 +96,7 @@ std::optional<std::pair<double, double>> ArgumentReader::NumberPair(const std::s
                      ParseWhole(parts[1], &values.second) && std::isfinite(values.first) &&
                      std::isfinite(values.second);
   if (legal) return values;
-  AddViolation(name, *text, "two numbers parted by a comma");
+  Refuse(name, *text, "two numbers parted by a comma");
   return std::nullopt;
 }
 
@@ -98,7 +105,7 @@ std::string ArgumentReader::Choice(const std::string& name, const std::vector<st
   const auto text = ValueOf(*command_, name);
   if (!text) return absent;
   if (std::find(legal.begin(), legal.end(), *text) != legal.end()) return *text;
-  AddViolation(name, *text, "one of " + Join(legal, ", "));
+  Refuse(name, *text, "one of " + Join(legal, ", "));
   return absent;
 }
 
@@ -128,14 +135,32 @@ void ArgumentReader::AllowOneOf(const std::vector<std::string>& options) {
                          ""});
 }
 
+void ArgumentReader::AddIllegal(const FieldNames& options, std::vector<Violation> illegal) {
+  Rename(options, &illegal);
+  const std::vector<Violation> before = violations_;
+  for (Violation& violation : illegal) {
+    const bool told = std::any_of(before.begin(), before.end(), [&violation](const auto& one) {
+      return one.pointer == violation.pointer;
+    });
+    if (!told) violations_.push_back(std::move(violation));
+  }
+}
+
 Status ArgumentReader::status() const {
   return Status::FromViolations("unusable arguments", violations_);
 }
 
-void ArgumentReader::AddViolation(const std::string& name, const std::string& given,
-                                  const std::string& legal) {
+void ArgumentReader::Refuse(const std::string& name, const std::string& given,
+                            const std::string& legal) {
   violations_.push_back(
       {"illegal_value", name, "must be " + legal + ", not " + Quote(given), given});
+}
+
+Status UnderOptions(const FieldNames& options, const Status& status) {
+  std::vector<Violation> violations = status.violations();
+  if (violations.empty()) return status;
+  Rename(options, &violations);
+  return Status::FromViolations("unusable arguments", std::move(violations));
 }
 
 Result<std::string> TextOf(const CLI::App& command, const std::string& name) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "latticeworld/common/request_fields.h"
 #include "latticeworld/common/result.h"
 
 namespace CLI {
@@ -32,6 +33,8 @@ class ArgumentReader {
   double Number(const std::string& name, double absent);
   std::int64_t Integer(const std::string& name, std::int64_t low, std::int64_t high,
                        std::int64_t absent);
+  // Any whole number; which of them are legal is for somebody else to say.
+  int Whole(const std::string& name, int absent);
   std::uint64_t Unsigned(const std::string& name, std::uint64_t absent);
   // Numbers parted by a comma; nullopt also when the option was not given.
   std::optional<std::pair<double, double>> NumberPair(const std::string& name);
@@ -43,12 +46,16 @@ class ArgumentReader {
   // At most one of `options` makes sense.
   void AllowOneOf(const std::vector<std::string>& options);
 
+  // A value that the caller cannot use.
+  void Refuse(const std::string& name, const std::string& given, const std::string& legal);
+  // What the owner of the values has against them. options: for the owner's names. Nothing of an
+  // option that is told as unusable already.
+  void AddIllegal(const FieldNames& options, std::vector<Violation> illegal);
+
   // INVALID_ARGUMENT with every violation so far; OK when there is none.
   Status status() const;
 
  private:
-  void AddViolation(const std::string& name, const std::string& given, const std::string& legal);
-
   const CLI::App* command_;
   std::vector<Violation> violations_;
 };
@@ -56,6 +63,9 @@ class ArgumentReader {
 // The text that an option gives: what was typed, or the content of FILE when that is @FILE; "" when
 // it was not given.
 Result<std::string> TextOf(const CLI::App& command, const std::string& name);
+
+// A refusal with violations, of the options that the owner's names came from; others stay.
+Status UnderOptions(const FieldNames& options, const Status& status);
 
 inline constexpr int kExitSuccess = 0;
 inline constexpr int kExitFailure = 1;

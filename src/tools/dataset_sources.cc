@@ -34,30 +34,30 @@ std::vector<std::string> NamesOf() {
   return names;
 }
 
-// The violations of options whose fields are called as arguments are, as those of the arguments.
-Status Unusable(std::vector<Violation> violations, const std::string& prefix = "--") {
+// What is illegal of fields that are called as arguments are, added to what is of the arguments.
+Status Unusable(ArgumentReader* reader, std::vector<Violation> violations,
+                const std::string& prefix = "--") {
   for (Violation& violation : violations)
     violation.pointer = OptionOf(prefix, std::move(violation.pointer));
-  return Status::FromViolations("unusable arguments", std::move(violations));
+  reader->AddIllegal({}, std::move(violations));
+  return reader->status();
 }
 
 Result<WrittenOptions> ReadWritten(const CLI::App& command, double size_m) {
   ArgumentReader reader(&command);
   const auto facts = reader.NumberPair("--facts");
-  LW_RETURN_IF_ERROR(reader.status());
   WrittenOptions written;
   written.size_m = size_m;
   if (facts) {
     if (facts->first != std::trunc(facts->first) || facts->second != std::trunc(facts->second))
-      return InvalidArgument("--facts: '" + *ValueOf(command, "--facts") +
-                             "'; legal are two whole numbers parted by a comma");
+      reader.Refuse("--facts", *ValueOf(command, "--facts"), "two whole numbers parted by a comma");
     written.least_facts = static_cast<int>(std::clamp(facts->first, -1.0, 1e6));
     written.most_facts = static_cast<int>(std::clamp(facts->second, -1.0, 1e6));
   }
   std::vector<Violation> violations = Validate(written);
   for (Violation& violation : violations)
     if (EndsWith(violation.pointer, "_facts")) violation.pointer = "facts";
-  LW_RETURN_IF_ERROR(Unusable(std::move(violations)));
+  LW_RETURN_IF_ERROR(Unusable(&reader, std::move(violations)));
   return written;
 }
 
@@ -66,15 +66,13 @@ Result<std::unique_ptr<Annotator>> MakeRemote(const CLI::App& command, OpenAiOpt
   ArgumentReader reader(&command);
   server.sees = command.count("--remote-sees") > 0;
   RemoteAnnotatorOptions options;
-  options.repair_turns =
-      static_cast<int>(reader.Integer("--remote-repair-turns", 0, 8, options.repair_turns));
+  options.repair_turns = reader.Whole("--remote-repair-turns", options.repair_turns);
   options.temperature = reader.Number("--remote-temperature", options.temperature);
   options.size_m = size_m;
   options.name = server.model.empty() ? "remote" : server.model;
-  LW_RETURN_IF_ERROR(reader.status());
   std::vector<Violation> violations = Validate(server);
   for (Violation& violation : Validate(options)) violations.push_back(std::move(violation));
-  LW_RETURN_IF_ERROR(Unusable(std::move(violations), "--remote-"));
+  LW_RETURN_IF_ERROR(Unusable(&reader, std::move(violations), "--remote-"));
   LW_ASSIGN_OR_RETURN(std::shared_ptr<OpenAiClient> client, MakeOpenAiClient(server));
   return MakeRemoteAnnotator(std::move(client), options);
 }
@@ -126,8 +124,8 @@ Result<std::unique_ptr<InstanceSource>> MakeDatasetSource(const CLI::App& comman
   scenes.folder = ValueOf(command, "--scenes").value_or("");
   scenes.erosion = reader.Number("--erosion", scenes.erosion);
   GivenInstructionsOptions given;
-  given.answers = static_cast<int>(reader.Integer("--answers", 1, 1000, given.answers));
-  given.leave_out = static_cast<int>(reader.Integer("--leave-out", 0, 1000, given.leave_out));
+  given.answers = reader.Whole("--answers", given.answers);
+  given.leave_out = reader.Whole("--leave-out", given.leave_out);
   given.seed = generated.seed;
   reader.AllowOneOf(
       {"--generate", "--loveda", "--scenes", "--instructions", "--environment-instructions"});
@@ -138,9 +136,11 @@ Result<std::unique_ptr<InstanceSource>> MakeDatasetSource(const CLI::App& comman
   reader.RequireBeside("--relief-share", "--generate");
   reader.RequireBeside("--loveda-scenes", "--loveda");
   reader.RequireBeside("--erosion", "--scenes");
-  LW_RETURN_IF_ERROR(reader.status());
-  LW_RETURN_IF_ERROR(Unusable(Validate(generated)));
-  LW_RETURN_IF_ERROR(Unusable(Validate(scenes)));
+  // Asked before any folder is read, which takes longer.
+  std::vector<Violation> violations = Validate(generated);
+  for (Violation& violation : Validate(scenes)) violations.push_back(std::move(violation));
+  for (Violation& violation : Validate(given)) violations.push_back(std::move(violation));
+  LW_RETURN_IF_ERROR(Unusable(&reader, std::move(violations)));
   if (const auto file = ValueOf(command, asked)) {
     LW_ASSIGN_OR_RETURN(std::vector<GivenInstruction> instructions, ReadGivenInstructions(*file));
     const std::string title = "Instructions of " + std::filesystem::path(*file).filename().string();

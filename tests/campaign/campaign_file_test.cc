@@ -67,8 +67,9 @@ TEST(CampaignFileTest, ErrorsNameLineKeyAndWhatIsLegal) {
   const std::vector<BadFile> files = {
       {"speed: 3\n", "line 5: /speed", "legal are"},
       {"tasks: {count: 0}\n", "line 5: /tasks/count", "1 to 1000"},
-      {"tasks: {count: 2.5}\n", "line 5: /tasks/count", "1 to 1000"},
-      {"tasks: {length_m: [40, 20]}\n", "line 5: /tasks/length_m", "[LOW, HIGH]"},
+      {"tasks: {count: 2.5}\n", "line 5: /tasks/count", "whole number"},
+      {"tasks: {length_m: [40]}\n", "line 5: /tasks/length_m", "[LOW, HIGH]"},
+      {"tasks: {length_m: [40, 20]}\n", "line 5: /tasks/length_m", "at or above its begin, 40"},
       {"tasks: 7\n", "line 5: /tasks", "mapping"},
       {"robots: []\n", "line 5: /robots", "at least one"},
       {"robots:\n  - {stack: mine}\n", "line 6: /robots/0/stack", "reference, way"},
@@ -135,6 +136,42 @@ TEST(CampaignFileTest, EveryErrorIsToldAtOnce) {
       ParseWith("colour: red\ntasks: {count: -1, seed: x}\nstep_s: 0\nrobots: [{suite: z}]\n");
   ASSERT_FALSE(campaign.ok());
   EXPECT_EQ(campaign.status().violations().size(), 5u) << campaign.status().ToString();
+}
+
+TEST(CampaignFileTest, WhatOwnersRefuseIsToldAtTheirKeys) {
+  const auto campaign = Parse(R"(name: test
+worlds:
+  - name: lake
+    vocabulary: moon
+    size_m: 4
+    resolution_m: fine
+tasks:
+  goal_radius_m: 0
+  climb_m: [-1, 3]
+step_s: 1
+trials:
+  - weather:
+      intensity: 2
+      wind_speed_mps: 100
+      hour: 24
+    adversaries:
+      species: dragon
+      policy: evil
+)");
+  ASSERT_FALSE(campaign.ok());
+  std::set<std::string> places;
+  for (const Violation& violation : campaign.status().violations()) {
+    EXPECT_TRUE(places.insert(violation.pointer).second) << campaign.status().ToString();
+  }
+  EXPECT_EQ(
+      places,
+      (std::set<std::string>{
+          "line 3: /worlds/0/layout", "line 4: /worlds/0/vocabulary", "line 5: /worlds/0/size_m",
+          "line 6: /worlds/0/resolution_m", "line 8: /tasks/goal_radius_m",
+          "line 9: /tasks/climb_m", "line 10: /step_s", "line 13: /trials/0/weather/intensity",
+          "line 14: /trials/0/weather/wind_speed_mps", "line 15: /trials/0/weather/hour",
+          "line 17: /trials/0/adversaries/species", "line 18: /trials/0/adversaries/policy"}))
+      << campaign.status().ToString();
 }
 
 TEST(CampaignFileTest, AnyBytesGiveAnAnswer) {

@@ -20,12 +20,6 @@
 namespace latticeworld {
 namespace {
 
-std::vector<std::string> SpeciesNames() {
-  std::vector<std::string> names;
-  for (const Species& species : SpeciesCatalogue::BuiltIn()->all()) names.push_back(species.name);
-  return names;
-}
-
 // Of what the robot's stacks can drive: bodies on wheels and legs.
 std::vector<std::string> DrivenSpeciesNames() {
   std::vector<std::string> names;
@@ -129,10 +123,10 @@ void ReadRange(YamlMapping* mapping, const std::string& key, DifficultyRange* ra
   if (!mapping->Has(key)) return;
   DifficultyRange read;
   const bool pair = node.IsSequence() && node.size() == 2;
-  if (!pair || !ReadYamlNumber(node[0], &read.low) || !ReadYamlNumber(node[1], &read.high) ||
-      read.low < 0.0 || read.high < read.low) {
+  if (!pair || !ReadYamlNumber(node[0], &read.low) || !ReadYamlNumber(node[1], &read.high)) {
     AddYamlViolation(node, mapping->PathOf(key), "bad_range",
-                     "legal is [LOW, HIGH], 0 <= LOW <= HIGH", mapping->violations());
+                     "two numbers are wanted: [LOW, HIGH], 0 <= LOW <= HIGH",
+                     mapping->violations());
     return;
   }
   *range = read;
@@ -141,23 +135,17 @@ void ReadRange(YamlMapping* mapping, const std::string& key, DifficultyRange* ra
 TaskWishes ReadTasks(const YAML::Node& node, std::vector<Violation>* violations) {
   TaskWishes wishes;
   YamlMapping mapping(node, "/tasks", violations);
-  mapping.Whole("count", 1, 1000, &wishes.count);
+  mapping.Whole("count", &wishes.count);
   mapping.Seed("seed", &wishes.seed);
-  mapping.Number("goal_radius_m", {0.0, 100.0, /*low_open=*/true}, " m", &wishes.goal_radius_m);
+  mapping.Number("goal_radius_m", &wishes.goal_radius_m);
   ReadRange(&mapping, "length_m", &wishes.length_m);
   ReadRange(&mapping, "climb_m", &wishes.climb_m);
   ReadRange(&mapping, "density", &wishes.density);
   ReadRange(&mapping, "detour", &wishes.detour);
   ReadRange(&mapping, "agents", &wishes.agents);
+  mapping.AddIllegal({}, Validate(wishes).violations());
   mapping.Finish();
   return wishes;
-}
-
-void ReadOptional(YamlMapping* mapping, const std::string& key, const Range& legal,
-                  std::string_view unit, std::optional<double>* out) {
-  double value = legal.low - 1.0;
-  mapping->Number(key, legal, unit, &value);
-  if (legal.Contains(value)) *out = value;
 }
 
 WeatherChange ReadWeather(const YAML::Node& node, const std::string& path,
@@ -169,14 +157,20 @@ WeatherChange ReadWeather(const YAML::Node& node, const std::string& path,
   for (const auto& entry : EnumNames(Weather{})) names.emplace_back(entry.name);
   mapping.Choice("weather", names, &weather);
   if (!weather.empty()) change.weather = FromName<Weather>(weather);
-  ReadOptional(&mapping, "intensity", {0.0, 1.0}, "", &change.intensity);
-  ReadOptional(&mapping, "wind_speed_mps", {0.0, 60.0}, " m/s", &change.wind_speed_mps);
-  ReadOptional(&mapping, "wind_heading_rad", {-7.0, 7.0}, " rad", &change.wind_heading_rad);
-  ReadOptional(&mapping, "gust_mps", {0.0, 60.0}, " m/s", &change.gust_mps);
-  ReadOptional(&mapping, "visibility_m", {5.0, 100000.0}, " m", &change.visibility_m);
-  ReadOptional(&mapping, "ground_wetness", {0.0, 1.0}, "", &change.ground_wetness);
-  ReadOptional(&mapping, "snow_depth_m", {0.0, 2.0}, " m", &change.snow_depth_m);
-  ReadOptional(&mapping, "hour", {0.0, 24.0, false, /*high_open=*/true}, " h", &change.hour);
+  mapping.Number("intensity", &change.intensity);
+  mapping.Number("wind_speed_mps", &change.wind_speed_mps);
+  mapping.Number("wind_heading_rad", &change.wind_heading_rad);
+  mapping.Number("gust_mps", &change.gust_mps);
+  mapping.Number("visibility_m", &change.visibility_m);
+  mapping.Number("ground_wetness", &change.ground_wetness);
+  mapping.Number("snow_depth_m", &change.snow_depth_m);
+  mapping.Number("hour", &change.hour);
+  mapping.AddIllegal({{"wind_speed", "wind_speed_mps"},
+                      {"wind_heading", "wind_heading_rad"},
+                      {"gust", "gust_mps"},
+                      {"visibility", "visibility_m"},
+                      {"snow_depth", "snow_depth_m"}},
+                     Validate(change));
   mapping.Finish();
   return change;
 }
@@ -186,9 +180,13 @@ void ReadAdversaries(const YAML::Node& node, const std::string& path,
   YamlMapping mapping(node, path, violations);
   adversaries->count = 1;
   mapping.Whole("count", 0, 50, &adversaries->count);
-  mapping.Choice("species", SpeciesNames(), &adversaries->species);
-  mapping.Choice("policy", PolicyNames(), &adversaries->policy);
+  mapping.Text("species", 1, &adversaries->species);
+  mapping.Text("policy", 1, &adversaries->policy);
   mapping.Number("reach_m", {3.0, 200.0}, " m", &adversaries->reach_m);
+  SpawnRequest adversary;
+  adversary.species = adversaries->species;
+  adversary.policy = adversaries->policy;
+  mapping.AddIllegal({}, Validate(adversary, *SpeciesCatalogue::BuiltIn()));
   mapping.Finish();
 }
 
@@ -258,7 +256,10 @@ Result<Campaign> Parse(const std::string& text, const std::filesystem::path& fol
   const YAML::Node tasks = root.Get("tasks");
   if (root.Has("tasks")) campaign.tasks = ReadTasks(tasks, &violations);
   campaign.conditions = ReadList<CampaignCondition>(&root, "trials", ReadCondition);
-  root.Number("step_s", {0.001, 0.05}, " s", &campaign.step_s);
+  SimulatorOptions simulator;
+  root.Number("step_s", &simulator.step_s);
+  root.AddIllegal({}, Validate(simulator));
+  campaign.step_s = simulator.step_s;
   root.Number("control_hz", {2.0, 100.0}, " Hz", &campaign.control_hz);
   root.Finish();
   double trials =

@@ -13,7 +13,7 @@
 
 namespace latticeworld {
 
-// What the generator has against a world's words and sizes; OK for bundles.
+// What the generator has against a world's words and sizes, each a violation; OK for bundles.
 Status CheckWorldRequest(const CampaignWorld& world);
 
 // The world of a campaign whose results go to `out`: that of its bundle, or the one that is kept in

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <exception>
+#include <limits>
 #include <utility>
 
 #include "latticeworld/common/text.h"
@@ -98,18 +99,37 @@ void YamlMapping::Require(const std::string& key) {
   violations_->push_back({"missing_key", YamlPlace(node_, PathOf(key)), "is missing", ""});
 }
 
+void YamlMapping::Number(const std::string& key, double* out) {
+  const YAML::Node node = Get(key);
+  if (!Has(key) || ReadYamlNumber(node, out)) return;
+  AddYamlViolation(node, PathOf(key), "wrong_type", "a number is wanted", violations_);
+}
+
+void YamlMapping::Number(const std::string& key, std::optional<double>* out) {
+  double value = std::nan("");
+  Number(key, &value);
+  if (!std::isnan(value)) *out = value;
+}
+
 void YamlMapping::Number(const std::string& key, const Range& legal, std::string_view unit,
                          double* out) {
+  std::optional<double> value;
+  Number(key, &value);
+  if (!value) return;
+  CheckRange(YamlPlace(Get(key), PathOf(key)), *value, legal, unit, violations_);
+  if (legal.Contains(*value)) *out = *value;
+}
+
+void YamlMapping::Whole(const std::string& key, int* out) {
   const YAML::Node node = Get(key);
   if (!Has(key)) return;
   double value = 0.0;
-  if (!ReadYamlNumber(node, &value)) {
-    AddYamlViolation(node, PathOf(key), "wrong_type", "a number is wanted", violations_);
+  if (!ReadYamlNumber(node, &value) || value != std::trunc(value) ||
+      std::abs(value) > std::numeric_limits<int>::max()) {
+    AddYamlViolation(node, PathOf(key), "wrong_type", "a whole number is wanted", violations_);
     return;
   }
-  const std::size_t before = violations_->size();
-  CheckRange(YamlPlace(node, PathOf(key)), value, legal, unit, violations_);
-  if (violations_->size() == before) *out = value;
+  *out = static_cast<int>(value);
 }
 
 void YamlMapping::Whole(const std::string& key, int low, int high, int* out) {
@@ -188,6 +208,19 @@ void YamlMapping::Name(const std::string& key, std::string* out) {
     return;
   }
   *out = name;
+}
+
+void YamlMapping::AddIllegal(const FieldNames& keys, std::vector<Violation> illegal) {
+  Rename(keys, &illegal);
+  const std::vector<Violation> before = *violations_;
+  for (Violation& violation : illegal) {
+    const YAML::Node node = Has(violation.pointer) ? Get(violation.pointer) : node_;
+    violation.pointer = YamlPlace(node, PathOf(violation.pointer));
+    const bool told = std::any_of(before.begin(), before.end(), [&violation](const auto& one) {
+      return one.pointer == violation.pointer;
+    });
+    if (!told) violations_->push_back(std::move(violation));
+  }
 }
 
 void YamlMapping::Finish() {

@@ -4,12 +4,14 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "latticeworld/common/range.h"
+#include "latticeworld/common/request_fields.h"
 #include "latticeworld/common/status.h"
 
 namespace latticeworld {
@@ -35,7 +37,12 @@ class YamlMapping {
   // Adds missing_key where it is not there.
   void Require(const std::string& key);
 
+  // A finite number; which of them are legal is for somebody else to say.
+  void Number(const std::string& key, double* out);
+  void Number(const std::string& key, std::optional<double>* out);
   void Number(const std::string& key, const Range& legal, std::string_view unit, double* out);
+  // The same of whole numbers.
+  void Whole(const std::string& key, int* out);
   void Whole(const std::string& key, int low, int high, int* out);
   // true or false.
   void Switch(const std::string& key, bool* out);
@@ -48,8 +55,11 @@ class YamlMapping {
   void Name(const std::string& key, std::string* out);
 
   std::string PathOf(const std::string& key) const { return path_ + "/" + key; }
-  const YAML::Node& node() const { return node_; }
   std::vector<Violation>* violations() { return violations_; }
+
+  // What the owner of the values that were read has against them, at the places of their keys.
+  // keys: for the owner's names. Nothing of a key that is told as unusable already.
+  void AddIllegal(const FieldNames& keys, std::vector<Violation> illegal);
 
   void Finish();
 

@@ -21,19 +21,21 @@ ExportRegion WholeWorld(const GridGeometry& geometry) {
   return {-half_m, -half_m, half_m, half_m};
 }
 
-Status Validate(const ExportRegion& region, const GridGeometry& geometry) {
+std::vector<Violation> Validate(const std::optional<ExportRegion>& region,
+                                const GridGeometry& geometry) {
+  if (!region) return {};
   const double half_m = geometry.half_size_m();
-  const std::string given = Metres(region.west_m) + "," + Metres(region.south_m) + "," +
-                            Metres(region.east_m) + "," + Metres(region.north_m);
+  const std::string given = Metres(region->west_m) + "," + Metres(region->south_m) + "," +
+                            Metres(region->east_m) + "," + Metres(region->north_m);
   const std::string legal = "legal are west,south,east,north within " + Metres(-half_m) + " to " +
                             Metres(half_m) + " m, at least " + Metres(kMinExport_m) + " m a side";
   // Written so that NaN fails.
-  const bool ordered = region.width_m() >= kMinExport_m && region.depth_m() >= kMinExport_m;
-  const bool inside = geometry.Contains({region.west_m, region.south_m}) &&
-                      geometry.Contains({region.east_m, region.north_m});
-  if (ordered && inside) return Status();
-  return InvalidArgument("the region " + given +
-                         (inside ? " is too small" : " is not in the world") + "; " + legal);
+  const bool ordered = region->width_m() >= kMinExport_m && region->depth_m() >= kMinExport_m;
+  const bool inside = geometry.Contains({region->west_m, region->south_m}) &&
+                      geometry.Contains({region->east_m, region->north_m});
+  if (ordered && inside) return {};
+  return {{"out_of_range", "region",
+           given + (inside ? " is too small" : " is not in the world") + "; " + legal, given}};
 }
 
 CellRange CellsIn(const ExportRegion& region, const GridGeometry& geometry) {
@@ -47,18 +49,18 @@ CellRange CellsIn(const ExportRegion& region, const GridGeometry& geometry) {
           first(geometry.ColOf(region.west_m)), last(geometry.ColOf(region.east_m))};
 }
 
-Status ValidateGround(const std::optional<ExportRegion>& region, const GridGeometry& geometry,
-                      const std::string& what, std::vector<Violation>* violations) {
-  if (!region) return Status();
-  LW_RETURN_IF_ERROR(Validate(*region, geometry));
+std::vector<Violation> ValidateGround(const std::optional<ExportRegion>& region,
+                                      const GridGeometry& geometry, const std::string& what) {
+  std::vector<Violation> violations = Validate(region, geometry);
+  if (!region || !violations.empty()) return violations;
   const CellRange cells = CellsIn(*region, geometry);
   if (cells.rows() < 2 || cells.cols() < 2) {
-    violations->push_back({"too_small", "region",
-                           what + " a side: legal is a region that holds the centres of two cells "
-                                  "of the world's grid a side",
-                           ""});
+    violations.push_back({"too_small", "region",
+                          what + " a side: legal is a region that holds the centres of two cells "
+                                 "of the world's grid a side",
+                          ""});
   }
-  return Status();
+  return violations;
 }
 
 ExportRegion BetweenCenters(const CellRange& cells, const GridGeometry& geometry) {

@@ -27,13 +27,14 @@ struct ExportRegion {
 inline constexpr double kMinExport_m = 2.0;  // a side
 
 ExportRegion WholeWorld(const GridGeometry& geometry);
-// INVALID_ARGUMENT saying what is legal: not finite, smaller than kMinExport_m a side, outside of
-// the world.
-Status Validate(const ExportRegion& region, const GridGeometry& geometry);
-// The same, and a violation where a ground of the centres that it holds would have no area; `what`
-// says what has two a side at least: "a ground has at least two vertices". Legal: no region.
-Status ValidateGround(const std::optional<ExportRegion>& region, const GridGeometry& geometry,
-                      const std::string& what, std::vector<Violation>* violations);
+// A violation of "region" that says what is legal: not finite, smaller than kMinExport_m a side,
+// outside of the world. Legal: no region.
+std::vector<Violation> Validate(const std::optional<ExportRegion>& region,
+                                const GridGeometry& geometry);
+// The same, and where a ground of the centres that it holds would have no area; `what` says what
+// has two a side at least: "a ground has at least two vertices".
+std::vector<Violation> ValidateGround(const std::optional<ExportRegion>& region,
+                                      const GridGeometry& geometry, const std::string& what);
 
 // Cells of a grid, both ends included.
 struct CellRange {

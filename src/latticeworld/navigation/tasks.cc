@@ -189,8 +189,9 @@ std::vector<CellIndex> CellsOf(const DistanceField& field, const DifficultyRange
 
 Status Validate(const TaskWishes& wishes) {
   std::vector<Violation> violations;
-  const auto add = [&](const char* pointer, const std::string& message, double given) {
-    violations.push_back({"out_of_range", pointer, message, FormatDouble(given)});
+  const auto add = [&](const char* pointer, const std::string& legal, double given) {
+    violations.push_back(
+        {"out_of_range", pointer, legal + ", not " + FormatDouble(given), FormatDouble(given)});
   };
   if (wishes.count < 1 || wishes.count > 1000) add("count", "must be from 1 to 1000", wishes.count);
   if (!(wishes.goal_radius_m > 0.0 && wishes.goal_radius_m <= 100.0))

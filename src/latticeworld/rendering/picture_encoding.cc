@@ -2,28 +2,24 @@
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 #include <vector>
 
+#include "latticeworld/common/range.h"
 #include "latticeworld/rendering/views/painting.h"
 
 namespace latticeworld {
 namespace {
 
-constexpr int kMinWidth_px = 64;
-constexpr int kMaxWidth_px = 4096;
+constexpr Range kWidths_px = {64.0, 4096.0};
 
 }  // namespace
 
 Status Validate(const PictureOptions& options) {
-  std::string problems;
-  if (options.width_px < kMinWidth_px || options.width_px > kMaxWidth_px)
-    problems = "width must be from " + std::to_string(kMinWidth_px) + " to " +
-               std::to_string(kMaxWidth_px) + " pixels, not " + std::to_string(options.width_px);
-  if (options.compression < 0 || options.compression > 9) {
-    if (!problems.empty()) problems += "; ";
-    problems += "compression must be from 0 to 9, not " + std::to_string(options.compression);
-  }
-  return problems.empty() ? Status() : InvalidArgument(problems);
+  std::vector<Violation> violations;
+  CheckRange("width", options.width_px, kWidths_px, " pixels", &violations);
+  CheckRange("compression", options.compression, {0.0, 9.0}, "", &violations);
+  return Status::FromViolations("the picture", std::move(violations));
 }
 
 cv::Mat Averaged(const cv::Mat& supersampled) {

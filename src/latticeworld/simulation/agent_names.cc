@@ -14,15 +14,17 @@ bool IsNameCharacter(char c) { return IsLetter(c) || (c >= '0' && c <= '9') || c
 
 }  // namespace
 
-Status CheckAgentName(std::string_view name) {
+void CheckAgentName(std::string_view name, std::vector<Violation>* violations) {
   if (!name.empty() && name.size() <= kMaxNameLength && IsLetter(name.front()) &&
       std::all_of(name.begin(), name.end(), IsNameCharacter)) {
-    return Status();
+    return;
   }
-  return InvalidArgument("the name " + Quote(name) +
-                         " is not legal: it must begin with a letter and hold only letters, "
-                         "digits and underscores, at most " +
-                         std::to_string(kMaxNameLength) + " characters");
+  violations->push_back({"illegal_name", "name",
+                         Quote(name) +
+                             " is not legal; legal is a letter, then letters, digits and "
+                             "underscores, at most " +
+                             std::to_string(kMaxNameLength) + " characters",
+                         Quote(name)});
 }
 
 std::string NumberedName(std::string_view kind, int number) {

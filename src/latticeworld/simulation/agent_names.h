@@ -10,9 +10,9 @@
 
 namespace latticeworld {
 
-// OK for a legal ROS base name (a letter, then letters, digits and underscores) of at most 64
-// characters; else INVALID_ARGUMENT that quotes it. For agents and props.
-Status CheckAgentName(std::string_view name);
+// A violation of the field "name" unless that is a legal ROS base name (a letter, then letters,
+// digits and underscores) of at most 64 characters. For agents and props.
+void CheckAgentName(std::string_view name, std::vector<Violation>* violations);
 
 // "wheeled_robot_3" of "wheeled robot" and 3
 std::string NumberedName(std::string_view kind, int number);

@@ -57,8 +57,10 @@ struct SpawnRequest {
   std::optional<int> team;  // none: what suits the category; [0, kMaxTeam]
   std::string policy;       // "": the team's, else the category's usual one; "" where controllable
 };
-// What a request says that is illegal in every world.
-std::vector<Violation> Validate(const SpawnRequest& request);
+// What a request says that is illegal in every world. Fields are called as spawn_agent has them.
+std::vector<Violation> Validate(const SpawnRequest& request, const SpeciesCatalogue& species);
+// The same of a prop that is to be spawned: its name, and what Validate of scene/props finds.
+std::vector<Violation> ValidateSpawn(const Prop& prop);
 
 // Which policy an agent, or every agent of a team now and later, follows. Exactly one of the two.
 // Controllable agents follow commands and no policy: those of a team are left alone.
@@ -68,8 +70,6 @@ struct PolicyChange {
   std::string policy;  // of PolicyNames(); "": back to the usual one
 };
 std::vector<Violation> Validate(const PolicyChange& change);
-// A violation of the field "policy" where there is none of that name; "" is legal.
-void CheckPolicy(const std::string& policy, std::vector<Violation>* violations);
 // Adversarial and other policies that agents can follow, sorted: "pursuer", "ambusher" ...
 // "external" does what Simulator::Command says.
 std::vector<std::string> PolicyNames();
@@ -95,7 +95,8 @@ class Simulator {
   // "external"), INVALID_ARGUMENT (not finite). Speeds beyond the species' limits are clamped.
   virtual Status Command(const std::string& agent, const VelocityCommand& command) = 0;
   // The same for joints; while they hold, the agent's own gait or drive leaves those joints alone.
-  // Errors: as above, and NOT_FOUND for a joint (naming those that there are).
+  // Errors: as above, with every violation; NOT_FOUND where a joint is not there (naming those that
+  // are).
   virtual Status CommandJoints(const std::string& agent,
                                const std::vector<JointCommand>& commands) = 0;
   // Strikes the nearest enemy before it and within its reach, if any, once its last blow is long
@@ -112,8 +113,9 @@ class Simulator {
   // Events since the last call.
   virtual std::vector<Event> TakeEvents() = 0;
 
-  // Refused (FAILED_PRECONDITION, OUT_OF_RANGE, ALREADY_EXISTS, RESOURCE_EXHAUSTED,
-  // INVALID_ARGUMENT) with the reason; nothing changes then. The answer is the agent's name.
+  // The answer is the agent's name. Errors, and nothing changes then: INVALID_ARGUMENT with every
+  // violation; of what is legal RESOURCE_EXHAUSTED (the world is full), ALREADY_EXISTS (the name),
+  // OUT_OF_RANGE, FAILED_PRECONDITION, NOT_FOUND (the place).
   virtual Result<std::string> Spawn(const SpawnRequest& request) = 0;
   virtual Status Remove(const std::string& agent) = 0;
   // prop.name "": "<kind>_<n>"; z_m is looked up: props stand on the ground. Errors: as

@@ -7,19 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "latticeworld/common/request_fields.h"
 #include "latticeworld/common/text.h"
-#include "latticeworld_ros/conversion/request_fields.h"
 
 namespace latticeworld {
-namespace {
-
-void RefuseTeam(int given, const std::string& legal, std::vector<Violation>* violations) {
-  violations->push_back({"out_of_range", "team",
-                         std::to_string(given) + " is not legal; legal is " + legal,
-                         std::to_string(given)});
-}
-
-}  // namespace
 
 std::string BaseFrame(const std::string& agent) { return agent + "/base_link"; }
 std::string OdomFrame(const std::string& agent) { return agent + "/odom"; }
@@ -162,12 +153,10 @@ Result<SpawnRequest> ToSpawnRequest(const latticeworld_msgs::SpawnAgent::Request
   std::vector<Violation> violations;
   SpawnRequest spawn;
   spawn.name = request.name;
-  const std::string& wanted = request.species.empty() ? options.robot_species : request.species;
-  if (const Species* species = options.species->Find(wanted)) {
+  spawn.species = request.species.empty() ? options.robot_species : request.species;
+  if (const Species* species = options.species->Find(spawn.species)) {
     spawn.species = species->name;
     spawn.category = species->category;
-  } else {
-    RefuseUnknown("species", wanted, Join(SpeciesNames(*options.species), ", "), &violations);
   }
   if (!request.state.empty()) {
     spawn.state = ReadName<AgentState>("state", request.state, &violations);
@@ -180,32 +169,20 @@ Result<SpawnRequest> ToSpawnRequest(const latticeworld_msgs::SpawnAgent::Request
   }
   spawn.heading_rad = request.heading;
   spawn.controllable = request.controllable;
-  if (request.team < -1 || request.team > kMaxTeam) {
-    RefuseTeam(request.team, "-1 (neutral), 0 (what suits the species) or 1 .. 15", &violations);
-  } else if (request.team != 0) {
-    spawn.team = std::max(0, request.team);
+  constexpr int kNeutral = -1, kNeutralOfSimulator = 0;
+  if (request.team != 0) {
+    spawn.team = request.team == kNeutral ? kNeutralOfSimulator : request.team;
   }
   spawn.policy = request.policy;
-  for (Violation& violation : Validate(spawn)) violations.push_back(std::move(violation));
-  if (!violations.empty()) {
-    return Status::FromViolations("spawn_agent", std::move(violations));
-  }
-  return spawn;
+  if (violations.empty()) return spawn;
+  return RefuseUnread("spawn", std::move(violations), Validate(spawn, *options.species));
 }
 
-Result<PolicyChange> ToPolicyChange(const latticeworld_msgs::SetPolicy::Request& request) {
-  std::vector<Violation> violations;
+PolicyChange ToPolicyChange(const latticeworld_msgs::SetPolicy::Request& request) {
   PolicyChange change;
   change.agent = request.agent;
+  if (request.team != 0) change.team = request.team;
   change.policy = request.policy;
-  if (request.team < 0 || request.team > kMaxTeam) {
-    RefuseTeam(request.team, "1 .. 15, or 0 with the name of an agent", &violations);
-    CheckPolicy(request.policy, &violations);
-  } else {
-    if (request.team != 0) change.team = request.team;
-    violations = Validate(change);
-  }
-  if (!violations.empty()) return Status::FromViolations("set_policy", std::move(violations));
   return change;
 }
 

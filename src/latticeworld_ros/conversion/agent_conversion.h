@@ -53,13 +53,13 @@ VelocityCommand ToVelocityCommand(const geometry_msgs::Twist& twist);
 Result<std::vector<JointCommand>> ToJointCommands(const sensor_msgs::JointState& message);
 inline constexpr std::size_t kMaxCommandedJoints = 256;
 
-// options: of the simulator, whose catalogue knows the species. Errors: INVALID_ARGUMENT with every
-// violation (species, state, place, position, heading, team, policy).
+// options: of the simulator, whose catalogue knows the species. What it says is for the simulator
+// to judge. Errors: INVALID_ARGUMENT where state or place are no names of any; then with everything
+// that Validate has against the rest.
 Result<SpawnRequest> ToSpawnRequest(const latticeworld_msgs::SpawnAgent::Request& request,
                                     const SimulatorOptions& options);
 
-// Errors: INVALID_ARGUMENT with every violation (neither or both of agent and team, policy).
-Result<PolicyChange> ToPolicyChange(const latticeworld_msgs::SetPolicy::Request& request);
+PolicyChange ToPolicyChange(const latticeworld_msgs::SetPolicy::Request& request);
 
 // "sheep, goblin, ...": what the catalogue has.
 std::vector<std::string> SpeciesNames(const SpeciesCatalogue& catalogue);

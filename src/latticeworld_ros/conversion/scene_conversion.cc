@@ -1,11 +1,13 @@
 #include "latticeworld_ros/conversion/scene_conversion.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "latticeworld/common/request_fields.h"
 #include "latticeworld/scene/props/props.h"
+#include "latticeworld/simulation/simulator.h"
 #include "latticeworld_ros/conversion/geometry_conversion.h"
-#include "latticeworld_ros/conversion/request_fields.h"
 
 namespace latticeworld {
 
@@ -55,42 +57,22 @@ latticeworld_msgs::SceneChanges ToSceneChangesMessage(const WorldState& state, r
 
 Result<Prop> ToProp(const latticeworld_msgs::SpawnElement::Request& request) {
   std::vector<Violation> violations;
-  const PropKind kind =
-      request.kind.empty()
-          ? PropKind::kCrate
-          : ReadName<PropKind>("kind", request.kind, &violations).value_or(PropKind::kCrate);
+  std::optional<PropKind> kind = PropKind::kCrate;
+  if (!request.kind.empty()) kind = ReadName<PropKind>("kind", request.kind, &violations);
+  // What size and strength may be depends on the kind: without one nothing can be said of them.
+  Prop prop = kind ? PropOf(*kind, FromVector(request.size), request.mass, request.strength)
+                   : PropOf(PropKind::kCrate, Eigen::Vector3d::Zero(), request.mass);
+  prop.name = request.name;
+  prop.position = {request.position.x, request.position.y};
+  prop.yaw_rad = request.heading;
+  // A prop's name is that of its frame.
   if (request.name == kMapFrame) {
     violations.push_back({"reserved", "name",
                           "map is the name of another frame; legal is any other",
                           Quote(request.name)});
   }
-  CheckFinite({{"position.x", request.position.x},
-               {"position.y", request.position.y},
-               {"heading", request.heading}},
-              &violations);
-  for (const auto& [field, value] :
-       {NamedNumber("size.x", request.size.x), NamedNumber("size.y", request.size.y),
-        NamedNumber("size.z", request.size.z), NamedNumber("mass", request.mass),
-        NamedNumber("strength", request.strength)}) {
-    if (std::isfinite(value) && value >= 0.0) continue;
-    violations.push_back({"out_of_range", field,
-                          FormatDouble(value) + " is not legal; legal is 0 (usual) or above",
-                          FormatDouble(value)});
-  }
-  if (!violations.empty()) return Status::FromViolations("spawn_element", std::move(violations));
-
-  Prop prop = UsualProp(kind);
-  prop.name = request.name;
-  prop.position = {request.position.x, request.position.y};
-  prop.yaw_rad = request.heading;
-  const Eigen::Vector3d size_m = FromVector(request.size);
-  for (int i = 0; i < 3; ++i) {
-    if (size_m[i] > 0.0) prop.size_m[i] = size_m[i];
-  }
-  if (kind == PropKind::kLooseStone) prop.size_m.setConstant(prop.size_m.x());
-  prop.mass_kg = request.mass > 0.0 ? request.mass : UsualMass(kind, prop.size_m);
-  prop.strength = request.strength > 0.0 ? request.strength : UsualStrength(kind, prop.size_m);
-  return prop;
+  if (violations.empty()) return prop;
+  return RefuseUnread("illegal element", std::move(violations), ValidateSpawn(prop));
 }
 
 double OpeningOf(const latticeworld_msgs::OpenGate::Request& request) {

@@ -20,8 +20,9 @@ latticeworld_msgs::ElementStates ToElementStates(const WorldState& state, ros::T
 latticeworld_msgs::SceneChanges ToSceneChangesMessage(const WorldState& state, ros::Time stamp,
                                                       const std::string& world_id);
 
-// What is left open is usual for the kind. Errors: INVALID_ARGUMENT with every violation (kind, a
-// name that is another frame's, numbers that are not finite or below 0).
+// What is left open is usual for the kind; what is given is for the simulator to judge. Errors:
+// INVALID_ARGUMENT where kind is no name of any or the name is another frame's; then with
+// everything that ValidateSpawn has against the rest.
 Result<Prop> ToProp(const latticeworld_msgs::SpawnElement::Request& request);
 
 // Opening that the request asks for [rad].

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "latticeworld/common/text.h"
+#include "latticeworld/common/request_fields.h"
 #include "latticeworld_ros/conversion/geometry_conversion.h"
 
 namespace latticeworld {
@@ -56,13 +56,7 @@ Result<WeatherChange> ToWeatherChange(const latticeworld_msgs::SetWeather::Reque
   std::vector<Violation> violations;
   WeatherChange change;
   if (!request.weather.empty()) {
-    change.weather = FromName<Weather>(request.weather);
-    if (!change.weather.has_value()) {
-      violations.push_back(
-          {"unknown_value", "weather",
-           Quote(request.weather) + " is unknown; legal are " + LegalNames<Weather>(),
-           Quote(request.weather)});
-    }
+    change.weather = ReadName<Weather>("weather", request.weather, &violations);
   }
   const auto read = [&violations](const char* field, const std::vector<double>& given) {
     return ReadOne(field, given, &violations);
@@ -77,9 +71,8 @@ Result<WeatherChange> ToWeatherChange(const latticeworld_msgs::SetWeather::Reque
   change.water_rise_m = read("water_rise", request.water_rise);
   change.hour = read("hour", request.hour);
   change.transition_s = std::isnan(request.transition) ? 0.0 : request.transition;
-  for (Violation& violation : Validate(change)) violations.push_back(std::move(violation));
-  if (!violations.empty()) return Status::FromViolations("set_weather", std::move(violations));
-  return change;
+  if (violations.empty()) return change;
+  return RefuseUnread("weather", std::move(violations), Validate(change));
 }
 
 }  // namespace latticeworld

@@ -15,8 +15,9 @@ namespace latticeworld {
 latticeworld_msgs::Weather ToWeatherMessage(const Atmosphere& atmosphere, double remaining_s,
                                             ros::Time stamp, const std::string& world_id);
 
-// Errors: INVALID_ARGUMENT with every violation: unknown weather, more than one number for a value,
-// and what Validate finds.
+// What it says is for the simulator to judge. Errors: INVALID_ARGUMENT where the weather is no name
+// of any, or a value is more than one number; then with everything that Validate has against the
+// rest.
 Result<WeatherChange> ToWeatherChange(const latticeworld_msgs::SetWeather::Request& request);
 
 }  // namespace latticeworld

@@ -10,6 +10,7 @@
 namespace latticeworld {
 namespace {
 
+constexpr char kWhat[] = "topics of an episode";
 constexpr std::size_t kMaxPatterns = 64;
 constexpr std::size_t kMaxPatternLength = 256;
 // Deep enough for what comes while a thread waits its turn.
@@ -36,22 +37,32 @@ Result<TopicFilter> TopicFilter::Create(const std::vector<std::string>& patterns
   TopicFilter filter;
   filter.patterns_ = patterns.empty() ? UsualPatterns() : patterns;
   if (sensors) filter.patterns_.push_back(kSensorPattern);
-  if (filter.patterns_.size() > kMaxPatterns) {
-    return InvalidArgument("topics has " + std::to_string(filter.patterns_.size()) +
-                           " patterns; legal are at most " + std::to_string(kMaxPatterns));
+  const std::size_t count = filter.patterns_.size();
+  if (count > kMaxPatterns) {
+    return Status::FromViolations(
+        kWhat, {{"too_many", "topics",
+                 "has " + std::to_string(count) + " patterns; legal are at most " +
+                     std::to_string(kMaxPatterns),
+                 std::to_string(count)}});
   }
-  for (const std::string& pattern : filter.patterns_) {
+  std::vector<Violation> violations;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string& pattern = filter.patterns_[i];
+    const auto refuse = [&](const char* code, const std::string& flaw) {
+      violations.push_back({code, "topics[" + std::to_string(i) + "]",
+                            Quote(pattern) + " is " + flaw, Quote(pattern)});
+    };
     if (pattern.size() > kMaxPatternLength) {
-      return InvalidArgument("topics: " + Quote(pattern) + " is longer than " +
-                             std::to_string(kMaxPatternLength) + " characters");
+      refuse("too_long", "longer than " + std::to_string(kMaxPatternLength) + " characters");
+      continue;
     }
     try {
       filter.expressions_.emplace_back(pattern, std::regex::ECMAScript | std::regex::optimize);
     } catch (const std::regex_error& error) {
-      return InvalidArgument("topics: " + Quote(pattern) +
-                             " is no regular expression: " + error.what());
+      refuse("bad_pattern", std::string("no regular expression: ") + error.what());
     }
   }
+  if (!violations.empty()) return Status::FromViolations(kWhat, std::move(violations));
   return filter;
 }
 

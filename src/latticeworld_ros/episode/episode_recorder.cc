@@ -3,7 +3,6 @@
 #include <ros/master.h>
 
 #include <chrono>
-#include <cmath>
 #include <ctime>
 #include <optional>
 #include <system_error>
@@ -16,7 +15,6 @@
 #include "latticeworld_ros/node/descriptors.h"
 #include "latticeworld_ros/node/parameters.h"
 #include "latticeworld_ros/node/service_address.h"
-#include "latticeworld_ros/server/bundle_name.h"
 
 namespace latticeworld {
 namespace {
@@ -31,7 +29,6 @@ using latticeworld_msgs::StopEpisode;
 using latticeworld_msgs::WorldFiles;
 
 constexpr char kBundleService[] = "get_world_bundle";
-constexpr std::size_t kMaxName = 64;
 constexpr std::size_t kMostNamed = 5;  // topics, in a warning
 constexpr std::chrono::milliseconds kSupervisePeriod(250);
 constexpr std::chrono::milliseconds kPollPeriod(10);
@@ -170,38 +167,18 @@ EpisodeRecorder::~EpisodeRecorder() {
   if (running_ != nullptr) (void)Finish("the recorder was ended", /*ask=*/false);
 }
 
-Result<EpisodeRecordingOptions> EpisodeRecorder::OptionsOf(
-    const StartEpisode::Request& request) const {
-  EpisodeRecordingOptions options;
+Result<EpisodeRequest> EpisodeRecorder::Read(const StartEpisode::Request& request) const {
+  LW_ASSIGN_OR_RETURN(EpisodeRequest read, ReadEpisodeRequest(request, options_.compression));
+  EpisodeRecordingOptions& options = read.options;
   options.directory = directory_;
-  options.name = request.name.empty() ? WallTime("episode-%Y%m%d-%H%M%S") : request.name;
+  if (options.name.empty()) options.name = WallTime("episode-%Y%m%d-%H%M%S");
   options.topics = TopicsHere();
   options.buffer_bytes = static_cast<std::uint64_t>(options_.buffer_mb) << 20;
-  options.split_bytes = static_cast<std::uint64_t>(request.split_mb) << 20;
-  options.max_bytes = static_cast<std::uint64_t>(request.max_mb) << 20;
-  options.max_duration_s = request.max_duration;
-  LW_RETURN_IF_ERROR(CheckBundleName(options.name));
-  if (options.name.size() > kMaxName) {
-    return InvalidArgument("name has " + std::to_string(options.name.size()) +
-                           " characters; legal are at most " + std::to_string(kMaxName));
-  }
-  const std::string compression =
-      request.compression.empty() ? options_.compression : request.compression;
-  const auto known = FromName<BagCompression>(compression);
-  if (!known) {
-    return InvalidArgument("compression is " + Quote(compression) + "; legal are " +
-                           LegalNames<BagCompression>());
-  }
-  options.compression = *known;
-  if (!(request.max_duration >= 0.0) || !std::isfinite(request.max_duration)) {
-    return InvalidArgument("max_duration is " + FormatDouble(request.max_duration) +
-                           " s; legal is 0 or more");
-  }
   if (!FilesOfEpisode(directory_, options.name).empty()) {
     return Status(StatusCode::kAlreadyExists,
                   "there is an episode " + Quote(options.name) + " in " + directory_.string());
   }
-  return options;
+  return read;
 }
 
 Result<GetWorldBundle::Response> EpisodeRecorder::AskForWorld(bool files) const {
@@ -224,13 +201,8 @@ Status EpisodeRecorder::Start(const StartEpisode::Request& request,
     return FailedPrecondition("the episode " + Quote(running_->recording.options().name) +
                               " is being recorded; stop_episode ends it");
   }
-  if (request.keep_state && request.seed != 0) {
-    return InvalidArgument("seed is " + std::to_string(request.seed) +
-                           ", and keep_state is set: the state has its seed");
-  }
-  LW_ASSIGN_OR_RETURN(const EpisodeRecordingOptions options, OptionsOf(request));
-  LW_ASSIGN_OR_RETURN(const TopicFilter filter,
-                      TopicFilter::Create(request.topics, request.sensors));
+  LW_ASSIGN_OR_RETURN(const EpisodeRequest read, Read(request));
+  const EpisodeRecordingOptions& options = read.options;
   std::error_code error;
   fs::create_directories(directory_, error);
   if (error) {
@@ -239,7 +211,7 @@ Status EpisodeRecorder::Start(const StartEpisode::Request& request,
   LW_RETURN_IF_ERROR(WaitForService(kBundleService));
   // Heard first, asked for then: what happens between the two is known twice, not lost.
   auto running = std::make_unique<Running>(
-      options, node_, filter,
+      options, node_, read.filter,
       std::vector<std::string>{"/clock", options.topics.journal, options.topics.state_hash});
   running->listener.Discover();
   WaitForConnections(running->listener);
@@ -251,8 +223,8 @@ Status EpisodeRecorder::Start(const StartEpisode::Request& request,
   WorldFiles files;
   files.world_id = world.world_id;
   files.files.swap(world.world);
-  LW_RETURN_IF_ERROR(
-      running->recording.Begin(StartOf(world, options.name, filter.patterns()), std::move(files)));
+  LW_RETURN_IF_ERROR(running->recording.Begin(StartOf(world, options.name, read.filter.patterns()),
+                                              std::move(files)));
   running_ = std::move(running);
   response->name = options.name;
   response->path = running_->recording.progress().active_path;

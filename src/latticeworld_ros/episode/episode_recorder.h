@@ -16,6 +16,7 @@
 #include "latticeworld_ros/episode/episode_listener.h"
 #include "latticeworld_ros/episode/episode_recorder_options.h"
 #include "latticeworld_ros/episode/episode_recording.h"
+#include "latticeworld_ros/episode/episode_request.h"
 #include "latticeworld_ros/episode/server_watch.h"
 #include "latticeworld_ros/node/service_queue.h"
 
@@ -45,8 +46,7 @@ class EpisodeRecorder {
   void List(latticeworld_msgs::ListEpisodes::Response* response) const;
 
   // What a request says, with the name of the episode. Errors: INVALID_ARGUMENT, ALREADY_EXISTS.
-  Result<EpisodeRecordingOptions> OptionsOf(
-      const latticeworld_msgs::StartEpisode::Request& request) const;
+  Result<EpisodeRequest> Read(const latticeworld_msgs::StartEpisode::Request& request) const;
   // The state from which the episode goes on. Errors: UNAVAILABLE, those of world_server.
   Result<latticeworld_msgs::GetWorldBundle::Response> AskForWorld(bool files) const;
   Status ResetWorld(std::uint64_t seed) const;

@@ -3,6 +3,8 @@
 #include <tf2/exceptions.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "latticeworld/common/text.h"
 #include "latticeworld_ros/conversion/geometry_conversion.h"
@@ -45,48 +47,79 @@ Result<Eigen::Isometry3d> LookUp(const tf2_ros::Buffer& buffer, const std::strin
 }
 
 Result<NavigatorGoal> ReadGoal(const geometry_msgs::PoseStamped& goal,
-                               const tf2_ros::Buffer& buffer, const std::string& global_frame) {
+                               const tf2_ros::Buffer& buffer, const std::string& global_frame,
+                               const std::string& name) {
+  std::vector<Violation> violations;
+  const auto refuse = [&](const char* field, const std::string& message, std::string given) {
+    violations.push_back({"illegal_value", name + field, message, std::move(given)});
+  };
   const auto& p = goal.pose.position;
-  const auto& q = goal.pose.orientation;
-  if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-    return InvalidArgument("the goal's position is " + Numbers({p.x, p.y, p.z}) +
-                           "; legal are finite numbers [m]");
+  const Eigen::Vector3d position_m(p.x, p.y, p.z);
+  if (!position_m.allFinite()) {
+    const std::string given = Numbers({p.x, p.y, p.z});
+    refuse(".pose.position", "is " + given + "; legal are finite numbers [m]", given);
   }
+  const auto& q = goal.pose.orientation;
+  const std::string quaternion = Numbers({q.x, q.y, q.z, q.w});
+  const auto refuse_orientation = [&](const char* flaw) {
+    refuse(".pose.orientation",
+           "(x, y, z, w) is " + quaternion + flaw +
+               "; legal is (0, 0, sin(heading / 2), cos(heading / 2))",
+           quaternion);
+  };
   const Eigen::Quaterniond orientation(q.w, q.x, q.y, q.z);
   // The norm of a NaN is no number, and fails too.
-  if (!(orientation.norm() > kLeastLength) || !std::isfinite(orientation.norm())) {
-    return InvalidArgument("the goal's orientation (x, y, z, w) is " +
-                           Numbers({q.x, q.y, q.z, q.w}) +
-                           "; legal is a quaternion of length 1: (0, 0, sin(heading / 2), "
-                           "cos(heading / 2))");
-  }
+  const bool turns = orientation.norm() > kLeastLength && std::isfinite(orientation.norm());
+  if (!turns) refuse_orientation(", which is not of length 1");
   const std::string frame = WithoutSlash(goal.header.frame_id);
-  if (frame.empty()) {
-    return InvalidArgument("the goal has no frame; legal is " + Quote(global_frame) +
-                           " and every frame that tf connects with it");
-  }
-  Eigen::Isometry3d map_from_frame = Eigen::Isometry3d::Identity();
-  if (frame != global_frame) {
+  Result<Eigen::Isometry3d> map_from_frame = Eigen::Isometry3d(Eigen::Isometry3d::Identity());
+  if (!frame.empty() && frame != global_frame) {
     // The latest transform, as move_base takes it: a goal is a place, whatever its stamp.
-    const auto found = LookUp(buffer, global_frame, frame, ros::Time());
-    if (!found.ok()) {
-      return found.status().WithContext("the goal is given in the frame " + Quote(frame) +
-                                        "; legal is " + Quote(global_frame) +
-                                        " and every frame that tf connects with it");
-    }
-    map_from_frame = *found;
+    map_from_frame = LookUp(buffer, global_frame, frame, ros::Time());
   }
+  const Status& of_tf = map_from_frame.status();
+  if (frame.empty() || of_tf.code() == StatusCode::kInvalidArgument) {
+    refuse(".header.frame_id",
+           (frame.empty() ? "is no frame" : "is " + Quote(frame) + ": " + of_tf.message()) +
+               "; legal is " + Quote(global_frame) + " and every frame that tf connects with it",
+           Quote(frame));
+  } else if (map_from_frame.ok() && turns &&
+             (map_from_frame->linear() * orientation.normalized())(2, 2) < kLeastUpright) {
+    refuse_orientation(", which does not stand upright");
+  }
+  if (!violations.empty()) return Status::FromViolations("illegal request", std::move(violations));
+  LW_RETURN_IF_ERROR(of_tf.WithContext(name + ".header.frame_id"));
   const Eigen::Isometry3d in_map =
-      map_from_frame * ToIsometry({p.x, p.y, p.z}, orientation.normalized());
+      *map_from_frame * ToIsometry(position_m, orientation.normalized());
   const Eigen::Vector3d x_axis = in_map.linear().col(0);
-  if (in_map.linear()(2, 2) < kLeastUpright) {
-    return InvalidArgument("the goal's orientation (x, y, z, w) is " +
-                           Numbers({q.x, q.y, q.z, q.w}) +
-                           ", which does not stand upright; legal is (0, 0, sin(heading / 2), "
-                           "cos(heading / 2))");
-  }
   return NavigatorGoal{{in_map.translation().x(), in_map.translation().y()},
                        std::atan2(x_axis.y(), x_axis.x())};
+}
+
+Result<PlanRequest> ReadPlanRequest(const nav_msgs::GetPlan::Request& request,
+                                    const tf2_ros::Buffer& buffer,
+                                    const std::string& global_frame) {
+  const Result<NavigatorGoal> goal = ReadGoal(request.goal, buffer, global_frame, "goal");
+  const bool from_here = request.start.header.frame_id.empty();
+  const Result<NavigatorGoal> start =
+      from_here ? NavigatorGoal() : ReadGoal(request.start, buffer, global_frame, "start");
+  std::vector<Violation> violations;
+  for (const Status& status : {start.status(), goal.status()}) {
+    violations.insert(violations.end(), status.violations().begin(), status.violations().end());
+  }
+  if (!std::isfinite(request.tolerance) || request.tolerance < 0.0f) {
+    const std::string given = FormatDouble(request.tolerance);
+    violations.push_back(
+        {"out_of_range", "tolerance", "is " + given + "; legal are 0 m and more", given});
+  }
+  LW_RETURN_IF_ERROR(Status::FromViolations("illegal request", std::move(violations)));
+  LW_RETURN_IF_ERROR(start.status());
+  LW_RETURN_IF_ERROR(goal.status());
+  PlanRequest read;
+  if (!from_here) read.start = start->place;
+  read.goal = goal->place;
+  read.tolerance_m = request.tolerance;
+  return read;
 }
 
 }  // namespace latticeworld

@@ -179,7 +179,8 @@ Result<NavigatorPose> NavigatorNode::Pose() const {
 }
 
 Status NavigatorNode::TakeGoal(const geometry_msgs::PoseStamped& target) {
-  LW_ASSIGN_OR_RETURN(const NavigatorGoal goal, ReadGoal(target, tf_, options_.global_frame));
+  LW_ASSIGN_OR_RETURN(const NavigatorGoal goal,
+                      ReadGoal(target, tf_, options_.global_frame, "target_pose"));
   LW_RETURN_IF_ERROR(Ready());
   LW_ASSIGN_OR_RETURN(const NavigatorPose pose, Pose());
   LW_RETURN_IF_ERROR(navigator_->SetGoal(goal.place, goal.heading_rad, pose));
@@ -266,23 +267,13 @@ bool NavigatorNode::MakePlan(nav_msgs::GetPlan::Request& request,
                              nav_msgs::GetPlan::Response& response) {
   // roscpp answers an exception's text to the caller; without one it could say nothing.
   const auto plan = [&]() -> Result<std::vector<WorldPoint>> {
-    LW_ASSIGN_OR_RETURN(const NavigatorGoal goal,
-                        ReadGoal(request.goal, tf_, options_.global_frame));
+    LW_ASSIGN_OR_RETURN(PlanRequest wanted, ReadPlanRequest(request, tf_, options_.global_frame));
     LW_RETURN_IF_ERROR(Ready());
-    WorldPoint start;
-    if (request.start.header.frame_id.empty()) {
+    if (!wanted.start) {
       LW_ASSIGN_OR_RETURN(const NavigatorPose pose, Pose());
-      start = {pose.map_from_base.translation().x(), pose.map_from_base.translation().y()};
-    } else {
-      const auto read = ReadGoal(request.start, tf_, options_.global_frame);
-      if (!read.ok()) return read.status().WithContext("start");
-      start = read->place;
+      wanted.start = {pose.map_from_base.translation().x(), pose.map_from_base.translation().y()};
     }
-    if (!std::isfinite(request.tolerance) || request.tolerance < 0.0f) {
-      return InvalidArgument("the tolerance is " + FormatDouble(request.tolerance) +
-                             "; legal are 0 m and more");
-    }
-    return navigator_->Plan(start, goal.place, request.tolerance);
+    return navigator_->Plan(*wanted.start, wanted.goal, wanted.tolerance_m);
   }();
   if (!plan.ok() && plan.status().code() != StatusCode::kNotFound)
     throw std::runtime_error(plan.status().ToString());

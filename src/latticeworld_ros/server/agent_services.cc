@@ -57,7 +57,7 @@ void AdvertiseAgentServices(const SimulatorOptions& options, SimulationLoop* loo
   queue->Advertise<SetPolicy>(
       "set_policy", [=](const SetPolicy::Request& request, SetPolicy::Response* response) {
         const auto set = [&]() -> Status {
-          LW_ASSIGN_OR_RETURN(const PolicyChange change, ToPolicyChange(request));
+          const PolicyChange change = ToPolicyChange(request);
           const auto apply = [&](Simulator* simulator) -> Result<std::string> {
             LW_RETURN_IF_ERROR(simulator->SetPolicy(change));
             return change.agent;

@@ -8,8 +8,8 @@
 namespace latticeworld {
 
 // OK for a name that stays below the worlds directory: a letter or digit, then letters, digits,
-// '_', '-' and '.', at most 128; else INVALID_ARGUMENT that quotes it.
-Status CheckBundleName(std::string_view name);
+// '_', '-' and '.', at most so many; else INVALID_ARGUMENT that quotes it.
+Status CheckBundleName(std::string_view name, std::size_t most_characters = 128);
 
 }  // namespace latticeworld
 

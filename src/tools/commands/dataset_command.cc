@@ -33,13 +33,12 @@ Result<DatasetOptions> ReadOptions(const CLI::App& command) {
   ArgumentReader reader(&command);
   DatasetOptions options;
   options.seed = reader.Unsigned("--seed", options.seed);
-  options.threads = static_cast<int>(reader.Integer("--threads", 0, 256, options.threads));
+  options.threads = reader.Whole("--threads", options.threads);
   options.size_m = reader.Number("--size", options.size_m);
   const auto split = reader.NumberPair("--split");
   const std::string prompts = reader.Choice("--prompts", {"full", "short"}, "full");
   const std::string layouts = reader.Choice("--layouts", {"source", "grounded"}, "source");
   reader.AllowOneOf({"--layout", "--environment"});
-  LW_RETURN_IF_ERROR(reader.status());
   if (split) {
     options.train_share = split->first;
     options.validation_share = split->second;
@@ -50,12 +49,13 @@ Result<DatasetOptions> ReadOptions(const CLI::App& command) {
   if (IsGiven(command, "--layout")) options.environment = false;
   if (IsGiven(command, "--environment")) options.layout = false;
   if (ValueOf(command, "--annotator") == "remote") options.groups_per_part = kGroupsPerRemotePart;
-  std::vector<Violation> violations = Validate(options);
-  for (Violation& violation : violations) {
-    const bool share = EndsWith(violation.pointer, "_share");
-    violation.pointer = share ? "--split" : "--" + violation.pointer;
-  }
-  LW_RETURN_IF_ERROR(Status::FromViolations("unusable arguments", std::move(violations)));
+  // Asked before the source is looked at, which takes longer.
+  reader.AddIllegal({{"train_share", "--split"},
+                     {"validation_share", "--split"},
+                     {"size", "--size"},
+                     {"threads", "--threads"}},
+                    Validate(options));
+  LW_RETURN_IF_ERROR(reader.status());
   return options;
 }
 
@@ -121,14 +121,29 @@ std::string CommandText(const CLI::App& command) {
   return text + " --out DIR";
 }
 
+// Everything that is illegal in one; where nothing is, the first failure of another kind.
+Status Together(const std::vector<Status>& statuses) {
+  std::vector<Violation> violations;
+  for (const Status& status : statuses) {
+    if (status.violations().empty() && status.code() == StatusCode::kInvalidArgument) {
+      violations.push_back({"illegal_value", "", status.message(), ""});
+    }
+    violations.insert(violations.end(), status.violations().begin(), status.violations().end());
+  }
+  LW_RETURN_IF_ERROR(Status::FromViolations("unusable arguments", std::move(violations)));
+  for (const Status& status : statuses) LW_RETURN_IF_ERROR(status);
+  return Status();
+}
+
 Status RunDataset(const CLI::App& command) {
   DatasetJob job;
-  LW_ASSIGN_OR_RETURN(job.options, ReadOptions(command));
-  LW_ASSIGN_OR_RETURN(const std::unique_ptr<InstanceSource> source, MakeDatasetSource(command));
-  LW_ASSIGN_OR_RETURN(const std::unique_ptr<Annotator> annotator,
-                      MakeDatasetAnnotator(command, job.options.size_m));
-  job.source = source.get();
-  job.annotator = annotator.get();
+  const Result<DatasetOptions> options = ReadOptions(command);
+  if (options.ok()) job.options = *options;
+  const auto source = MakeDatasetSource(command);
+  const auto annotator = MakeDatasetAnnotator(command, job.options.size_m);
+  LW_RETURN_IF_ERROR(Together({options.status(), source.status(), annotator.status()}));
+  job.source = source->get();
+  job.annotator = annotator->get();
   job.out = *ValueOf(command, "--out");
   job.resume = IsGiven(command, "--resume");
   job.version = LATTICEWORLD_VERSION;

@@ -78,7 +78,20 @@ const std::vector<OptionUse>& OptionUses() {
   return uses;
 }
 
-Status CheckUse(const CLI::App& command, const std::string& format) {
+// What the formats call the options.
+const FieldNames& OptionNames() {
+  static const FieldNames names = {{"region", "--region"},
+                                   {"ground_step_m", "--ground-step"},
+                                   {"texture_px", "--texture"},
+                                   {"detail", "--detail"},
+                                   {"heightmap_vertices", "--heightmap-size"},
+                                   {"heightmap_bits", "--heightmap-bits"},
+                                   {"spacing_m", "--spacing"},
+                                   {"resolution_m", "--resolution"}};
+  return names;
+}
+
+std::vector<Violation> CheckUse(const CLI::App& command, const std::string& format) {
   std::vector<Violation> violations;
   for (const OptionUse& use : OptionUses()) {
     if (command.count(use.option) == 0) continue;
@@ -88,7 +101,7 @@ Status CheckUse(const CLI::App& command, const std::string& format) {
     violations.push_back({"wrong_format", use.option,
                           "makes sense only beside --to " + Join(use.formats, ", "), ""});
   }
-  return Status::FromViolations("export", std::move(violations));
+  return violations;
 }
 
 // "west,south,east,north" in metres; nullopt: those are not four numbers.
@@ -114,17 +127,16 @@ Result<Request> ReadRequest(const CLI::App& command) {
   const auto number = [&](const char* option, std::optional<double>* value) {
     if (command.count(option) > 0) *value = arguments.Number(option, 0.0);
   };
-  const auto integer = [&](const char* option, int low, int high, std::optional<int>* value) {
-    if (command.count(option) > 0)
-      *value = static_cast<int>(arguments.Integer(option, low, high, low));
+  const auto whole = [&](const char* option, std::optional<int>* value) {
+    if (command.count(option) > 0) *value = arguments.Whole(option, 0);
   };
   number("--ground-step", &request.ground_step_m);
   number("--spacing", &request.spacing_m);
   number("--resolution", &request.resolution_m);
-  integer("--texture", 16, 8192, &request.texture_px);
-  integer("--detail", 0, 2, &request.detail);
-  integer("--heightmap-size", 17, 4097, &request.heightmap_size);
-  integer("--heightmap-bits", 8, 16, &request.heightmap_bits);
+  whole("--texture", &request.texture_px);
+  whole("--detail", &request.detail);
+  whole("--heightmap-size", &request.heightmap_size);
+  whole("--heightmap-bits", &request.heightmap_bits);
   if (command.count("--plants") > 0)
     request.small_plants = arguments.Choice("--plants", {"all", "large"}, "all") == "all";
   request.map_values =
@@ -132,17 +144,15 @@ Result<Request> ReadRequest(const CLI::App& command) {
   request.expand = command.count("--expand") > 0;
   request.agents = command.count("--no-agents") == 0;
   request.seed = arguments.Unsigned("--seed", 0);
-  LW_RETURN_IF_ERROR(arguments.status());
-  LW_RETURN_IF_ERROR(CheckUse(command, request.format));
   if (const auto text = ValueOf(command, "--region")) {
     request.region = ParseRegion(*text);
     if (!request.region) {
-      return InvalidArgument(
-          "--region: " + Quote(*text, 100) +
-          " given; legal are four numbers parted by commas: west,south,east,north "
-          "[m]");
+      arguments.Refuse("--region", *text,
+                       "four numbers parted by commas, west,south,east,north [m]");
     }
   }
+  arguments.AddIllegal({}, CheckUse(command, request.format));
+  LW_RETURN_IF_ERROR(arguments.status());
   return request;
 }
 
@@ -307,7 +317,7 @@ Status Export(const CLI::App& command) {
     status = ResourceExhausted("not enough memory: take a --region, or less detail");
   }
   display.Clear();
-  LW_RETURN_IF_ERROR(status);
+  LW_RETURN_IF_ERROR(UnderOptions(OptionNames(), status));
   std::cout << request.out.string() << ": " << world->id << " as " << request.format << ", "
             << bytes << " bytes\n";
   std::cerr << InstancesWarning(*world, request);

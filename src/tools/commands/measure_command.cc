@@ -33,10 +33,11 @@ Result<LandOptions> ReadOptions(const CLI::App& command) {
       arguments.Number("--height-scale", height_map.height_scale_m);
   options.elevation_unit =
       *FromName<ElevationUnit>(arguments.Choice("--elevation-unit", {"degrees", "metres"}, ""));
-  LW_RETURN_IF_ERROR(arguments.status());
   std::vector<Violation> violations = Validate(height_map);
   CheckRange("--size", options.size_m, {kMinLandSize_m, kMaxLandSize_m}, " m", &violations);
-  LW_RETURN_IF_ERROR(Status::FromViolations("unusable arguments", violations));
+  // Asked before any file is read, of which there may be many.
+  arguments.AddIllegal({{"height_scale", "--height-scale"}}, std::move(violations));
+  LW_RETURN_IF_ERROR(arguments.status());
   if (!has_size) options.size_m = 0.0;
   return options;
 }

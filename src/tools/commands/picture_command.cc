@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "latticeworld/common/range.h"
+#include "latticeworld/common/request_fields.h"
 #include "latticeworld/generation/bundle/bundle.h"
 #include "latticeworld/rendering/picture.h"
 #include "latticeworld/rendering/views/close_view.h"
@@ -21,18 +22,18 @@
 namespace latticeworld::tools {
 namespace {
 
-constexpr int kMinWidth_px = 64;
-constexpr int kMaxWidth_px = 4096;
-
 constexpr double kDegree = M_PI / 180.0;
 constexpr Range kPitches_deg = {-80.0, 80.0};
 constexpr Range kHeadings_deg = {-3600.0, 3600.0};
 
-// The option that a value of a view came from.
-std::string OptionOf(const std::string& value) {
-  if (value == "eye_height") return "--eye";
-  if (value.rfind("position", 0) == 0) return "--at" + value.substr(8);
-  return value;
+// What a picture and its view call the options.
+const FieldNames& OptionNames() {
+  static const FieldNames names = {{"width", "--width"},
+                                   {"position", "--at"},
+                                   {"position x", "--at x"},
+                                   {"position y", "--at y"},
+                                   {"eye_height", "--eye"}};
+  return names;
 }
 
 // The view that --at and what stands beside it ask for.
@@ -46,11 +47,14 @@ Result<CloseView> ReadCloseView(const CLI::App& command, const Scene& scene) {
   view.eye_height_m = arguments.Number("--eye", view.eye_height_m);
   LW_RETURN_IF_ERROR(arguments.status());
   view.position = {at->first, at->second};
-  std::vector<Violation> violations = Validate(scene, view);
-  for (Violation& violation : violations) violation.pointer = OptionOf(violation.pointer);
+  // Legal are those of a view, in degrees: what is not is told beside what the view says of the
+  // rest.
+  std::vector<Violation> violations;
   CheckRange("--heading", heading_deg, kHeadings_deg, " deg", &violations);
   CheckRange("--pitch", pitch_deg, kPitches_deg, " deg", &violations);
-  if (!violations.empty()) return Status::FromViolations("--view close", std::move(violations));
+  if (!violations.empty()) {
+    return RefuseUnread("--view close", std::move(violations), Validate(scene, view));
+  }
   view.heading_rad = heading_deg * kDegree;
   view.pitch_rad = pitch_deg * kDegree;
   return view;
@@ -89,8 +93,7 @@ Result<std::string> Draw(const CLI::App& command, const World& world, const std:
 Status Picture(const CLI::App& command) {
   ArgumentReader arguments(&command);
   PictureOptions options;
-  options.width_px =
-      static_cast<int>(arguments.Integer("--width", kMinWidth_px, kMaxWidth_px, options.width_px));
+  options.width_px = arguments.Whole("--width", options.width_px);
   options.quick = command.count("--quick") > 0;
   const std::string view =
       arguments.Choice("--view",
@@ -99,16 +102,19 @@ Status Picture(const CLI::App& command) {
                        "world");
   for (const char* option : {"--heading", "--pitch", "--eye"})
     arguments.RequireBeside(option, "--at");
-  if (view != "close" && ValueOf(command, "--at"))
-    return InvalidArgument("--at makes sense only beside --view close");
+  if (view != "close" && ValueOf(command, "--at")) {
+    arguments.AddIllegal({},
+                         {{"missing_option", "--at", "makes sense only beside --view close", ""}});
+  }
   // What is not a number is found before the world is loaded.
   arguments.NumberPair("--at");
   for (const char* option : {"--heading", "--pitch", "--eye"}) arguments.Number(option, 0.0);
   LW_RETURN_IF_ERROR(arguments.status());
 
   LW_ASSIGN_OR_RETURN(const auto world, LoadBundle(*ValueOf(command, "DIR")));
-  LW_ASSIGN_OR_RETURN(const std::string png, Draw(command, *world, view, options));
-  return ReplaceFile(*ValueOf(command, "--out"), png).WithContext("--out");
+  const Result<std::string> png = Draw(command, *world, view, options);
+  LW_RETURN_IF_ERROR(UnderOptions(OptionNames(), png.status()));
+  return ReplaceFile(*ValueOf(command, "--out"), *png).WithContext("--out");
 }
 
 }  // namespace

@@ -19,10 +19,14 @@ Status WritePairs(const CLI::App& command) {
   ArgumentReader arguments(&command);
   SketchPairOptions options;
   options.count = static_cast<std::size_t>(arguments.Integer("--count", 1, 1000000, 1000));
-  options.side = static_cast<int>(arguments.Integer("--side", 64, 1024, options.side));
+  options.side = arguments.Whole("--side", options.side);
   options.seed = arguments.Unsigned("--seed", options.seed);
-  options.threads = static_cast<int>(arguments.Integer("--threads", 0, 256, options.threads));
-  LW_RETURN_IF_ERROR(arguments.status());
+  options.threads = arguments.Whole("--threads", options.threads);
+  const FieldNames names = {{"count", "--count"}, {"side", "--side"}, {"threads", "--threads"}};
+  if (!arguments.status().ok()) {
+    arguments.AddIllegal(names, Validate(options));
+    return arguments.status();
+  }
   const std::string out = *ValueOf(command, "--out");
   ProgressDisplay display;
   Progress progress(
@@ -30,7 +34,7 @@ Status WritePairs(const CLI::App& command) {
   const CancelOnInterrupt interrupt(&progress);
   const Result<std::size_t> made = WriteSketchPairs(options, out, progress);
   display.Clear();
-  if (!made.ok()) return made.status();
+  LW_RETURN_IF_ERROR(UnderOptions(names, made.status()));
   std::printf("%zu pairs in %s, %zu of them made by this call\n", options.count, out.c_str(),
               *made);
   return Status();

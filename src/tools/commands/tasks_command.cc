@@ -79,7 +79,7 @@ constexpr RobotOption kRobot[] = {
 Result<TaskWishes> ReadWishes(const CLI::App& command) {
   ArgumentReader arguments(&command);
   TaskWishes wishes;
-  wishes.count = static_cast<int>(arguments.Integer("--count", 1, 1000, wishes.count));
+  wishes.count = arguments.Whole("--count", wishes.count);
   wishes.seed = arguments.Unsigned("--seed", wishes.seed);
   wishes.goal_radius_m = arguments.Number("--goal-radius", wishes.goal_radius_m);
   for (const RangeOption& option : kRanges) {
@@ -102,10 +102,17 @@ Result<TaskWishes> ReadWishes(const CLI::App& command) {
     CheckRange(option.name, limit, option.legal, "", &violations);
   }
   wishes.robot.on_wheels = command.count("--robot-walks") == 0;
+  arguments.AddIllegal({}, std::move(violations));
+  // Asked before the world is loaded, which takes longer.
+  arguments.AddIllegal({{"count", "--count"},
+                        {"goal_radius_m", "--goal-radius"},
+                        {"length_m", "--length"},
+                        {"climb_m", "--climb"},
+                        {"density", "--density"},
+                        {"detour", "--detour"},
+                        {"agents", "--agents"}},
+                       Validate(wishes).violations());
   LW_RETURN_IF_ERROR(arguments.status());
-  if (!violations.empty())
-    return Status::FromViolations("unusable arguments", std::move(violations));
-  LW_RETURN_IF_ERROR(Validate(wishes));
   return wishes;
 }
 

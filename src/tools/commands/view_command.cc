@@ -49,10 +49,11 @@ Status View(const CLI::App& command) {
   ArgumentReader arguments(&command);
   ViewerServerOptions options;
   options.moves = false;
-  options.port = static_cast<int>(arguments.Integer("--port", 0, 65535, kUsualPort));
+  options.port = arguments.Whole("--port", kUsualPort);
   options.host = ValueOf(command, "--host").value_or(options.host);
+  // Asked before the world is loaded, which takes longer.
+  arguments.AddIllegal({{"port", "--port"}, {"host", "--host"}}, Validate(options));
   LW_RETURN_IF_ERROR(arguments.status());
-  LW_RETURN_IF_ERROR(Status::FromViolations("view", Validate(options)));
   LW_ASSIGN_OR_RETURN(PayloadMap page, PageFor(command));
   LW_ASSIGN_OR_RETURN(const auto world, LoadBundle(*ValueOf(command, "DIR")));
 

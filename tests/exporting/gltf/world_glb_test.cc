@@ -271,9 +271,10 @@ TEST_F(WorldGlbTest, UnusableOptionsAreRefused) {
   options.detail = 3;
   options.texture_px = 0;
   options.ground_step_m = nan;
+  options.region = ExportRegion{-20.0, -3.0, 5.0, 11.0};
   const Status status = Make(options).status();
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
-  EXPECT_EQ(status.violations().size(), 3u);
+  EXPECT_EQ(status.violations().size(), 4u);
 }
 
 TEST_F(WorldGlbTest, WhoCancelsGetsNothing) {

@@ -95,6 +95,8 @@ TEST_F(PointCloudTest, TooManyAndUnusableAreRefused) {
     EXPECT_EQ(SamplePoints(scene_, options, Progress()).status().code(),
               StatusCode::kInvalidArgument);
   }
+  options.region = ExportRegion{-50.0, 0.0, 10.0, 10.0};
+  EXPECT_EQ(SamplePoints(scene_, options, Progress()).status().violations().size(), 2u);
 }
 
 }  // namespace

@@ -308,8 +308,8 @@ TEST_F(MjcfWorldTest, UnusableOptionsAreRefused) {
   EXPECT_EQ(MjcfFiles(scene_, "w", std::nullopt, options, Progress()).status().violations().size(),
             2u);
   options.region = ExportRegion{-50.0, 0.0, 10.0, 10.0};
-  EXPECT_EQ(MjcfFiles(scene_, "w", std::nullopt, options, Progress()).status().code(),
-            StatusCode::kInvalidArgument);
+  EXPECT_EQ(MjcfFiles(scene_, "w", std::nullopt, options, Progress()).status().violations().size(),
+            3u);
 }
 
 TEST_F(MjcfWorldTest, TheSameWorldGivesTheSameBytes) { EXPECT_EQ(Make(), Make()); }

@@ -62,6 +62,14 @@ TEST(PropsJsonTest, NamesWhatIsWrong) {
     EXPECT_EQ(decoded.status().code(), StatusCode::kDataLoss) << with;
     EXPECT_NE(decoded.status().message().find("element "), std::string::npos) << with;
   }
+  Prop crate = OneOfEach().front();
+  crate.size_m.y() = 50.0;
+  crate.mass_kg = -1.0;
+  const std::string message =
+      DecodeProps(EncodeProps({crate}), TestGeometry(), {}).status().message();
+  for (const char* word : {"width_m", "50", "mass_kg", "-1"}) {
+    EXPECT_NE(message.find(word), std::string::npos) << message;
+  }
   AgentStart robot;
   robot.name = "thing_2";
   EXPECT_EQ(DecodeProps(good, TestGeometry(), {robot}).status().code(), StatusCode::kDataLoss);

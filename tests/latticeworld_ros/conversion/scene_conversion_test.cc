@@ -87,17 +87,36 @@ TEST(SceneConversionTest, WhatIsGivenIsTakenAndTheMassFollowsTheSize) {
   EXPECT_EQ(ToProp(message)->mass_kg, 7.0);
 }
 
-TEST(SceneConversionTest, EveryViolationOfAnPropIsTold) {
+TEST(SceneConversionTest, WhatIsIllegalIsCarriedForTheSimulatorToJudge) {
+  latticeworld_msgs::SpawnElement::Request message;
+  message.name = "no name";
+  message.kind = "bridge";
+  message.position.x = std::numeric_limits<double>::quiet_NaN();
+  message.heading = std::numeric_limits<double>::infinity();
+  message.size.z = -1.0;
+  message.mass = -2.0;
+  message.strength = -3.0;
+  const auto prop = ToProp(message);
+  ASSERT_TRUE(prop.ok()) << prop.status().ToString();
+  EXPECT_EQ(prop->name, "no name");
+  EXPECT_TRUE(std::isnan(prop->position.x_m));
+  EXPECT_EQ(prop->yaw_rad, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(prop->size_m.z(), -1.0);
+  EXPECT_EQ(prop->mass_kg, -2.0);
+  EXPECT_EQ(prop->strength, -3.0);
+}
+
+TEST(SceneConversionTest, WhatIsNoKindOrNoFrameIsRefusedWithAllElseThatIsIllegal) {
   latticeworld_msgs::SpawnElement::Request message;
   message.name = "map";  // its frame would be its own parent
   message.kind = "catapult";
   message.position.x = std::numeric_limits<double>::quiet_NaN();
-  message.size.z = -1.0;
+  message.size.z = 5.0;  // of a bridge it would be legal
   message.mass = std::numeric_limits<double>::infinity();
   const auto prop = ToProp(message);
   ASSERT_FALSE(prop.ok());
-  EXPECT_EQ(prop.status().violations().size(), 5u) << prop.status().ToString();
-  for (const char* word : {"map", "catapult", "loose stone", "position.x", "size.z", "mass"}) {
+  EXPECT_EQ(prop.status().violations().size(), 4u) << prop.status().ToString();
+  for (const char* word : {"map", "catapult", "loose stone", "position.x", "mass"}) {
     EXPECT_NE(prop.status().message().find(word), std::string::npos) << word;
   }
 }

@@ -56,7 +56,19 @@ TEST(WeatherConversionTest, EveryFieldReachesItsValue) {
   EXPECT_EQ(change->transition_s, 12.0);
 }
 
-TEST(WeatherConversionTest, EverythingWrongIsNamedAtOnce) {
+TEST(WeatherConversionTest, WhatIsIllegalIsCarriedForTheSimulatorToJudge) {
+  latticeworld_msgs::SetWeather::Request request;
+  request.intensity = {2.0};
+  request.hour = {24.0};
+  request.transition = -1.0;
+  const auto change = ToWeatherChange(request);
+  ASSERT_TRUE(change.ok()) << change.status().ToString();
+  EXPECT_EQ(change->intensity, 2.0);
+  EXPECT_EQ(change->hour, 24.0);
+  EXPECT_EQ(change->transition_s, -1.0);
+}
+
+TEST(WeatherConversionTest, WhatCannotBeReadIsRefusedWithAllElseThatIsIllegal) {
   latticeworld_msgs::SetWeather::Request request;
   request.weather = "hail";
   request.intensity = {0.1, 0.2};

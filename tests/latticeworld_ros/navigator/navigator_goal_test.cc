@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "latticeworld_ros/conversion/geometry_conversion.h"
 
@@ -37,7 +38,7 @@ void Fill(tf2_ros::Buffer* buffer) {
 TEST(NavigatorGoalTest, AGoalInTheMapIsWhatItSays) {
   const tf2_ros::Buffer buffer;
   for (const char* frame : {"map", "/map"}) {
-    const auto goal = ReadGoal(GoalAt(3.0, -4.0, 0.5, frame), buffer, "map");
+    const auto goal = ReadGoal(GoalAt(3.0, -4.0, 0.5, frame), buffer, "map", "goal");
     ASSERT_TRUE(goal.ok()) << goal.status().ToString();
     EXPECT_DOUBLE_EQ(goal->place.x_m, 3.0);
     EXPECT_DOUBLE_EQ(goal->place.y_m, -4.0);
@@ -48,7 +49,7 @@ TEST(NavigatorGoalTest, AGoalInTheMapIsWhatItSays) {
 TEST(NavigatorGoalTest, AGoalInAnotherFrameIsTakenToTheMap) {
   tf2_ros::Buffer buffer;
   Fill(&buffer);
-  const auto goal = ReadGoal(GoalAt(2.0, 0.0, 0.25, "base_link"), buffer, "map");
+  const auto goal = ReadGoal(GoalAt(2.0, 0.0, 0.25, "base_link"), buffer, "map", "goal");
   ASSERT_TRUE(goal.ok()) << goal.status().ToString();
   EXPECT_NEAR(goal->place.x_m, 10.0, 1e-9);
   EXPECT_NEAR(goal->place.y_m, 22.0, 1e-9);
@@ -60,7 +61,7 @@ TEST(NavigatorGoalTest, WhatIsNoGoalIsRefusedWithWhatWasGivenAndWhatIsLegal) {
   Fill(&buffer);
   const auto expect_refused = [&](const geometry_msgs::PoseStamped& goal, const char* given,
                                   const char* legal) {
-    const Status status = ReadGoal(goal, buffer, "map").status();
+    const Status status = ReadGoal(goal, buffer, "map", "goal").status();
     EXPECT_EQ(status.code(), StatusCode::kInvalidArgument) << given;
     EXPECT_NE(status.message().find(given), std::string::npos) << status.message();
     EXPECT_NE(status.message().find(legal), std::string::npos) << status.message();
@@ -79,6 +80,39 @@ TEST(NavigatorGoalTest, WhatIsNoGoalIsRefusedWithWhatWasGivenAndWhatIsLegal) {
   expect_refused(GoalAt(0.0, 0.0, 0.0, ""), "no frame", "\"map\"");
   expect_refused(GoalAt(0.0, 0.0, 0.0, "mars"), "\"mars\"", "\"map\"");
   expect_refused(GoalAt(0.0, 0.0, 0.0, "rover"), "\"rover\"", "\"map\"");
+}
+
+TEST(NavigatorGoalTest, EveryViolationIsNamedAtItsField) {
+  tf2_ros::Buffer buffer;
+  Fill(&buffer);
+  nav_msgs::GetPlan::Request request;
+  request.start = GoalAt(NAN, 0.0, 0.0);
+  request.goal = GoalAt(0.0, INFINITY, NAN, "mars");
+  request.tolerance = -1.0f;
+  const Status status = ReadPlanRequest(request, buffer, "map").status();
+  EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+  std::vector<std::string> fields;
+  for (const Violation& violation : status.violations()) fields.push_back(violation.pointer);
+  EXPECT_EQ(fields, (std::vector<std::string>{"start.pose.position", "goal.pose.position",
+                                              "goal.pose.orientation", "goal.header.frame_id",
+                                              "tolerance"}))
+      << status.ToString();
+}
+
+TEST(NavigatorGoalTest, APlanBeginsWhereTheRobotIsUnlessItIsSaid) {
+  const tf2_ros::Buffer buffer;
+  nav_msgs::GetPlan::Request request;
+  request.goal = GoalAt(3.0, -4.0, 0.0);
+  request.tolerance = 0.5f;
+  auto plan = ReadPlanRequest(request, buffer, "map");
+  ASSERT_TRUE(plan.ok()) << plan.status().ToString();
+  EXPECT_FALSE(plan->start.has_value());
+  EXPECT_DOUBLE_EQ(plan->goal.y_m, -4.0);
+  EXPECT_DOUBLE_EQ(plan->tolerance_m, 0.5);
+  request.start = GoalAt(1.0, 2.0, 0.0);
+  plan = ReadPlanRequest(request, buffer, "map");
+  ASSERT_TRUE(plan.ok()) << plan.status().ToString();
+  EXPECT_DOUBLE_EQ(plan->start->x_m, 1.0);
 }
 
 TEST(NavigatorGoalTest, TransformsOfOtherTimesAreUnavailable) {

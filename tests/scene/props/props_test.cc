@@ -68,7 +68,9 @@ TEST(PropsTest, NamesEveryIllegalNumberOnce) {
       EXPECT_EQ(Validate(prop).size(), 1u) << entry.name << " " << bad;
       prop = UsualProp(entry.value);
       prop.size_m = {bad, bad, bad};
-      EXPECT_GE(Validate(prop).size(), 3u) << entry.name << " " << bad;
+      // A loose stone has one diameter.
+      const std::size_t sizes = entry.value == PropKind::kLooseStone ? 1 : 3;
+      EXPECT_EQ(Validate(prop).size(), sizes) << entry.name << " " << bad;
     }
     Prop prop = UsualProp(entry.value);
     prop.position.x_m = nan;
@@ -78,6 +80,33 @@ TEST(PropsTest, NamesEveryIllegalNumberOnce) {
   Prop egg = UsualProp(PropKind::kLooseStone);
   egg.size_m.z() *= 1.5;
   EXPECT_EQ(Validate(egg).size(), 1u);
+}
+
+TEST(PropsTest, WhatIsLeftOpenIsUsual) {
+  for (const auto& entry : EnumNames(PropKind{})) {
+    const Prop usual = UsualProp(entry.value);
+    const Prop open = PropOf(entry.value, Eigen::Vector3d::Zero());
+    EXPECT_EQ(open.size_m, usual.size_m) << entry.name;
+    EXPECT_EQ(open.mass_kg, usual.mass_kg) << entry.name;
+    EXPECT_EQ(open.strength, usual.strength) << entry.name;
+    const Prop given = PropOf(entry.value, usual.size_m, 7.0, 11.0);
+    EXPECT_EQ(given.mass_kg, 7.0);
+    EXPECT_EQ(given.strength, 11.0);
+  }
+  const Prop post = PropOf(PropKind::kPost, {0.2, 0.0, 0.0});
+  EXPECT_EQ(post.size_m, Eigen::Vector3d(0.2, 0.1, 1.2));
+  EXPECT_EQ(post.mass_kg, UsualMass(PropKind::kPost, post.size_m));
+  EXPECT_EQ(post.strength, UsualStrength(PropKind::kPost, post.size_m));
+  EXPECT_EQ(PropOf(PropKind::kLooseStone, {0.5, 0.7, 0.0}).size_m, Eigen::Vector3d::Constant(0.5));
+}
+
+TEST(PropsTest, WhatFollowsFromAnIllegalSizeIsNotHeldAgainstIt) {
+  for (const double bad : {-1.0, 1e6, std::nan("")}) {
+    const std::vector<Violation> violations = Validate(PropOf(PropKind::kBridge, {bad, 0.0, 0.0}));
+    ASSERT_EQ(violations.size(), 1u) << bad;
+    EXPECT_EQ(violations[0].pointer, "size.x");
+  }
+  EXPECT_EQ(Validate(PropOf(PropKind::kBridge, {-1.0, 0.0, 99.0}, -1.0, -1.0)).size(), 4u);
 }
 
 TEST(PropsTest, AWorldHasPropsThatStandClear) {

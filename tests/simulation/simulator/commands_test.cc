@@ -164,6 +164,19 @@ TEST(CommandsTest, IllegalJointCommandsAreRefusedWhole) {
             std::string::npos);
 }
 
+TEST(CommandsTest, EveryIllegalJointCommandIsNamed) {
+  const auto simulator = MakeSimulator(WithRobotAndGoblin());
+  const Status status = simulator->CommandJoints(
+      "robot", {Velocity("front_left_wheel", 1.0), Velocity("front_left_wheel", 2.0),
+                Velocity("front_right_wheel", kNan), Position("rear_left_wheel", 1.0)});
+  EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(status.violations().size(), 3u) << status.ToString();
+  for (const char* word : {"front_left_wheel\": is commanded twice", "front_right_wheel", "nan",
+                           "rear_left_wheel", "velocity only"}) {
+    EXPECT_NE(status.message().find(word), std::string::npos) << word;
+  }
+}
+
 TEST(CommandsTest, ALeggedRobotsJointTakesPositions) {
   TestScene scene;
   scene.AddAgent("dog", AgentCategory::kRoboticDog, 0.0, 0.0).controllable = true;

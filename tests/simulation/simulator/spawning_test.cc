@@ -104,22 +104,56 @@ TEST(SpawningTest, RefusesAndSaysWhyAndChangesNothing) {
   EXPECT_TRUE(simulator->TakeEvents().empty());
 }
 
+std::vector<std::string> FieldsOf(const Status& status) {
+  std::vector<std::string> fields;
+  for (const Violation& violation : status.violations()) fields.push_back(violation.pointer);
+  return fields;
+}
+
 TEST(SpawningTest, NamesEverythingThatIsIllegalAtOnce) {
   const auto simulator = MakeSimulator(Place());
   SpawnRequest request = At(AgentCategory::kGoblin, std::numeric_limits<double>::infinity(), 0.0);
+  request.name = "7up";
+  request.state = AgentState::kGrazing;
   request.heading_rad = std::numeric_limits<double>::quiet_NaN();
   request.team = 16;
   request.policy = "pacifist";
+  request.controllable = true;
   const Status spawned = simulator->Spawn(request).status();
-  ASSERT_EQ(spawned.violations().size(), 4u) << spawned.ToString();
-  EXPECT_EQ(spawned.violations()[0].pointer, "position.x");
-  EXPECT_EQ(spawned.violations()[1].pointer, "heading");
-  EXPECT_EQ(spawned.violations()[2].pointer, "team");
-  EXPECT_EQ(spawned.violations()[3].pointer, "policy");
+  EXPECT_EQ(FieldsOf(spawned), (std::vector<std::string>{"name", "state", "position.x", "heading",
+                                                         "team", "policy", "policy"}))
+      << spawned.ToString();
+  for (const char* word : {"7up", "letter", "grazing", "patrolling", "nan", "16", "1 .. 15",
+                           "pacifist", "pursuer", "controllable"}) {
+    EXPECT_NE(spawned.message().find(word), std::string::npos) << word;
+  }
+  request.species = "dragon";
+  EXPECT_EQ(FieldsOf(simulator->Spawn(request).status())[1], "species");
 
   const Status set = simulator->SetPolicy({"robot", 16, "pacifist"});
-  ASSERT_EQ(set.violations().size(), 3u) << set.ToString();
-  EXPECT_EQ(set.violations()[0].pointer, "agent");
+  EXPECT_EQ(FieldsOf(set), (std::vector<std::string>{"agent", "team", "policy"}));
+  EXPECT_EQ(FieldsOf(simulator->SetPolicy({"", -1, ""})), std::vector<std::string>{"team"});
+}
+
+TEST(SpawningTest, NamesEverythingThatIsIllegalOfAProp) {
+  const auto simulator = MakeSimulator(Place());
+  const std::string before = simulator->StateHash();
+  // In the robot's way as well, which is said of what is legal only.
+  Prop post = UsualProp(PropKind::kPost);
+  post.name = "no name";
+  post.size_m.z() = 100.0;
+  post.mass_kg = NAN;
+  post.strength = -1.0;
+  const Status status = simulator->SpawnProp(post).status();
+  EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(FieldsOf(status), (std::vector<std::string>{"name", "size.z", "mass", "strength"}))
+      << status.ToString();
+  for (double* const number : {&post.position.x_m, &post.z_m, &post.yaw_rad, &post.strength}) {
+    post = UsualProp(PropKind::kPost);
+    *number = NAN;
+    EXPECT_EQ(simulator->SpawnProp(post).status().code(), StatusCode::kInvalidArgument);
+  }
+  EXPECT_EQ(simulator->StateHash(), before);
 }
 
 TEST(SpawningTest, NamesTheSpeciesThatItRefuses) {
@@ -184,6 +218,9 @@ TEST(SpawningTest, HoldsNoMoreThanTheLimit) {
   EXPECT_EQ(refused.status().code(), StatusCode::kResourceExhausted);
   EXPECT_NE(refused.status().message().find(std::to_string(kMaxAgentStarts)), std::string::npos)
       << refused.status().message();
+  // What is legal in no world is said first.
+  const auto illegal = simulator->Spawn(At(AgentCategory::kRoboticDog, 120.0, 120.0, "7up"));
+  EXPECT_EQ(illegal.status().code(), StatusCode::kInvalidArgument);
   simulator->Step();
 }
 

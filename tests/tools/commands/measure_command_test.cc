@@ -168,7 +168,7 @@ TEST_F(MeasureCommandTest, RefusesWhatItCannotMeasure) {
   ExpectFailure(2, {"measure", PathOf("hills.asc"), "--elevation-unit", "feet"},
                 {"--elevation-unit", "degrees, metres"});
   ExpectFailure(2, {"measure", PathOf("slope.pgm"), "--size", "0", "--height-scale", "99999"},
-                {"--size", "height_scale"});
+                {"--size", "--height-scale"});
   ExpectFailure(2, {"measure", PathOf("slope.pgm"), "--height-scale", "5"}, {"--size"});
   ExpectFailure(2, {"measure", PathOf("slope.pgm"), "--size", "wide"}, {"--size", "wide"});
   ExpectFailure(1, {"measure", PathOf("nowhere.asc")}, {"nowhere.asc"});

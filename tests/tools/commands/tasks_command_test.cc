@@ -75,11 +75,12 @@ TEST_F(TasksCommandTest, TheRadiusIsThatOfTheSpeciesUnlessItIsSaid) {
 
 TEST_F(TasksCommandTest, SaysWhatIsUnusableAndWhatTheWorldHasNot) {
   MakeWorld();
-  const ProgramRun unusable =
-      RunProgram({"tasks", PathOf("lake"), "--robot-radius", "-1", "--robot-mass", "1e9",
-                  "--robot-grip", "0", "--out", PathOf("tasks.json")});
+  const ProgramRun unusable = RunProgram(
+      {"tasks", PathOf("lake"), "--robot-radius", "-1", "--robot-mass", "1e9", "--robot-grip", "0",
+       "--seed", "x", "--count", "0", "--climb", "9,1", "--out", PathOf("tasks.json")});
   EXPECT_EQ(unusable.exit_status, 2);
-  for (const char* name : {"--robot-radius", "--robot-mass", "--robot-grip"})
+  for (const char* name :
+       {"--robot-radius", "--robot-mass", "--robot-grip", "--seed", "--count", "--climb"})
     EXPECT_NE(unusable.err.find(name), std::string::npos) << unusable.err;
   const ProgramRun missing = RunProgram({"tasks", PathOf("lake"), "--climb", "900,1000", "--count",
                                          "1", "--out", PathOf("tasks.json")});

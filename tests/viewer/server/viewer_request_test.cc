@@ -65,18 +65,37 @@ TEST(ViewerRequestTest, NamesEverythingThatIsWrong) {
   for (const char* word : {"layout", "seed", "size_m", "sise_m", "id"}) {
     EXPECT_NE(status.message().find(word), std::string::npos) << word;
   }
-  EXPECT_NE(Refused(R"({"type": "fly"})").message().find("authenticate, subscribe"),
-            std::string::npos);
+  const Status fly = Refused(R"({"type": "fly", "id": {}})");
+  EXPECT_EQ(fly.violations().size(), 2u) << fly.ToString();
+  EXPECT_NE(fly.message().find("authenticate, subscribe"), std::string::npos);
 }
 
-TEST(ViewerRequestTest, RefusesWhatIsOutOfRange) {
+TEST(ViewerRequestTest, CarriesWhatWorldServerJudges) {
+  EXPECT_EQ(Parsed(R"({"type": "step", "steps": 100001})").steps, 100001u);
+  EXPECT_EQ(Parsed(R"({"type": "speed", "factor": -0.001})").factor, -0.001);
+  const ViewerRequest generate =
+      Parsed(R"({"type": "generate", "size_m": -1, "resolution_m": 1e9, "vocabulary": "moon"})");
+  EXPECT_EQ(generate.size_m, -1.0);
+  EXPECT_EQ(generate.resolution_m, 1e9);
+  EXPECT_EQ(generate.vocabulary, "moon");
+  const ViewerRequest weather = Parsed(
+      R"({"type": "set_weather", "weather": "hail", "intensity": 2, "hour": 25,
+          "transition_s": -1})");
+  EXPECT_EQ(weather.weather, "hail");
+  EXPECT_EQ(weather.intensity, 2.0);
+  EXPECT_EQ(weather.hour, 25.0);
+  EXPECT_EQ(weather.transition_s, -1.0);
+}
+
+TEST(ViewerRequestTest, RefusesWhatItCannotCarry) {
   for (const char* text :
        {R"({"type": "step", "steps": 0})", R"({"type": "step", "steps": 1.5})",
-        R"({"type": "step", "steps": 100001})", R"({"type": "speed", "factor": 0.001})",
+        R"({"type": "step", "steps": 4294967296})", R"({"type": "speed", "factor": "fast"})",
         R"({"type": "speed", "factor": 1e999})", R"({"type": "drive", "robot": ""})",
         R"({"type": "drive", "robot": "a/b"})", R"({"type": "drive", "robot": "9a"})",
         R"({"type": "drive", "robot": "a", "linear_mps": null})",
-        R"({"type": "set_weather", "hour": 25})", R"({"type": "subscribe"})",
+        R"({"type": "drive", "robot": "a", "linear_mps": 1001})",
+        R"({"type": "set_weather", "hour": [6]})", R"({"type": "subscribe"})",
         R"({"type": "subscribe", "layers": ["smell"]})",
         R"({"type": "reset", "seed": "18446744073709551616"})",
         R"({"type": "load_world", "name": "a\u0000b"})"}) {

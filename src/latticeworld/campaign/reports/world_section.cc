@@ -6,7 +6,6 @@
 
 #include "latticeworld/campaign/world_source.h"
 #include "latticeworld/campaign/yaml_reader.h"
-#include "latticeworld/geometry/grid_geometry.h"
 
 namespace latticeworld {
 namespace {
@@ -14,19 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostSeeds = 10000;
-
-// What the words and sizes of a made world lack, as the generator sees it.
-void CheckRequest(const CampaignWorld& world, const YAML::Node& node, const std::string& path,
-                  std::vector<Violation>* violations) {
-  const Status legal = CheckWorldRequest(world);
-  if (legal.ok()) return;
-  if (legal.violations().empty())
-    violations->push_back({"bad_world", YamlPlace(node, path), legal.message(), ""});
-  for (const Violation& violation : legal.violations()) {
-    violations->push_back({violation.code, YamlPlace(node, path + "/" + violation.pointer),
-                           violation.message, violation.given});
-  }
-}
 
 // A name that a path has, of the letters that names may have.
 std::string NameOfFolder(const fs::path& path) {
@@ -54,18 +40,20 @@ void ReadBundle(YamlMapping* entry, const fs::path& folder, std::vector<Campaign
   worlds->push_back(std::move(world));
 }
 
-void ReadMade(YamlMapping* entry, const std::string& path, std::vector<CampaignWorld>* worlds) {
+void ReadMade(YamlMapping* entry, std::vector<CampaignWorld>* worlds) {
   CampaignWorld world;
   entry->Require("name");
   entry->Name("name", &world.name);
-  entry->Text("layout", 1, &world.layout);
+  entry->Text("layout", 0, &world.layout);
   entry->Text("environment", 0, &world.environment);
-  entry->Choice("vocabulary", {"suburb", "wild"}, &world.vocabulary);
-  const std::size_t before = entry->violations()->size();
-  entry->Number("size_m", {kMinSize_m, kMaxSize_m}, " m", &world.size_m);
-  entry->Number("resolution_m", {kMinResolution_m, kMaxResolution_m}, " m", &world.resolution_m);
-  if (entry->violations()->size() == before)
-    CheckRequest(world, entry->node(), path, entry->violations());
+  entry->Text("vocabulary", 1, &world.vocabulary);
+  entry->Number("size_m", &world.size_m);
+  entry->Number("resolution_m", &world.resolution_m);
+  entry->AddIllegal({{"layout_instruction", "layout"},
+                     {"environment_instruction", "environment"},
+                     {"size", "size_m"},
+                     {"resolution", "resolution_m"}},
+                    CheckWorldRequest(world).violations());
   std::vector<std::uint64_t> seeds = {1};
   const YAML::Node node = entry->Get("seeds");
   if (entry->Has("seeds")) seeds = ReadSeeds(node, entry->PathOf("seeds"), entry->violations());
@@ -131,7 +119,7 @@ std::vector<CampaignWorld> ReadWorldSection(const YAML::Node& node, const fs::pa
     if (entry.Has("bundle")) {
       ReadBundle(&entry, folder, &worlds);
     } else {
-      ReadMade(&entry, path, &worlds);
+      ReadMade(&entry, &worlds);
     }
     entry.Finish();
     for (std::size_t k = first; k < worlds.size(); ++k) {

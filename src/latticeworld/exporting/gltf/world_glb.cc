@@ -297,11 +297,7 @@ class WorldGlbBuilder {
 }  // namespace
 
 Status Validate(const WorldGlbOptions& options, const Scene& scene) {
-  std::vector<Violation> violations;
-  if (options.region) {
-    const Status region = Validate(*options.region, scene.geometry());
-    if (!region.ok()) return region;
-  }
+  std::vector<Violation> violations = Validate(options.region, scene.geometry());
   if (options.ground_step_m)
     CheckRange("ground_step_m", *options.ground_step_m, {0.05, 100.0}, " m", &violations);
   CheckRange("texture_px", options.texture_px, {16, 8192}, " px", &violations);

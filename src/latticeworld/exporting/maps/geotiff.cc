@@ -121,8 +121,8 @@ Result<std::vector<ExportFile>> GeoTiffFiles(const Scene& scene,
                                              const GeoTiffOptions& options,
                                              const Progress& progress) {
   const GridGeometry& geometry = scene.geometry();
+  LW_RETURN_IF_ERROR(Status::FromViolations("GeoTIFF", Validate(options.region, geometry)));
   const ExportRegion region = options.region.value_or(WholeWorld(geometry));
-  LW_RETURN_IF_ERROR(Validate(region, geometry));
   internal::PrepareGdal();
   Frame frame;
   frame.cells = CellsIn(region, geometry);

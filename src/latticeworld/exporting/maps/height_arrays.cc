@@ -180,13 +180,9 @@ Result<std::vector<ExportFile>> HeightFiles(const Scene& scene, const std::strin
                                             const HeightArraysOptions& options,
                                             const Progress& progress) {
   const GridGeometry& geometry = scene.geometry();
-  const ExportRegion region = options.region.value_or(WholeWorld(geometry));
-  LW_RETURN_IF_ERROR(Validate(region, geometry));
-  const CellRange cells = CellsIn(region, geometry);
-  if (cells.rows() < 2 || cells.cols() < 2) {
-    return InvalidArgument(
-        "the region holds the centres of fewer than two cells of the world's grid a side");
-  }
+  LW_RETURN_IF_ERROR(Status::FromViolations(
+      "arrays", ValidateGround(options.region, geometry, "an array has at least two heights")));
+  const CellRange cells = CellsIn(options.region.value_or(WholeWorld(geometry)), geometry);
   return HeightArrays(scene, cells, progress).Build(name, origin);
 }
 

@@ -175,11 +175,10 @@ std::uint8_t LasClassOf(PointLabel label) {
 
 Result<std::vector<CloudPoint>> SamplePoints(const Scene& scene, const PointCloudOptions& options,
                                              const Progress& progress) {
-  const ExportRegion region = options.region.value_or(WholeWorld(scene.geometry()));
-  LW_RETURN_IF_ERROR(Validate(region, scene.geometry()));
-  std::vector<Violation> violations;
+  std::vector<Violation> violations = Validate(options.region, scene.geometry());
   CheckRange("spacing_m", options.spacing_m, {0.02, 100.0}, " m", &violations);
   LW_RETURN_IF_ERROR(Status::FromViolations("points", std::move(violations)));
+  const ExportRegion region = options.region.value_or(WholeWorld(scene.geometry()));
   const double on_ground =
       region.width_m() * region.depth_m() / (options.spacing_m * options.spacing_m);
   if (on_ground > static_cast<double>(kMostPoints)) {

@@ -390,9 +390,8 @@ class MjcfBuilder {
 }  // namespace
 
 Status Validate(const MjcfOptions& options, const Scene& scene) {
-  std::vector<Violation> violations;
-  LW_RETURN_IF_ERROR(ValidateGround(options.region, scene.geometry(),
-                                    "a height field has at least two values", &violations));
+  std::vector<Violation> violations =
+      ValidateGround(options.region, scene.geometry(), "a height field has at least two values");
   CheckRange("texture_px", options.texture_px, {16, 8192}, " px", &violations);
   CheckRange("detail", options.detail, {0, kMeshDetails - 1}, "", &violations);
   return Status::FromViolations("MJCF", std::move(violations));

@@ -305,14 +305,11 @@ class SdfBuilder {
 }  // namespace
 
 Status Validate(const SdfOptions& options, const Scene& scene) {
-  std::vector<Violation> violations;
-  if (options.region) {
-    const Status region = Validate(*options.region, scene.geometry());
-    if (!region.ok()) return region;
-    if (std::abs(options.region->width_m() - options.region->depth_m()) > 1e-6) {
-      violations.push_back({"not_square", "region",
-                            "a height map is square: legal is a region as wide as it is deep", ""});
-    }
+  std::vector<Violation> violations = Validate(options.region, scene.geometry());
+  if (options.region && violations.empty() &&
+      std::abs(options.region->width_m() - options.region->depth_m()) > 1e-6) {
+    violations.push_back({"not_square", "region",
+                          "a height map is square: legal is a region as wide as it is deep", ""});
   }
   if (options.heightmap_vertices != 0 && !IsHeightmapSize(options.heightmap_vertices)) {
     violations.push_back({"not_legal", "heightmap_vertices",

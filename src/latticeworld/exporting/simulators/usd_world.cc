@@ -310,9 +310,8 @@ class UsdBuilder {
 }  // namespace
 
 Status Validate(const UsdOptions& options, const Scene& scene) {
-  std::vector<Violation> violations;
-  LW_RETURN_IF_ERROR(ValidateGround(options.region, scene.geometry(),
-                                    "a ground has at least two vertices", &violations));
+  std::vector<Violation> violations =
+      ValidateGround(options.region, scene.geometry(), "a ground has at least two vertices");
   if (options.ground_step_m)
     CheckRange("ground_step_m", *options.ground_step_m, {0.05, 100.0}, " m", &violations);
   CheckRange("texture_px", options.texture_px, {16, 8192}, " px", &violations);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
+#include "latticeworld/common/request_fields.h"
 #include "latticeworld/generation/bundle/json_array.h"
 #include "latticeworld/generation/ros_name.h"
 #include "latticeworld/scene/props/props.h"
@@ -29,6 +31,20 @@ jf::Json Encode(const Prop& prop) {
           {"strength", prop.strength}};
 }
 
+// FieldError with everything that is illegal, under the keys of the file.
+void MustBeLegal(const Prop& prop) {
+  std::vector<Violation> violations = Validate(prop);
+  if (violations.empty()) return;
+  Rename({{"size.x", "length_m"},
+          {"size.y", "width_m"},
+          {"size.z", "height_m"},
+          {"size", "length_m, width_m, height_m"},
+          {"mass", "mass_kg"},
+          {"heading", "yaw_rad"}},
+         &violations);
+  throw jf::FieldError(Status::FromViolations("illegal", std::move(violations)).message());
+}
+
 Prop Decode(const jf::Json& json, const GridGeometry& geometry) {
   jf::ExpectKeys(json, {"name", "kind", "x_m", "y_m", "z_m", "yaw_rad", "length_m", "width_m",
                         "height_m", "mass_kg", "strength"});
@@ -47,8 +63,7 @@ Prop Decode(const jf::Json& json, const GridGeometry& geometry) {
                  jf::Number(json, "height_m")};
   prop.mass_kg = jf::Number(json, "mass_kg");
   prop.strength = jf::Number(json, "strength");
-  const std::vector<Violation> violations = Validate(prop);
-  if (!violations.empty()) throw jf::FieldError(violations.front().message);
+  MustBeLegal(prop);
   return prop;
 }
 

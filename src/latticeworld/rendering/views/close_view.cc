@@ -89,8 +89,7 @@ Result<std::string> DrawCloseView(const Scene& scene, const CloseView& view,
 
 Result<std::string> DrawCloseViews(const Scene& scene, const std::vector<CloseView>& views,
                                    const PictureOptions& options) {
-  LW_RETURN_IF_ERROR(Validate(options));
-  std::vector<Violation> violations;
+  std::vector<Violation> violations = Validate(options).violations();
   for (const CloseView& view : views)
     for (Violation& violation : Validate(scene, view)) violations.push_back(std::move(violation));
   if (!violations.empty()) return Status::FromViolations("the view", std::move(violations));

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "latticeworld/common/range.h"
 #include "latticeworld/common/text.h"
 
 namespace latticeworld {
@@ -93,41 +94,62 @@ Prop UsualProp(PropKind kind) {
   return prop;
 }
 
+Prop PropOf(PropKind kind, const Eigen::Vector3d& size_m, double mass_kg, double strength) {
+  Prop prop = UsualProp(kind);
+  for (int i = 0; i < 3; ++i) {
+    if (size_m[i] != 0.0) prop.size_m[i] = size_m[i];
+  }
+  if (kind == PropKind::kLooseStone) prop.size_m.setConstant(prop.size_m.x());
+  const SizeLimits limits = LimitsOf(kind);
+  const bool legal = (prop.size_m.array() >= limits.low_m.array()).all() &&
+                     (prop.size_m.array() <= limits.high_m.array()).all();
+  if (legal) {
+    prop.mass_kg = UsualMass(kind, prop.size_m);
+    prop.strength = UsualStrength(kind, prop.size_m);
+  }
+  if (mass_kg != 0.0) prop.mass_kg = mass_kg;
+  if (strength != 0.0) prop.strength = strength;
+  return prop;
+}
+
 std::vector<Violation> Validate(const Prop& prop) {
   std::vector<Violation> violations;
-  const auto check = [&](const std::string& field, double value, double low, double high) {
-    if (value >= low && value <= high) return;
+  const auto check = [&](const std::string& field, double value, const Range& legal,
+                         const char* unit) {
+    if (legal.Contains(value)) return;
     violations.push_back({"out_of_range", field,
-                          field + " of a " + std::string(NameOf(prop.kind)) + " must be in [" +
-                              FormatDouble(low) + ", " + FormatDouble(high) + "], not " +
-                              FormatDouble(value),
+                          "of a " + std::string(NameOf(prop.kind)) + " must be from " +
+                              FormatDouble(legal.low) + " to " + FormatDouble(legal.high) + unit +
+                              ", not " + FormatDouble(value),
                           FormatDouble(value)});
   };
+  const auto check_finite = [&violations](const char* field, double value) {
+    if (std::isfinite(value)) return;
+    violations.push_back(
+        {"not_finite", field, "must be finite, not " + FormatDouble(value), FormatDouble(value)});
+  };
   const SizeLimits limits = LimitsOf(prop.kind);
-  constexpr const char* kAxes[] = {"x", "y", "z"};
-  for (int i = 0; i < 3; ++i) {
-    check(std::string("size_m/") + kAxes[i], prop.size_m[i], limits.low_m[i], limits.high_m[i]);
+  constexpr const char* kAxes[] = {"size.x", "size.y", "size.z"};
+  const bool is_round = prop.size_m.y() == prop.size_m.x() && prop.size_m.z() == prop.size_m.x();
+  // What is wrong with the diameter of a loose stone is said once.
+  const int sides = prop.kind == PropKind::kLooseStone ? 1 : 3;
+  for (int i = 0; i < sides; ++i) {
+    check(kAxes[i], prop.size_m[i], {limits.low_m[i], limits.high_m[i]}, " m");
   }
-  if (prop.kind == PropKind::kLooseStone &&
-      (prop.size_m.y() != prop.size_m.x() || prop.size_m.z() != prop.size_m.x())) {
-    violations.push_back({"not_round", "size_m", "a loose stone has its diameter three times",
+  if (prop.kind == PropKind::kLooseStone && std::isfinite(prop.size_m.x()) && !is_round) {
+    violations.push_back({"not_round", "size", "of a loose stone must be its diameter three times",
                           FormatDouble(prop.size_m.y())});
   }
-  check("mass_kg", prop.mass_kg, kLeastMass_kg, kLargestMass_kg);
+  check("mass", prop.mass_kg, {kLeastMass_kg, kLargestMass_kg}, " kg");
   if (prop.kind == PropKind::kBridge || prop.kind == PropKind::kPost) {
-    check("strength", prop.strength, 0.0, kLargestStrength);
-  } else if (!std::isfinite(prop.strength)) {
-    violations.push_back({"not_finite", "strength", "must be finite", FormatDouble(prop.strength)});
+    check("strength", prop.strength, {0.0, kLargestStrength}, "");
+  } else {
+    check_finite("strength", prop.strength);
   }
-  check("yaw_rad", prop.yaw_rad, -1000.0, 1000.0);
-  for (const auto& [field, value] : {std::pair<const char*, double>{"x", prop.position.x_m},
-                                     {"y", prop.position.y_m},
-                                     {"z", prop.z_m}}) {
-    if (!std::isfinite(value)) {
-      violations.push_back(
-          {"not_finite", std::string("position/") + field, "must be finite", FormatDouble(value)});
-    }
-  }
+  check("heading", prop.yaw_rad, {-1000.0, 1000.0}, " rad");
+  check_finite("position.x", prop.position.x_m);
+  check_finite("position.y", prop.position.y_m);
+  check_finite("position.z", prop.z_m);
   return violations;
 }
 

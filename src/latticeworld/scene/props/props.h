@@ -22,7 +22,15 @@ double UsualMass(PropKind kind, const Eigen::Vector3d& size_m);
 // quarter of what sound wood bears, for what has stood in soil [N m]. Others: 0.
 double UsualStrength(PropKind kind, const Eigen::Vector3d& size_m);
 
-// Everything that is wrong with its numbers; the name and the place are not looked at.
+// A prop of that kind, at the centre of the world and without a name. size_m: components of 0 are
+// usual for the kind; of a loose stone x is the diameter, and the others are not looked at.
+// mass_kg, strength: 0 is usual for kind and size, and for the kind alone where the size is
+// illegal, so that Validate names only what was given.
+Prop PropOf(PropKind kind, const Eigen::Vector3d& size_m, double mass_kg = 0.0,
+            double strength = 0.0);
+
+// Everything that is wrong with its numbers, which are called as spawn_element has them: "size.x",
+// "mass", "strength", "heading", "position.x". The name is not looked at, nor what is in the way.
 std::vector<Violation> Validate(const Prop& prop);
 
 // What it covers, seen from above; a gate's closed panel.

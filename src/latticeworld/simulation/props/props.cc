@@ -81,7 +81,6 @@ PropBlock Props::BoxNow(const Running& running) const {
 }
 
 Result<std::string> Props::Add(const Prop& prop, const SceneChanges& changes) {
-  LW_RETURN_IF_ERROR(Status::FromViolations("illegal element", Validate(prop)));
   if (state_.size() >= static_cast<std::size_t>(kMaxProps)) {
     return ResourceExhausted("a world holds at most " + std::to_string(kMaxProps) +
                              " elements, and there are as many");

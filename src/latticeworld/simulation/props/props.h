@@ -40,10 +40,10 @@ class Props {
   };
   using State = std::map<std::string, Running>;  // by name
 
-  // Puts it onto the ground, whatever its z_m says. Errors: INVALID_ARGUMENT with every violation
-  // (sizes, mass, strength), OUT_OF_RANGE (not wholly in the world), FAILED_PRECONDITION (inside a
-  // solid asset or another prop), RESOURCE_EXHAUSTED (too many). name: legal and not in use, by
-  // the caller. changes: assets that do not stand are in nobody's way.
+  // Puts it onto the ground, whatever its z_m says. prop: legal (ValidateSpawn) and of a name that
+  // is not in use, by the caller. Errors: OUT_OF_RANGE (not wholly in the world),
+  // FAILED_PRECONDITION (inside a solid asset or another prop), RESOURCE_EXHAUSTED (too many).
+  // changes: assets that do not stand are in nobody's way.
   Result<std::string> Add(const Prop& prop, const SceneChanges& changes = {});
   // Errors: NOT_FOUND.
   Status Remove(const std::string& name);

@@ -1,7 +1,11 @@
 #include "latticeworld/simulation/simulator/agent_commands.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "latticeworld/common/text.h"
@@ -10,17 +14,19 @@
 namespace latticeworld {
 namespace {
 
-// The joint that a command is for, and what it asks of it.
-Result<std::pair<std::size_t, JointTarget>> TargetOf(const JointCommand& command,
-                                                     const std::vector<JointName>& joints) {
-  std::size_t joint = 0;
-  while (joint < joints.size() && joints[joint].name != command.joint) ++joint;
-  if (joint == joints.size()) {
-    std::vector<std::string> names;
-    for (const JointName& one : joints) names.push_back(one.name);
-    return NotFound("there is no joint " + Quote(command.joint) + ": there are " +
-                    Join(names, ", "));
-  }
+constexpr char kNoSuchJoint[] = "not_found";
+
+// What a command asks of a joint of that kind; none: a violation was added.
+std::optional<JointTarget> TargetOf(const JointCommand& command, JointName::Kind kind,
+                                    std::vector<Violation>* violations) {
+  const auto refuse = [&](const std::string& legal) {
+    const std::string given = "(" + FormatDouble(command.position_rad) + ", " +
+                              FormatDouble(command.velocity_radps) + ", " +
+                              FormatDouble(command.effort_nm) + ")";
+    violations->push_back({"illegal_value", "joint " + Quote(command.joint),
+                           "takes " + legal + ", not " + given, given});
+    return std::nullopt;
+  };
   const std::pair<JointMode, double> given[] = {{JointMode::kPosition, command.position_rad},
                                                 {JointMode::kVelocity, command.velocity_radps},
                                                 {JointMode::kEffort, command.effort_nm}};
@@ -33,21 +39,45 @@ Result<std::pair<std::size_t, JointTarget>> TargetOf(const JointCommand& command
     target = {mode, value};
   }
   if (finite != 1 || missing != 2) {
-    return InvalidArgument("joint " + Quote(command.joint) +
-                           " takes exactly one finite value of position, velocity and effort and "
-                           "NaN for the others, not (" +
-                           FormatDouble(command.position_rad) + ", " +
-                           FormatDouble(command.velocity_radps) + ", " +
-                           FormatDouble(command.effort_nm) + ")");
+    return refuse(
+        "exactly one finite value of position, velocity and effort and NaN for the others");
   }
-  const JointName::Kind kind = joints[joint].kind;
   if (kind == JointName::Kind::kWheel && target.mode != JointMode::kVelocity) {
-    return InvalidArgument("the wheel " + Quote(command.joint) + " takes a velocity only");
+    return refuse("a velocity only, for it is a wheel");
   }
   if (kind == JointName::Kind::kSteering && target.mode != JointMode::kPosition) {
-    return InvalidArgument("the steering " + Quote(command.joint) + " takes a position only");
+    return refuse("a position only, for it steers");
   }
-  return std::make_pair(joint, target);
+  return target;
+}
+
+// The joints that are commanded, by index; those of illegal commands are left out.
+std::map<std::size_t, JointTarget> TargetsOf(const std::vector<JointCommand>& commands,
+                                             const std::vector<JointName>& joints,
+                                             std::vector<Violation>* violations) {
+  std::map<std::size_t, JointTarget> targets;
+  std::set<std::string> commanded;
+  for (const JointCommand& command : commands) {
+    const auto refuse = [&](const char* code, const std::string& message) {
+      violations->push_back({code, "joint " + Quote(command.joint), message, Quote(command.joint)});
+    };
+    const auto joint = std::find_if(joints.begin(), joints.end(), [&](const JointName& one) {
+      return one.name == command.joint;
+    });
+    if (joint == joints.end()) {
+      std::vector<std::string> names;
+      for (const JointName& one : joints) names.push_back(one.name);
+      refuse(kNoSuchJoint, "is not there; there are " + Join(names, ", "));
+      continue;
+    }
+    if (!commanded.insert(command.joint).second) {
+      refuse("duplicate", "is commanded twice; legal is once");
+      continue;
+    }
+    const std::optional<JointTarget> target = TargetOf(command, joint->kind, violations);
+    if (target) targets.emplace(static_cast<std::size_t>(joint - joints.begin()), *target);
+  }
+  return targets;
 }
 
 }  // namespace
@@ -79,13 +109,14 @@ Status SetJoints(const std::vector<JointCommand>& commands, const std::vector<Jo
   if (joints.empty()) {
     return NotFound(Quote(agent->name) + " has no joints: a " + agent->species->name + " has none");
   }
-  std::map<std::size_t, JointTarget> targets;
-  for (const JointCommand& command : commands) {
-    const auto target = TargetOf(command, joints);
-    if (!target.ok()) return target.status().WithContext(agent->name);
-    if (!targets.insert(*target).second) {
-      return InvalidArgument("joint " + Quote(command.joint) + " is commanded twice");
-    }
+  std::vector<Violation> violations;
+  std::map<std::size_t, JointTarget> targets = TargetsOf(commands, joints, &violations);
+  if (!violations.empty()) {
+    const bool absent = std::any_of(violations.begin(), violations.end(),
+                                    [](const Violation& one) { return one.code == kNoSuchJoint; });
+    const Status refused = Status::FromViolations(agent->name, std::move(violations));
+    return Status(absent ? StatusCode::kNotFound : refused.code(), refused.message(),
+                  refused.violations());
   }
   agent->joint_targets = std::move(targets);
   agent->joints_until = until;

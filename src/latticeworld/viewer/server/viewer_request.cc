@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
@@ -17,10 +18,9 @@ using nlohmann::json;
 
 constexpr std::size_t kMaxIdBytes = 64;
 constexpr std::size_t kMaxNameBytes = 128;
+// Nobody else refuses a speed: robots drive as fast as they can.
 constexpr double kMostSpeed = 1000.0;
-constexpr double kMostSteps = 100000.0;
-constexpr double kMostSize_m = 8192.0;
-constexpr double kMostTransition_s = 86400.0;
+constexpr char kLegalSpeeds[] = "-1000 .. 1000";
 
 // Reads the keys of one object, each once; what is left over is unknown.
 class RequestReader {
@@ -60,15 +60,19 @@ class RequestReader {
     return name;
   }
 
-  double Number(const char* key, double low, double high, double absent) {
+  // nullopt when the key is absent. What is no number of [low, high] is refused.
+  std::optional<double> Number(const char* key, double low, double high, const std::string& legal) {
     const json* value = Take(key);
-    if (value == nullptr) return absent;
+    if (value == nullptr) return std::nullopt;
     const double number = value->is_number() ? value->get<double>() : std::nan("");
-    if (!(number >= low && number <= high)) {
-      Refuse(key, *value, FormatDouble(low) + " .. " + FormatDouble(high));
-      return absent;
-    }
-    return number;
+    if (number >= low && number <= high) return number;
+    Refuse(key, *value, legal);
+    return std::nullopt;
+  }
+  // Any finite number.
+  std::optional<double> Number(const char* key) {
+    constexpr double kMost = std::numeric_limits<double>::max();
+    return Number(key, -kMost, kMost, "a number");
   }
 
   // As a number, or as a text where it has more digits than a browser's numbers.
@@ -109,13 +113,17 @@ class RequestReader {
         {"illegal_value", Pointer(key), text + " is not legal; legal is " + legal, text});
   }
 
+  // What was refused so far.
+  Status Refused(std::string_view what) const { return Status::FromViolations(what, violations_); }
+
+  // The same with keys that nobody took.
   Status Finish(const std::string& what) {
     for (const auto& [key, value] : object_.items()) {
       if (std::find(taken_.begin(), taken_.end(), key) != taken_.end()) continue;
       violations_.push_back({"unknown_key", "/" + PointerToken(key),
                              "there is no such key; there are " + Join(taken_, ", "), Quote(key)});
     }
-    return Status::FromViolations(what, std::move(violations_));
+    return Refused(what);
   }
 
  private:
@@ -130,36 +138,37 @@ void ReadDrive(RequestReader* reader, ViewerRequest* request) {
   request->robot = reader->Robot("robot", /*required=*/true);
   const char* const keys[] = {"linear_mps", "lateral_mps", "vertical_mps"};
   for (int i = 0; i < 3; ++i) {
-    request->linear_mps[i] = reader->Number(keys[i], -kMostSpeed, kMostSpeed, 0.0);
+    request->linear_mps[i] =
+        reader->Number(keys[i], -kMostSpeed, kMostSpeed, kLegalSpeeds).value_or(0.0);
   }
-  request->angular_radps = reader->Number("angular_radps", -kMostSpeed, kMostSpeed, 0.0);
+  request->angular_radps =
+      reader->Number("angular_radps", -kMostSpeed, kMostSpeed, kLegalSpeeds).value_or(0.0);
 }
 
 void ReadStep(RequestReader* reader, ViewerRequest* request) {
-  const double steps = reader->Number("steps", 1.0, kMostSteps, 1.0);
-  if (steps != std::floor(steps)) reader->Refuse("steps", json(steps), "a whole number");
+  constexpr char kLegal[] = "a whole number of at least 1, of 32 bits";
+  const double steps =
+      reader->Number("steps", 1.0, std::numeric_limits<std::uint32_t>::max(), kLegal).value_or(1.0);
+  if (steps != std::floor(steps)) reader->Refuse("steps", json(steps), kLegal);
   request->steps = static_cast<std::uint32_t>(steps);
 }
 
 void ReadGenerate(RequestReader* reader, ViewerRequest* request) {
   request->layout = reader->Text("layout", kMaxRequestBytes);
   request->environment = reader->Text("environment", kMaxRequestBytes);
-  request->vocabulary = reader->Text("vocabulary", kMaxNameBytes);
-  request->reader = reader->Text("reader", kMaxNameBytes);
-  request->generator = reader->Text("generator", kMaxNameBytes);
+  request->vocabulary = reader->Text("vocabulary", kMaxRequestBytes);
+  request->reader = reader->Text("reader", kMaxRequestBytes);
+  request->generator = reader->Text("generator", kMaxRequestBytes);
   request->seed = reader->Seed("seed");
-  request->size_m = reader->Number("size_m", 0.0, kMostSize_m, 0.0);
-  request->resolution_m = reader->Number("resolution_m", 0.0, kMostSize_m, 0.0);
+  request->size_m = reader->Number("size_m").value_or(0.0);
+  request->resolution_m = reader->Number("resolution_m").value_or(0.0);
 }
 
 void ReadWeather(RequestReader* reader, ViewerRequest* request) {
-  request->weather = reader->Text("weather", kMaxNameBytes);
-  const double absent = std::nan("");
-  const double intensity = reader->Number("intensity", 0.0, 1.0, absent);
-  const double hour = reader->Number("hour", 0.0, 24.0, absent);
-  if (!std::isnan(intensity)) request->intensity = intensity;
-  if (!std::isnan(hour)) request->hour = hour;
-  request->transition_s = reader->Number("transition_s", 0.0, kMostTransition_s, 0.0);
+  request->weather = reader->Text("weather", kMaxRequestBytes);
+  request->intensity = reader->Number("intensity");
+  request->hour = reader->Number("hour");
+  request->transition_s = reader->Number("transition_s").value_or(0.0);
 }
 
 void ReadFields(RequestReader* reader, ViewerRequest* request) {
@@ -181,10 +190,7 @@ void ReadFields(RequestReader* reader, ViewerRequest* request) {
       ReadStep(reader, request);
       break;
     case RequestType::kSpeed:
-      request->factor = reader->Number("factor", 0.0, 1000.0, 1.0);
-      if (request->factor != 0.0 && request->factor < 0.01) {
-        reader->Refuse("factor", json(request->factor), "0, or 0.01 .. 1000");
-      }
+      request->factor = reader->Number("factor").value_or(1.0);
       break;
     case RequestType::kReset:
       request->seed = reader->Seed("seed");
@@ -194,7 +200,7 @@ void ReadFields(RequestReader* reader, ViewerRequest* request) {
       break;
     case RequestType::kLoadWorld:
     case RequestType::kSaveWorld:
-      request->name = reader->Text("name", kMaxNameBytes);
+      request->name = reader->Text("name", kMaxRequestBytes);
       break;
     case RequestType::kSetWeather:
       ReadWeather(reader, request);
@@ -246,9 +252,8 @@ Result<ViewerRequest> ParseRequest(std::string_view text, std::string* id, std::
   const auto known =
       is_text ? FromName<RequestType>(given_type->get_ref<const std::string&>()) : std::nullopt;
   if (!known) {
-    return InvalidArgument("type is " +
-                           (given_type == nullptr ? "missing" : Quote(given_type->dump())) +
-                           "; legal are " + LegalNames<RequestType>());
+    reader.Refuse("type", given_type == nullptr ? json() : *given_type, LegalNames<RequestType>());
+    return reader.Refused("a message");
   }
   *type = NameOf(*known);
   request.type = *known;

@@ -52,7 +52,8 @@ bool IsControl(RequestType type);
 
 inline constexpr std::size_t kMaxRequestBytes = 4096;
 
-// What a client asks for: docs/viewer.md has the keys. Only the fields of its type are set.
+// What a client asks for: docs/viewer.md has the keys. Only the fields of its type are set. Which
+// values are legal, world_server says where it answers the request; [ ] are limits of the message.
 struct ViewerRequest {
   RequestType type = RequestType::kListWorlds;
   std::string id = "null";  // as JSON: a number, a short text or null; the reply repeats it
@@ -62,8 +63,8 @@ struct ViewerRequest {
   std::string robot;                  // subscribe, drive, strike: legal as a ROS name, or empty
   std::array<double, 3> linear_mps = {0.0, 0.0, 0.0};  // drive: forward, left, up; [-1000, 1000]
   double angular_radps = 0.0;                          // drive: counter-clockwise, [-1000, 1000]
-  std::uint32_t steps = 1;                             // step: [1, 100000]
-  double factor = 1.0;                                 // speed: 0, or [0.01, 1000]
+  std::uint32_t steps = 1;                             // step: at least 1
+  double factor = 1.0;                                 // speed
   std::uint64_t seed = 0;                              // reset, generate; 0: not given
   std::string layout, environment;                     // generate
   std::string vocabulary, reader, generator;           // generate; empty: not given
@@ -71,11 +72,11 @@ struct ViewerRequest {
   std::string name;                                    // load_world, save_world
   std::string weather;                                 // set_weather; empty: not given
   std::optional<double> intensity, hour;               // set_weather
-  double transition_s = 0.0;                           // set_weather: [0, 86400]
+  double transition_s = 0.0;                           // set_weather
 };
 
 // Reads a message of a client; trusts nothing. Errors: INVALID_ARGUMENT naming everything that is
-// wrong: no JSON, too long, unknown type or keys, wrong types, values out of range. id: receives
+// wrong: no JSON, too long, unknown type or keys, wrong types, limits of the message. id: receives
 // the request's id where one can be read, else "null"; type: its type as it was given, or "".
 Result<ViewerRequest> ParseRequest(std::string_view text, std::string* id, std::string* type);
 

@@ -40,10 +40,8 @@ void AgentSpawner::SpawnStarts(RunningWorld* world) {
 }
 
 Result<std::string> AgentSpawner::Spawn(const SpawnRequest& request, RunningWorld* world) {
-  const Result<const Species*> found = SpeciesFor(request, *world->options.species);
-  if (!found.ok()) return found.status();
-  const Species& species = **found;
-  LW_RETURN_IF_ERROR(CheckRequest(request, species, *world));
+  LW_RETURN_IF_ERROR(CheckRequest(request, *world));
+  const Species& species = SpeciesFor(request, *world->options.species);
   const RandomStream random_before = random_;
   const Result<WorldPoint> place = PlaceFor(request, species, *world, &random_);
   if (!place.ok()) {

@@ -29,8 +29,8 @@ Status CheckFree(const Prop& prop, const RunningWorld& world) {
 }  // namespace
 
 Result<std::string> AddProp(const Prop& prop, RunningWorld* world) {
+  LW_RETURN_IF_ERROR(Status::FromViolations("illegal element", ValidateSpawn(prop)));
   if (!prop.name.empty()) LW_RETURN_IF_ERROR(CheckNewName(prop.name, *world));
-  LW_RETURN_IF_ERROR(Status::FromViolations("illegal element", Validate(prop)));
   LW_RETURN_IF_ERROR(CheckFree(prop, *world));
   Prop named = prop;
   if (named.name.empty()) named.name = NewNameFor(std::string(NameOf(prop.kind)), *world);

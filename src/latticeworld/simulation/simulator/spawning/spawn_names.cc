@@ -13,7 +13,6 @@ bool IsTaken(const std::string& name, const RunningWorld& world) {
 }  // namespace
 
 Status CheckNewName(const std::string& name, const RunningWorld& world) {
-  LW_RETURN_IF_ERROR(CheckAgentName(name));
   if (!IsTaken(name, world)) return Status();
   return Status(StatusCode::kAlreadyExists,
                 "there is an agent or element named " + Quote(name) + " already");

@@ -8,8 +8,7 @@
 
 namespace latticeworld {
 
-// OK for a legal name that neither an agent nor a prop has. Errors: INVALID_ARGUMENT,
-// ALREADY_EXISTS.
+// OK for a name that neither an agent nor a prop has. Errors: ALREADY_EXISTS.
 Status CheckNewName(const std::string& name, const RunningWorld& world);
 // The first of "<kind>_1", "<kind>_2" ... that is not in use.
 std::string NewNameFor(const std::string& kind, const RunningWorld& world);

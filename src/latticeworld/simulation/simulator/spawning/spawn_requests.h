@@ -7,11 +7,11 @@
 
 namespace latticeworld {
 
-// The species that a request asks for. Errors: INVALID_ARGUMENT that names those that there are.
-Result<const Species*> SpeciesFor(const SpawnRequest& request, const SpeciesCatalogue& catalogue);
-// Whether a request can be met somewhere: its name, numbers, state, team and policy. Errors: see
-// Simulator::Spawn. species: that of the request.
-Status CheckRequest(const SpawnRequest& request, const Species& species, const RunningWorld& world);
+// Whether a request can be met somewhere: it is legal, there is room, and its name is new. Errors:
+// see Simulator::Spawn.
+Status CheckRequest(const SpawnRequest& request, const RunningWorld& world);
+// The species that a legal request asks for.
+const Species& SpeciesFor(const SpawnRequest& request, const SpeciesCatalogue& catalogue);
 
 }  // namespace latticeworld
 
