@@ -97,6 +97,18 @@ void BM_SceneOfThings(benchmark::State& state) {
 }
 BENCHMARK(BM_SceneOfThings)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
+// One claim on its own: that one well stands.
+void BM_OneThingClaim(benchmark::State& state) {
+  SceneRequest request = Request(false);
+  request.things = {Wish("well", 1, ThingRelation::kNone, {'\0', -1})};
+  const auto answer = BuildScene(request, Progress());
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(MeasureThings(*answer->scene, request.things));
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(BM_OneThingClaim)->Unit(benchmark::kMicrosecond);
+
 void BM_ThingClaims(benchmark::State& state) {
   const std::vector<ThingWish> wishes = Wishes();
   const auto answer = BuildScene(Request(true), Progress());

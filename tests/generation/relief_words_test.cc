@@ -140,6 +140,28 @@ const std::vector<Word>& Words() {
       {"A road runs along the southern edge. A saddle in the center. The road climbs the saddle.",
        "A road along the southern edge. A pass in the center. The road climbs to the pass.",
        {"relief_form", "relief_road"}},
+      {"A road runs along the southern edge. A hill in the center. A path of 15 degrees climbs the "
+       "hill.",
+       "A road along the southern edge. A hill in the center with a path of 15 degrees to its top.",
+       {"relief_form", "relief_road", "relief_road_slope"}},
+      {"A road runs along the southern edge. A saddle in the center. A road of 8 degrees climbs "
+       "the "
+       "saddle.",
+       "A road along the southern edge. A pass in the center. A road of 8 degrees climbs to the "
+       "pass.",
+       {"relief_form", "relief_road", "relief_road_slope"}},
+      {"A gorge from the north to the south. A bridge is over the gorge.",
+       "A gorge from the north to the south. A bridge over the gorge.",
+       {"relief_form", "relief_bridge"}},
+      {"A gorge. A bridge is over the gorge.",
+       "A bridge over the gorge.",
+       {"relief_form", "relief_bridge"},
+       Vocabulary::kWild},
+      {"A road runs along the southern edge. A hill in the north. The hill is steep. A gorge in "
+       "the "
+       "center. A path of 15 degrees climbs the hill. A bridge is over the gorge.",
+       "A steep hill with a path of 15 degrees to its top and a bridge over the gorge.",
+       {"relief_form", "relief_road", "relief_road_slope", "relief_form", "relief_bridge"}},
       {"2 hills. A saddle is between the hills.",
        "A pass between two hills.",
        {"relief_form", "relief_form"}},

@@ -197,6 +197,25 @@ std::vector<std::string> WarningsOf(const std::vector<ThingWish>& wishes,
   return answer.ok() ? answer->warnings : std::vector<std::string>{answer.status().ToString()};
 }
 
+// Stones and posts stand in shallow water, houses in none.
+TEST(SingleThingsTest, AHouseInALakeIsToldToHaveNoGround) {
+  const auto land = MakeLand();
+  for (const char* kind : {"barn", "church", "house"}) {
+    const std::string json =
+        std::string(R"([{"kind": ")") + kind + R"(", "relation": "in", "of": "lake"}])";
+    SceneRequest request = MakeRequest(land, MakeEnvironment(0.0), /*seed=*/2);
+    request.things = OfJson(json);
+    const SceneAnswer answer = BuildScene(request, Progress()).value();
+    EXPECT_TRUE(answer.scene->things.empty()) << kind;
+    ASSERT_FALSE(answer.warnings.empty()) << kind;
+    EXPECT_NE(answer.warnings.front().find("0 of 1 stand: there is water"), std::string::npos)
+        << answer.warnings.front();
+    const auto outcomes = MeasureThings(*answer.scene, request.things);
+    ASSERT_FALSE(outcomes.empty());
+    EXPECT_FALSE(outcomes.front().holds);
+  }
+}
+
 TEST(SingleThingsTest, WhatCannotBeIsSaidWithTheReason) {
   const auto dry = MakeUniform(Vocabulary::kSuburb, 'G', 128.0);
   struct Bad {
@@ -209,6 +228,8 @@ TEST(SingleThingsTest, WhatCannotBeIsSaidWithTheReason) {
       {OfWords("A row of 10,000 trees."), "at most 500"},
       {OfWords("A lone tower near the hill."), "is not there"},
       {OfJson(R"([{"kind": "well", "x": 500, "y": 0}])"), "the world ends there"},
+      {OfJson(R"([{"kind": "bench", "place": "upper left", "relation": "near", "of": "lake"}])"),
+       "is not there"},
   };
   for (const Bad& bad : bads) {
     SCOPED_TRACE(bad.reason);

@@ -236,6 +236,99 @@ TEST(ReliefTest, ARoadLeadsOverAPass) {
   }
 }
 
+// Measured on the finished ground, over 20 m of the way's middle.
+TEST(ReliefTest, WaysClimbWithinTheSlopeThatWordsSay) {
+  SymbolicLayout layout = Filled(Vocabulary::kSuburb, 'G');
+  for (int c = 0; c < kLayoutSize; ++c) layout.cells(26, c) = 'R';
+  for (const double slope_deg : {6.0, 8.0, 15.0}) {
+    for (const ReliefKind kind : {ReliefKind::kHill, ReliefKind::kSaddle}) {
+      ReliefWish wish = Wish(kind);
+      wish.zones = {*FindZone("center")};
+      wish.steepness = 1.5;
+      ReliefTie climb;
+      climb.kind = ReliefTie::Kind::kClimbed;
+      climb.letter = 'R';
+      climb.slope_deg = slope_deg;
+      wish.ties = {climb};
+      for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        const Terrain terrain =
+            BuildWith({wish}, layout, seed, GridGeometry::FromCells(512, 512.0));
+        EXPECT_EQ(Misses({wish}, layout, terrain), "")
+            << NameOf(kind) << ", " << slope_deg << " degrees, seed " << seed;
+      }
+    }
+  }
+}
+
+TEST(ReliefTest, AWayThatIsSteeperOrFlatterThanSaidDoesNotHoldItsClaim) {
+  SymbolicLayout layout = Filled(Vocabulary::kSuburb, 'G');
+  for (int c = 0; c < kLayoutSize; ++c) layout.cells(26, c) = 'R';
+  ReliefWish wish = Wish(ReliefKind::kHill);
+  wish.zones = {*FindZone("center")};
+  ReliefTie climb;
+  climb.kind = ReliefTie::Kind::kClimbed;
+  climb.letter = 'R';
+  climb.slope_deg = 10.0;
+  wish.ties = {climb};
+  const Terrain terrain = BuildWith({wish}, layout, 2, GridGeometry::FromCells(512, 512.0));
+  EXPECT_EQ(Misses({wish}, layout, terrain), "");
+  for (const double other_deg : {5.0, 20.0}) {
+    wish.ties[0].slope_deg = other_deg;
+    const std::string misses = Misses({wish}, layout, terrain);
+    EXPECT_NE(misses.find("slopes by"), std::string::npos) << other_deg << ": " << misses;
+  }
+  wish.ties[0].slope_deg = 10.0;
+  const Terrain bare = BuildWith({}, layout, 2, GridGeometry::FromCells(512, 512.0));
+  EXPECT_NE(Misses({wish}, layout, bare).find("no way leads up"), std::string::npos);
+}
+
+// A road of the layout, or where there is none a way of its own, in either vocabulary.
+TEST(ReliefTest, AWayLeadsOverAGorgeOnABridgeAndTheGorgeGoesOnBelow) {
+  SymbolicLayout road = Filled(Vocabulary::kSuburb, 'G');
+  for (int c = 0; c < kLayoutSize; ++c) road.cells(14 + c / 8, c) = 'R';
+  SymbolicLayout beside = Filled(Vocabulary::kSuburb, 'G');
+  for (int c = 0; c < kLayoutSize; ++c) beside.cells(28, c) = 'R';
+  const SymbolicLayout layouts[] = {road, beside, Filled(Vocabulary::kSuburb, 'G'),
+                                    Filled(Vocabulary::kWild, 'B')};
+  for (const ReliefKind kind : {ReliefKind::kGorge, ReliefKind::kCanyon}) {
+    ReliefWish wish = Wish(kind);
+    wish.from = {*FindZone("northern edge")};
+    wish.to = {*FindZone("southern edge")};
+    ReliefTie bridged;
+    bridged.kind = ReliefTie::Kind::kBridged;
+    wish.ties = {bridged};
+    for (const SymbolicLayout& layout : layouts) {
+      for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        const Terrain terrain = BuildWith({wish}, layout, seed, Small());
+        EXPECT_EQ(Misses({wish}, layout, terrain), "")
+            << NameOf(kind) << ", layout " << &layout - layouts << ", seed " << seed;
+      }
+    }
+  }
+}
+
+TEST(ReliefTest, WithoutABridgeNoneIsClaimedToLeadOverAGorge) {
+  const SymbolicLayout layout = Filled(Vocabulary::kSuburb, 'G');
+  const ReliefWish gorge = Wish(ReliefKind::kGorge);
+  Terrain terrain = BuildWith({gorge}, layout, 1, Small());
+  EXPECT_TRUE(terrain.bridges.empty());
+  ReliefWish wish = gorge;
+  ReliefTie bridged;
+  bridged.kind = ReliefTie::Kind::kBridged;
+  wish.ties = {bridged};
+  EXPECT_NE(Misses({wish}, layout, terrain).find("no bridge leads over the gorge"),
+            std::string::npos);
+  // Nor does one that stands beside it.
+  Bridge beside;
+  const double half_m = terrain.geometry().half_size_m();
+  beside.line = {{-half_m, -half_m}, {-half_m + 20.0, -half_m}};
+  beside.width_m = 4.0;
+  beside.deck_z_m = 30.0;
+  beside.supports_m = {2.0, 18.0};
+  terrain.bridges = {beside};
+  EXPECT_NE(Misses({wish}, layout, terrain), "");
+}
+
 TEST(ReliefTest, APassLiesBetweenTheRisesThatTheWordsName) {
   const SymbolicLayout layout = Filled(Vocabulary::kWild, 'B');
   ReliefWish hills = Wish(ReliefKind::kHill);

@@ -74,12 +74,15 @@ struct ReliefTie {
     kBeside,   // it lies near the class
     kToward,   // it lies toward `heading` from the class
     kClimbed,  // the class, a road, leads up to its top
+    kBridged,  // a way leads over it on a bridge
   };
   Kind kind = Kind::kBeside;
-  char letter = '?';
-  std::vector<Zone> zones;  // of the class's thing; empty: anywhere
-  Claim::Heading heading;   // kToward
-  int wish = -1;            // the other piece's, one before its own; -1: the class is meant
+  char letter = '?';                // '\0': a way that the vocabulary has no class for
+  std::vector<Zone> zones;          // of the class's thing; empty: anywhere
+  Claim::Heading heading;           // kToward
+  int wish = -1;                    // the other piece's, one before its own; -1: the class is meant
+  std::optional<double> slope_deg;  // kClimbed: of the way
+  std::string words;                // kClimbed, kBridged: of the instruction; may be empty
 };
 
 // One piece of relief that an instruction asks for.

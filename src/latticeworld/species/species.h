@@ -67,6 +67,11 @@ struct VehicleDesign {
   double center_height_m = 0.16;  // of the chassis' centre of mass
 };
 
+// How much of a wheel's grip along holds sideways: all of a tyre's that rolls; a skid steer's give
+// way, or it could not turn.
+inline constexpr double kTyreSideGrip = 1.0;
+inline constexpr double kSkidSideGrip = 0.55;
+
 struct QuadrupedDesign {
   double hip_x_m = 0.2;      // hips before and behind the middle
   double hip_y_m = 0.08;     // hips beside it

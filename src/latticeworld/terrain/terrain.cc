@@ -24,8 +24,11 @@
 #include "latticeworld/terrain/ways/benches.h"
 #include "latticeworld/terrain/ways/bridges.h"
 #include "latticeworld/terrain/ways/climbing_ways.h"
+#include "latticeworld/terrain/ways/gorge_bridges.h"
+#include "latticeworld/terrain/ways/graded_ways.h"
 #include "latticeworld/terrain/ways/roads.h"
 #include "latticeworld/terrain/ways/streets.h"
+#include "latticeworld/terrain/ways/way_finder.h"
 
 namespace latticeworld {
 namespace {
@@ -72,15 +75,6 @@ Grid<unsigned char> BuiltCells(const Grid<char>& letters, Vocabulary vocabulary)
     built.data()[i] = IsManMade(vocabulary, letters.data()[i]) ? 1 : 0;
   }
   return built;
-}
-
-// Where no way goes that climbs: water and buildings.
-Grid<unsigned char> BlockedCells(const Grid<char>& letters, const Grid<unsigned char>& wet) {
-  Grid<unsigned char> blocked = wet;
-  for (std::size_t i = 0; i < blocked.size(); ++i) {
-    if (letters.data()[i] == suburb_letter::kBuilding) blocked.data()[i] = 1;
-  }
-  return blocked;
 }
 
 // How deep water may be on and beside roads [m]: fords are shallow and lead into the water gently,
@@ -147,6 +141,21 @@ struct LatticeLayout {
   bool is_suburb() const { return lines.masks.vocabulary == Vocabulary::kSuburb; }
 };
 
+// Where no way goes that climbs: water and buildings.
+Grid<unsigned char> BlockedCells(const LatticeLayout& layout) {
+  Grid<unsigned char> blocked = layout.water.wet;
+  const Vocabulary vocabulary = layout.lines.masks.vocabulary;
+  for (std::size_t i = 0; i < blocked.size(); ++i) {
+    if (IsBuilding(vocabulary, layout.letters.data()[i])) blocked.data()[i] = 1;
+  }
+  return blocked;
+}
+
+Grid<unsigned char> RoadCells(const LatticeLayout& layout) {
+  if (layout.is_suburb()) return internal::MaskOf(suburb_letter::kRoad, layout.letters);
+  return Grid<unsigned char>(layout.letters.rows(), layout.letters.cols(), 0);
+}
+
 LatticeLayout PutOnLattice(const TerrainRequest& request) {
   const GridGeometry lattice = internal::LatticeOf(request.geometry);
   DecodedLayout lines = DecodeLayout(*request.layout, lattice,
@@ -197,85 +206,139 @@ internal::Banks ShapeShores(const TerrainRequest& request, const LatticeLayout& 
   return banks;
 }
 
-// Ways that the layout does not have: streets of settlements, and what climbs into the relief.
-// road: 1 on the layout's roads.
-std::vector<internal::Street> LayOutWays(const TerrainRequest& request, const LatticeLayout& layout,
-                                         const internal::ReliefForms& forms,
-                                         const Grid<unsigned char>& road,
-                                         const Grid<float>& height_m) {
-  const Grid<char>& letters = layout.letters;
-  std::vector<internal::Street> ways;
-  if (std::find(letters.begin(), letters.end(), suburb_letter::kBuilding) != letters.end()) {
-    const internal::StreetGround ground = {layout.lattice, &letters, &layout.water.wet, &height_m,
-                                           &layout.lines};
-    ways = internal::LayOutStreets(ground, internal::StreetRule(), request.seed);
-  }
-  for (internal::Street& way :
-       internal::ClimbingWays(request.reliefs, forms.pieces(), layout.lattice,
-                              {height_m, road, BlockedCells(letters, layout.water.wet)},
-                              kClimbShare * request.options.max_road_slope)) {
-    ways.push_back(std::move(way));
-  }
-  return ways;
+// Whether words ask for ways that the layout does not have.
+bool AsksForWays(const std::vector<ReliefWish>& reliefs) {
+  return std::any_of(reliefs.begin(), reliefs.end(), [](const ReliefWish& wish) {
+    return std::any_of(wish.ties.begin(), wish.ties.end(), [](const ReliefTie& tie) {
+      return tie.kind == ReliefTie::Kind::kClimbed || tie.kind == ReliefTie::Kind::kBridged;
+    });
+  });
 }
 
 // What is built into the land.
 struct Works {
-  std::vector<internal::Street> streets;
-  std::vector<Bridge> bridges;
+  std::vector<internal::Street> streets;      // as steep as roads
+  std::vector<internal::ClimbingWay> graded;  // ways whose slope is said
+  std::vector<Bridge> bridges;                // over gorges first
+  Grid<unsigned char> open;                   // GorgeBridges::open
   Grid<float> shaped;  // how much of each cell roads and buildings shape, in [0, 1]
 };
 
+// The land, its roads and its gorges, as ways find them.
+struct WorkGround {
+  const TerrainRequest& request;
+  const internal::ReliefForms& forms;
+  const std::vector<internal::RoadOverGorge>& over_gorges;
+  const internal::Banks& banks;
+  const Grid<float>& level_m;       // of the water, NaN where dry
+  const Grid<unsigned char>& road;  // 1 on the layout's roads
+};
+
+// Ways that the layout does not have: streets of settlements, what climbs into the relief, and what
+// leads over gorges, with the bridges of these.
+void LayOutWays(const WorkGround& ground, const Grid<float>& height_m, LatticeLayout* layout,
+                Works* works) {
+  const TerrainRequest& request = ground.request;
+  const Grid<char>& letters = layout->letters;
+  const bool settled = layout->is_suburb() && std::find(letters.begin(), letters.end(),
+                                                        suburb_letter::kBuilding) != letters.end();
+  if (settled) {
+    const internal::StreetGround streets = {layout->lattice, &letters, &layout->water.wet,
+                                            &height_m, &layout->lines};
+    works->streets = internal::LayOutStreets(streets, internal::StreetRule(), request.seed);
+  }
+  const Grid<unsigned char> blocked = BlockedCells(*layout);
+  const double max_slope = kClimbShare * request.options.max_road_slope;
+  if (AsksForWays(request.reliefs)) {
+    const internal::WayFinder finder(layout->lattice, {height_m, ground.road, blocked});
+    for (internal::ClimbingWay& way :
+         internal::ClimbingWays(request.reliefs, ground.forms.pieces(), finder, max_slope)) {
+      if (way.slope) {
+        works->graded.push_back(std::move(way));
+      } else {
+        works->streets.push_back(std::move(way.street));
+      }
+    }
+  }
+  if (!AsksForWays(request.reliefs) && ground.over_gorges.empty()) return;
+  internal::GorgeBridges over =
+      internal::PlanGorgeBridges(request.reliefs, ground.forms.pieces(), ground.over_gorges,
+                                 {layout->lattice, height_m, ground.road, blocked, layout->lines,
+                                  ground.level_m, request.options.bridge_kind, max_slope});
+  if (over.bridges.empty()) return;
+  internal::RoadToLand(over.road_to_land, &layout->lines.masks, &layout->letters);
+  works->bridges = std::move(over.bridges);
+  works->open = std::move(over.open);
+  works->streets.insert(works->streets.end(), over.ways.begin(), over.ways.end());
+}
+
 // Grades roads and streets into the land [m], with their bridges, and digs the beds of the water.
 // layout: its centre lines get those of the streets.
-void BuildRoads(const TerrainRequest& request, const internal::Banks& banks,
-                const Grid<unsigned char>& road, LatticeLayout* layout, Works* works,
+void BuildRoads(const WorkGround& ground, LatticeLayout* layout, Works* works,
                 Grid<float>* height_m) {
+  const TerrainRequest& request = ground.request;
   const GridGeometry& lattice = layout->lattice;
   const internal::WaterBodies& water = layout->water;
+  const Grid<unsigned char>& road = ground.road;
   Grid<unsigned char> paved = road;
+  // Below decks over gorges there is no road.
+  for (std::size_t i = 0; i < works->open.size(); ++i) {
+    if (works->open.data()[i] != 0) paved.data()[i] = 0;
+  }
   if (!works->streets.empty()) {
     internal::MarkStreets(lattice, works->streets, water.wet, &paved, &layout->lines);
   }
   const double ford_depth_m =
       std::min(request.options.ford_depth_m, internal::RiverDepth_m(lattice.size_m()));
   const Grid<float> depth_m = DepthNearRoads(lattice, road, water.wet, ford_depth_m);
-  works->bridges = internal::PlanBridges(
-      {lattice, layout->letters, layout->lines, water, banks, request.options.bridge_kind});
+  if (layout->is_suburb()) {
+    for (Bridge& bridge : internal::PlanBridges({lattice, layout->letters, layout->lines, water,
+                                                 ground.banks, request.options.bridge_kind})) {
+      works->bridges.push_back(std::move(bridge));
+    }
+  }
   internal::RoadRule rule;
   rule.max_slope = request.options.max_road_slope;
   rule.embankment_slope = request.options.embankment_slope;
-  internal::GradeRoads(lattice, paved, layout->lines, banks, depth_m, rule, &works->bridges,
-                       height_m, &works->shaped);
+  internal::GradeRoads(lattice, paved, layout->lines, ground.banks, depth_m, rule, works->open,
+                       &works->bridges, height_m, &works->shaped);
+  internal::GradeWays(lattice, works->graded, paved, rule.embankment_slope, height_m,
+                      &works->shaped);
   // What was built must not open a shore, nor bury it but where a road climbs to a bridge.
   Grid<unsigned char> beside_roads = road;
   for (unsigned char& cell : beside_roads) cell = cell == 0 ? 1 : 0;
-  banks.Raise(beside_roads, height_m);
-  banks.Clamp(WithoutRamps(lattice, works->bridges, std::move(beside_roads)), height_m);
-  banks.Dig(&depth_m, height_m);
+  ground.banks.Raise(beside_roads, height_m);
+  ground.banks.Clamp(WithoutRamps(lattice, works->bridges, std::move(beside_roads)), height_m);
+  ground.banks.Dig(&depth_m, height_m);
 }
 
 // Builds terraces of fields, pads of buildings and all roads into the land [m], and digs the beds
 // of the water. layout: see BuildRoads.
 Works BuildIntoLand(const TerrainRequest& request, const internal::ReliefForms& forms,
-                    const internal::Banks& banks, LatticeLayout* layout, Grid<float>* height_m) {
+                    const std::vector<internal::RoadOverGorge>& over_gorges,
+                    const internal::Banks& banks, const Grid<float>& level_m, LatticeLayout* layout,
+                    Grid<float>* height_m) {
   const int n = layout->lattice.rows();
   Works works;
   works.shaped = Grid<float>(n, n, 0.0f);
-  if (!layout->is_suburb()) {
+  if (!layout->is_suburb() && !AsksForWays(request.reliefs)) {
     banks.Dig(nullptr, height_m);
     return works;
   }
-  for (const SmoothedMask& entry : layout->lines.masks.classes) {
-    if (entry.letter == suburb_letter::kFarmland) {
-      internal::TerraceFields(layout->lattice, entry.weight, height_m);
+  if (layout->is_suburb()) {
+    for (const SmoothedMask& entry : layout->lines.masks.classes) {
+      if (entry.letter == suburb_letter::kFarmland) {
+        internal::TerraceFields(layout->lattice, entry.weight, height_m);
+      }
     }
+    internal::LevelPads(layout->lattice,
+                        internal::MaskOf(suburb_letter::kBuilding, layout->letters), banks,
+                        height_m, &works.shaped);
   }
-  internal::LevelPads(layout->lattice, internal::MaskOf(suburb_letter::kBuilding, layout->letters),
-                      banks, height_m, &works.shaped);
-  const Grid<unsigned char> road = internal::MaskOf(suburb_letter::kRoad, layout->letters);
-  works.streets = LayOutWays(request, *layout, forms, road, *height_m);
-  BuildRoads(request, banks, road, layout, &works, height_m);
+  const Grid<unsigned char> road = RoadCells(*layout);
+  const WorkGround ground = {request, forms, over_gorges, banks, level_m, road};
+  LayOutWays(ground, *height_m, layout, &works);
+  BuildRoads(ground, layout, &works, height_m);
   return works;
 }
 
@@ -339,18 +402,22 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
   LW_RETURN_IF_ERROR(advance(0.1));
 
   const std::vector<ReliefWish> no_words;
-  const internal::ReliefForms forms(
+  std::vector<internal::ReliefPiece> pieces =
       internal::PlaceReliefs(request.relief != nullptr ? no_words : request.reliefs,
-                             *request.layout, layout.lattice.size_m()),
-      layout.lattice, BuiltCells(layout.letters, layout.lines.masks.vocabulary), layout.water,
-      request.seed);
+                             *request.layout, layout.lattice.size_m());
+  const Grid<unsigned char> road = RoadCells(layout);
+  const std::vector<internal::RoadOverGorge> over_gorges =
+      internal::RoadsOverGorges(pieces, layout.lattice, road);
+  const internal::ReliefForms forms(
+      std::move(pieces), layout.lattice, BuiltCells(layout.letters, layout.lines.masks.vocabulary),
+      internal::CellsOverGorges(over_gorges, layout.lattice, road), layout.water, request.seed);
   internal::LandPlan plan;
   LW_ASSIGN_OR_RETURN(const Grid<float> level_m,
                       RaiseLand(request, layout, forms, progress, &plan));
   LW_RETURN_IF_ERROR(advance(0.5));
 
   const internal::Banks banks = ShapeShores(request, layout, forms, level_m, &plan.height_m);
-  Works works = BuildIntoLand(request, forms, banks, &layout, &plan.height_m);
+  Works works = BuildIntoLand(request, forms, over_gorges, banks, level_m, &layout, &plan.height_m);
   LW_RETURN_IF_ERROR(advance(0.6));
 
   plan.level_m = banks.level_everywhere_m();
@@ -360,6 +427,7 @@ Result<Terrain> BuildTerrain(const TerrainRequest& request, const Progress& prog
   plan.masks = std::move(layout.lines.masks);
   LW_ASSIGN_OR_RETURN(Terrain terrain, internal::Render(request.geometry, plan, request.seed,
                                                         request.threads, progress));
+  for (internal::ClimbingWay& way : works.graded) works.streets.push_back(std::move(way.street));
   internal::PaveStreets(works.streets, &terrain);
   terrain.bridges = std::move(works.bridges);
   LW_RETURN_IF_ERROR(advance(1.0));

@@ -152,6 +152,41 @@ TEST(AgentPlacementTest, AWhaleWithoutWaterIsAWarningThatSaysWhy) {
   EXPECT_EQ(answer.scene->agents[0].name, "robot");
 }
 
+// A slope of 25 degrees with a level strip in the west: legal for wheels, which slide there.
+std::shared_ptr<const Terrain> Slope() {
+  TestGround ground;
+  ground.letter_at = [](WorldPoint) { return 'G'; };
+  ground.height_at_m = [](WorldPoint point) {
+    return std::max(0.0, point.x_m + 100.0) * std::tan(25.0 * M_PI / 180.0);
+  };
+  return MakeTerrain(ground);
+}
+
+TEST(AgentPlacementTest, RobotsOnWheelsStandWhereTheyHold) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const SceneAnswer bare = BuildWith(Slope(), {}, seed);
+    ASSERT_EQ(bare.scene->agents.size(), 1u);
+    EXPECT_LT(bare.scene->agents[0].position.x_m, -99.0) << "the robot that nobody asked for";
+    const SceneAnswer asked = BuildWith(
+        Slope(), {{AgentCategory::kWheeledRobot, 3, AgentState::kIdle, Region::kAnywhere}}, seed);
+    ASSERT_EQ(asked.scene->agents.size(), 3u);
+    for (const AgentStart& agent : asked.scene->agents) EXPECT_LT(agent.position.x_m, -99.0);
+    EXPECT_TRUE(bare.warnings.empty());
+    EXPECT_TRUE(asked.warnings.empty());
+  }
+}
+
+TEST(AgentPlacementTest, RobotsThatAreAskedForWhereTheySlideAreAWarning) {
+  const SceneAnswer answer = BuildWith(
+      Slope(), {{AgentCategory::kWheeledRobot, 2, AgentState::kIdle, Region::kMiddleRight}});
+  ASSERT_EQ(answer.scene->agents.size(), 2u);
+  for (const AgentStart& agent : answer.scene->agents) EXPECT_GT(agent.position.x_m, 0.0);
+  ASSERT_EQ(answer.warnings.size(), 1u);
+  EXPECT_NE(answer.warnings[0].find("2 wheeled robot agents stand on ground that is steeper than"),
+            std::string::npos)
+      << answer.warnings[0];
+}
+
 TEST(AgentPlacementTest, AWhaleSwimsClearOfTheBed) {
   TestGround ground;
   ground.letter_at = [](WorldPoint point) { return point.x_m < 0.0 ? 'W' : 'G'; };

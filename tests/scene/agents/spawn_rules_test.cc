@@ -9,6 +9,7 @@
 
 #include "geometry/in_region.h"
 #include "latticeworld/geometry/region.h"
+#include "latticeworld/scene/agents/spawn_site.h"
 #include "scene/test_world.h"
 
 namespace latticeworld {
@@ -175,6 +176,39 @@ TEST(SpawnRulesTest, SlopesAreLimitedByLocomotion) {
   ExpectRefused(Check(steeper, AgentCategory::kHorse, {0.0, 0.0}), StatusCode::kFailedPrecondition,
                 "at most 35");
   EXPECT_TRUE(Check(steeper, AgentCategory::kEagle, {0.0, 0.0}).ok());
+}
+
+TEST(SpawnRulesTest, WheelsHoldByTheGripOfTheirTyresSidewaysAndLegsBySpecies) {
+  const double on_grass = HoldingSlope_deg(AgentCategory::kWheeledRobot, 0.6);
+  EXPECT_GT(on_grass, 12.0);
+  EXPECT_LT(on_grass, 20.0);
+  EXPECT_LT(HoldingSlope_deg(AgentCategory::kWheeledRobot, 0.2), 0.5 * on_grass) << "on snow";
+  EXPECT_EQ(HoldingSlope_deg(AgentCategory::kHorse, 0.2),
+            HoldingSlope_deg(AgentCategory::kHorse, 0.9));
+  for (const auto& entry : EnumNames(AgentCategory{})) {
+    EXPECT_LE(HoldingSlope_deg(entry.value, 5.0), 35.0) << entry.name;
+  }
+}
+
+// A slope that wheels are legal on and slide from, but for a level strip in the far west.
+TEST(SpawnRulesTest, WhatMayStandAnywhereStandsWhereItHolds) {
+  TestGround ground = Flat();
+  ground.height_at_m = [](WorldPoint point) {
+    return std::max(0.0, point.x_m + 100.0) * std::tan(25.0 * kDegree);
+  };
+  const Scene scene = MakeScene(ground);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    RandomStream random(seed, "spawn_rules_test");
+    const Result<WorldPoint> place =
+        FindSpawn(scene, AgentCategory::kWheeledRobot, 0.4, Region::kAnywhere, {}, &random);
+    ASSERT_TRUE(place.ok());
+    EXPECT_LT(place->x_m, -99.0);
+    // Where the region has no other place, it is taken.
+    const Result<WorldPoint> there =
+        FindSpawn(scene, AgentCategory::kWheeledRobot, 0.4, Region::kCenter, {}, &random);
+    ASSERT_TRUE(there.ok()) << there.status().ToString();
+    EXPECT_GT(there->x_m, -99.0);
+  }
 }
 
 TEST(SpawnRulesTest, WhatIsFoundIsInItsRegionLegalAndClearOfOthers) {

@@ -384,7 +384,9 @@ class SentencePlanner {
       return true;
     }
     if (Is("over")) return Bridge();
-    if (Is("climb")) return AssertInPart(Sense::kNear, "it is laid near, not up the slope");
+    if (Is("climb") || Is("climb_slope")) {
+      return AssertInPart(Sense::kNear, "it is laid near, not up the slope");
+    }
     return false;
   }
 

@@ -55,6 +55,38 @@ double HerdSpread(int quantity, double body_radius_m) {
   return 1.2 * SpawnClearance(body_radius_m) * std::sqrt(static_cast<double>(quantity));
 }
 
+std::string SlidingWarning(int count, AgentCategory category, Region region) {
+  return std::to_string(count) + " " + std::string(NameOf(category)) +
+         (count == 1 ? " agent stands" : " agents stand") +
+         " on ground that is steeper than it holds, and may slide: " + std::string(NameOf(region)) +
+         " has no other place";
+}
+
+// A place for the robot that nobody asked for: near the centre, else anywhere, and where it stands
+// still rather than where it slides.
+Result<WorldPoint> FindForRobot(const Scene& scene, const std::vector<WorldPoint>& taken,
+                                RandomStream* random, std::vector<std::string>* warnings) {
+  constexpr AgentCategory kRobot = AgentCategory::kWheeledRobot;
+  const double radius_m = BodyRadius(kRobot);
+  Result<WorldPoint> position = NotFound("nothing was tried");
+  for (const auto slopes : {SpawnSearch::Slopes::kHeld, SpawnSearch::Slopes::kLegal}) {
+    position =
+        SpawnSearch(scene, scene.atmosphere, kRobot, radius_m, Region::kCenter, nullptr, slopes)
+            .FindNear({0.0, 0.0}, kCentreSpread_m, taken, random);
+    if (!position.ok()) {
+      position =
+          SpawnSearch(scene, scene.atmosphere, kRobot, radius_m, Region::kAnywhere, nullptr, slopes)
+              .Find(taken, random);
+    }
+    if (!position.ok()) continue;
+    if (slopes == SpawnSearch::Slopes::kLegal) {
+      warnings->push_back(SlidingWarning(1, kRobot, Region::kAnywhere));
+    }
+    break;
+  }
+  return position;
+}
+
 }  // namespace
 
 int TeamOf(AgentCategory category) {
@@ -115,14 +147,24 @@ std::vector<AgentStart> PlaceAgents(const Scene& scene, std::uint64_t seed,
     const AgentGroup& group = scene.environment.agents[i];
     RandomStream random(seed, "scene/agents/" + std::to_string(i));
     const double radius_m = BodyRadius(group.category);
-    SpawnSearch search(scene, scene.atmosphere, group.category, radius_m, group.position);
+    SpawnSearch held(scene, scene.atmosphere, group.category, radius_m, group.position, nullptr,
+                     SpawnSearch::Slopes::kHeld);
+    SpawnSearch legal(scene, scene.atmosphere, group.category, radius_m, group.position);
     const bool herd = group.state == AgentState::kGrazing;
     WorldPoint herd_centre;
+    int sliding = 0;
     for (int placed = 0; placed < group.quantity; ++placed) {
-      const Result<WorldPoint> position =
-          herd && placed > 0
-              ? search.FindNear(herd_centre, HerdSpread(group.quantity, radius_m), taken, &random)
-              : search.Find(taken, &random);
+      const auto find = [&](SpawnSearch* search) {
+        return herd && placed > 0
+                   ? search->FindNear(herd_centre, HerdSpread(group.quantity, radius_m), taken,
+                                      &random)
+                   : search->Find(taken, &random);
+      };
+      Result<WorldPoint> position = find(&held);
+      if (!position.ok()) {
+        position = find(&legal);
+        sliding += position.ok() ? 1 : 0;
+      }
       if (!position.ok()) {
         warnings->push_back(
             "placed " + std::to_string(placed) + " of " + std::to_string(group.quantity) + " " +
@@ -132,23 +174,16 @@ std::vector<AgentStart> PlaceAgents(const Scene& scene, std::uint64_t seed,
       if (placed == 0) herd_centre = *position;
       add(group.category, group.state, *position, &random);
     }
+    if (sliding > 0) warnings->push_back(SlidingWarning(sliding, group.category, group.position));
   }
 
-  if (names.CountOf(AgentCategory::kWheeledRobot) == 0) {
-    RandomStream random(seed, "scene/robot");
-    constexpr AgentCategory kRobot = AgentCategory::kWheeledRobot;
-    const double radius_m = BodyRadius(kRobot);
-    Result<WorldPoint> position =
-        SpawnSearch(scene, scene.atmosphere, kRobot, radius_m, Region::kCenter)
-            .FindNear({0.0, 0.0}, kCentreSpread_m, taken, &random);
-    if (!position.ok()) {
-      position = FindSpawn(scene, kRobot, radius_m, Region::kAnywhere, taken, &random);
-    }
-    if (position.ok()) {
-      add(kRobot, AgentState::kIdle, *position, &random);
-    } else {
-      warnings->push_back("the world has no wheeled robot: " + position.status().message());
-    }
+  if (names.CountOf(AgentCategory::kWheeledRobot) > 0) return agents;
+  RandomStream random(seed, "scene/robot");
+  const Result<WorldPoint> position = FindForRobot(scene, taken, &random, warnings);
+  if (position.ok()) {
+    add(AgentCategory::kWheeledRobot, AgentState::kIdle, *position, &random);
+  } else {
+    warnings->push_back("the world has no wheeled robot: " + position.status().message());
   }
   return agents;
 }

@@ -13,8 +13,9 @@ namespace latticeworld {
 // waters and assets. Grazing groups stand in herds; flyers start 8 to 15 m above the ground and
 // whales in the lower half of the water. Animals are of team 0, robots of 1, goblins and ancient
 // warriors of 2. Wheeled robots are controllable; the first is named "robot" and every world has
-// it: near the centre where no group asks for one. What found no place is a warning with figures
-// and reason.
+// it: near the centre where no group asks for one. On ground that they
+// would slide from (HoldingSlope_deg) agents stand only where their region has no other, and a
+// warning says so. What found no place is a warning with figures and reason.
 std::vector<AgentStart> PlaceAgents(const Scene& scene, std::uint64_t seed,
                                     std::vector<std::string>* warnings);
 

@@ -20,9 +20,10 @@ Status CheckSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCategor
                   double body_radius_m, WorldPoint position, const SceneChanges* changes = nullptr);
 
 // A place for it in the region that passes CheckSpawn, at least 2 m and two radii away from the
-// `taken` places; prefers ground that suits the category (sheep: grass). Random tries, then a scan
-// whose step is the radius, 0.5 m or 1/256 of the region, whichever is largest. NOT_FOUND that
-// counts why when neither finds one.
+// `taken` places; prefers ground that suits the category (sheep: grass), and takes ground that it
+// does not stand still on (HoldingSlope_deg) only where the region has no other. Random tries, then
+// a scan whose step is the radius, 0.5 m or 1/256 of the region, whichever is largest. NOT_FOUND
+// that counts why when neither finds one.
 Result<WorldPoint> FindSpawn(const Scene& scene, const Atmosphere& atmosphere,
                              AgentCategory category, double body_radius_m, Region region,
                              const std::vector<WorldPoint>& taken, RandomStream* random,

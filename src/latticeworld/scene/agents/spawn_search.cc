@@ -62,13 +62,16 @@ std::string LimitFor(SpawnFlaw flaw, Locomotion locomotion) {
 double SpawnClearance(double body_radius_m) { return std::max(2.0, 2.0 * body_radius_m); }
 
 SpawnSearch::SpawnSearch(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
-                         double body_radius_m, Region region, const SceneChanges* changes)
+                         double body_radius_m, Region region, const SceneChanges* changes,
+                         Slopes slopes)
     : scene_(scene),
       atmosphere_(atmosphere),
       changes_(changes),
       category_(category),
       body_radius_m_(body_radius_m),
-      region_(region) {
+      region_(region),
+      slopes_(slopes),
+      surfaces_(scene, atmosphere.ground()) {
   const GridGeometry& geometry = scene.geometry();
   const double size_m = geometry.size_m(), half_m = geometry.half_size_m();
   const UnitBox unit = BoxOf(region);
@@ -101,9 +104,17 @@ bool SpawnSearch::Suits(WorldPoint position) const {
   }
 }
 
+bool SpawnSearch::Holds(WorldPoint position, const SpawnSite& site) const {
+  const double friction = surfaces_.Of(scene_.terrain->SurfaceAt(position)).friction;
+  return site.slope_deg <= HoldingSlope_deg(category_, friction);
+}
+
 bool SpawnSearch::Try(WorldPoint position, const std::vector<WorldPoint>& taken) {
-  const SpawnFlaw flaw =
-      ExamineSpawn(scene_, atmosphere_, category_, body_radius_m_, position, changes_).flaw;
+  const SpawnSite site =
+      ExamineSpawn(scene_, atmosphere_, category_, body_radius_m_, position, changes_);
+  const bool slides =
+      slopes_ == Slopes::kHeld && site.flaw == SpawnFlaw::kNone && !Holds(position, site);
+  const SpawnFlaw flaw = slides ? SpawnFlaw::kTooSteep : site.flaw;
   if (flaw != SpawnFlaw::kNone) {
     ++flaws_[static_cast<int>(flaw)];
     return false;
@@ -186,7 +197,12 @@ Result<WorldPoint> FindSpawn(const Scene& scene, const Atmosphere& atmosphere,
                              AgentCategory category, double body_radius_m, Region region,
                              const std::vector<WorldPoint>& taken, RandomStream* random,
                              const SceneChanges* changes) {
-  return SpawnSearch(scene, atmosphere, category, body_radius_m, region, changes)
+  using Slopes = SpawnSearch::Slopes;
+  Result<WorldPoint> place =
+      SpawnSearch(scene, atmosphere, category, body_radius_m, region, changes, Slopes::kHeld)
+          .Find(taken, random);
+  if (place.ok()) return place;
+  return SpawnSearch(scene, atmosphere, category, body_radius_m, region, changes, Slopes::kLegal)
       .Find(taken, random);
 }
 

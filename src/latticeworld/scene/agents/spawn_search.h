@@ -8,6 +8,7 @@
 #include "latticeworld/common/result.h"
 #include "latticeworld/scene/agents/spawn_site.h"
 #include "latticeworld/scene/scene.h"
+#include "latticeworld/scene/surface_table.h"
 
 namespace latticeworld {
 
@@ -23,10 +24,15 @@ class SpawnSearch {
  public:
   static constexpr double kScanStep_m = 0.5;
 
+  // Where a body may be put: on ground that it stands still on (HoldingSlope_deg), or wherever it
+  // may legally be.
+  enum class Slopes { kHeld, kLegal };
+
   // scene, atmosphere, changes: outlive this; the waters are those of that weather. changes: assets
   // that do not stand are in nobody's way; null: all stand.
   SpawnSearch(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
-              double body_radius_m, Region region, const SceneChanges* changes = nullptr);
+              double body_radius_m, Region region, const SceneChanges* changes = nullptr,
+              Slopes slopes = Slopes::kLegal);
 
   // A place anywhere in the region. NOT_FOUND says why the places that were tried are none.
   Result<WorldPoint> Find(const std::vector<WorldPoint>& taken, RandomStream* random);
@@ -41,6 +47,7 @@ class SpawnSearch {
   // True when the body can be there; else counts why not.
   bool Try(WorldPoint position, const std::vector<WorldPoint>& taken);
   bool Suits(WorldPoint position) const;
+  bool Holds(WorldPoint position, const SpawnSite& site) const;
   // Uniform anywhere; in a region about its middle (triangular), as "in the center" is meant.
   double Draw(double low_m, double high_m, RandomStream* random) const;
   Status Failure() const;
@@ -51,7 +58,9 @@ class SpawnSearch {
   AgentCategory category_;
   double body_radius_m_;
   Region region_;
-  Box box_;  // of the body's centre; empty when the body does not fit into the region
+  Slopes slopes_;
+  SurfaceTable surfaces_;  // under that weather
+  Box box_;                // of the body's centre; empty when the body does not fit into the region
   double step_m_ = 0.0;
   int scan_cols_ = 0, scan_rows_ = 0;
   int scan_next_ = 0;

@@ -8,6 +8,7 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/scene/scene_changes.h"
 #include "latticeworld/scene/weather/water_depth.h"
+#include "latticeworld/species/species_catalogue.h"
 
 namespace latticeworld {
 namespace {
@@ -37,6 +38,18 @@ std::string Figure(double value) {
 }
 
 }  // namespace
+
+double HoldingSlope_deg(AgentCategory category, double friction) {
+  constexpr double kOfGrip = 0.9;
+  const Species& species = SpeciesCatalogue::BuiltIn()->Of(category);
+  double slope_rad = species.max_slope_rad;
+  if (species.vehicle) {
+    const bool skids = species.vehicle->drive == DriveKind::kSkidSteer;
+    const double side_grip = species.grip * (skids ? kSkidSideGrip : kTyreSideGrip);
+    slope_rad = std::min(slope_rad, std::atan(kOfGrip * side_grip * friction));
+  }
+  return std::min(slope_rad * 180.0 / M_PI, SteepestFor(LocomotionOf(category)));
+}
 
 SpawnSite ExamineSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCategory category,
                        double body_radius_m, WorldPoint position, const SceneChanges* changes) {
@@ -81,6 +94,7 @@ SpawnSite ExamineSpawn(const Scene& scene, const Atmosphere& atmosphere, AgentCa
     }
     const double steepest_deg = steepest_rad * 180.0 / M_PI;
     if (steepest_deg > SteepestFor(locomotion)) return {SpawnFlaw::kTooSteep, steepest_deg, 0};
+    site.slope_deg = steepest_deg;
   }
   return site;
 }

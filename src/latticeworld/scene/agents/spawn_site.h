@@ -27,11 +27,18 @@ enum class SpawnFlaw : std::uint8_t {
 };
 inline constexpr int kSpawnFlawCount = 7;
 
+// The steepest ground that a body of the category stands still on, whichever way it looks [deg]: no
+// steeper than its species goes onto, and on wheels no steeper than the grip of its tyres sideways
+// holds on ground of that friction, less a tenth for what pushes at it. Places up to
+// kSteepestForLegs_deg and kSteepestForWheels_deg are legal still.
+double HoldingSlope_deg(AgentCategory category, double friction);
+
 // What is wrong with a place, without the cost of saying it: searches look at many.
 struct SpawnSite {
   SpawnFlaw flaw = SpawnFlaw::kNone;
   double figure = 0.0;      // depth [m] or slope [deg] that was found
   std::uint32_t asset = 0;  // kSolid: which
+  double slope_deg = 0.0;   // kNone, of legs and wheels: the steepest below the body
 };
 
 // Depth, under that weather, and slope are taken at the centre and at eight points of the body's

@@ -231,7 +231,9 @@ class Placer {
         return Flaw::kOutside;
       }
     }
-    const Ground ground = GroundOf(wish);
+    Ground ground = GroundOf(wish);
+    // Walls have no floor in water.
+    if (made.is_house && !wish.position) ground.in_water = ground.is_pier;
     if (const Flaw flaw = ground.is_pier ? FlawOfPier(footprint) : FlawOfGround(footprint, ground);
         flaw != Flaw::kNone) {
       return flaw;

@@ -12,6 +12,7 @@
 #include "latticeworld/terrain/forms/relief_places.h"
 #include "latticeworld/terrain/forms/relief_saddles.h"
 #include "latticeworld/terrain/forms/relief_tie_claims.h"
+#include "latticeworld/terrain/forms/relief_way_claims.h"
 
 namespace latticeworld {
 namespace {
@@ -119,6 +120,7 @@ class Measurer {
       if (tie.kind != ReliefTie::Kind::kClimbed) continue;
       internal::MeasurePassRoad(*wish_, saddle.pass, pieces.front()->half_width_m / 2.0, terrain_,
                                 &claims_);
+      internal::MeasureWaySlope(*wish_, tie, saddle.pass, terrain_, &claims_);
     }
   }
 

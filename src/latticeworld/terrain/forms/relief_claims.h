@@ -14,7 +14,8 @@ namespace latticeworld {
 struct ReliefMeasure {
   std::string kind;   // "relief_form", "relief_height", "relief_depth", "relief_width",
                       // "relief_length", "relief_slope", "relief_rise", "relief_place",
-                      // "relief_near", "relief_direction", "relief_road", "relief_cover"
+                      // "relief_near", "relief_direction", "relief_road",
+                      // "relief_road_slope", "relief_bridge", "relief_cover"
   std::string words;  // of the instruction
   bool holds = false;
   double distance = 0.0;    // 0 when it holds, up to 1

@@ -57,10 +57,12 @@ bool Evolves(ReliefKind kind) { return kind != ReliefKind::kSlope; }
 }  // namespace
 
 ReliefForms::ReliefForms(std::vector<ReliefPiece> pieces, const GridGeometry& lattice,
-                         Grid<unsigned char> built, const WaterBodies& water, std::uint64_t seed)
+                         Grid<unsigned char> built, Grid<unsigned char> over,
+                         const WaterBodies& water, std::uint64_t seed)
     : pieces_(std::move(pieces)),
       lattice_(lattice),
       built_(std::move(built)),
+      over_(std::move(over)),
       water_(water),
       seed_(seed) {
   for (const ReliefPiece& piece : pieces_) {

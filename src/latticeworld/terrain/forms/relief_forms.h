@@ -17,9 +17,11 @@ namespace latticeworld::internal {
 // and gorges, are laid into the land that it leaves. Without pieces nothing is changed.
 class ReliefForms {
  public:
-  // built: 1 where roads, buildings and fields are. water must outlive the forms.
+  // built: 1 where roads, buildings and fields are. over: 1 on roads that lead over gorges. water
+  // must outlive the forms.
   ReliefForms(std::vector<ReliefPiece> pieces, const GridGeometry& lattice,
-              Grid<unsigned char> built, const WaterBodies& water, std::uint64_t seed);
+              Grid<unsigned char> built, Grid<unsigned char> over, const WaterBodies& water,
+              std::uint64_t seed);
   ReliefForms(const ReliefForms&) = delete;
   ReliefForms& operator=(const ReliefForms&) = delete;
 
@@ -50,7 +52,7 @@ class ReliefForms {
     Grid<float> share;  // in [0, 1], soft at the rim
   };
 
-  ReliefGround ground() const { return {lattice_, built_, water_, seed_}; }
+  ReliefGround ground() const { return {lattice_, built_, over_, water_, seed_}; }
   Grid<float> ShareOf(const LayoutMask& area, bool off_built) const;
   // How far inside an area: 0 at its rim, 1 where it is widest; summits stand where it is more.
   Grid<float> Inward(const Area& area) const;
@@ -72,6 +74,7 @@ class ReliefForms {
   std::vector<Area> areas_;
   GridGeometry lattice_;
   Grid<unsigned char> built_;
+  Grid<unsigned char> over_;
   const WaterBodies& water_;
   std::uint64_t seed_;
 };

@@ -232,6 +232,7 @@ class Placer {
   LayoutMask TiedZone(const ReliefWish& wish, LayoutMask zone, bool first,
                       LayoutMask* obstacles) const {
     for (const ReliefTie& tie : wish.ties) {
+      if (tie.kind == ReliefTie::Kind::kBridged) continue;  // the way comes to the form
       const LayoutMask cells = CellsOf(tie);
       if (cells.empty()) continue;
       // One of several pieces carries what lies on one of them.

@@ -215,8 +215,10 @@ Grid<float> RoomFor(const ReliefGround& ground, const ReliefPiece& piece) {
   // What is cut goes down to the water and no deeper.
   Grid<unsigned char> mask = ground.water.wet;
   if (IsCut(piece)) std::fill(mask.begin(), mask.end(), 0);
+  const bool bridged = piece.kind == ReliefKind::kGorge || piece.kind == ReliefKind::kCanyon;
   if (keeps_off_built) {
     for (std::size_t i = 0; i < mask.size(); ++i) {
+      if (bridged && ground.over.data()[i] != 0) continue;
       if (ground.built.data()[i] != 0) mask.data()[i] = 1;
     }
   }

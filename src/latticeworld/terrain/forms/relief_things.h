@@ -15,6 +15,7 @@ namespace latticeworld::internal {
 struct ReliefGround {
   const GridGeometry& lattice;
   const Grid<unsigned char>& built;  // 1 where roads, buildings and fields are
+  const Grid<unsigned char>& over;   // 1 on roads that lead over gorges: these are cut below them
   const WaterBodies& water;
   std::uint64_t seed;
 };

@@ -9,6 +9,7 @@
 #include "latticeworld/terrain/components.h"
 #include "latticeworld/terrain/forms/relief_measures.h"
 #include "latticeworld/terrain/forms/relief_natures.h"
+#include "latticeworld/terrain/forms/relief_way_claims.h"
 
 namespace latticeworld::internal {
 namespace {
@@ -18,15 +19,6 @@ constexpr double kInside = 0.25;      // of a form's height, from its foot or ri
 constexpr double kLeastClimb = 0.7;   // of the height that a road is said to climb
 constexpr double kNear_cells = 8.0;   // of the layout, from a form's foot
 constexpr double kHeadingRoom = 0.5;  // cosine of the angle to a heading
-
-Grid<unsigned char> RoadCells(const Terrain& terrain) {
-  const Grid<SurfaceClass>& surface = terrain.surface;
-  Grid<unsigned char> road(surface.rows(), surface.cols(), 0);
-  for (std::size_t i = 0; i < road.size(); ++i) {
-    road.data()[i] = surface.data()[i] == SurfaceClass::kRoad ? 1 : 0;
-  }
-  return road;
-}
 
 class TieMeasurer {
  public:
@@ -44,8 +36,14 @@ class TieMeasurer {
         name_("the " + std::string(NameOf(wish.kind))) {}
 
   void Measure(const ReliefTie& tie) {
-    if (tie.kind == ReliefTie::Kind::kClimbed) return MeasureClimb();
+    if (tie.kind == ReliefTie::Kind::kClimbed) {
+      MeasureClimb();
+      return MeasureWaySlope(wish_, tie, piece_, terrain_, &claims_);
+    }
     if (piece_.has_area()) return;
+    if (tie.kind == ReliefTie::Kind::kBridged) {
+      return MeasureGorgeBridge(wish_, tie, piece_, terrain_, &claims_);
+    }
     const std::vector<WorldPoint> other = PlacesOf(tie);
     if (other.empty()) return;
     if (tie.kind == ReliefTie::Kind::kUnder && tie.wish < 0) {

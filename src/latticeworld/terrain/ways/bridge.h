@@ -23,7 +23,7 @@ constexpr std::array<EnumName<BridgeKind>, 3> EnumNames(BridgeKind) {
            {BridgeKind::kGirder, "girder bridge"}}};
 }
 
-// A fixed way of a road over water that runs on below. Its deck is level.
+// A fixed way of a road over water that runs on below, or over a gorge. Its deck is level.
 struct Bridge {
   BridgeKind kind = BridgeKind::kGirder;
   // The middle of the deck from one end on land to the other, at least two places.
@@ -31,7 +31,7 @@ struct Bridge {
   double width_m = 0.0;        // of the deck
   double deck_z_m = 0.0;       // of the top of the deck
   double thickness_m = 0.0;    // of the deck
-  double water_level_m = 0.0;  // the highest below
+  double water_level_m = 0.0;  // the highest below; the floor of a dry gorge
   double railing_m = 0.0;      // height of the railings above the deck; 0: none
   double load_kg = 0.0;        // greatest mass of a body that it carries
   // Where it is held, along the line from its begin [m]: the faces of both abutments, and the piers

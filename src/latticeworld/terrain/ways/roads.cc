@@ -119,8 +119,8 @@ void LiftBridges(const Grid<unsigned char>& road, const Grid<std::int32_t>& of,
 
 void GradeRoads(const GridGeometry& lattice, const Grid<unsigned char>& road,
                 const DecodedLayout& lines, const Banks& banks, const Grid<float>& ford_depth_m,
-                const RoadRule& rule, std::vector<Bridge>* bridges, Grid<float>* land_m,
-                Grid<float>* share) {
+                const RoadRule& rule, const Grid<unsigned char>& open, std::vector<Bridge>* bridges,
+                Grid<float>* land_m, Grid<float>* share) {
   if (std::find(road.begin(), road.end(), 1) == road.end()) return;
   const int rows = road.rows(), cols = road.cols();
   const double layout_cell = LatticeCellsPerLayoutCell(lattice);
@@ -154,13 +154,18 @@ void GradeRoads(const GridGeometry& lattice, const Grid<unsigned char>& road,
         fixed_m(r, c) = static_cast<float>((*bridges)[bridge].deck_z_m) - kBelowDeck_m;
         laid(r, c) = banks.to_water()(r, c) > 0.0f ? 1 : 0;
       }
+      if (!open.empty() && open(r, c) != 0) laid(r, c) = 0;
       if (road(r, c) == 0) continue;
       road_m(r, c) = At(graded, static_cast<float>(r) + lines.to_road_center_rows(r, c),
                         static_cast<float>(c) + lines.to_road_center_cols(r, c));
     }
   }
   LeadToFixed(way, fixed_m, slope_m, &road_m);
+  const Grid<float> before_m = open.empty() ? Grid<float>() : *land_m;
   LayInto(laid, road_m, static_cast<float>(rule.embankment_slope) * cell_m, land_m, share);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (open.data()[i] != 0) land_m->data()[i] = before_m.data()[i];
+  }
 }
 
 }  // namespace latticeworld::internal

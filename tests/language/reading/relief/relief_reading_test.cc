@@ -50,9 +50,12 @@ std::string Short(const LayoutReading& reading) {
     for (const Zone& zone : wish.from) all += " from=" + zone.name;
     for (const Zone& zone : wish.to) all += " to=" + zone.name;
     for (const ReliefTie& tie : wish.ties) {
-      constexpr const char* kNames[] = {"under", "beside", "toward", "climbed"};
+      constexpr const char* kNames[] = {"under", "beside", "toward", "climbed", "bridged"};
       all += std::string(" ") + kNames[static_cast<int>(tie.kind)] + "=" +
-             (tie.wish < 0 ? std::string(1, tie.letter) : std::to_string(tie.wish));
+             (tie.wish >= 0        ? std::to_string(tie.wish)
+              : tie.letter == '\0' ? "way"
+                                   : std::string(1, tie.letter));
+      add("by", tie.slope_deg);
     }
     if (wish.alone) all += " alone";
   }
@@ -89,6 +92,12 @@ TEST(ReliefReadingTest, EveryFormOfTheSmallLanguageSaysItsRelief) {
            {"A hill A. A hill B. Hill B is 40 m high.", "hill A; hill B h=40"},
            {"A hill A. A crater is north of hill A.", "hill A; crater D toward=0"},
            {"A slope. The slope of the slope is 5 degrees.", "slope s=5"},
+           {"A hill. A path of 15 degrees climbs the hill.", "hill climbed=R by=15"},
+           {"A saddle. A road of 8 degrees climbs the saddle.", "saddle climbed=R by=8"},
+           {"A hill. A road climbs the hill. The slope of the road is 8 degrees.",
+            "hill climbed=R by=8"},
+           {"A gorge. A bridge is over the gorge.", "gorge D bridged=R"},
+           {"A canyon. A road crosses the canyon.", "canyon D bridged=R"},
        }) {
     const LayoutReading reading = BySentences(sample.text);
     EXPECT_EQ(Short(reading), sample.wishes) << sample.text;
@@ -122,7 +131,21 @@ TEST(ReliefReadingTest, FreeTextSaysReliefWhoeverReadsTheRest) {
             "hill z=northern third; gorge z=southern third"},
            {"In the north a hill, in the south a gorge.",
             "hill z=northern third; gorge z=southern third"},
-           {"A steep hill with a path of 15 degrees to its top.", "hill climbed=R"},
+           {"A steep hill with a path of 15 degrees to its top.", "hill climbed=R by=15"},
+           {"A steep hill with a path of 15 degrees to its top and a bridge over the gorge.",
+            "hill climbed=R by=15; gorge bridged=R"},
+           {"A road of 8 degrees climbs to the pass.", "saddle climbed=R by=8"},
+           {"An 8 degree road leads over the pass.", "saddle climbed=R by=8"},
+           {"A hill 40 m high. A path with a slope of 12 degrees leads to its top.",
+            "hill h=40 climbed=R by=12"},
+           {"A road climbs the hill at 10 degrees.", "hill climbed=R by=10"},
+           {"A hill with a slope of 20 degrees and a path of 10 degrees to its top.",
+            "hill s=20 climbed=R by=10"},
+           {"A bridge over the gorge.", "gorge bridged=R"},
+           {"A road leads across a deep canyon in the north.", "canyon z=northern third bridged=R"},
+           {"A gorge with a stone bridge.", "gorge bridged=R"},
+           {"A gorge without a bridge.", "gorge"},
+           {"A bridge over the river and a gorge in the east.", "gorge z=eastern third"},
            {"Gently rolling hills with a farm in the south.", "rolling z=southern third under=A"},
            {"A river runs through a gorge from the north to the south.",
             "gorge from=northern edge to=southern edge under=W"},
@@ -166,6 +189,36 @@ TEST(ReliefReadingTest, ContradictoryHeightsAreTold) {
   ASSERT_EQ(reading.plan.warnings.size(), 1u);
   EXPECT_NE(reading.plan.warnings[0].find("cannot both be"), std::string::npos);
   EXPECT_EQ(reading.plan.reliefs[0].height_m, 120.0);
+}
+
+TEST(ReliefReadingTest, ASlopeOfAWayThatClimbsNothingIsTold) {
+  const LayoutReading reading = ByRules("A road of 8 degrees from the west to the east.");
+  EXPECT_EQ(Short(reading), "");
+  bool told = false;
+  for (const std::string& warning : reading.plan.warnings) {
+    told = told || warning.find("climbs nothing") != std::string::npos;
+  }
+  EXPECT_TRUE(told);
+}
+
+TEST(ReliefReadingTest, TwoSlopesOfOneWayAreToldAndTheLaterCounts) {
+  const LayoutReading reading = BySentences(
+      "A hill. A path of 15 degrees climbs the hill. A path of 20 degrees climbs the hill.");
+  EXPECT_EQ(Short(reading), "hill climbed=R by=20");
+  ASSERT_EQ(reading.plan.warnings.size(), 1u);
+  EXPECT_NE(reading.plan.warnings[0].find("cannot both be"), std::string::npos);
+}
+
+// The wild has no class for ways: those that relief asks for are there all the same.
+TEST(ReliefReadingTest, WaysThatReliefAsksForAreReadInTheWildToo) {
+  const auto wild = [](const char* text) {
+    LayoutReading reading = ByRules(text, Vocabulary::kWild);
+    for (ReliefWish& wish : reading.plan.reliefs) wish.letter = '\0';
+    return Short(reading);
+  };
+  EXPECT_EQ(wild("A bridge over the gorge."), "gorge bridged=way");
+  EXPECT_EQ(wild("A path of 15 degrees climbs the hill."), "hill climbed=way by=15");
+  EXPECT_EQ(wild("A path climbs the hill."), "hill");
 }
 
 TEST(ReliefReadingTest, LandRisesAgainstWhereItFallsTo) {

@@ -31,7 +31,7 @@ class AttributeReader {
       const bool inside = i >= mention_.begin && i < mention_.end;
       // Adjectives stand close before their noun, or come after "is".
       const bool leads = i >= mention_.begin || Leads(i) || (begin == 0 && s_.IsNumber(i));
-      if (inside || !leads || s_.IsOfCover(i)) continue;
+      if (inside || !leads || s_.IsOfCover(i) || s_.IsOfWay(i)) continue;
       ReadSize(i);
       ReadMeasure(i, begin);
     }
@@ -87,7 +87,7 @@ class AttributeReader {
   // "120 m high", "a height of 120 m", "rises 40 m", "15 degrees".
   void ReadMeasure(std::size_t at, std::size_t clause) {
     if (!s_.IsNumber(at) || IsOfOther(at)) return;
-    if (s_.Is(at + 1, {"degree", "degrees"})) {
+    if (s_.IsDegrees(at)) {
       const double value = std::strtod(s_.tokens()[at].text.c_str(), nullptr);
       Keep({"slope", &wish_.slope_deg, &wish_.slope_words}, value);
       s_.Take(at, at + 2);

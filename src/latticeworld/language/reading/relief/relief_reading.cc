@@ -38,7 +38,11 @@ class ReliefReader {
       ReadReliefAttributes(i, &sentence, &WishOf(mention), &plan_.warnings);
       read = true;
     }
-    ReadReliefTies(sentence, &plan_);
+    ReadReliefTies(&sentence, &plan_);
+    if (sentence.way_slope()) {
+      way_slopes_.push_back({sentence.way_slope()->degrees, sentence.words()});
+      read = true;
+    }
     if (!read) return;
     TakeOffWarnings(sentence.words());
     taken_.insert(sentence.taken().begin(), sentence.taken().end());
@@ -48,6 +52,7 @@ class ReliefReader {
   void Finish() {
     AddFeatures();
     DropContradicted();
+    SettleWaySlopes(way_slopes_, &plan_);
     for (ReliefWish& wish : plan_.reliefs) Settle(&wish);
     TakeOffNotUnderstood();
   }
@@ -334,6 +339,7 @@ class ReliefReader {
   std::set<int> told_;  // features that a wish has
   std::vector<std::string> quotes_;
   std::set<std::string> taken_;  // words that were read
+  std::vector<SaidWaySlope> way_slopes_;
 };
 
 // Counts the words of the quotes that no sentence carries as read.

@@ -16,6 +16,7 @@ ReliefSentence::ReliefSentence(std::string_view sentence, Vocabulary vocabulary)
   for (std::size_t i = 0; i < tokens_.size(); ++i) FindCover(vocabulary, i);
   for (std::size_t i = 0; i < tokens_.size();) i = FindMention(i, vocabulary);
   for (const ReliefMention& mention : mentions_) Take(mention.begin, mention.end);
+  FindWaySlope();
 }
 
 std::string_view ReliefSentence::Word(std::size_t at) const {
@@ -114,6 +115,10 @@ std::size_t ReliefSentence::FindMention(std::size_t at, Vocabulary vocabulary) {
 bool ReliefSentence::IsNounHere(std::string_view word, std::size_t at) const {
   if (word == "slopes") return false;
   if (word == "slope") {
+    // "A road with a slope of 8 degrees": the road's.
+    const bool of_way = at >= 2 && Is(at - 2, {"with"}) && !others_.empty() &&
+                        others_.back().end == at - 2 && IsWay(others_.back());
+    if (of_way) return false;
     // "A slope of 15 degrees" is land of its own where no form stands before it that has it.
     if (Word(at + 1) != "of") return true;
     return IsNumber(at + 2) && mentions_.empty() && at > 0 && Is(at - 1, {"a", "gentle", "steep"});
@@ -141,6 +146,44 @@ bool ReliefSentence::SaysLand(std::size_t at) const {
     if (is && IsLandWord(Singular(Word(i)))) return true;
   }
   return false;
+}
+
+// The number of degrees that comes behind a token and some of the words between; npos where none
+// does, or nothing is between.
+std::size_t ReliefSentence::DegreesAfter(std::size_t at,
+                                         std::initializer_list<std::string_view> between) const {
+  std::size_t number = at;
+  while (Is(number, between)) ++number;
+  return number > at && IsDegrees(number) ? number : std::string::npos;
+}
+
+// "A path of 15 degrees", "an 8 degree road", "the slope of the road is 8 degrees", "a road climbs
+// the hill at 8 degrees".
+void ReliefSentence::FindWaySlope() {
+  const auto keep = [this](std::size_t begin, std::size_t number) {
+    way_slope_ = WaySlope{std::strtod(tokens_[number].text.c_str(), nullptr), begin, number + 2};
+    Take(begin, number + 2);
+  };
+  for (const OtherMention& way : others_) {
+    if (!IsWay(way) || way_slope_) continue;
+    if (way.begin >= 2 && IsDegrees(way.begin - 2)) return keep(way.begin - 2, way.begin - 2);
+    std::size_t number = DegreesAfter(
+        way.end, {"of",      "with",    "that",   "which",    "has",      "have",   "a",    "an",
+                  "the",     "maximum", "slope",  "gradient", "grade",    "at",     "most", "about",
+                  "sloping", "slopes",  "rising", "rises",    "climbing", "climbs", "by"});
+    if (number != std::string::npos) return keep(way.end, number);
+    const bool slope_of = way.begin >= 3 && Is(way.begin - 2, {"of"}) &&
+                          Is(way.begin - 3, {"slope", "gradient", "grade"});
+    number = DegreesAfter(way.end, {"is", "at", "most", "about"});
+    if (slope_of && number != std::string::npos) return keep(way.end, number);
+    for (const ReliefMention& mention : mentions_) {
+      const bool climbs = mention.begin > way.end &&
+                          Has(way.end, mention.begin, {"climbs", "climb", "ascends", "up", "to"});
+      if (!climbs || !Is(mention.end, {"at"})) continue;
+      number = DegreesAfter(mention.end, {"at", "a", "slope", "gradient", "of", "most", "about"});
+      if (number != std::string::npos) return keep(mention.end, number);
+    }
+  }
 }
 
 // "Snow above 80 m", "the forest lies below a height of 40 metres".

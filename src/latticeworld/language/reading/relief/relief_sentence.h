@@ -33,6 +33,13 @@ struct OtherMention {
   std::size_t end = 0;
 };
 
+// WaySlope is the slope that a sentence says of a way: "a path of 15 degrees".
+struct WaySlope {
+  double degrees = 0.0;
+  std::size_t begin = 0;  // of the number and the words that lead to it
+  std::size_t end = 0;
+};
+
 // ReliefSentence holds what one sentence names and which of its words were read so far.
 class ReliefSentence {
  public:
@@ -46,6 +53,8 @@ class ReliefSentence {
   const std::vector<OtherMention>& others() const { return others_; }
   // Classes by height: "snow above 80 m". The words of covers are no measures of a form.
   const std::vector<HeightCover>& covers() const { return covers_; }
+  // Nor are those of the slope of a way.
+  const std::optional<WaySlope>& way_slope() const { return way_slope_; }
 
   // Returns the word at a token; "" where there is none.
   std::string_view Word(std::size_t at) const;
@@ -53,6 +62,12 @@ class ReliefSentence {
   bool Has(std::size_t begin, std::size_t end, std::initializer_list<std::string_view> words) const;
   bool IsNumber(std::size_t at) const;
   bool IsOfCover(std::size_t at) const { return of_covers_.count(at) == 1; }
+  bool IsOfWay(std::size_t at) const {
+    return way_slope_ && at >= way_slope_->begin && at < way_slope_->end;
+  }
+  bool IsDegrees(std::size_t at) const { return IsNumber(at) && Is(at + 1, {"degree", "degrees"}); }
+  // Whether the noun of another thing is a way's: a road, a path.
+  static bool IsWay(const OtherMention& other) { return other.noun->suburb == 'R'; }
   // Returns the metres that a number at `at` and the unit behind it say; nullopt where they say
   // none.
   std::optional<double> MetresAt(std::size_t at) const;
@@ -64,6 +79,8 @@ class ReliefSentence {
  private:
   std::size_t FindMention(std::size_t at, Vocabulary vocabulary);
   void FindCover(Vocabulary vocabulary, std::size_t at);
+  void FindWaySlope();
+  std::size_t DegreesAfter(std::size_t at, std::initializer_list<std::string_view> between) const;
   bool IsNounHere(std::string_view word, std::size_t at) const;
   bool SaysLand(std::size_t at) const;
   void AddMention(ReliefKind kind, std::size_t begin, std::size_t end, const ClassWord* noun,
@@ -75,6 +92,7 @@ class ReliefSentence {
   std::vector<OtherMention> others_;
   std::vector<HeightCover> covers_;
   std::set<std::size_t> of_covers_;
+  std::optional<WaySlope> way_slope_;
   std::set<std::string> taken_;
 };
 

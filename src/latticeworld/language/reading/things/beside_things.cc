@@ -1,9 +1,11 @@
 #include "latticeworld/language/reading/things/beside_things.h"
 
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "latticeworld/language/reading/text_units.h"
+#include "latticeworld/language/reading/things/laid_as_houses.h"
 #include "latticeworld/language/reading/things/things_of_text.h"
 #include "latticeworld/layout/thing_wishes.h"
 
@@ -13,10 +15,13 @@ Result<LayoutReading> ReadBesideThings(
     const LayoutRequest& request,
     const std::function<Result<LayoutReading>(const LayoutRequest& rest)>& read) {
   TextThings taken = TakeThings(request.instruction, request.vocabulary);
-  if (taken.things.empty()) return read(request);
   LayoutRequest rest = request;
-  rest.instruction = std::move(taken.rest);
+  if (!taken.things.empty()) rest.instruction = std::move(taken.rest);
   LW_ASSIGN_OR_RETURN(LayoutReading reading, read(rest));
+  for (std::string& warning : WarningsOfHouses(reading.plan)) {
+    reading.plan.warnings.push_back(std::move(warning));
+  }
+  if (taken.things.empty()) return reading;
   const auto words =
       static_cast<int>(UnitsOf(taken.taken, SentenceKind::kLayout, request.vocabulary).size());
   reading.coverage.words += words;

@@ -6,9 +6,6 @@
 namespace latticeworld {
 namespace {
 
-// Tyres that roll grip sideways as along; a skid steer's give way sideways, or it could not turn.
-constexpr double kTyreSideGrip = 1.0;
-constexpr double kSkidSideGrip = 0.55;
 constexpr double kCastorSideGrip = 0.02;  // it swivels
 
 WheelSpec WheelAt(const VehicleDesign& design, double x_m, double y_m) {
