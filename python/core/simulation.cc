@@ -9,6 +9,7 @@
 #include "latticeworld/scene/props/props.h"
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/simulation/sensed.h"
+#include "latticeworld/simulation/start_warnings.h"
 
 namespace latticeworld::python {
 namespace {
@@ -59,7 +60,12 @@ std::shared_ptr<PySimulation> Create(std::shared_ptr<PyWorld> world, std::uint64
     return Arena::Create(world->world().scene, options,
                          seed != 0 ? seed : world->world().request.seed);
   });
-  return std::make_shared<PySimulation>(std::move(world), Value(std::move(arena)));
+  std::unique_ptr<Arena> made = Value(std::move(arena));
+  for (const std::string& warning :
+       StartWarnings(world->scene(), *made->simulator()->State(), *options.simulator.species)) {
+    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw nb::python_error();
+  }
+  return std::make_shared<PySimulation>(std::move(world), std::move(made));
 }
 
 const AgentSnapshot& MustFind(const WorldState& state, const std::string& name) {
@@ -129,6 +135,7 @@ nb::dict AgentOf(PySimulation& self, const std::string& name) {
   nb::dict dict;
   dict["name"] = agent.name;
   dict["species"] = agent.species;
+  dict["radius_m"] = use->simulator()->options().species->Find(agent.species)->radius_m;
   dict["policy"] = agent.policy;
   dict["team"] = agent.team;
   dict["controllable"] = agent.controllable;

@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "errors.h"
 #include "interrupt.h"
 #include "latticeworld/common/files.h"
+#include "latticeworld/common/text.h"
 #include "latticeworld/environment/environment_config.h"
 #include "latticeworld/generation/bundle/bundle.h"
 #include "latticeworld/generation/fidelity/fidelity_json.h"
@@ -105,6 +107,12 @@ nb::list AgentsOf(const PyWorld& world) {
   return agents;
 }
 
+auto OccupancyOf(nb::handle_t<PyWorld> self, const std::string& species) {
+  auto& world = nb::cast<PyWorld&>(self);
+  const auto* grid = WithoutLock([&] { return &world.OccupancyFor(species); });
+  return ViewOf<std::int8_t>(*grid, self);
+}
+
 nb::list SurfaceNames() {
   nb::list names;
   for (const auto& entry : EnumNames(SurfaceClass{})) {
@@ -115,13 +123,22 @@ nb::list SurfaceNames() {
 
 }  // namespace
 
-const Grid<std::int8_t>& PyWorld::Occupancy() {
-  std::call_once(mapped_, [this] {
+const Grid<std::int8_t>& PyWorld::OccupancyFor(const std::string& species) {
+  const Species* robot = SpeciesCatalogue::BuiltIn()->Find(species);
+  if (robot == nullptr) {
+    std::vector<std::string> names;
+    for (const Species& one : SpeciesCatalogue::BuiltIn()->all()) names.push_back(one.name);
+    Check(InvalidArgument("there is no species " + Quote(species) + "; legal are " +
+                          Join(names, ", ")));
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto [made, is_new] = occupancy_.try_emplace(robot->name);
+  if (is_new) {
     RobotLimits limits;
-    limits.radius_m = SpeciesCatalogue::BuiltIn()->Find("wheeled robot")->radius_m;
-    occupancy_ = BuildOccupancy(scene(), limits);
-  });
-  return occupancy_;
+    limits.radius_m = robot->radius_m;
+    made->second = BuildOccupancy(scene(), limits);
+  }
+  return made->second;
 }
 
 void BindWorld(nb::module_& module) {
@@ -189,13 +206,16 @@ void BindWorld(nb::module_& module) {
           "What the ground is made of, uint8: places in latticeworld.SURFACES.")
       .def_prop_ro(
           "occupancy",
-          [](nb::handle_t<PyWorld> self) {
-            auto& world = nb::cast<PyWorld&>(self);
-            const auto& grid = WithoutLock([&]() -> auto* { return &world.Occupancy(); });
-            return ViewOf<std::int8_t>(*grid, self);
-          },
+          [](nb::handle_t<PyWorld> self) { return OccupancyOf(self, "wheeled robot"); },
           "Of the wheeled robot, int8: 0 free .. 100 occupied, graded on slopes; made when first "
           "asked for.")
+      .def(
+          "occupancy_for",
+          [](nb::handle_t<PyWorld> self, const std::string& species) {
+            return OccupancyOf(self, species);
+          },
+          nb::arg("species"),
+          "The same for the footprint of another species: what Simulation's robot_species takes.")
       .def("height_at", &HeightAt, nb::arg("x_m"), nb::arg("y_m"),
            "Of the ground's triangulation [m].");
 }

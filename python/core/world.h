@@ -2,8 +2,10 @@
 #define LATTICEWORLD_PYTHON_CORE_WORLD_H_
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <utility>
 
 #include "latticeworld/generation/world.h"
@@ -20,13 +22,14 @@ class PyWorld {
   const World& world() const { return *world_; }
   const std::shared_ptr<const World>& shared() const { return world_; }
   const Scene& scene() const { return *world_->scene; }
-  // For the built-in wheeled robot, as world_server's map; made once.
-  const Grid<std::int8_t>& Occupancy();
+  // For the footprint of a built-in species, as world_server's map; made once for each, and kept.
+  // Raises InvalidArgument where there is no such species.
+  const Grid<std::int8_t>& OccupancyFor(const std::string& species);
 
  private:
   std::shared_ptr<const World> world_;
-  std::once_flag mapped_;
-  Grid<std::int8_t> occupancy_;
+  std::mutex mutex_;
+  std::map<std::string, Grid<std::int8_t>> occupancy_;  // by species; guarded by mutex_
 };
 
 void BindWorld(nb::module_& module);

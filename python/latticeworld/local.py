@@ -65,13 +65,17 @@ class LocalServer:
 
     def occupancy(self):
         """As nav_msgs/OccupancyGrid has it, row 0 south."""
-        cells = self.world.occupancy
+        cells = self.world.occupancy_for(self._options.get("robot_species", "wheeled robot"))
         half_m = 0.5 * self.world.size_m
         place = types.SimpleNamespace(x=-half_m, y=-half_m)
         info = types.SimpleNamespace(resolution=float(np.float32(self.world.resolution_m)),
                                      width=cells.shape[1], height=cells.shape[0],
                                      origin=types.SimpleNamespace(position=place))
         return types.SimpleNamespace(info=info, data=cells[::-1].ravel())
+
+    def footprint_radius(self, robot):
+        """Of the circle around base_link that holds the robot's body in plan [m]."""
+        return self.simulation.agent(robot)["radius_m"]
 
     def free_space(self, clearance_m):
         if clearance_m not in self._free_spaces:

@@ -14,6 +14,7 @@ from gymnasium.vector import AutoresetMode
 
 import latticeworld as lw
 from latticeworld import memory
+from latticeworld.learning.episode import Episode, EpisodeOptions
 
 SHORT = dict(max_actions=6, settle_steps=10, state_hash=True)
 COUNT = 3
@@ -343,6 +344,22 @@ def test_what_is_closed_and_dropped_is_gone(worlds):
     del env, world
     gc.collect()
     assert [watch() for watch in watches] == [None] * 3
+
+
+def test_goals_keep_the_disc_of_the_robot_off_the_outermost_cells(worlds):
+    server = lw.LocalServer(worlds[0], sensors=None, robot_species="ackermann car")
+    options = EpisodeOptions(sectors=0, settle_steps=1)
+    radius_m = server.footprint_radius("robot")
+    assert radius_m == pytest.approx(1.31, abs=0.005)
+    # Far away, so that the edge is within reach.
+    task = lw.GoalTask(distance_m=(20.0, 60.0))
+    episode = Episode(server, {"robot": task}, options)
+    goals = []
+    for seed in range(200):
+        episode.begin(np.random.default_rng(seed))
+        goals.append(task.goal)
+    limit_m = 0.5 * server.size_m - worlds[0].resolution_m - radius_m
+    assert limit_m - 1.0 < np.abs(goals).max() <= limit_m
 
 
 def test_goals_are_those_that_python_alone_would_find(worlds):

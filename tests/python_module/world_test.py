@@ -32,6 +32,18 @@ def test_grids_are_views_of_the_worlds_own_memory(world):
     assert 0 <= world.surface.max() < len(lw.SURFACES)
 
 
+def test_the_occupancy_is_for_the_footprint_of_a_species(world):
+    assert np.shares_memory(world.occupancy, world.occupancy_for("wheeled robot"))
+    car = world.occupancy_for("ackermann car")
+    assert np.shares_memory(car, world.occupancy_for("ackermann car"))
+    closed, closed_for_car = world.occupancy == 100, car == 100
+    assert (closed_for_car | ~closed).all() and closed_for_car.sum() > closed.sum()
+    server = lw.LocalServer(world, robot_species="ackermann car")
+    assert np.array_equal(np.reshape(server.occupancy().data, car.shape)[::-1], car)
+    with pytest.raises(ValueError, match="flying carpet.*legal are.*ackermann car"):
+        world.occupancy_for("flying carpet")
+
+
 def test_a_view_keeps_its_world_alive():
     world = lw.World.generate(LAYOUT, ENVIRONMENT, seed=9, size_m=64.0)
     expected = world.heights.copy()

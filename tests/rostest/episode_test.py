@@ -266,6 +266,25 @@ class EpisodeTest(ServerTest):
                             "max_duration")
         self.assertEqual(0, verify(*ended.paths)[0])
 
+    def test_what_a_call_of_thousands_of_steps_loses_is_counted(self):
+        topics = {"/agents": lambda m: m.header.seq, "/tf": lambda m: m.transforms[0].header.seq}
+        with Collector("episode/status", EpisodeStatus) as status:
+            self.assert_ok(self.recorder.start_episode(name="burst", topics=list(topics)))
+            last = self.assert_ok(self.world.step(steps=5000)).stamp
+            # What is on its way comes within a few rounds of the recorder's.
+            count = len(status.messages())
+            wait_until(lambda: len(status.messages()) > count + 8, "the recorder goes on")
+            done = self.assert_ok(self.recorder.stop_episode())
+        missing = 0
+        with rosbag.Bag(done.paths[0]) as bag:
+            for topic, number_of in topics.items():
+                heard = [(number_of(m), time) for _, m, time in bag.read_messages(topic)]
+                published = heard[-1][0] - heard[0][0] + 1
+                self.assertGreaterEqual(published, 2500, topic)  # 50 a second
+                self.assertEqual(last, heard[-1][1], "queues keep the newest")
+                missing += published - len(heard)
+        self.assertEqual(missing, done.dropped)
+
     def test_another_world_ends_an_episode(self):
         with Collector("episode/status", EpisodeStatus) as status:
             self.assert_ok(self.recorder.start_episode(name="swapped"))

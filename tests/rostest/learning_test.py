@@ -121,6 +121,14 @@ class LearningTest(ServerTest):
         self.assertEqual({"robot": True, "scout": True}, arrived)
         self.assertEqual([], env.agents)
 
+    def test_goals_keep_the_footprint_of_the_robots_species_away(self):
+        car = {"scout": dict(SPAWN["scout"], species="ackermann car")}
+        env = self.make(LatticeWorldParallelEnv, ["robot", "scout"], spawn=car)
+        with unittest.mock.patch.object(env._server, "free_space",
+                                        wraps=env._server.free_space) as asked:
+            env.reset(seed=1)
+        self.assertEqual([0.4, 1.31], sorted(call.args[0] for call in asked.call_args_list))
+
     def test_rewards_are_what_the_formula_says(self):
         env = self.make(LatticeWorldEnv, task=GoalTask(goal=(20.0, 0.0), time_cost=0.5))
         observation, _ = env.reset(seed=1)

@@ -9,6 +9,7 @@ import rospy
 from geometry_msgs.msg import Point, Twist, Vector3
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
+from tf2_msgs.msg import TFMessage
 
 from latticeworld import srv
 from latticeworld.msg import AgentCommand, JournalEntry, Status
@@ -43,6 +44,11 @@ def bits_of(scan):
 
 def vector(message):
     return message.x, message.y, message.z
+
+
+def tilt_of(orientation):
+    """Angle between the z axis of what is turned so and that of its frame [rad]."""
+    return math.acos(1.0 - 2.0 * (orientation.x ** 2 + orientation.y ** 2))
 
 
 class Client(World):
@@ -105,6 +111,39 @@ class LockstepTest(ServerTest):
         self.assertGreater(observation.state.twist.linear.x, 0.3)
         self.assertGreater(observation.odom.position.x, 0.05)
         self.assertTrue(observation.alive)
+
+    def steep_place(self):
+        """A place where a robot can be spawned, and the slope there [rad]: of 10 to 25 degrees."""
+        points = [Point(x=float(x), y=float(y)) for x in range(-55, 56, 5) for y in range(-55, 56, 5)]
+        samples = self.assert_ok(self.world.query_terrain(points=points)).samples
+        for point, sample in zip(points, samples):
+            if not math.radians(12.0) < sample.slope < math.radians(25.0):
+                continue
+            spawned = self.world.spawn_agent(name="climber", species="wheeled robot",
+                                             position=point, controllable=True)
+            if spawned.status.code == Status.OK:
+                return sample.slope
+        raise AssertionError("no robot can be spawned on a slope")
+
+    def test_odometry_of_a_robot_on_a_slope_begins_level(self):
+        self.addCleanup(self.world.generate, **WORLD)
+        self.world.generate(layout="A high mountain in the center.", environment="A summer noon.",
+                            size=128.0, seed=3)
+        with Collector("/tf", TFMessage) as transforms, \
+                Collector("climber/odom", Odometry) as odoms:
+            transforms.wait_until_connected()
+            slope = self.steep_place()
+            odoms.wait_until_connected()
+            answer = self.lockstep(observe=["climber"])
+            message = transforms.wait_for(lambda m: m.transforms[0].header.stamp == answer.stamp)
+            odom = odoms.wait_for(lambda m: m.header.stamp == answer.stamp)
+        transform = next(t.transform for t in message.transforms
+                         if (t.header.frame_id, t.child_frame_id) == ("map", "climber/odom"))
+        self.assertLess(abs(transform.rotation.x), 1e-9)
+        self.assertLess(abs(transform.rotation.y), 1e-9)
+        observation, = answer.observations
+        for pose in (odom.pose.pose, observation.odom):
+            self.assertAlmostEqual(slope, tilt_of(pose.orientation), delta=math.radians(3.0))
 
     def test_the_scan_is_the_last_complete_sweep_as_published(self):
         with Collector("robot/scan", LaserScan) as scans:

@@ -14,13 +14,15 @@ WORLD_SERVER = roslib.packages.find_node("latticeworld", "world_server")[0]
 
 
 class Server:
-    """A world_server process of our own with these private parameters."""
+    """A world_server process of our own with these private parameters.
 
-    def __init__(self, **parameters):
+    before: what the process does before it becomes the server."""
+
+    def __init__(self, *, before=None, **parameters):
         rospy.set_param("/world_server", parameters)
         self.output = tempfile.TemporaryFile(mode="w+")
         self.process = subprocess.Popen([WORLD_SERVER], stdout=self.output,
-                                        stderr=subprocess.STDOUT)
+                                        stderr=subprocess.STDOUT, preexec_fn=before)
 
     def __enter__(self):
         wait_until(lambda: rosservice.get_service_node("/generate_world") or

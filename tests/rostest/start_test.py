@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import resource
 import signal
 import tempfile
 import threading
@@ -13,18 +14,32 @@ import rospkg
 import rospy
 import rosservice
 import yaml
-from nav_msgs.msg import OccupancyGrid
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from geometry_msgs.msg import Point, Twist
+from grid_map_msgs.msg import GridMap
+from nav_msgs.msg import OccupancyGrid, Odometry
 from nav_msgs.srv import GetMap
 from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import JointState, NavSatFix, PointCloud2
+from sensor_msgs.point_cloud2 import read_points
+from std_msgs.msg import Empty
 from tf2_msgs.msg import TFMessage
 
+from latticeworld import srv
 from latticeworld.msg import AgentStates, GenerationProgress, Status
 from server_process import Server
 from world_client import TIMEOUT_S, Collector, World, run, service, wait_until
 
 PACKAGE = pathlib.Path(rospkg.RosPack().get_path("latticeworld"))
 DEFAULTS = PACKAGE / "launch_cfg/world_server.yaml"
+TOLD_BY_ROBOTS = {"odom": Odometry, "ground_truth": Odometry, "joint_states": JointState}
+HEARD_BY_ROBOTS = {"cmd_vel": Twist, "joint_command": JointState, "strike": Empty}
 VEHICLES = PACKAGE / "src/latticeworld/species/data/vehicles.json"
+
+
+def descriptors(soft, hard):
+    """What a process does first that is to have these limits of open files."""
+    return lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
 
 
 class StartTest(unittest.TestCase):
@@ -111,6 +126,82 @@ class StartTest(unittest.TestCase):
                 self.assertEqual("trinary", settings["mode"])
                 self.assertEqual(Status.OK, world.load_world(name="three").status.code)
                 maps.close()
+
+    def test_what_is_larger_than_a_message_is_refused_or_coarser(self):
+        limit = 1000000
+        with Server(most_message_bytes=limit) as server:
+            world = World()
+            with Collector("world/height_map", GridMap) as maps:
+                world.generate(size=128.0)
+                self.assertGreater(maps.wait_for(lambda m: True).info.resolution, 0.5)
+            get_world_bundle = service("get_world_bundle", srv.GetWorldBundle)
+            refused = get_world_bundle(files=True).status
+            self.assertEqual(Status.RESOURCE_EXHAUSTED, refused.code, refused.message)
+            for word in (str(limit), "most_message_bytes", "save_world"):
+                self.assertIn(word, refused.message)
+            self.assertEqual(Status.OK, get_world_bundle(files=False).status.code)
+            self.assertIn("world/height_map of", server.text())
+
+    def test_clouds_and_fixes_are_as_the_parameters_say(self):
+        undulation_m, revolution_s = 40.0, 0.1
+        with Server(sensor_suite="perception", point_times="begin", altitude=0.0,
+                    geoid_undulation=undulation_m, start_paused=True):
+            world = World()
+            world.generate(layout="Flat grassland everywhere.", size=64.0)
+            with Collector("robot/points", PointCloud2) as clouds:
+                clouds.wait_until_connected()
+                end_s = world.step(steps=50).stamp.to_sec()
+                last = clouds.wait_for(
+                    lambda m: m.header.stamp.to_sec() > end_s - 2.0 * revolution_s + 1e-6)
+            times_s = [time for time, in read_points(last, field_names=["time"])]
+            self.assertGreaterEqual(min(times_s), 0.0)
+            self.assertAlmostEqual(revolution_s, max(times_s), delta=0.01)
+            self.assertLessEqual(last.header.stamp.to_sec(), end_s - revolution_s + 1e-6)
+            with Collector("robot/fix", NavSatFix) as fixes:
+                fixes.wait_until_connected()
+                world.step(steps=3000)
+                wait_until(lambda: len(fixes.messages()) >= 100, "a hundred fixes")
+                altitudes_m = [fix.altitude for fix in fixes.messages()]
+            ground_m = world.query_terrain(points=[Point()]).samples[0].height
+            # Most of the error of a fix wanders: 4 m, over minutes.
+            self.assertAlmostEqual(undulation_m, sum(altitudes_m) / len(altitudes_m) - ground_m,
+                                   delta=15.0)
+
+    def test_a_soft_limit_of_descriptors_is_raised_to_the_hard_one(self):
+        with Server(before=descriptors(256, 4096)) as server:
+            limits = pathlib.Path(f"/proc/{server.process.pid}/limits").read_text(encoding="ascii")
+        files = next(line for line in limits.splitlines() if line.startswith("Max open files"))
+        self.assertEqual(["4096", "4096"], files.split()[3:5])
+
+    def test_topics_for_which_descriptors_are_too_few_are_named(self):
+        def connections(message):
+            return next(one for one in message.status if one.name == "world_server: connections")
+
+        def names_a_topic(message):
+            status = connections(message)
+            return (status.level == DiagnosticStatus.WARN and
+                    any(value.key == "not delivered" for value in status.values))
+
+        with Server(before=descriptors(256, 256), sensor_suite="none"), \
+                Collector("diagnostics", DiagnosticArray) as diagnostics:
+            diagnostics.wait_until_connected()
+            world = World()
+            world.generate(layout="Flat grassland everywhere.", size=128.0)
+            names = [f"scout_{i}" for i in range(40)]
+            for name in names:
+                answer = world.spawn_agent(name=name, species="wheeled robot", place="anywhere",
+                                           controllable=True)
+                self.assertEqual(Status.OK, answer.status.code, answer.status.message)
+            ends = [rospy.Subscriber(f"{name}/{topic}", kind) for name in names
+                    for topic, kind in TOLD_BY_ROBOTS.items()]
+            ends += [rospy.Publisher(f"{name}/{topic}", kind, queue_size=1) for name in names
+                     for topic, kind in HEARD_BY_ROBOTS.items()]
+            status = connections(diagnostics.wait_for(names_a_topic))
+            for end in ends:
+                end.unregister()
+            self.assertIn("of 256 file descriptors are in use", status.message)
+            self.assertTrue(all(value.value.startswith("/scout_") for value in status.values
+                                if value.key == "not delivered"), status)
 
     def test_use_sim_time_is_set_only_where_it_is_unset(self):
         rospy.delete_param("/use_sim_time")

@@ -58,6 +58,7 @@ class Server:
                                   + HOW_TO_START) from error
             self._calls[name] = rospy.ServiceProxy(name, kind, persistent=name == "lockstep")
         self._episode = 0  # of the last reset; 0: any
+        self._species = {}  # of the agents of the last lockstep call, by name
         self._closed = False
         world = self._look_at_world()
         self._was_paused = world.paused
@@ -81,9 +82,11 @@ class Server:
         commands = [AgentCommand(agent=agent, velocity=Twist(linear=Vector3(x=float(forward)),
                                                              angular=Vector3(z=float(yaw_rate))))
                     for agent, (forward, yaw_rate) in velocities.items()]
-        return self._call("lockstep", commands=commands, steps=steps, scan=scan,
-                          observe=list(observe), strikes=list(strikes), hash=state_hash,
-                          episode=self._episode)
+        answer = self._call("lockstep", commands=commands, steps=steps, scan=scan,
+                            observe=list(observe), strikes=list(strikes), hash=state_hash,
+                            episode=self._episode)
+        self._species = {one.state.name: one.state.species for one in answer.observations}
+        return answer
 
     def advance(self, velocities, steps, options):
         """What an Episode asks for: ({robot: View} of those that are in the world, the state's hash
@@ -104,6 +107,11 @@ class Server:
         """nav_msgs/OccupancyGrid of the world, frame map."""
         return self._call("static_map").map
 
+    def footprint_radius(self, robot):
+        """Of the circle around base_link that holds the body of a robot of the last lockstep call in
+        plan [m]."""
+        return self._radii_m[self._species[robot]]
+
     def free_space(self, clearance_m):
         """The places that are so far away from all that is not free."""
         return FreeSpace(self.occupancy(), clearance_m)
@@ -123,6 +131,7 @@ class Server:
         world = self._call("get_world")
         self.world_id = world.info.world_id
         self.size_m = world.info.size
+        self._radii_m = dict(zip(world.species, world.species_radii))
         return world
 
     def _call(self, name, /, **fields):

@@ -11,7 +11,7 @@ class Task:
 
     def spaces(self, server):
         """What the task adds to the robot's observation: {name: gymnasium space}. server: the world,
-        with size_m, world_id, occupancy() and free_space()."""
+        with size_m, world_id, footprint_radius(), occupancy() and free_space()."""
         raise NotImplementedError
 
     def begin(self, view, rng, server):
@@ -30,9 +30,9 @@ class Task:
 class GoalTask(Task):
     """Reach a place.
 
-    The goal is drawn among the free places that the robot can get to on the map, clearance_m away
-    from what is not free, at a distance in distance_m (least, most) from the robot. With d the
-    distance to it in the plane before and after an action,
+    The goal is drawn among the free places that the robot can get to on the map, clearance_m (None:
+    the radius of the robot's footprint) away from what is not free, at a distance in distance_m
+    (least, most) from the robot. With d the distance to it in the plane before and after an action,
 
         reward = (d_before - d_after) - time_cost + bonus [d_after < radius_m] - penalty [dead]
 
@@ -40,7 +40,7 @@ class GoalTask(Task):
     lies in the robot's base_link (x forward, y left) [m].
     """
 
-    def __init__(self, radius_m=0.7, distance_m=(3.0, 10.0), clearance_m=0.6, time_cost=0.01,
+    def __init__(self, radius_m=0.7, distance_m=(3.0, 10.0), clearance_m=None, time_cost=0.01,
                  bonus=10.0, penalty=10.0, goal=None):
         """goal: (x, y) in map [m], where it shall be the same in every episode; None: drawn."""
         if not 0.0 < radius_m < distance_m[0] <= distance_m[1]:
@@ -61,7 +61,10 @@ class GoalTask(Task):
         if self._is_fixed:
             return
         if self._world_id != server.world_id:
-            self._space = server.free_space(self.clearance_m)
+            clearance_m = self.clearance_m
+            if clearance_m is None:
+                clearance_m = server.footprint_radius(view.name)
+            self._space = server.free_space(clearance_m)
             self._world_id = server.world_id
         self.goal = self._space.draw(view.x_m, view.y_m, *self.distance_m, rng)
 

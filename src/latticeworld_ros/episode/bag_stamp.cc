@@ -58,7 +58,8 @@ BagStamp StampOf(const BagMessage& message) {
   if (header) return {bytes.NumberAt(0), bytes.TimeAt(kNumber)};
   if (!transforms) return {std::nullopt, bytes.TimeAt(0)};
   if (bytes.NumberAt(0).value_or(0) == 0) return {};
-  return {std::nullopt, bytes.TimeAt(2 * kNumber)};
+  const std::optional<std::uint32_t> number = bytes.NumberAt(kNumber);
+  return {number == 0u ? std::nullopt : number, bytes.TimeAt(2 * kNumber)};
 }
 
 }  // namespace latticeworld

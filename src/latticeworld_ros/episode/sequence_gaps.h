@@ -12,8 +12,8 @@
 namespace latticeworld {
 
 // Counts messages that were lost on the way: roscpp numbers what a publisher publishes in the
-// header of each message, those too that find its queue full. Messages that do not begin with a
-// std_msgs/Header cannot be counted.
+// header of each message, those too that find its queue full, and world_server numbers its tf.
+// Messages without a number cannot be counted.
 class SequenceGaps {
  public:
   // How many messages of its topic and publisher are missing before this one. stamp: the message's.

@@ -69,6 +69,7 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"local_fallback", Bind(&options->local.fallback)},
       {"reader_model", Bind(&options->reader_model.model)},
       {"reader_threads", Bind(&options->reader_model.threads)},
+      {"most_message_bytes", Bind(&options->most_message_bytes)},
       {"worlds_directory", Bind(&options->worlds_directory)},
       {"visual_directories", Bind(&options->visual_directories)},
       {"catalogue", Bind(&options->catalogue)},

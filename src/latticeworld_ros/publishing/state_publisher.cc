@@ -2,7 +2,6 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <rosgraph_msgs/Clock.h>
-#include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
@@ -147,9 +146,17 @@ void StatePublisher::PublishState(const Tick& tick, const WorldState& state) {
     transforms.transforms.push_back(ToTransformStamped(
         ToIsometry(prop.position_m, prop.orientation), tick.now, kMapFrame, prop.name));
   }
-  tf_.Publish([&]() -> const tf2_msgs::TFMessage& { return transforms; });
+  PublishTransforms(&transforms);
   agents_.Publish([&] { return ToAgentStates(state, tick.now, tick.world_id()); });
   scene_.Publish(tick, state);
+}
+
+void StatePublisher::PublishTransforms(tf2_msgs::TFMessage* message) {
+  tf_.Publish([&]() -> const tf2_msgs::TFMessage& {
+    // roscpp numbers no message without a header of its own: who records counts losses by this.
+    if (!message->transforms.empty()) message->transforms.front().header.seq = ++last_tf_;
+    return *message;
+  });
 }
 
 void StatePublisher::WishForTopics(const WorldState& state) {

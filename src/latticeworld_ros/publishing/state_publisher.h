@@ -2,6 +2,7 @@
 #define LATTICEWORLD_ROS_PUBLISHING_STATE_PUBLISHER_H_
 
 #include <ros/ros.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <Eigen/Geometry>
 #include <cstdint>
@@ -48,6 +49,8 @@ class StatePublisher : public SimulationListener {
   void PublishClock(ros::Time now);
   void PublishEvents(const Tick& tick, const std::vector<Event>& events);
   void PublishState(const Tick& tick, const WorldState& state);
+  // Numbers a message that is not empty in its first transform.
+  void PublishTransforms(tf2_msgs::TFMessage* message);
   // Lets agents have the topics that they should have.
   void WishForTopics(const WorldState& state);
   // What every agent that obeys commands tells.
@@ -68,6 +71,7 @@ class StatePublisher : public SimulationListener {
   ros::Publisher weather_, diagnostics_;
   ScenePublisher scene_;
   JournalPublisher journal_;
+  std::uint32_t last_tf_ = 0;  // number of the last message of tf that somebody heard
   bool weather_moves_ = true;  // as published last; true: nothing was
 
   std::vector<RobotWish> wishes_;                           // as last told to robots_

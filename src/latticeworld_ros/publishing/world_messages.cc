@@ -1,8 +1,11 @@
 #include "latticeworld_ros/publishing/world_messages.h"
 
 #include <ros/console.h>
+#include <ros/serialization.h>
 
+#include <algorithm>
 #include <boost/make_shared.hpp>
+#include <cstddef>
 #include <deque>
 #include <exception>
 #include <future>
@@ -25,8 +28,9 @@ namespace {
 
 constexpr char kStage[] = "maps";
 constexpr char kTooLarge[] =
-    " bytes, which no subscriber receives; cells of twice the size, or 4, 8 ... times, are "
+    " bytes, more than most_message_bytes; cells of twice the size, or 4, 8 ... times, are "
     "published";
+constexpr int kFewestMarkerCells = 16;
 constexpr std::uint64_t kHeaderBytes = 1024;  // of a message beside its data, and more
 constexpr int kEveryCore = 0, kOneThread = 1;
 
@@ -59,8 +63,26 @@ Status BuildOctomaps(const Scene& scene, const WorldServerOptions& options,
   return Status();
 }
 
-WorldMarkerOptions MarkerOptions(const WorldServerOptions& options) {
-  return {options.marker_terrain_cells, options.marker_max_assets};
+// Half as many assets and as fine a ground, or a quarter, an eighth ..., where that is needed.
+boost::shared_ptr<visualization_msgs::MarkerArray> MakeMarkers(const Scene& scene,
+                                                               const WorldServerOptions& options,
+                                                               const SceneChanges& changes,
+                                                               bool warns) {
+  WorldMarkerOptions drawn = {options.marker_terrain_cells, options.marker_max_assets};
+  auto markers =
+      boost::make_shared<visualization_msgs::MarkerArray>(ToMarkerArray(scene, drawn, changes));
+  for (;;) {
+    const std::size_t bytes = ros::serialization::serializationLength(*markers);
+    if (bytes < options.most_message_bytes || drawn.max_assets == 0) return markers;
+    if (warns) {
+      ROS_WARN_STREAM("world/markers of " << drawn.max_assets << " assets has " << bytes
+                                          << " bytes, more than most_message_bytes; half of them "
+                                             "are drawn, and the ground half as finely");
+    }
+    drawn.max_assets /= 2;
+    drawn.terrain_cells = std::max(kFewestMarkerCells, drawn.terrain_cells / 2);
+    *markers = ToMarkerArray(scene, drawn, changes);
+  }
 }
 
 void SetStamp(ros::Time stamp, visualization_msgs::MarkerArray* array) {
@@ -130,8 +152,7 @@ Status BuildOthers(const World& world, const WorldServerOptions& options, const 
   progress.Report(kStage, 0.7);
   messages->height_image =
       boost::make_shared<sensor_msgs::Image>(ToImage(scene.terrain->ground.height_m()));
-  messages->markers = boost::make_shared<visualization_msgs::MarkerArray>(
-      ToMarkerArray(scene, MarkerOptions(options)));
+  messages->markers = MakeMarkers(scene, options, {}, /*warns=*/true);
   progress.Report(kStage, 1.0);
   return Status();
 }
@@ -169,8 +190,7 @@ Result<WorldMessages> RebuildMaps(const World& world, const WorldServerOptions& 
   if (!(on_same_ground == before.changes)) {
     LW_RETURN_IF_ERROR(
         BuildOctomaps(*world.scene, options, changes, kOneThread, progress, &messages));
-    messages.markers = boost::make_shared<visualization_msgs::MarkerArray>(
-        ToMarkerArray(*world.scene, MarkerOptions(options), changes));
+    messages.markers = MakeMarkers(*world.scene, options, changes, /*warns=*/false);
     SetStamp(stamp, messages.markers.get());
     messages.scan_map = MakeScanMap(*world.scene, changes, kOneThread);
     SetStamp(stamp, messages.scan_map.get());

@@ -36,8 +36,8 @@ struct WorldMessages {
   boost::shared_ptr<visualization_msgs::MarkerArray> markers;
 };
 
-// Height map and octomaps are made coarser where their message could not be received
-// (options.most_message_bytes).
+// Height map and octomaps are made coarser, and markers fewer, where their message would have
+// options.most_message_bytes or more.
 // stages: gets what was done and how long it took. Works on two threads. Errors: CANCELLED,
 // INVALID_ARGUMENT (an octree resolution that does not suit the world).
 Result<WorldMessages> BuildWorldMessages(const World& world, const WorldServerOptions& options,

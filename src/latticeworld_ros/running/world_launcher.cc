@@ -1,8 +1,12 @@
 #include "latticeworld_ros/running/world_launcher.h"
 
+#include <ros/console.h>
+
+#include <string>
 #include <utility>
 
 #include "latticeworld/simulation/journaled_simulator.h"
+#include "latticeworld/simulation/start_warnings.h"
 #include "latticeworld_ros/node/stopwatch.h"
 
 namespace latticeworld {
@@ -20,6 +24,10 @@ Status WorldLauncher::Launch(std::shared_ptr<const World> world, const Progress&
   running.world = world;
   LW_ASSIGN_OR_RETURN(std::unique_ptr<Simulator> simulator,
                       Simulator::Create(world->scene, options_.simulator, world->request.seed));
+  for (const std::string& warning :
+       StartWarnings(*world->scene, *simulator->State(), *options_.simulator.species)) {
+    ROS_WARN_STREAM(warning);
+  }
   running.simulator = std::make_unique<JournaledSimulator>(std::move(simulator), ++last_run_);
   stages->push_back({"simulator", simulator_watch.seconds()});
 

@@ -8,7 +8,6 @@
 #include "latticeworld/simulation/journaled_simulator.h"
 #include "latticeworld_ros/conversion/journal_conversion.h"
 #include "latticeworld_ros/conversion/status_conversion.h"
-#include "latticeworld_ros/node/message_size.h"
 
 namespace latticeworld {
 namespace {
@@ -74,18 +73,20 @@ void Fill(const Look& look, const SimulationLoop::Moment& moment,
   }
 }
 
-Status CheckSize(const std::vector<WorldFile>& files) {
-  std::uint64_t bytes = 0;
+Status CheckSize(const std::vector<WorldFile>& files, std::size_t most_bytes) {
+  std::size_t bytes = 0;
   for (const WorldFile& file : files) bytes += file.data.size();
-  if (bytes < kMostMessageBytes) return Status();
+  if (bytes < most_bytes) return Status();
   return ResourceExhausted("the files of the world have " + std::to_string(bytes) +
-                           " bytes; no more than " + std::to_string(kMostMessageBytes) +
-                           " can be received: save_world writes them to a directory");
+                           " bytes; a message has less than " + std::to_string(most_bytes) +
+                           " (most_message_bytes): save_world writes them to a directory");
 }
 
 }  // namespace
 
-BundleService::BundleService(SimulationLoop* loop, ServiceQueue* queue) : loop_(loop) {
+BundleService::BundleService(SimulationLoop* loop, std::size_t most_message_bytes,
+                             ServiceQueue* queue)
+    : loop_(loop), most_message_bytes_(most_message_bytes) {
   queue->Advertise<GetWorldBundle>(
       "get_world_bundle",
       [this](const GetWorldBundle::Request& request, GetWorldBundle::Response* response) {
@@ -106,7 +107,7 @@ Status BundleService::Answer(const GetWorldBundle::Request& request,
     Fill(look, moment, response);
     if (!request.files) return Status();
     LW_ASSIGN_OR_RETURN(const auto files, FilesOf(moment.world));
-    LW_RETURN_IF_ERROR(CheckSize(*files));
+    LW_RETURN_IF_ERROR(CheckSize(*files, most_message_bytes_));
     response->world = ToWorldFileMessages(*files);
     return Status();
   }

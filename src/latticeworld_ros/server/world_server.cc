@@ -95,7 +95,7 @@ WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options
           WorldGenerator(std::move(language.stack), std::move(sketches), std::move(catalogue)),
           &launcher_),
       services_(node),
-      bundles_(&loop_, &services_) {
+      bundles_(&loop_, options.most_message_bytes, &services_) {
   AdvertiseWorldServices(WorldsDirectory(options), options.map_values, &loop_, &current_,
                          &services_);
   AdvertiseAgentServices(options.simulator, &loop_, &robots_, &services_);

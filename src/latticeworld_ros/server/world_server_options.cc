@@ -73,6 +73,8 @@ void CheckPublishing(const WorldServerOptions& options, Checker* checker) {
   checker->CheckZeroOrIn("state_hash_rate", options.state_hash_rate_hz, 0.001, 1000.0);
   checker->CheckIn("marker_terrain_cells", options.marker_terrain_cells, 16, 512);
   checker->CheckIn("marker_max_assets", options.marker_max_assets, 0, 500000);
+  checker->CheckIn("most_message_bytes", static_cast<double>(options.most_message_bytes), 1e6,
+                   static_cast<double>(kMostMessageBytes));
 }
 
 void CheckMaps(const WorldServerOptions& options, Checker* checker) {

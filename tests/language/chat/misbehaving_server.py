@@ -108,6 +108,10 @@ SCENARIOS = {
         STREAM_HEAD + event(chunk({"content": ""})) +
         b"".join(event(chunk({"reasoning_content": part})) for part in ('{"rows"', ': ["A"]}')) +
         event(chunk({"content": "\n"})) + event(chunk({}, "stop")) + b"data: [DONE]\n\n"),
+    "answers_matrix_in_thinking": lambda c, n, r: c.sendall(
+        STREAM_HEAD + b"".join(event(chunk({"reasoning_content": row + ("\n" if i < 31 else "")}))
+                               for i, row in enumerate(["WFWF" * 8] * 32)) +
+        event(chunk({"content": "\n"})) + event(chunk({}, "stop")) + b"data: [DONE]\n\n"),
     "answers_in_thinking_whole": lambda c, n, r: c.sendall(whole(200, {"choices": [{
         "message": {"content": None, "reasoning": '{"rows": ["A"]}'}, "finish_reason": "stop"}]})),
     "only_thinks": lambda c, n, r: c.sendall(

@@ -289,6 +289,22 @@ TEST_F(OpenAiClientTest, AnAnswerInItsFormInThePlaceOfThinkingIsTheAnswer) {
   }
 }
 
+TEST_F(OpenAiClientTest, AMatrixInThePlaceOfThinkingIsHeldToItsGrammar) {
+  ChatRequest request;
+  request.messages = {{ChatRole::kUser, "Draw.", ""}};
+  OpenAiOptions options = Options("answers_matrix_in_thinking");
+  options.dialect = ChatDialect::kLlamaCpp;
+  for (const std::string letters : {"FW", "FX"}) {
+    const std::string row = "[" + letters + "]{32}";
+    request.form = {"layout", "root ::= line{31} row", "(" + row + "\\n){31}" + row, "{}"};
+    const auto reply = Make(options)->Complete(request, nullptr, progress_);
+    ASSERT_TRUE(reply.ok()) << reply.status().ToString();
+    EXPECT_EQ(reply->form, FormLanguage::kGbnf);
+    const bool is_in_form = letters == "FW";
+    EXPECT_EQ(reply->text.size(), is_in_form ? 32u * 33u - 1u : 1u) << reply->text;
+  }
+}
+
 TEST_F(OpenAiClientTest, ThinkingIsNeverAnAnswerWhereItIsNotInTheFormOrNoneWasTold) {
   for (const auto& [scenario, dialect] :
        {std::pair<const char*, ChatDialect>{"only_thinks", ChatDialect::kLlamaCpp},

@@ -11,6 +11,7 @@
 #include "language/remote/form_checkers.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/environment/environment_config.h"
+#include "latticeworld/language/chat/kept_form.h"
 #include "latticeworld/layout/symbolic_layout.h"
 
 namespace latticeworld {
@@ -59,6 +60,7 @@ TEST(LayoutFormTest, EveryLanguageAcceptsLegalLayoutsAndTheyParse) {
       ASSERT_EQ(matrix.size(), 1055u);
       EXPECT_TRUE(MatchesGbnf(form.gbnf, matrix));
       EXPECT_TRUE(MatchesRegex(form.regex, matrix));
+      EXPECT_EQ(KeepsForm(matrix, /*whole=*/true, form, FormLanguage::kGbnf), KeptForm::kYes);
       EXPECT_TRUE(MatchesSchema(form.json_schema, AsRows(matrix)));
       EXPECT_TRUE(ParseLayout(matrix, vocabulary).ok());
     }
@@ -87,6 +89,7 @@ TEST(LayoutFormTest, EveryLanguageRefusesWhatTheCodecRefuses) {
     ASSERT_FALSE(ParseLayout(matrix, Vocabulary::kWild).ok());
     EXPECT_FALSE(MatchesGbnf(form.gbnf, matrix)) << seed;
     EXPECT_FALSE(MatchesRegex(form.regex, matrix)) << seed;
+    EXPECT_EQ(KeepsForm(matrix, /*whole=*/true, form, FormLanguage::kGbnf), KeptForm::kNo) << seed;
     EXPECT_FALSE(MatchesSchema(form.json_schema, AsRows(matrix))) << seed;
   }
 }

@@ -169,6 +169,19 @@ TEST_F(EpisodeRecordingTest, WhatIsOlderThanTheEpisodeIsAtItsBeginningWithItsSta
   EXPECT_EQ(Recorded<nav_msgs::Odometry>().at(0).header.stamp, ros::Time(kStart_s - 60.0));
 }
 
+TEST_F(EpisodeRecordingTest, WhatWasLostOnTheWayIsCounted) {
+  for (const std::uint32_t number : {1, 2, 6}) {
+    nav_msgs::Odometry odometry;
+    odometry.header.seq = number;
+    odometry.header.stamp = ros::Time(kStart_s + number);
+    recording_->Add(ToBag("/robot/odom", odometry.header.stamp, odometry));
+  }
+  EXPECT_EQ(recording_->progress().dropped, 3u);
+  ASSERT_TRUE(recording_->End("stopped", nullptr).ok());
+  EXPECT_EQ(Recorded<nav_msgs::Odometry>().size(), 3u);
+  EXPECT_EQ(Recorded<EpisodeEnd>().at(0).dropped, 3u);
+}
+
 class ShortRecordingTest : public EpisodeRecordingTest {
  protected:
   static EpisodeRecordingOptions Short() {

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
 #include <rosgraph_msgs/Clock.h>
+#include <tf2_msgs/TFMessage.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -35,7 +37,25 @@ TEST(SequenceGapsTest, APublisherThatBeginsAnewHasLostNothing) {
   EXPECT_EQ(Missing(&gaps, "/robot/odom", 2), 1u);
 }
 
-TEST(SequenceGapsTest, WhatHasNoHeaderIsNotCounted) {
+std::uint64_t MissingTf(SequenceGaps* gaps, std::uint32_t sequence, std::size_t transforms = 2) {
+  tf2_msgs::TFMessage tf;
+  tf.transforms.resize(transforms);
+  if (transforms > 0) tf.transforms[0].header.seq = sequence;
+  const BagMessage message = ToBag("/tf", ros::Time(1.0), tf);
+  return gaps->MissingBefore(message, StampOf(message));
+}
+
+TEST(SequenceGapsTest, TfIsNumberedInItsFirstTransform) {
+  SequenceGaps gaps;
+  EXPECT_EQ(MissingTf(&gaps, 41), 0u);
+  EXPECT_EQ(MissingTf(&gaps, 42), 0u);
+  EXPECT_EQ(MissingTf(&gaps, 0, 0), 0u) << "an empty one has no number";
+  EXPECT_EQ(MissingTf(&gaps, 47), 4u);
+  EXPECT_EQ(MissingTf(&gaps, 0), 0u) << "other broadcasters number nothing";
+  EXPECT_EQ(MissingTf(&gaps, 48), 0u);
+}
+
+TEST(SequenceGapsTest, WhatHasNoNumberIsNotCounted) {
   SequenceGaps gaps;
   rosgraph_msgs::Clock clock;
   for (const double time_s : {1.0, 5.0, 2.0}) {

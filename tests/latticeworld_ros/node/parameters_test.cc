@@ -164,6 +164,18 @@ TEST(ParametersTest, FramesThatOthersPublishAreSwitchedOffForAllOrByName) {
   EXPECT_EQ(refused.status().violations()[0].pointer, "odometry_elsewhere");
 }
 
+TEST(ParametersTest, MessagesAreOfNoMoreBytesThanCanBeReceived) {
+  XmlRpc::XmlRpcValue parameters;
+  parameters["most_message_bytes"] = 2000000;
+  EXPECT_EQ(OptionsFromParameters(parameters)->most_message_bytes, 2000000u);
+  for (const int bytes : {999999, 1000000001}) {
+    parameters["most_message_bytes"] = bytes;
+    const auto refused = OptionsFromParameters(parameters);
+    ASSERT_FALSE(refused.ok()) << bytes;
+    EXPECT_EQ(refused.status().violations()[0].pointer, "most_message_bytes");
+  }
+}
+
 TEST(ParametersTest, MapValuesAndPointTimesAreNamed) {
   const auto defaults = OptionsFromParameters(XmlRpc::XmlRpcValue());
   EXPECT_EQ(defaults->map_values, MapValues::kGraded);

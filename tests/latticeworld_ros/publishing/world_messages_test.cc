@@ -148,6 +148,24 @@ TEST(WorldMessagesTest, WhatWouldBeTooLargeToBeReceivedIsMadeCoarser) {
   EXPECT_EQ(coarse.map->data, whole.map->data);
 }
 
+TEST(WorldMessagesTest, MarkersThatWouldBeTooLargeAreFewer) {
+  const auto world = SmallForest();
+  std::vector<StageTime> stages;
+  WorldServerOptions options;
+  options.marker_terrain_cells = 64;
+  const WorldMessages whole = BuildWorldMessages(*world, options, Progress(), &stages).value();
+  options.most_message_bytes = ros::serialization::serializationLength(*whole.markers) / 3;
+  const WorldMessages fewer = BuildWorldMessages(*world, options, Progress(), &stages).value();
+  EXPECT_LT(ros::serialization::serializationLength(*fewer.markers), options.most_message_bytes);
+  EXPECT_GT(Corners(*fewer.markers).size(), Corners(*whole.markers).size() / 20);
+  // What fell meanwhile changes nothing about that.
+  const SceneChanges changes = {{}, {FirstTree(*world->scene)}};
+  const WorldMessages after =
+      RebuildMaps(*world, options, changes, ros::Time(2, 0), Progress(), {fewer, {}}).value();
+  EXPECT_LT(ros::serialization::serializationLength(*after.markers), options.most_message_bytes);
+  EXPECT_NE(Corners(*after.markers), Corners(*fewer.markers));
+}
+
 TEST(WorldMessagesTest, TheHeightMapHasTheDistanceToWhatTheMapHasOccupied) {
   const auto world = SmallForest();
   std::vector<StageTime> stages;

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "geometry/in_region.h"
 #include "latticeworld/scene/props/props.h"
+#include "latticeworld/simulation/start_warnings.h"
 #include "simulation/test_scene.h"
 
 namespace latticeworld {
@@ -280,6 +282,63 @@ TEST(SpawningTest, TheScenesRobotsAreOfTheSpeciesOfTheOptions) {
     EXPECT_EQ(violations[0].pointer, "robot_species");
     EXPECT_NE(violations[0].message.find("tractor"), std::string::npos);
   }
+}
+
+SimulatorOptions Tractors() {
+  SimulatorOptions options;
+  options.robot_species = "tractor";
+  return options;
+}
+
+// The warnings of a simulation that has just begun.
+std::vector<std::string> WarningsOf(const Simulator& simulator) {
+  return StartWarnings(simulator.scene(), *simulator.State(), *simulator.options().species);
+}
+
+TEST(SpawningTest, ALargerRobotBeginsNearAStartThatIsTooNarrowForIt) {
+  TestScene scene;
+  scene.AddTree(1.0, 0.0);
+  scene.AddAgent("robot", AgentCategory::kWheeledRobot, 0.0, 0.0);
+  scene.AddAgent("sheep_1", AgentCategory::kSheep, -5.0, 0.0);
+  EXPECT_TRUE(WarningsOf(*MakeSimulator(scene)).empty()) << "a wheeled robot has room";
+
+  const auto simulator = MakeSimulator(scene, 1, Tractors());
+  const AgentSnapshot tractor = Now(*simulator, "robot");
+  const double radius_m = simulator->options().species->Find("tractor")->radius_m;
+  EXPECT_GE(std::hypot(tractor.position_m.x() - 1.0, tractor.position_m.y()), radius_m + 0.3);
+  EXPECT_GE(std::hypot(tractor.position_m.x() + 5.0, tractor.position_m.y()), radius_m + 0.3);
+  EXPECT_LT(tractor.position_m.head<2>().norm(), 20.0) << "near its start";
+  ASSERT_EQ(WarningsOf(*simulator).size(), 1u);
+  EXPECT_NE(WarningsOf(*simulator)[0].find("robot begins at"), std::string::npos);
+  EXPECT_NE(WarningsOf(*simulator)[0].find("tractor"), std::string::npos);
+  // Where it begins is the world's, and no matter of the episode.
+  simulator->Reset(77);
+  EXPECT_EQ(Now(*simulator, "robot").position_m, tractor.position_m);
+}
+
+TEST(SpawningTest, ALargerRobotKeepsAStartThatIsWideEnough) {
+  TestScene scene;
+  scene.AddTree(3.0, 0.0);
+  scene.AddAgent("robot", AgentCategory::kWheeledRobot, 0.0, 0.0);
+  scene.AddAgent("sheep_1", AgentCategory::kSheep, 0.0, 3.0);
+  const auto simulator = MakeSimulator(scene, 1, Tractors());
+  EXPECT_LT(Now(*simulator, "robot").position_m.head<2>().norm(), 1e-6);
+  EXPECT_TRUE(WarningsOf(*simulator).empty());
+  // Not so where somebody who begins after it stands in its way.
+  scene.AddAgent("sheep_2", AgentCategory::kSheep, 1.0, 0.0);
+  EXPECT_GT(Now(*MakeSimulator(scene, 1, Tractors()), "robot").position_m.head<2>().norm(), 1.0);
+}
+
+TEST(SpawningTest, ALargerRobotWithoutRoomAnywhereBeginsAtItsStart) {
+  TestScene scene;
+  for (int i = -21; i <= 21; ++i) {
+    for (int j = -21; j <= 21; ++j) scene.AddTree(1.5 * i + 0.75, 1.5 * j + 0.75);
+  }
+  scene.AddAgent("robot", AgentCategory::kWheeledRobot, 0.0, 0.0);
+  const auto simulator = MakeSimulator(scene, 1, Tractors());
+  EXPECT_LT(Now(*simulator, "robot").position_m.head<2>().norm(), 1e-6);
+  ASSERT_EQ(WarningsOf(*simulator).size(), 1u);
+  EXPECT_NE(WarningsOf(*simulator)[0].find("no room"), std::string::npos);
 }
 
 TEST(SpawningTest, PropsComeAndGo) {

@@ -33,9 +33,11 @@ AgentStart StartFor(const SpawnRequest& request, const Species& species, WorldPo
 void AgentSpawner::SpawnStarts(RunningWorld* world) {
   const SpeciesCatalogue& catalogue = *world->options.species;
   const Species& robot = *catalogue.Find(world->options.robot_species);
-  for (const AgentStart& start : world->scene->agents) {
+  for (AgentStart start : world->scene->agents) {
     const bool is_robot = start.category == AgentCategory::kWheeledRobot;
-    Begin(start, is_robot ? robot : catalogue.Of(start.category), "", world);
+    const Species& species = is_robot ? robot : catalogue.Of(start.category);
+    start.position = PlaceToBegin(start, species, *world);
+    Begin(start, species, "", world);
   }
 }
 

@@ -18,7 +18,7 @@ class AgentSpawner {
   // seed: of the episode.
   explicit AgentSpawner(std::uint64_t seed) : random_(seed, "spawn") {}
 
-  // The agents of the scene begin at their starts.
+  // The agents of the scene begin at their starts, or where PlaceToBegin says.
   void SpawnStarts(RunningWorld* world);
   // Brings in the agent that is asked for and tells spawned. The answer is its name. A refused
   // request leaves everything as it was, the random stream too. Errors: see Simulator::Spawn.

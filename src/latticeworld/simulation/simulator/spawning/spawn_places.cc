@@ -5,6 +5,7 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/scene/agents/spawn_rules.h"
+#include "latticeworld/scene/agents/spawn_search.h"
 #include "latticeworld/simulation/agents/ways/steering.h"
 
 namespace latticeworld {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr int kTries = 8;  // places that the rules allow and something that moved is in the way of
 constexpr double kStemSpacing_m = 3.0;  // between the places that a fallen stem takes
+constexpr double kBeginNear = 3.0;      // spread about a start that is too narrow, in radii
 constexpr int kRespawnTries = 16;
 constexpr double kRespawnNear_m = 15.0;
 
@@ -92,6 +94,28 @@ Result<WorldPoint> PlaceFor(const SpawnRequest& request, const Species& species,
     if (in_the_way.ok()) return place;
   }
   return in_the_way;
+}
+
+WorldPoint PlaceToBegin(const AgentStart& start, const Species& species,
+                        const RunningWorld& world) {
+  if (species.radius_m <= BodyRadius(start.category)) return start.position;
+  std::vector<WorldPoint> taken = PlacesTaken(world);
+  bool fits = CheckLegal(species, start.position, world).ok() &&
+              CheckFree(species, start.position, 0, world).ok();
+  // Those that begin after it are not in the world yet.
+  for (const AgentStart& other : world.scene->agents) {
+    if (other.name == start.name) continue;
+    taken.push_back(other.position);
+    fits = fits && DistanceBetween(other.position, start.position) >
+                       BodyRadius(other.category) + species.radius_m;
+  }
+  if (fits) return start.position;
+  RandomStream random(0, "start " + start.name);
+  const Result<WorldPoint> place =
+      SpawnSearch(*world.scene, world.weather.now(), species.category, species.radius_m,
+                  Region::kAnywhere, &world.map.changes())
+          .FindNear(start.position, kBeginNear * species.radius_m, taken, &random);
+  return place.ok() ? *place : start.position;
 }
 
 std::optional<WorldPoint> PlaceToRespawn(const RunningWorld& world, Agent* agent) {
