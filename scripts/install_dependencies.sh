@@ -3,7 +3,7 @@
 # before it begins what that is and how much. Does nothing, and needs no rights, when all is there.
 # Usage: scripts/install_dependencies.sh [--say] [GROUP ...]
 #   GROUP  world (what scripts/run.sh needs, and what is meant where none is given), page, tests,
-#          benchmarks, training, cluster
+#          benchmarks, training, cluster, package, lint
 #   --say  only says what is missing and, by the package lists that are there, how much it is
 set -euo pipefail
 export PATH="/usr/sbin:/usr/bin:/sbin:/bin:${PATH}"
