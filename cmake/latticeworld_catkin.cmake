@@ -139,4 +139,9 @@ catkin_install_python(PROGRAMS scripts/generate_world.py scripts/launch_stack.py
                       DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(FILES scripts/stack_bridge.py clients/latticeworld_stack/latticeworld_stack.py
         DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+# What fetches the model that reads, and joins it with its adapter in models/.
+install(PROGRAMS scripts/fetch_reader.sh DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(FILES training/latticeworld_training/__init__.py training/latticeworld_training/gguf.py
+              training/latticeworld_training/join_reader.py
+        DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION}/training/latticeworld_training)
 install(DIRECTORY launch_cfg models DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})

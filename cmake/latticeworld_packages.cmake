@@ -51,6 +51,7 @@ set(CPACK_COMPONENT_MESSAGES_DESCRIPTION
 set(CPACK_DEBIAN_WORLD_PACKAGE_NAME ros-latticeworld)
 set(CPACK_DEBIAN_WORLD_PACKAGE_DEPENDS
     "ros-latticeworld-msgs (= ${PROJECT_VERSION}), python3:any, python3-move-base-msgs, python3-nav-msgs, python3-rosgraph, python3-rosgraph-msgs, python3-roslaunch, python3-rosmaster, python3-rosnode, python3-rosparam, python3-rospy, python3-rosservice, python3-rostopic, python3-std-msgs, python3-std-srvs, python3-tf2-ros, rosbash, ros-diagnostic-msgs, ros-move-base-msgs, ros-nav-msgs, ros-rosgraph-msgs, ros-std-srvs, ros-tf2-msgs, ros-visualization-msgs, rosout")
+set(CPACK_DEBIAN_WORLD_PACKAGE_RECOMMENDS "python3-numpy, python3-venv")  # for fetch_reader.sh
 set(CPACK_COMPONENT_WORLD_DESCRIPTION
     "living, physical worlds for robots from words\n Makes terrain, water, vegetation, buildings, weather and agents from text, simulates\n them in real time and speaks ROS 1: nodes, the command line and launch files.")
 

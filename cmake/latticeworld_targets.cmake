@@ -20,15 +20,27 @@ function(latticeworld_library room)
   endif()
 endfunction()
 
-# latticeworld_test(<room> SOURCES ... [LIBRARIES ...]) makes <room>_test and a CTest test of each TEST() in it, named
-# <room>.Suite.Test; the program is asked for their names when ctest begins.
+# latticeworld_discover_tests(<target> <prefix> [property value]...) makes a CTest test of each TEST()
+# in a program, named <prefix>.Suite.Test; the program is asked for their names when ctest begins.
 include(GoogleTest)
+function(latticeworld_discover_tests target prefix)
+  gtest_discover_tests(${target} TEST_PREFIX ${prefix}. DISCOVERY_MODE PRE_TEST
+                       DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 ${ARGN})
+endfunction()
+
+# latticeworld_test_path(<source> <NAME> <path>) defines NAME as the text of a path, for that source
+# alone: a path of this clone on every source of a test would let no other clone use what ccache
+# has of them.
+function(latticeworld_test_path source name path)
+  set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS "${name}=\"${path}\"")
+endfunction()
+
+# latticeworld_test(<room> SOURCES ... [LIBRARIES ...]) makes <room>_test and the CTest tests of it.
 function(latticeworld_test room)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   set(target ${room}_test)
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE latticeworld_${room} ${ARG_LIBRARIES} GTest::gtest_main)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
-  gtest_discover_tests(${target} TEST_PREFIX ${room}. DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-                       PROPERTIES TIMEOUT 600 LABELS ${room})
+  latticeworld_discover_tests(${target} ${room} LABELS ${room})
 endfunction()

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing and builds LatticeWorld (Release, Ninja, ccache).
 # Usage: scripts/build.sh [--with GROUP] ... [--only TARGET] ... [further arguments for cmake]
-#   --with GROUP   tests, benchmarks, training, cluster: what scripts/packages/GROUP.txt names, and
-#                  what is built with it
+#   --with GROUP   tests, benchmarks, training, cluster, python: what scripts/packages/GROUP.txt
+#                  names, and what is built with it
 #   --only TARGET  builds only that, as world_server, and installs only what the world server needs
 # The build goes to build/ and devel/, or to $LATTICEWORLD_BUILD_DIR and devel/ in it.
 set -euo pipefail
@@ -23,8 +23,9 @@ while [ $# -gt 0 ]; do
         benchmarks) options+=(-DLATTICEWORLD_BUILD_BENCHMARKS=ON) ;;
         training) options+=(-DLATTICEWORLD_TEST_TRAINING=ON) ;;
         cluster) options+=(-DLATTICEWORLD_TEST_CLUSTER=ON) ;;
+        python) options+=(-DLATTICEWORLD_BUILD_PYTHON=ON) ;;
         *)
-          echo "--with $2: it is one of tests, benchmarks, training, cluster" >&2
+          echo "--with $2: it is one of tests, benchmarks, training, cluster, python" >&2
           exit 2
           ;;
       esac
@@ -42,6 +43,12 @@ while [ $# -gt 0 ]; do
   esac
 done
 
+# What is fetched the first time beside Debian's packages.
+fetched_once() {
+  [[ " ${groups[*]} " != *" $1 "* ]] || [ -e "$build/$2" ] || echo "the build fetches once: $3"
+}
+fetched_once page web/installed "17 MB from npm, of which the page is made"
+fetched_once python python_tools/installed "20 MB from PyPI, for the module for Python"
 "$root/scripts/install_dependencies.sh" "${groups[@]}"
 log=$build/configure.log
 mkdir -p "$build"

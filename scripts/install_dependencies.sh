@@ -3,7 +3,7 @@
 # before it begins what that is and how much. Does nothing, and needs no rights, when all is there.
 # Usage: scripts/install_dependencies.sh [--say] [GROUP ...]
 #   GROUP  world (what scripts/run.sh needs, and what is meant where none is given), page, tests,
-#          benchmarks, training, cluster
+#          benchmarks, training, cluster, python, package, lint
 #   --say  only says what is missing and, by the package lists that are there, how much it is
 set -euo pipefail
 export PATH="/usr/sbin:/usr/bin:/sbin:/bin:${PATH}"
@@ -37,7 +37,7 @@ how_much() {
     sed -n -e 's/.* \([0-9]*\) newly installed.*/\1 packages/p' \
       -e 's/^Need to get \(.*\) of archives.*/\1 to fetch/p' \
       -e 's/^After this operation, \(.*\) of additional disk space.*/\1 when unpacked/p' |
-    paste --serial --delimiters=, | sed 's/,/, /g'
+    paste --serial --delimiters=, | sed 's/,/, /g' || true  # of lists that are not there yet
 }
 
 # Reads what apt-get says and tells a person how far it is, now and then.

@@ -16,12 +16,15 @@ environment=${2:-"A sunny autumn afternoon. Nine sheep graze in the lower left, 
 
 seed=${3:-$([ $# -eq 0 ] && echo 37 || echo 0)}  # 37: the README's picture; 0: drawn
 
-"$root/scripts/install_dependencies.sh" world
-
 # The model that reads is fetched while the compiler works; without it the rules read alone.
 reader=${LATTICEWORLD_BUILD_DIR:-$root/build}/models/reader.gguf
 fetching=
 if [ -z "${LATTICEWORLD_READER_MODEL+named}" ] && [ ! -e "$reader" ]; then
+  fetching=soon
+  echo "beside what Debian's packages are, the model that reads will be fetched (93 MB, once)"
+fi
+"$root/scripts/install_dependencies.sh" world
+if [ -n "$fetching" ]; then
   "$root/scripts/fetch_reader.sh" &
   fetching=$!
 fi

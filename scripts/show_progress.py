@@ -14,7 +14,7 @@ import sys
 import time
 
 STATUS = re.compile(r"^@(\d+)/(\d+)@ ")  # what NINJA_STATUS below puts before every step
-TOLD_SHARE = 0.1  # where no terminal looks on, a line each tenth
+TOLD_PARTS = 10  # where no terminal looks on, a line each tenth
 
 
 def in_words(seconds):
@@ -38,13 +38,13 @@ class Teller:
     def __init__(self, out):
         self.out = out
         self.on_terminal = out.isatty()
-        self.told_share = 0.0
+        self.told_parts = 0
 
     def tell(self, done, all_steps, gone_s):
         if self.on_terminal:
             self.out.write(f"\r\033[K{line_of(done, all_steps, gone_s)}")
-        elif done == all_steps or done / all_steps >= self.told_share + TOLD_SHARE:
-            self.told_share = done / all_steps
+        elif TOLD_PARTS * done // all_steps > self.told_parts:
+            self.told_parts = TOLD_PARTS * done // all_steps
             self.out.write(line_of(done, all_steps, gone_s) + "\n")
         self.out.flush()
 

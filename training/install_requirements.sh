@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Puts the PyPI packages that fine-tuning a Hugging Face checkpoint needs (requirements.txt) into a virtual environment
-# that sees Debian's PyTorch too. Quick when all is there. Usage: training/install_requirements.sh DIRECTORY
+# Puts the PyPI packages that fine-tuning a Hugging Face checkpoint needs (requirements.txt) into a
+# virtual environment that sees Debian's PyTorch too. Quick when all is there.
+# Usage: training/install_requirements.sh DIRECTORY
 set -euo pipefail
 export PATH="/usr/bin:${PATH}"
 
@@ -11,6 +12,7 @@ if cmp -s "$requirements" "$directory/installed" && [ -x "$directory/bin/python"
   echo "all of $requirements is there"
   exit 0
 fi
+echo "fetching what training/requirements.txt names from PyPI (20 MB)"
 /usr/bin/python3 -m venv --clear --system-site-packages "$directory"
 "$directory/bin/python" -m pip install --quiet --disable-pip-version-check -r "$requirements"
 cp "$requirements" "$directory/installed"

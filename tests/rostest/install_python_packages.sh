@@ -11,6 +11,7 @@ if cmp -s "$requirements" "$directory/installed" && [ -x "$directory/bin/python"
   echo "all of $requirements is there"
   exit 0
 fi
+echo "fetching what tests/rostest/requirements.txt names from PyPI (50 MB)"
 /usr/bin/python3 -m venv --clear --system-site-packages "$directory"
 "$directory/bin/python" -m pip install --quiet --disable-pip-version-check -r "$requirements"
 cp "$requirements" "$directory/installed"
