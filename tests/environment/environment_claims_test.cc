@@ -227,7 +227,7 @@ TEST(EnvironmentClaimsTest, PointersIntoAnArrayBeginWithTheIndex) {
   EXPECT_EQ(claims.status().violations()[1].pointer, "/2");
 }
 
-// Fuzzing found that telling what was given took more stack than there is.
+// Once telling what was given took more stack than there is.
 TEST(EnvironmentClaimsTest, WhatIsNestedTooDeepIsRefused) {
   const std::string deep = std::string(1000, '[') + std::string(1000, ']');
   for (const std::string& json :

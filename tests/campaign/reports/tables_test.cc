@@ -111,7 +111,7 @@ TEST(TablesTest, ResultsReadBackAsTheyWere) {
   }
 }
 
-// Fuzzing found that such numbers were cast to counts.
+// Once such numbers were cast to counts, whatever their size.
 TEST(TablesTest, CountsThatAreNoneAreDamage) {
   const Campaign campaign = MakeCampaign();
   TrialResult result = MakeTrials(campaign)[1].result;

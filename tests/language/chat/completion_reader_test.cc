@@ -254,7 +254,7 @@ TEST(CompletionReaderTest, NeverQuotesTheKey) {
   }
 }
 
-// Fuzzing found that it took more stack than there is.
+// Once it took more stack than there is.
 TEST(CompletionReaderTest, RefusesListsInLists) {
   const Reading reading = Read(std::string(1000, '[') + std::string(1000, ']'));
   EXPECT_EQ(reading.end.status.code(), StatusCode::kDataLoss);

@@ -148,7 +148,7 @@ TEST(ErrorBodyTest, MessagesAreQuotedCutAndWithoutTheKey) {
   }
 }
 
-// Fuzzing found that each took more stack than there is.
+// Once each took more stack than there is.
 TEST(ErrorBodyTest, SurvivesListsInListsThatAreWhole) {
   const std::string deep = std::string(1000, '[') + std::string(1000, ']');
   for (const std::string& body : {deep, "{\"detail\":[{\"loc\":[" + deep + "],\"msg\":\"no\"}]}"}) {

@@ -192,7 +192,7 @@ TEST(NavigatorInputTest, AnUnknownPlaceOfTheSensorIsUnavailable) {
             StatusCode::kUnavailable);
 }
 
-// Fuzzing found that one would have gone through them row by row.
+// Once all of them were gone through.
 TEST(NavigatorInputTest, FourThousandMillionRowsOfNothingAreNoPoints) {
   sensor_msgs::PointCloud2 cloud = CloudOf({{1.0f, 0.0f, 0.0f, 0.0f}});
   cloud.width = cloud.row_step = 0;

@@ -86,7 +86,7 @@ TEST(GrammarTest, SaysWhatIsWrongAndInWhichLine) {
   }
 }
 
-// Fuzzing found both: neither would ever have ended.
+// Once neither would have ended.
 TEST(GrammarTest, NothingMayBeRepeatedAsOftenAsOneLikes) {
   const std::string grammar =
       "root ::= (((\"\"){100000}){100000}){100000} (\"\" | \"a\"){3} ((){90000}){90000,}";

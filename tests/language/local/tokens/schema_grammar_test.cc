@@ -116,7 +116,7 @@ TEST(SchemaGrammarTest, NamesThePlaceOfWhatItDoesNotRead) {
             std::string::npos);
 }
 
-// Fuzzing found that writing such a constant took more stack than there is.
+// Once writing such a constant took more stack than there is.
 TEST(SchemaGrammarTest, RefusesConstantsThatAreNestedTooDeep) {
   const std::string deep = std::string(1000, '[') + std::string(1000, ']');
   for (const std::string& schema : {"{\"const\":" + deep + "}", "{\"enum\":[" + deep + "]}",

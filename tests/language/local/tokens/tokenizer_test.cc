@@ -63,7 +63,7 @@ TEST_F(TokenizerTest, GivesBackEveryText) {
   }
 }
 
-// Fuzzing found that the last of no tokens counted as any.
+// Once the last of no tokens counted as any.
 TEST_F(TokenizerTest, RefusesAFileWithoutTokens) {
   tiny::GgufWriter writer(1, 0, {});
   writer.Entry("tokenizer.ggml.model", tiny::kString, tiny::Text("llama"));
