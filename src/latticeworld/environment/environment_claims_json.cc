@@ -12,7 +12,7 @@
 namespace latticeworld {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 // Reads the keys of one claim, noting what is missing, unknown or of the wrong type.
 class ClaimReader {
