@@ -1,4 +1,5 @@
-# Gives the target latticeworld_rosbag: rosbag_storage and topic_tools, and what their headers need.
+# Gives the target latticeworld_rosbag: rosbag_storage and topic_tools, and what their headers need,
+# which roslz4 and bz2 are part of.
 # Found by hand, for find_package(rosbag_storage) of Debian asks for ament and all that it needs.
 find_path(LATTICEWORLD_ROSBAG_DIR rosbag/bag.h HINTS ${catkin_INCLUDE_DIRS} REQUIRED)
 find_path(LATTICEWORLD_SHAPE_SHIFTER_DIR topic_tools/shape_shifter.h
@@ -18,8 +19,8 @@ endforeach()
 
 add_library(latticeworld_rosbag INTERFACE)
 target_include_directories(latticeworld_rosbag SYSTEM INTERFACE ${LATTICEWORLD_ROSBAG_INCLUDES})
-foreach(library rosbag_storage topic_tools class_loader console_bridge boost_filesystem roslib
-        tinyxml2)
+foreach(library rosbag_storage roslz4 bz2 topic_tools class_loader console_bridge boost_filesystem
+        roslib tinyxml2)
   find_library(LATTICEWORLD_LIB_${library} ${library} HINTS ${catkin_LIBRARY_DIRS} REQUIRED)
   target_link_libraries(latticeworld_rosbag INTERFACE ${LATTICEWORLD_LIB_${library}})
 endforeach()

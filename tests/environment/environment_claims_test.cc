@@ -227,5 +227,17 @@ TEST(EnvironmentClaimsTest, PointersIntoAnArrayBeginWithTheIndex) {
   EXPECT_EQ(claims.status().violations()[1].pointer, "/2");
 }
 
+// Once telling what was given took more stack than there is.
+TEST(EnvironmentClaimsTest, WhatIsNestedTooDeepIsRefused) {
+  const std::string deep = std::string(1000, '[') + std::string(1000, ']');
+  for (const std::string& json :
+       {deep, R"([{"kind": "no_agents", "category": )" + deep + "}]",
+        R"([{"kind": "no_agents", "category": "", "x": )" + deep + "}]"}) {
+    const auto claims = ParseEnvironmentClaims(json);
+    ASSERT_FALSE(claims.ok());
+    EXPECT_EQ(claims.status().violations().front().code, "too_deep");
+  }
+}
+
 }  // namespace
 }  // namespace latticeworld

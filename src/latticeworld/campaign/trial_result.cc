@@ -8,11 +8,13 @@
 
 #include "latticeworld/campaign/reports/metric_fields.h"
 #include "latticeworld/common/files.h"
+#include "latticeworld/common/text.h"
+#include "latticeworld/generation/json_fields.h"
 
 namespace latticeworld {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json_fields::Json;
 
 constexpr std::size_t kMaxResultBytes = 64u << 20;
 constexpr double kTrackStep_m = 0.25;
@@ -38,6 +40,22 @@ std::vector<Eigen::Vector2d> DecodePoints(const Json& list) {
 Json EncodeNumber(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 double DecodeNumber(const Json& value) {
   return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
+}
+
+// The numbers of a struct by their names. Throws where one is none that the field can have.
+template <typename Struct, std::size_t kCount>
+void DecodeFields(const Json& json, const NumberField<Struct> (&fields)[kCount], Struct* to) {
+  for (const NumberField<Struct>& field : fields) {
+    const double value = DecodeNumber(json.at(field.name));
+    field.set(to, value);
+    if (field.get(*to) == value) continue;
+    throw json_fields::FieldError(std::string(field.name) + " is " + FormatDouble(value) +
+                                  ", which it cannot be");
+  }
+}
+
+int DecodeCount(const Json& json, const char* key) {
+  return static_cast<int>(json_fields::Integer(json, key, 0, std::numeric_limits<int>::max()));
 }
 
 }  // namespace
@@ -103,8 +121,8 @@ std::string EncodeTrialResult(const TrialResult& result) {
 Result<TrialResult> DecodeTrialResult(std::string_view content) {
   TrialResult result;
   try {
-    const Json json = Json::parse(content);
-    if (json.at("format").get<int>() != kFormat) return DataLoss("is of another format");
+    const Json json = json_fields::Parse(content);
+    if (json.at("format") != kFormat) return DataLoss("is of another format");
     result.id = json.at("id").get<std::string>();
     result.error = json.at("error").get<std::string>();
     if (!result.error.empty()) return result;
@@ -112,17 +130,15 @@ Result<TrialResult> DecodeTrialResult(std::string_view content) {
     result.ended_by = json.at("ended_by").get<std::string>();
     result.why = json.at("why").get<std::string>();
     result.time_limit_s = json.at("time_limit_s").get<double>();
-    for (const DifficultyField& field : kDifficultyFields)
-      field.set(&result.difficulty, DecodeNumber(json.at("difficulty").at(field.name)));
-    for (const MetricField& field : kMetricFields)
-      field.set(&result.metrics, DecodeNumber(json.at("metrics").at(field.name)));
+    DecodeFields(json.at("difficulty"), kDifficultyFields, &result.difficulty);
+    DecodeFields(json.at("metrics"), kMetricFields, &result.metrics);
     const Json& interventions = json.at("interventions");
-    result.interventions.pursuits = interventions.at("pursuits").get<int>();
-    result.interventions.attacks = interventions.at("attacks").get<int>();
-    result.interventions.hits = interventions.at("hits").get<int>();
+    result.interventions.pursuits = DecodeCount(interventions, "pursuits");
+    result.interventions.attacks = DecodeCount(interventions, "attacks");
+    result.interventions.hits = DecodeCount(interventions, "hits");
     result.shortest_m = DecodePoints(json.at("shortest_m"));
     result.driven_m = DecodePoints(json.at("driven_m"));
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const std::exception& error) {  // FieldError and nlohmann's
     return DataLoss(std::string("is no result of a trial: ") + error.what());
   }
   return result;

@@ -5,15 +5,14 @@
 #include <set>
 #include <utility>
 
+#include "latticeworld/common/strict_json.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/environment/ranges.h"
 
 namespace latticeworld {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kMaxJsonBytes = 1 << 20;
+using Json = nlohmann::json;
 
 // Reads the keys of one claim, noting what is missing, unknown or of the wrong type.
 class ClaimReader {
@@ -209,14 +208,15 @@ class ClaimReader {
 };
 
 Result<Json> ParseText(std::string_view text) {
-  LW_RETURN_IF_ERROR(ValidateText("claims JSON", text, kMaxJsonBytes));
-  try {
-    return Json::parse(text.begin(), text.end());
-  } catch (const Json::exception& exception) {
-    return Status(StatusCode::kInvalidArgument,
-                  "claim is not JSON: " + Quote(exception.what(), 300),
-                  {{"parse_error", "", Quote(exception.what(), 300), Quote(text)}});
+  JsonLimits limits;  // an array of objects whose values may be arrays
+  limits.max_depth = 4;
+  Json json;
+  std::vector<Violation> violations;
+  const bool parsed = ParseStrictly(text, "", limits, &json, &violations);
+  if (!violations.empty() || !parsed) {
+    return Status::FromViolations("claims", std::move(violations));
   }
+  return json;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "latticeworld/episode/replay_plan.h"
 #include "latticeworld_ros/conversion/journal_conversion.h"
+#include "latticeworld_ros/episode/bag_check.h"
 #include "latticeworld_ros/episode/episode_record_builder.h"
 #include "latticeworld_ros/episode/episode_recording.h"
 #include "latticeworld_ros/episode/lz4_frame.h"
@@ -73,6 +74,10 @@ Result<std::unique_ptr<rosbag::Bag>> OpenBag(const fs::path& path) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return NotFound("there is no file " + path.string());
   try {
+    // rosbag itself crashes on some damaged bags.
+    if (const Status checked = CheckBag(path); !checked.ok()) {
+      return Unreadable(path.string(), checked.message().c_str());
+    }
     auto bag = std::make_unique<rosbag::Bag>();
     bag->open(path.string(), rosbag::bagmode::Read);
     return bag;

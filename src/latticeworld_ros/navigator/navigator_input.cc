@@ -92,6 +92,7 @@ struct CloudLayout {
 
   template <typename Visit>
   void ForEach(const sensor_msgs::PointCloud2& cloud, const Visit& visit) const {
+    if (cloud.width == 0) return;  // however many rows: there may be four thousand million
     for (std::size_t row = 0; row < cloud.height; ++row) {
       const std::uint8_t* point = cloud.data.data() + row * cloud.row_step;
       for (std::size_t col = 0; col < cloud.width; ++col, point += cloud.point_step) visit(point);

@@ -111,5 +111,25 @@ TEST(TablesTest, ResultsReadBackAsTheyWere) {
   }
 }
 
+// Once such numbers were cast to counts, whatever their size.
+TEST(TablesTest, CountsThatAreNoneAreDamage) {
+  const Campaign campaign = MakeCampaign();
+  TrialResult result = MakeTrials(campaign)[1].result;
+  result.difficulty.agents = 12321;
+  result.interventions.hits = 12322;
+  const std::string text = EncodeTrialResult(result);
+  ASSERT_TRUE(DecodeTrialResult(text).ok());
+  for (const char* count : {"12321", "12322"}) {
+    for (const char* number : {"null", "1e300", "-1e300", "2.5", "4294967296", "\"1\""}) {
+      std::string damaged = text;
+      const std::size_t at = damaged.find(count);
+      ASSERT_NE(at, std::string::npos) << count;
+      const std::size_t end = damaged.find_first_of(",}", at);
+      damaged.replace(at, end - at, number);
+      EXPECT_EQ(DecodeTrialResult(damaged).status().code(), StatusCode::kDataLoss) << damaged;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace latticeworld

@@ -40,5 +40,19 @@ TEST(DatasetPartTest, NothingTruncatedOrChangedCounts) {
   EXPECT_EQ(DecodePart("[]\n", "it").status().code(), StatusCode::kDataLoss);
 }
 
+TEST(DatasetPartTest, CountsAreWholeNumbers) {
+  for (const char* counts : {"-1", "1e300", "2.5", "\"2\"", "null", "[]"}) {
+    std::string bytes = EncodePart(SomePart());
+    const std::size_t relief = bytes.find("\"relief\":1");
+    ASSERT_NE(relief, std::string::npos);
+    bytes.replace(relief, 10, std::string("\"relief\":") + counts);
+    EXPECT_EQ(DecodePart(bytes, "it").status().code(), StatusCode::kDataLoss) << counts;
+    bytes = EncodePart(SomePart());
+    const std::size_t sizes = bytes.find("\"sizes\":[") + 9;
+    bytes.replace(sizes, bytes.find(',', sizes) - sizes, counts);
+    EXPECT_EQ(DecodePart(bytes, "it").status().code(), StatusCode::kDataLoss) << counts;
+  }
+}
+
 }  // namespace
 }  // namespace latticeworld

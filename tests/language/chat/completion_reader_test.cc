@@ -254,5 +254,11 @@ TEST(CompletionReaderTest, NeverQuotesTheKey) {
   }
 }
 
+// Once it took more stack than there is.
+TEST(CompletionReaderTest, RefusesListsInLists) {
+  const Reading reading = Read(std::string(1000, '[') + std::string(1000, ']'));
+  EXPECT_EQ(reading.end.status.code(), StatusCode::kDataLoss);
+}
+
 }  // namespace
 }  // namespace latticeworld

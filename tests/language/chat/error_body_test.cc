@@ -148,5 +148,14 @@ TEST(ErrorBodyTest, MessagesAreQuotedCutAndWithoutTheKey) {
   }
 }
 
+// Once each took more stack than there is.
+TEST(ErrorBodyTest, SurvivesListsInListsThatAreWhole) {
+  const std::string deep = std::string(1000, '[') + std::string(1000, ']');
+  for (const std::string& body : {deep, "{\"detail\":[{\"loc\":[" + deep + "],\"msg\":\"no\"}]}"}) {
+    const Failure failure = FailureOf(400, ParseErrorBody(body), ApiKey());
+    EXPECT_EQ(failure.status.code(), StatusCode::kInvalidArgument);
+  }
+}
+
 }  // namespace
 }  // namespace latticeworld

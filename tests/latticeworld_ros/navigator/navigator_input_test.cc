@@ -192,5 +192,15 @@ TEST(NavigatorInputTest, AnUnknownPlaceOfTheSensorIsUnavailable) {
             StatusCode::kUnavailable);
 }
 
+// Once all of them were gone through.
+TEST(NavigatorInputTest, FourThousandMillionRowsOfNothingAreNoPoints) {
+  sensor_msgs::PointCloud2 cloud = CloudOf({{1.0f, 0.0f, 0.0f, 0.0f}});
+  cloud.width = cloud.row_step = 0;
+  cloud.height = 0xffffffffu;
+  const auto sighting = ToSighting(cloud, 10.0, Standing());
+  ASSERT_TRUE(sighting.ok()) << sighting.status().ToString();
+  EXPECT_TRUE(sighting->hits_m.empty());
+}
+
 }  // namespace
 }  // namespace latticeworld

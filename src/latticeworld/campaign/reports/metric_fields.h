@@ -1,6 +1,8 @@
 #ifndef LATTICEWORLD_CAMPAIGN_REPORTS_METRIC_FIELDS_H_
 #define LATTICEWORLD_CAMPAIGN_REPORTS_METRIC_FIELDS_H_
 
+#include <algorithm>
+#include <limits>
 #include <type_traits>
 
 #include "latticeworld/navigation/tasks.h"
@@ -19,11 +21,16 @@ struct NumberField {
 using MetricField = NumberField<TrialMetrics>;
 using DifficultyField = NumberField<TaskDifficulty>;
 
+// set: a whole number takes the nearest that it can be.
 template <auto Member, typename Struct>
 constexpr NumberField<Struct> FieldOf(const char* name, const char* meaning) {
   return {name, [](const Struct& from) { return static_cast<double>(from.*Member); },
           [](Struct* to, double value) {
             using Value = std::decay_t<decltype(to->*Member)>;
+            using Limits = std::numeric_limits<Value>;
+            if constexpr (std::is_integral_v<Value>) {
+              value = std::clamp<double>(value, Limits::lowest(), Limits::max());
+            }
             to->*Member = static_cast<Value>(value);
           },
           meaning};

@@ -28,6 +28,15 @@ void ForEachSection(Part* part, const Visit& visit) {
 
 }  // namespace
 
+DatasetTallies ReadTallies(const Json& json) {
+  DatasetTallies tallies;
+  // Not converted as a whole: that casts numbers with a point too, however large they are.
+  for (const auto& [key, count] : json.get_ref<const Json::object_t&>()) {
+    tallies[key] = count.get_ref<const Json::number_unsigned_t&>();
+  }
+  return tallies;
+}
+
 std::string EncodePart(const DatasetPart& part) {
   std::string body;
   Json sizes = Json::array();
@@ -50,16 +59,19 @@ Result<DatasetPart> DecodePart(std::string_view bytes, std::string_view what) {
   DatasetPart part;
   try {
     const Json header = Json::parse(bytes.substr(0, end));
-    const auto sizes = header.at("sizes").get<std::vector<std::size_t>>();
+    const Json& sizes = header.at("sizes");
     if (sizes.size() != kDatasetTasks * kDatasetSplits + 1) return Damaged(what);
+    for (const Json& size : sizes) {
+      if (!size.is_number_unsigned()) return Damaged(what);
+    }
     if (header.at("sha256").get<std::string>() != Sha256Hex(body)) return Damaged(what);
     std::size_t next = 0;
     ForEachSection(&part, [&](std::string* section) {
-      *section = std::string(body.substr(0, sizes[next++]));
+      *section = std::string(body.substr(0, sizes[next++].get<std::size_t>()));
       body.remove_prefix(section->size());
     });
     if (!body.empty()) return Damaged(what);
-    part.tallies = header.at("tallies").get<DatasetTallies>();
+    part.tallies = ReadTallies(header.at("tallies"));
     for (const Json& failed : header.at("failed"))
       part.failed.push_back({failed.at(0), failed.at(1), failed.at(2)});
   } catch (const Json::exception&) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,9 @@ struct FailedInstance {
 //   bytes/<task> (of all instructions), length/<task>/<0000, 0100, ...> (how many so long [bytes])
 //   season/<name>, weather/<name>, time_of_day/<name>, style/<name>, species/<name> (agents)
 using DatasetTallies = std::map<std::string, std::uint64_t>;
+// Those that stand in a JSON object; throws nlohmann::json::exception where it is none of whole
+// numbers.
+DatasetTallies ReadTallies(const nlohmann::json& json);
 
 // The records of some groups that follow each other, with what is to be counted of them.
 struct DatasetPart {

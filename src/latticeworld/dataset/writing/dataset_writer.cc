@@ -152,7 +152,7 @@ Result<DatasetSummary> ReadSummary(const fs::path& manifest) {
   LW_ASSIGN_OR_RETURN(const std::string text, ReadFile(manifest, std::size_t{1} << 30));
   try {
     const auto json = nlohmann::json::parse(text);
-    return SummaryOf(json.at("counts").get<DatasetTallies>(), json.at("failed").size());
+    return SummaryOf(ReadTallies(json.at("counts")), json.at("failed").size());
   } catch (const nlohmann::json::exception&) {
     return DataLoss(manifest.string() + " is damaged");
   }

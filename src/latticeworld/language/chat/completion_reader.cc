@@ -65,8 +65,9 @@ bool HasParts(const Json& message) {
 }
 
 bool IsError(const Json& json) {
-  if (json.is_array()) return !json.empty() && IsError(json.front());
-  return Member(json, "error") != nullptr || TextMember(json, "object") == "error";
+  const Json* value = &json;
+  while (value->is_array() && !value->empty()) value = &value->front();
+  return Member(*value, "error") != nullptr || TextMember(*value, "object") == "error";
 }
 
 // Whether a text is the beginning of JSON and no more, unlike one that no more text would mend.

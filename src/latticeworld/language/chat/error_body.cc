@@ -39,6 +39,8 @@ ErrorBody FromDetail(const Json& detail) {
   std::string where;
   if (const auto loc = detail.find("loc"); loc != detail.end() && loc->is_array()) {
     for (const Json& step : *loc) {
+      // A place is told by names and numbers; what is built of more is nobody's, and may be deep.
+      if (step.is_structured()) continue;
       body.param = step.is_string() ? step.get<std::string>() : step.dump();
       where += (where.empty() ? "" : ".") + body.param;
     }
@@ -95,10 +97,11 @@ ErrorBody FromJson(const Json& json, int depth) {
 }
 
 bool IsKnownShape(const Json& json) {
-  if (json.is_array()) return !json.empty() && IsKnownShape(json.front());
-  if (!json.is_object()) return json.is_string();
+  const Json* value = &json;
+  while (value->is_array() && !value->empty()) value = &value->front();
+  if (!value->is_object()) return value->is_string();
   for (const char* name : {"error", "detail", "message", "type", "code"}) {
-    if (json.contains(name)) return true;
+    if (value->contains(name)) return true;
   }
   return false;
 }

@@ -86,5 +86,26 @@ TEST(GrammarTest, SaysWhatIsWrongAndInWhichLine) {
   }
 }
 
+// Once neither would have ended.
+TEST(GrammarTest, NothingMayBeRepeatedAsOftenAsOneLikes) {
+  const std::string grammar =
+      "root ::= (((\"\"){100000}){100000}){100000} (\"\" | \"a\"){3} ((){90000}){90000,}";
+  EXPECT_TRUE(Matches(grammar, ""));
+  EXPECT_TRUE(Matches(grammar, "aaa"));
+  EXPECT_FALSE(Matches(grammar, "aaaa"));
+}
+
+TEST(GrammarTest, RulesThatCallThemselvesFirstTakeNoTimeOverEachByte) {
+  const auto grammar = Grammar::FromGbnf("root ::= root root | root \"a\"* | \"a\"*");
+  ASSERT_TRUE(grammar.ok());
+  GrammarMatcher matcher(*grammar);
+  GrammarMatcher::State state = matcher.Begin();
+  for (int i = 0; i < 20; ++i) {
+    state = matcher.After(state, 'a');
+    EXPECT_LE(state.size(), 1u << 14);
+  }
+  EXPECT_TRUE(matcher.Accepts(state));
+}
+
 }  // namespace
 }  // namespace latticeworld

@@ -116,5 +116,17 @@ TEST(SchemaGrammarTest, NamesThePlaceOfWhatItDoesNotRead) {
             std::string::npos);
 }
 
+// Once writing such a constant took more stack than there is.
+TEST(SchemaGrammarTest, RefusesConstantsThatAreNestedTooDeep) {
+  const std::string deep = std::string(1000, '[') + std::string(1000, ']');
+  for (const std::string& schema : {"{\"const\":" + deep + "}", "{\"enum\":[" + deep + "]}",
+                                    "{\"type\":\"object\",\"properties\":" + deep + "}"}) {
+    const auto gbnf = SchemaGrammar(schema);
+    ASSERT_FALSE(gbnf.ok());
+    EXPECT_NE(gbnf.status().message().find("too deep"), std::string::npos);
+  }
+  EXPECT_TRUE(SchemaGrammar(R"({"const": [[[[{"a": [1]}]]]]})").ok());
+}
+
 }  // namespace
 }  // namespace latticeworld

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "language/local/tiny_gguf.h"
 #include "language/local/tiny_model.h"
 #include "latticeworld/common/random.h"
 #include "latticeworld/language/local/weights/gguf_file.h"
@@ -60,6 +61,22 @@ TEST_F(TokenizerTest, GivesBackEveryText) {
     for (const std::string& piece : Pieces(text)) back += piece;
     EXPECT_EQ(back, text);
   }
+}
+
+// Once the last of no tokens counted as any.
+TEST_F(TokenizerTest, RefusesAFileWithoutTokens) {
+  tiny::GgufWriter writer(1, 0, {});
+  writer.Entry("tokenizer.ggml.model", tiny::kString, tiny::Text("llama"));
+  const std::string none = tiny::Raw<std::uint64_t>(0);
+  writer.Entry("tokenizer.ggml.tokens", tiny::kArray,
+               tiny::Raw<std::uint32_t>(tiny::kString) + none);
+  for (const char* key : {"tokenizer.ggml.scores", "tokenizer.ggml.token_type"})
+    writer.Entry(key, tiny::kArray, tiny::Raw<std::uint32_t>(tiny::kFloat32) + none);
+  writer.Number("tokenizer.ggml.eos_token_id", 7);
+  const ModelFile file(writer.File());
+  const auto opened = GgufFile::Open(file.path());
+  ASSERT_TRUE(opened.ok()) << opened.status().ToString();
+  EXPECT_EQ(Tokenizer::Read(*opened).status().code(), StatusCode::kDataLoss);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace latticeworld {
 namespace {
@@ -22,9 +23,9 @@ std::uint32_t GrammarMatcher::Push(Grammar::NodeId node, std::uint32_t below) {
   return found->second;
 }
 
-void GrammarMatcher::Reach(Thread thread, State* state) {
-  std::vector<Thread> open = {thread};
-  std::set<Thread> seen = {thread};
+GrammarMatcher::State GrammarMatcher::Reach(std::vector<Thread> open) {
+  State state;
+  std::set<Thread> seen(open.begin(), open.end());
   const auto visit = [&](Thread next) {
     if (seen.size() < kMostReached && seen.insert(next).second) open.push_back(next);
   };
@@ -34,7 +35,7 @@ void GrammarMatcher::Reach(Thread thread, State* state) {
     const Node& node = grammar_.nodes()[at.node];
     switch (node.kind) {
       case Node::Kind::kBytes:
-        state->push_back(at);
+        state.push_back(at);
         break;
       case Node::Kind::kSplit:
         visit({node.next, at.stack});
@@ -45,32 +46,30 @@ void GrammarMatcher::Reach(Thread thread, State* state) {
         break;
       case Node::Kind::kReturn:
         if (at.stack == 0) {
-          state->push_back(at);
+          state.push_back(at);
         } else {
           visit({stacks_[at.stack].node, stacks_[at.stack].below});
         }
         break;
     }
   }
-}
-
-GrammarMatcher::State GrammarMatcher::Begin() {
-  State state;
-  Reach({grammar_.root(), 0}, &state);
   std::sort(state.begin(), state.end());
   return state;
 }
 
+GrammarMatcher::State GrammarMatcher::Begin() { return Reach({{grammar_.root(), 0}}); }
+
 GrammarMatcher::State GrammarMatcher::After(const State& state, unsigned char byte) {
-  State next;
+  // All at once, so that the limit holds for the byte and not for each way of having read it.
+  std::vector<Thread> next;
   for (const Thread& thread : state) {
     const Node& node = grammar_.nodes()[thread.node];
     if (node.kind == Node::Kind::kBytes && grammar_.bytes(node.bytes)[byte])
-      Reach({node.next, thread.stack}, &next);
+      next.push_back({node.next, thread.stack});
   }
   std::sort(next.begin(), next.end());
   next.erase(std::unique(next.begin(), next.end()), next.end());
-  return next;
+  return Reach(std::move(next));
 }
 
 bool GrammarMatcher::Accepts(const State& state) const {

@@ -82,8 +82,8 @@ class GrammarMatcher {
       return node < other.node || (node == other.node && below < other.below);
     }
   };
-  // Adds all that wait for a byte from there on.
-  void Reach(Thread thread, State* state);
+  // All that wait for a byte from there on.
+  State Reach(std::vector<Thread> open);
   std::uint32_t Push(Grammar::NodeId node, std::uint32_t below);
 
   const Grammar& grammar_;

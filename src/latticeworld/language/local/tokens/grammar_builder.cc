@@ -99,7 +99,12 @@ class GrammarBuilder {
     }
     for (int i = repeat.least; i < repeat.most && status_.ok(); ++i)
       begin = Add({Kind::kSplit, 0, Make(part, begin), next});
-    for (int i = 0; i < repeat.least && status_.ok(); ++i) begin = Make(part, begin);
+    for (int i = 0; i < repeat.least && status_.ok(); ++i) {
+      const NodeId made = Make(part, begin);
+      // Nothing, however often, is nothing: repeats of it within each other would take for ever.
+      if (made == begin) break;
+      begin = made;
+    }
     return begin;
   }
 

@@ -197,7 +197,15 @@ class Writer {
 }  // namespace
 
 Result<std::string> SchemaGrammar(std::string_view json_schema) {
-  const Json schema = Json::parse(json_schema, nullptr, false);
+  // Values are written and copied by recursion, so that depth costs stack. A schema within another
+  // one takes two levels, and so much a constant may have.
+  bool too_deep = false;
+  const auto is_kept = [&too_deep](int depth, Json::parse_event_t, const Json&) {
+    too_deep = too_deep || depth > 2 * kMostDepth;
+    return !too_deep;
+  };
+  const Json schema = Json::parse(json_schema, is_kept, false);
+  if (too_deep) return InvalidArgument("the schema is nested too deep");
   if (schema.is_discarded()) return InvalidArgument("the schema is no JSON");
   return Writer().Write(schema);
 }

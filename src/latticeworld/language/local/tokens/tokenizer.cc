@@ -161,6 +161,7 @@ Status Tokenizer::ReadBytePairs(const GgufFile& file) {
 }
 
 Status Tokenizer::ReadEnds(const GgufFile& file) {
+  if (bytes_.empty()) return DataLoss("the list of tokens is empty");
   const std::uint64_t last = bytes_.size() - 1;
   LW_ASSIGN_OR_RETURN(const std::uint64_t end,
                       file.Integer("tokenizer.ggml.eos_token_id", 0, last));

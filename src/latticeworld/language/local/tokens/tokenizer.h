@@ -22,8 +22,8 @@ class GgufFile;
 // "smollm").
 class Tokenizer {
  public:
-  // Errors: DATA_LOSS: another kind of tokenizer or pre-tokenizer, lists of different lengths, no
-  // token for the end; those of BytePairs::Make.
+  // Errors: DATA_LOSS: another kind of tokenizer or pre-tokenizer, lists of different lengths,
+  // no tokens, no token for the end; those of BytePairs::Make.
   static Result<Tokenizer> Read(const GgufFile& file);
 
   std::size_t size() const { return bytes_.size(); }

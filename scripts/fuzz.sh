@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Fuzzes what reads from outside (tests/fuzz) with libFuzzer, AddressSanitizer and
+# UndefinedBehaviorSanitizer, and prints for each target how often it ran and how many edges of the
+# program it reached. Installs clang where it is missing (Debian).
+# Usage: scripts/fuzz.sh [TARGET|all] [SECONDS]     each target for so long (10)
+#        scripts/fuzz.sh --minimise TARGET          puts what was found into the target's corpus, as
+#                                                   few and small inputs as reach the same edges
+# LATTICEWORLD_FUZZ_BUILD_DIR names another build folder than build-fuzz. Inputs that reached new
+# edges are kept there below found/, those that ended a target below findings/: the exit status is
+# 1 then. A finding is run again by giving its file to build-fuzz/tests/fuzz/fuzz_TARGET.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${LATTICEWORLD_FUZZ_BUILD_DIR:-$root/build-fuzz}
+minimise=false
+[ "${1:-}" = --minimise ] && { minimise=true; shift; }
+target=${1:-all}
+seconds=${2:-10}
+export UBSAN_OPTIONS=print_stacktrace=1${UBSAN_OPTIONS:+:$UBSAN_OPTIONS}
+
+if ! command -v clang++ >/dev/null || ! ls "$(clang++ -print-resource-dir)"/lib/linux/libclang_rt.fuzzer-*.a >/dev/null 2>&1; then
+  as_root=$([ "$(id -u)" = 0 ] || echo sudo)
+  $as_root apt-get install -y --no-install-recommends clang
+fi
+
+[ -f "$build/build.ninja" ] ||
+  cmake -G Ninja -S "$root" -B "$build" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+    -DCMAKE_BUILD_TYPE=Fuzz -DCMAKE_C_FLAGS_FUZZ=-O1 -DCMAKE_CXX_FLAGS_FUZZ=-O1 \
+    -DLATTICEWORLD_FUZZ=ON -DLATTICEWORLD_BUILD_PAGE=OFF >/dev/null
+if [ "$target" = all ]; then
+  ninja -C "$build" fuzz_targets
+  mapfile -t targets < <(cd "$root/tests/fuzz" && ls ./*_fuzz.cc | sed 's|^\./||; s|_fuzz\.cc$||')
+else
+  ninja -C "$build" "fuzz_$target"
+  targets=("$target")
+fi
+
+# Runs a target in its own folder of findings; arguments: its name, then those of libFuzzer.
+run() {
+  local name=$1
+  shift
+  mkdir -p "$build/findings/$name" "$build/found/$name"
+  "$build/tests/fuzz/fuzz_$name" -timeout=20 -rss_limit_mb=4096 \
+    -artifact_prefix="$build/findings/$name/" "$@" >"$build/findings/$name/log" 2>&1
+}
+
+if $minimise; then
+  for name in "${targets[@]}"; do
+    corpus=$root/tests/fuzz/corpus/$name
+    smaller=$(mktemp -d)
+    run "$name" -merge=1 -max_len=8192 "$smaller" "$corpus" "$build/found/$name"
+    # What has a name of its own stays: it is a seed, or was a finding.
+    find "$corpus" -type f -regextype posix-extended -regex '.*/[0-9a-f]{40}' -delete
+    for input in "$smaller"/*; do
+      cmp -s "$input" "$corpus"/* 2>/dev/null || mv -n "$input" "$corpus/"
+    done
+    rm -rf "$smaller"
+    echo "$name: $(find "$corpus" -type f | wc -l) inputs, $(du -sb "$corpus" | cut -f1) bytes"
+  done
+  exit 0
+fi
+
+failed=0
+printf '%-20s %12s %10s %10s\n' target executions edges of
+for name in "${targets[@]}"; do
+  [ -x "$build/tests/fuzz/fuzz_$name" ] || continue  # those of ROS, in a build without it
+  ends="whole"
+  run "$name" -max_total_time="$seconds" -print_final_stats=1 -max_len=65536 \
+    "$build/found/$name" "$root/tests/fuzz/corpus/$name" || { ends="FINDING"; failed=1; }
+  log=$build/findings/$name/log
+  printf '%-20s %12s %10s %10s%s\n' "$name" \
+    "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | tail -1)" \
+    "$(grep -o 'cov: [0-9]*' "$log" | tail -1 | cut -d' ' -f2)" \
+    "$(sed -n 's/.*Loaded .* modules\{0,1\} .*(\([0-9]*\) inline 8-bit counters).*/\1/p' "$log" | head -1)" \
+    "$([ "$ends" = whole ] || echo "  a finding: $log")"
+done
+exit $failed
