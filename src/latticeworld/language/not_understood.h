@@ -16,7 +16,7 @@ class NotUnderstood {
   // Bytes [begin, end) of the instruction; words without a Close between them are quoted together.
   void Add(std::size_t begin, std::size_t end);
   void Close();
-  // At most kMaxWarnings of them, then one that counts the others.
+  // Appends at most kMaxWarnings warnings, then one that counts the others.
   void AppendTo(std::vector<std::string>* warnings);
 
   static constexpr std::size_t kMaxWarnings = 20;

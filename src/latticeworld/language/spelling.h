@@ -45,7 +45,7 @@ class SpellingDictionary {
     std::size_t index;      // into words_
     std::uint32_t letters;  // which it holds, a bit each
   };
-  // By first letter and length.
+  // The words by their first letter and length.
   std::unordered_map<std::size_t, std::vector<Entry>> by_start_;
 };
 

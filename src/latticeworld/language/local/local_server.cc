@@ -32,7 +32,7 @@ double SecondsSince(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// Where in an answer something was: " after '...'".
+// Says after which words of an answer something was: " after '...'".
 std::string After(const std::string& text) {
   return " after '" + text.substr(text.size() - std::min<std::size_t>(text.size(), 40)) + "'";
 }

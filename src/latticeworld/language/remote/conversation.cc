@@ -12,7 +12,7 @@
 namespace latticeworld {
 namespace {
 
-// Of an answer that goes back to the model; a whole environment has about 3000.
+// At most this much of an answer goes back to the model; a whole environment has about 3000 bytes.
 constexpr std::size_t kMostAnswerBytesSaid = 12000;
 // A known failing of models in a JSON grammar: blanks without end.
 constexpr std::size_t kMostTrailingBlanks = 1000;
@@ -37,7 +37,7 @@ std::string AnswerSaid(std::string_view answer) {
   const std::string text = WithoutThinking(answer);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) return "(no answer)";
   if (text.size() <= kMostAnswerBytesSaid) return text;
-  // Before a character and not within one.
+  // The cut is before a character and not within one.
   std::size_t end = kMostAnswerBytesSaid;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
   return text.substr(0, end) + " [...]";

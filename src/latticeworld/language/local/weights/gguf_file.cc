@@ -78,7 +78,7 @@ Entry ReadEntry(GgufReader* reader) {
 }  // namespace
 
 Result<GgufFile> GgufFile::Open(const std::string& path) {
-  // Not to wait for a writer where the path names a pipe.
+  // O_NONBLOCK keeps this from waiting for a writer if the path names a pipe.
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) return Unopened(path);
   struct stat about {};

@@ -52,7 +52,7 @@ constexpr std::string_view kFollowers[] = {
     "lies",   "placed", "arranged",  "line",     "lines",  "from",   "to",        "surrounding",
     "inside", "within", "surrounds", "surround", "face",   "faces",  "alongside", "which"};
 
-// That may follow "the trees" where more is said of them.
+// These verbs may follow "the trees" where a text says more about them.
 constexpr std::string_view kVerbs[] = {"is",   "are",   "stand",    "stands",    "lie",  "lies",
                                        "face", "faces", "surround", "surrounds", "form", "forms"};
 
@@ -220,7 +220,8 @@ class Taker {
     const bool grows = kind->source == ThingSource::kAsset || kind->name == "boulder" ||
                        (kind->words.size() > 1 && kind->words[1] == kind->name + " tree");
     const bool arranged = wish.arrangement != ThingArrangement::kNone && counted;
-    // Before what it stands by, which a thing of land is only together with.
+    // The number of things is kept before the thing that this one stands by is added: a thing of
+    // land counts only together with that one.
     const std::size_t things = things_.size();
     if (things >= static_cast<std::size_t>(kMostThingWishes)) return false;
     std::vector<std::pair<std::size_t, std::size_t>> parts = {{begin, end}};
