@@ -130,7 +130,7 @@ class RigLidar final : public RigSensor {
     double angle_rad_ = 0.0, sine_ = 1.0;
   };
 
-  // From the step before to this one, evenly.
+  // The base moves evenly from its pose at the step before to that of this step.
   struct Motion {
     Turning turning;  // map_from_base
     Eigen::Vector3d from_m, to_m;

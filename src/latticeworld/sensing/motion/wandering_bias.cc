@@ -25,7 +25,7 @@ WanderingBias::WanderingBias(std::uint64_t key, const Eigen::Vector3d& stddev, d
 
 Eigen::Vector3d WanderingBias::At(std::uint64_t k) {
   if (stddev_.isZero(0.0)) return Eigen::Vector3d::Zero();
-  // From the beginning, or from so far back that it no longer matters.
+  // The walk starts at the beginning, or so far back that what was before no longer matters.
   if (!begun_ || k < k_ || k - k_ > memory_) {
     k_ = k > memory_ ? k - memory_ : 0;
     unit_ = NormalsAt(key_, k_);
