@@ -167,7 +167,7 @@ void CameraStrip::LookAtWater(std::size_t i) {
 }
 
 void CameraStrip::CastShadows() {
-  // Under thick clouds.
+  // Under thick clouds nothing casts a shadow.
   if (Brightness(view_.sky.sunlight()) <
       kFaint * Brightness(view_.sky.Ambient(Vector3f::UnitZ()))) {
     return;
