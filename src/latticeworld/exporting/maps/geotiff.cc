@@ -41,7 +41,7 @@ class TiffFile {
   Status Create(int cols, int rows, GDALDataType type) {
     const GDALDriverH driver = GDALGetDriverByName("GTiff");
     if (driver == nullptr) return Internal("this GDAL has no GeoTIFF driver");
-    // Without a predictor, which would save a third: Whitebox Workflows 2.0 passes over it.
+    // There is no predictor, though one would save a third: Whitebox Workflows 2.0 ignores it.
     char** options = CSLSetNameValue(nullptr, "COMPRESS", "DEFLATE");
     options = CSLSetNameValue(options, "NUM_THREADS", "1");
     dataset_ = GDALCreate(driver, name_.c_str(), cols, rows, 1, type, options);
