@@ -30,7 +30,7 @@ std::string NameOfColour(std::uint32_t key) {
   return text;
 }
 
-// Where a colour that the legend does not have was met.
+// Counts the pixels of a colour that the legend does not have, and where it was met first.
 struct Foreign {
   CellIndex first;
   std::size_t pixels = 0;
