@@ -8,7 +8,7 @@
 namespace latticeworld {
 namespace {
 
-// Of agents that do what Simulator::Command says.
+// The policy of agents that do what Simulator::Command says.
 constexpr char kExternalPolicy[] = "external";
 
 const JointSnapshot* FindJoint(const AgentSnapshot& agent, const std::string& name) {

@@ -19,8 +19,8 @@ std::string TextOf(WorldPoint place);
 // see Simulator::Spawn.
 Result<WorldPoint> PlaceFor(const SpawnRequest& request, const Species& species,
                             const RunningWorld& world, RandomStream* random);
-// Where an agent that died can come back: at its start, or near it, drawn from its own random
-// stream. None: something is in the way everywhere that was tried.
+// Returns where an agent that died can come back: at its start, or near it, drawn from its own
+// random stream. None: something is in the way everywhere that was tried.
 std::optional<WorldPoint> PlaceToRespawn(const RunningWorld& world, Agent* agent);
 
 }  // namespace latticeworld
