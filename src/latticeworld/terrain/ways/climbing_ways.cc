@@ -91,8 +91,8 @@ class WayFinder {
     return pass;
   }
 
-  // From a road to the place; empty where none leads there. States are cells and the direction in
-  // which they are left: bends cost, so that legs are long.
+  // Returns the way from a road to the place; empty: none leads there. States are cells and the
+  // direction in which they are left: bends cost, so that legs are long.
   std::vector<CellIndex> WayTo(CellIndex goal) const {
     using Entry = std::pair<float, std::int32_t>;
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
