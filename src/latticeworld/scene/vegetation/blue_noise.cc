@@ -178,7 +178,7 @@ void RankedBlueNoise::Throw(int tile_row, int tile_col, int level) {
   const std::int32_t index = tile_row * tiles_a_side_ + tile_col;
   Tile& here = filled_[slot_[index]];
   PointRandom random(seed_, static_cast<std::uint64_t>(index) * kLevels + level);
-  // Of the grid's last, cut cells only what is inside the world.
+  // Of the grid's last, cut cells, only what is inside the world counts.
   const auto width = static_cast<float>(std::min<double>(kTile, cells_ - tile_col * kTile));
   const auto height = static_cast<float>(std::min<double>(kTile, cells_ - tile_row * kTile));
   // Darts go only into squares that no point covers.
