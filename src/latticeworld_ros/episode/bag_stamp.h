@@ -17,8 +17,8 @@ struct BagStamp {
   std::optional<ros::Time> stamp;  // when what it tells was; nullopt: it does not say
 };
 
-// Of messages that begin with a std_msgs/Header its number and stamp; of tf the stamp of the first
-// transform; of the clock its time. A stamp of 0 says nothing.
+// Returns number and stamp of a message that begins with a std_msgs/Header, of tf the stamp of the
+// first transform, of the clock its time. A stamp of 0 says nothing.
 BagStamp StampOf(const BagMessage& message);
 
 }  // namespace latticeworld

@@ -255,7 +255,7 @@ void NavigatorNode::Control() {
       break;
   }
   Drive(output.speed_mps, output.yaw_rate_radps);
-  // After the command, so that who steps a world may wait for it.
+  // Feedback comes after the command, so that who steps a world may wait for it.
   move_base_msgs::MoveBaseFeedback feedback;
   feedback.base_position.header = HeaderOfNow();
   feedback.base_position.pose = ToPose(pose->map_from_base);

@@ -78,7 +78,8 @@ class SimulationRun {
   void Command(AgentCommands* commands);
   // seed 0: the one that it runs with.
   Status Reset(std::uint64_t seed);
-  // In the place of one that has the name. Also: INVALID_ARGUMENT (name), RESOURCE_EXHAUSTED.
+  // Saves the state in the place of one that has the name. Also: INVALID_ARGUMENT (name),
+  // RESOURCE_EXHAUSTED.
   Status Save(const std::string& name);
   // Also: NOT_FOUND naming those that there are.
   Status Restore(const std::string& name);

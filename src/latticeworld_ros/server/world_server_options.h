@@ -71,7 +71,7 @@ struct WorldServerOptions {
   double robot_radius_m = kRadiusOfSpecies;
   RobotLimits robot;  // for map and the traversability layer; its radius is that, as a length
   MapValues map_values = MapValues::kGraded;  // of map, static_map and bundles' map.pgm
-  // Of a message, so that it can be received. No parameter.
+  // The greatest size of a message, so that it can be received. No parameter.
   std::uint64_t most_message_bytes = kMostMessageBytes;
 };
 
