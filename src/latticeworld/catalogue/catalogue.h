@@ -257,7 +257,7 @@ class Catalogue {
   // Whether a model may wear a seasonal variant, or be of a material.
   bool CanWear(std::uint8_t model, std::size_t season_variant) const;
   bool CanBeOf(std::uint8_t model, std::size_t material) const;
-  // 0 where the kind does not stand.
+  // Returns how many stand per hectare of a class; 0: the kind does not stand there.
   double PerHectare(AssetKind kind, std::string_view vocabulary, char letter) const;
   // What was added to BuiltIn(), for bundles; empty: nothing.
   const std::vector<CatalogueFile>& added_files() const { return added_files_; }

@@ -52,7 +52,7 @@ class Arena {
   // The last one that was complete at or before the last step; null: none of a robot that the last
   // Advance scanned.
   const LidarSweep* SweepOf(const std::string& robot) const;
-  // Of the steps of the last Advance.
+  // Returns the events of the steps of the last Advance.
   const std::vector<Event>& events() const { return events_; }
 
  private:

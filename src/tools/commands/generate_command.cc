@@ -136,7 +136,7 @@ Status Generate(const CLI::App& command) {
   if (!accepted.ok()) return ByOptions(accepted.status());
   LW_RETURN_IF_ERROR(CheckTarget(target));
 
-  // Of the time of a default world; how long a language model reads is its own affair.
+  // The shares are of the time of a default world; a language model reads as long as it reads.
   ProgressDisplay display({{"terrain", 0.36}, {"scene", 0.19}, {"save", 0.45}});
   Progress progress(
       [&display](std::string_view stage, double fraction) { display.Show(stage, fraction); });
