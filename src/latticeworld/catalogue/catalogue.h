@@ -169,7 +169,7 @@ struct Habitat {
   double clumping = 0.0;         // 0: evenly spread .. 1: in groups
 };
 
-// Of living trees and bushes, green. 0: as the material says.
+// The wood of living trees and bushes, green. 0: as the material says.
 struct Wood {
   double density_kgpm3 = 0.0;        // [0, 20000]
   double elastic_modulus_pa = 0.0;   // [0, 1e12]
@@ -285,7 +285,7 @@ class Catalogue {
 // JSON Schema (draft 7) of one catalogue file.
 std::string_view CatalogueSchema();
 
-// Of BuiltIn().
+// Returns the values that BuiltIn() has for a type.
 const AssetTypeValues& ValuesOf(AssetType type);
 
 }  // namespace latticeworld

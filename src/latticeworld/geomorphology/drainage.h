@@ -59,8 +59,8 @@ class Drainage {
   // their pits. Ties go to the smaller index.
   void Route(const Grid<float>& height_m, const Grid<unsigned char>* outlet, int threads);
 
-  // After Route. Of each cell: where it drains to, 0 to 7 or kOutlet, and from where, one bit a
-  // direction.
+  // These tell for each cell, after Route, where it drains to, 0 to 7 or kOutlet, and from where,
+  // one bit a direction.
   const std::vector<std::uint8_t>& directions() const { return directions_; }
   const std::vector<std::uint8_t>& donors() const { return donors_; }
   int rows() const { return rows_; }

@@ -12,7 +12,7 @@
 namespace latticeworld {
 namespace {
 
-// Of times, as the rig's lidars have it.
+// Times this near to each other are the same, as the rig's lidars have it.
 constexpr double kTolerance_s = 1e-9;
 // So many steps run before the caller is asked again whether to go on.
 constexpr int kStepsAtATime = 50;

@@ -25,8 +25,8 @@ struct ArenaOptions {
 
 // A world that is advanced call by call, and the scans of its robots, as the service lockstep of
 // world_server has them: same world, options, seed and calls, same states and scans, bit for bit.
-// Of the sweeps in a call only those are traced that can be the last one of this call or the next.
-// One thread at a time; arenas know nothing of each other.
+// Only those sweeps of a call are traced that can be the last one of this call or the next. One
+// thread at a time; arenas know nothing of each other.
 class Arena {
  public:
   // Errors: INVALID_ARGUMENT (options; a suite without a 2D lidar).

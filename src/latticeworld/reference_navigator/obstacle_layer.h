@@ -23,8 +23,8 @@ class GroundGuess {
 // seen for long is forgotten.
 class ObstacleLayer {
  public:
-  // Of options the robot and what is said of what is seen; the window is local_size_m wide or
-  // wider.
+  // Takes from the options the robot and what is said of what is seen; the window is local_size_m
+  // wide or wider.
   explicit ObstacleLayer(const NavigatorOptions& options);
 
   double reach_m() const { return 0.5 * cells_ * cell_m_ - 0.5; }  // from the robot

@@ -35,8 +35,8 @@ void SetWheels(const AgentSnapshot& agent, const std::string& left, const std::s
   }
 }
 
-// Of the middle of the steered axle: its wheels stand on circles around one point of the rear
-// axle's line, and so does its middle (Ackermann's geometry).
+// Returns the steering angle of the middle of the steered axle: its wheels stand on circles around
+// one point of the rear axle's line, and so does its middle (Ackermann's geometry).
 double MiddleSteering(double left_rad, double right_rad) {
   // cot(middle) is the mean of the wheels' cotangents.
   const double left = std::tan(left_rad), right = std::tan(right_rad);

@@ -13,7 +13,7 @@ namespace {
 
 // The variance of what comes exact from the simulation: zeros in a covariance would mean "unknown".
 constexpr double kExact = 1e-9;
-// Of a pose before anything has made it uncertain: that of exact odometry.
+// The variance of a pose before anything has made it uncertain: that of exact odometry.
 constexpr double kExactPose = 1e-6;
 // The variance of what wheels know nothing of: rising, rolling, pitching.
 constexpr double kUnmeasured = 1e6;

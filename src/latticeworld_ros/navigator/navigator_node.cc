@@ -201,7 +201,7 @@ void NavigatorNode::OnWatch() {
 
 template <typename Message>
 void NavigatorNode::See(std::deque<boost::shared_ptr<const Message>>* readings) {
-  // Of several since the last control the newest tells most; older ones are let go.
+  // The newest of several since the last control tells most; older ones are let go.
   for (std::size_t i = readings->size(); i-- > 0;) {
     const Message& reading = *(*readings)[i];
     std::string unknown;

@@ -62,7 +62,8 @@ class SensorThread {
   // Keeps, while the simulation is paused from here on, the last sweep that the first 2D lidar of
   // each of these agents completes, until a jump or until others are named.
   void KeepScans(std::set<std::string> agents);
-  // Null: none is complete yet. Of the last step once Take has come back from a settled tick.
+  // Returns the kept scan of the agent; null: none is complete yet. It is that of the last step
+  // once Take has come back from a settled tick.
   std::shared_ptr<const sensor_msgs::LaserScan> KeptScan(const std::string& agent) const;
 
   // Returns whether Take will hand something over. For the simulation loop's thread.

@@ -59,7 +59,7 @@ class SimulationRun {
   Simulator* simulator() const { return failure_.empty() ? running_.simulator.get() : nullptr; }
   // Why the simulator cannot go on; empty: it can.
   const std::string& failure() const { return failure_; }
-  // Of what runs, as a moment has it.
+  // Returns the number of the running episode, as a moment has it.
   std::uint64_t episode() const { return episode_; }
   // FAILED_PRECONDITION: there is no world, or its simulator has failed.
   Status Check() const;

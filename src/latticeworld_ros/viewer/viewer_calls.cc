@@ -190,7 +190,7 @@ ViewerReply ViewerCalls::Generate(const ViewerRequest& request) {
   bool cancelled = false;
   int unconnected = 0;
   while (!client.getState().isDone()) {
-    // Of the wall: simulated time stands still where nothing is simulated yet.
+    // The wall's time counts: simulated time stands still while nothing is simulated yet.
     std::this_thread::sleep_for(std::chrono::duration<double>(kPoll_s));
     if (cancel_ && !std::exchange(cancelled, true)) client.cancelGoal();
     unconnected = client.isServerConnected() ? 0 : unconnected + 1;

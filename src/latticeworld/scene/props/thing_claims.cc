@@ -221,7 +221,8 @@ class Measurer {
                              : !land_.Has(target.letter);
     if (missing) return Add(kind, false, 1.0, "what they are to stand by is not there");
     if (wish_->relation == ThingRelation::kIn) return MeasureIn();
-    // Of an arrangement beside something, what is nearest counts; along it, everything does.
+    // If an arrangement is beside something, what is nearest counts; if it is along it, everything
+    // does.
     std::vector<double> gaps_m;
     for (const WorldPoint& place : of_->places) gaps_m.push_back(ToTarget_m(place));
     const bool all = RowBends();

@@ -13,7 +13,8 @@
 namespace latticeworld {
 namespace {
 
-// Of times: what is fired at a step's own time belongs to that step.
+// Times this near to each other are the same: what is fired at a step's own time belongs to that
+// step.
 constexpr double kTolerance_s = 1e-9;
 
 class RigLidar final : public RigSensor {

@@ -47,7 +47,7 @@ class ImuErrors {
  public:
   ImuErrors(const ImuModel& model, double rate_hz, std::uint64_t key);
 
-  // Of a whole interval's means: with errors, cut at the model's limits.
+  // Returns the means over a whole interval, with errors, cut at the model's limits.
   ImuReading Read(const InertialIntegral& integral, std::uint64_t k);
 
  private:

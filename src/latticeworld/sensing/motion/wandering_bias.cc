@@ -8,7 +8,8 @@
 namespace latticeworld {
 namespace {
 
-// Of what a value was, exp(-45) is left: less than a double's last digit of what it is.
+// After this many correlation times, exp(-45) of a value is left: less than a double's last digit
+// of it.
 constexpr double kForgotten = 45.0;
 constexpr double kMostSteps = 1e7;
 

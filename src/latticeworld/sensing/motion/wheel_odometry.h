@@ -30,7 +30,7 @@ class WheelOdometer {
   WheelOdometryReading Read(std::uint64_t k);
 
  private:
-  // Of the wheels' angle since the beginning, as the encoder tells it.
+  // Returns as much of a wheel's angle since the beginning as the encoder tells.
   double Counted(double angle_rad) const;
   double TickVariance() const;  // of a wheel's count [m^2]
   // Variances of a turn and a way by the model's noise.

@@ -59,7 +59,7 @@ class MeshInstances {
   // Makes an Embree geometry of all instances; an empty geometry if there is none.
   EmbreeGeometry MakeGeometry(RTCDevice device) const;
 
-  // Of a hit.
+  // These tell the instance and the part that a hit is of.
   const MeshInstance& InstanceOf(unsigned geometry) const { return instances_[geometry - 1]; }
   std::uint8_t PartOf(unsigned geometry, unsigned triangle) const {
     return prototypes_[InstanceOf(geometry).prototype]->parts[triangle];

@@ -34,7 +34,7 @@ class ShapedLevels {
   // below the land there. land_m: before water has shaped it.
   void SetOpenBases(const std::vector<std::int32_t>& outlets, const Grid<float>& land_m,
                     double incision_m);
-  // Of the others: lower than nearly all of their shore.
+  // Sets the base levels of the other bodies: lower than nearly all of their shore.
   void SetClosedBases(const Grid<float>& land_m, double incision_m);
   // Lowers bodies that lie more than slope * distance above another one, slope per cell.
   void Reconcile(double slope_m_per_cell);

@@ -10,7 +10,7 @@ namespace {
 // Half the lengths of steps to a side and across a corner, in whole numbers; times the hardships of
 // both cells.
 constexpr std::int64_t kHalfStep = 5000, kHalfDiagonal = 7071;
-// Of level open ground; half as much more is the worst.
+// The hardship of level open ground; half as much more is the worst.
 constexpr std::int64_t kEasy = 508;
 constexpr std::int64_t kStep = 2 * kHalfStep * kEasy, kDiagonal = 2 * kHalfDiagonal * kEasy;
 constexpr std::size_t kFirstSlots = 1 << 14;

@@ -70,7 +70,7 @@ std::optional<double> FirstClearHeading(double wanted_rad, const Turns& turns_ra
   return std::nullopt;
 }
 
-// Of the tightest curve of a body that cannot turn on the spot [m]; 0: it can.
+// Returns the radius of the tightest curve of a body that cannot turn on the spot [m]; 0: it can.
 double TurningRadius(const Species& species);
 
 // What the locomotion has to do to follow a steering, in base_link.

@@ -153,7 +153,7 @@ class Fitter {
   // Puts the wished number of agents into each place, or shares it out among all places.
   void Spread(const AgentWish& wish, const std::vector<Region>& regions, AgentGroup group) {
     const int places = std::max<int>(1, static_cast<int>(regions.size()));
-    // Of a few in many places there is one in each at least.
+    // If few are wished in many places, each place gets one at least.
     int left = wish.counted ? wish.quantity : std::max(wish.quantity, places);
     for (int i = 0; i < places; ++i) {
       const int remaining = places - i;

@@ -166,7 +166,7 @@ class AgentReader : private AgentDiscourse {
   // "all are idle except the horses, which graze": then the horses are the subject.
   bool ReadExcepted(const SpeciesWord& word, std::size_t end);
 
-  // Of "ten robots, no drones" none is a drone.
+  // In "ten robots, no drones", no robot is a drone.
   void NarrowDeniedKinds();
 
   void ReadPresence(const SpeciesWord& word, const Count& collective, std::size_t end);
