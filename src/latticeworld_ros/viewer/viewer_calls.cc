@@ -95,6 +95,7 @@ Status ViewerCalls::Trigger(const std::string& service) {
 
 ViewerReply ViewerCalls::Call(const ViewerRequest& request) {
   ViewerReply reply;
+  // Each type is a call of one service of world_server; generating and weather take more.
   switch (request.type) {
     case RequestType::kListWorlds: {
       latticeworld_msgs::ListWorlds list;

@@ -124,6 +124,7 @@ Result<std::vector<ExportFile>> GeoTiffFiles(const Scene& scene,
   const ExportRegion region = options.region.value_or(WholeWorld(geometry));
   LW_RETURN_IF_ERROR(Validate(region, geometry));
   internal::PrepareGdal();
+  // All layers share the frame: cells, coordinate system and the outer corner in the north-west.
   Frame frame;
   frame.cells = CellsIn(region, geometry);
   if (frame.cells.rows() < 1 || frame.cells.cols() < 1)
@@ -140,6 +141,8 @@ Result<std::vector<ExportFile>> GeoTiffFiles(const Scene& scene,
   };
   std::vector<ExportFile> files;
   LW_RETURN_IF_ERROR(advance(0.0));
+  // Each file has one layer, with its unit or the meaning of its numbers, and what stands for no
+  // data.
   const Terrain& terrain = *scene.terrain;
   LW_ASSIGN_OR_RETURN(
       ExportFile elevation,

@@ -378,6 +378,7 @@ class Taker {
         {{"in"}, ThingRelation::kIn},
         {{"inside"}, ThingRelation::kIn},
         {{"within"}, ThingRelation::kIn}};
+    // The relation is a distance ("12 m from") or one of the words above.
     const std::size_t begin = *end;
     at_ = begin;
     TakeCopula();
@@ -399,6 +400,7 @@ class Taker {
       }
     }
     if (!relation || IsPlaceHere()) return false;
+    // It leads to a thing that was named before, or else to land.
     TakePlaceOf();
     const std::size_t target_at = at_;
     ThingTarget target = TakeThingTarget();
@@ -408,6 +410,7 @@ class Taker {
       target = LandTarget();
     }
     if (target.is_nothing() || (is_thing && *relation == ThingRelation::kIn)) return false;
+    // Only now is the wish changed and are the words taken.
     wish->relation = *relation;
     wish->target = target;
     wish->distance_m = distance_m;
