@@ -16,7 +16,7 @@
 namespace latticeworld::tools {
 namespace {
 
-// Above the limit of every instruction, so that a text that is too long is named as such.
+// This is above the limit of every instruction, so that a text that is too long is named as such.
 constexpr std::size_t kMaxTextFileBytes = 16u << 20;
 
 template <typename T>

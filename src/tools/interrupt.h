@@ -7,8 +7,8 @@
 
 namespace latticeworld::tools {
 
-// While it lives, Ctrl-C (SIGINT) and SIGTERM cancel the work instead of ending the program, so
-// that nothing half-made is left behind. At most one lives at a time.
+// Lets Ctrl-C (SIGINT) and SIGTERM, while it lives, cancel the work instead of ending the program,
+// so that nothing half-made is left behind. At most one lives at a time.
 class CancelOnInterrupt {
  public:
   explicit CancelOnInterrupt(Progress* progress);

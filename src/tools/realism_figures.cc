@@ -15,8 +15,9 @@ RealismEstimate Exactly(double value) {
   return estimate;
 }
 
-// Of the median slope: classes of gradient of the Guidelines for soil description (FAO 2006), in
-// percent below 10, 2 to 30, and 15 up to what slides.
+// Returns the median slope beside what is usual for the kind of land, by the classes of gradient of
+// the Guidelines for soil description (FAO 2006): in percent below 10, 2 to 30, and 15 up to what
+// slides.
 RealismFigure MedianSlope(const RealismMeasures& measures, LandKind kind) {
   struct Span {
     double low_deg;

@@ -51,7 +51,7 @@ struct CampaignAdversaries {
   double reach_m = 15.0;
 };
 
-// Under what conditions a task is tried, and with which seeds.
+// The conditions under which a task is tried, and the seeds.
 struct CampaignCondition {
   std::string name = "trial";        // unique; a part of trials' ids
   std::vector<std::uint64_t> seeds;  // of the simulation; one trial each

@@ -20,7 +20,7 @@
 namespace latticeworld {
 namespace {
 
-// Of what the robot's stacks can drive: bodies on wheels and legs.
+// Returns the names of the species that the robot's stacks can drive: bodies on wheels and legs.
 std::vector<std::string> DrivenSpeciesNames() {
   std::vector<std::string> names;
   for (const Species& species : SpeciesCatalogue::BuiltIn()->all()) {
@@ -50,7 +50,7 @@ void ReadLimits(const YAML::Node& node, const std::string& path, RobotLimits* li
   mapping.Finish();
 }
 
-// Of a robot whose limits the file does not say: what its body is.
+// Sets the robot's limits from its species; a file may then change them.
 void TakeBody(CampaignRobot* robot) {
   const Species* species = SpeciesCatalogue::BuiltIn()->Find(robot->species);
   if (species == nullptr) return;

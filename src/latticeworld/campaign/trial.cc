@@ -41,7 +41,7 @@ Status SpawnRobot(const TrialSetup& setup, Simulator* simulator) {
   return FailedPrecondition("the robot finds no place at its start: " + first.message());
 }
 
-// Around places of the way, from its first third on.
+// Spawns the adversaries around places of the robot's way, from the end of its first third on.
 Status SpawnAdversaries(const TrialSetup& setup, Simulator* simulator) {
   const CampaignAdversaries& wanted = setup.condition.adversaries;
   RandomStream random(setup.seed, "campaign adversaries");

@@ -31,7 +31,7 @@ class TrialRecorder {
   TrialRecorder(std::string robot, std::shared_ptr<const SpeciesCatalogue> catalogue)
       : robot_(std::move(robot)), catalogue_(std::move(catalogue)) {}
 
-  // After a step of step_s; events: of it.
+  // Records a step of step_s seconds: the state after it and the events within it.
   void Watch(const WorldState& state, const std::vector<Event>& events, double step_s);
   // Adds a sample of the state: power is the mean since the last one.
   void Sample(const WorldState& state);

@@ -44,7 +44,8 @@ Result<TrialResult> DecodeTrialResult(std::string_view content);
 
 // out/trials/<id>.json
 std::filesystem::path TrialResultFile(const std::filesystem::path& out, const std::string& id);
-// That of a trial whose result is there and whole. Errors: NOT_FOUND, DATA_LOSS (naming the file).
+// Returns the result of a trial. Errors: NOT_FOUND, DATA_LOSS (naming the file) if it is damaged or
+// of another trial.
 Result<TrialResult> ReadTrialResult(const std::filesystem::path& out, const std::string& id);
 
 }  // namespace latticeworld

@@ -82,7 +82,7 @@ YamlMapping::YamlMapping(const YAML::Node& node, std::string path,
 }
 
 bool YamlMapping::Has(const std::string& key) const {
-  // Of a constant node, so that asking makes no key.
+  // The node is constant, since asking another one would make the key.
   const YAML::Node& constant = node_;
   return constant[key].IsDefined();
 }

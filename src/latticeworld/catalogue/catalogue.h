@@ -169,7 +169,7 @@ struct Habitat {
   double clumping = 0.0;         // 0: evenly spread .. 1: in groups
 };
 
-// Of living trees and bushes, green. 0: as the material says.
+// The wood of living trees and bushes, green. 0: as the material says.
 struct Wood {
   double density_kgpm3 = 0.0;        // [0, 20000]
   double elastic_modulus_pa = 0.0;   // [0, 1e12]
@@ -257,7 +257,7 @@ class Catalogue {
   // Whether a model may wear a seasonal variant, or be of a material.
   bool CanWear(std::uint8_t model, std::size_t season_variant) const;
   bool CanBeOf(std::uint8_t model, std::size_t material) const;
-  // 0 where the kind does not stand.
+  // Returns how many stand per hectare of a class; 0: the kind does not stand there.
   double PerHectare(AssetKind kind, std::string_view vocabulary, char letter) const;
   // What was added to BuiltIn(), for bundles; empty: nothing.
   const std::vector<CatalogueFile>& added_files() const { return added_files_; }
@@ -285,7 +285,7 @@ class Catalogue {
 // JSON Schema (draft 7) of one catalogue file.
 std::string_view CatalogueSchema();
 
-// Of BuiltIn().
+// Returns the values that BuiltIn() has for a type.
 const AssetTypeValues& ValuesOf(AssetType type);
 
 }  // namespace latticeworld

@@ -8,7 +8,7 @@ namespace latticeworld {
 inline constexpr std::size_t kMaxCatalogueFileBytes = 4 << 20;
 inline constexpr std::size_t kMaxCatalogueFiles = 256;
 inline constexpr std::size_t kMaxCatalogueBytes = 32 << 20;  // of all files that are added
-// After more than these no further file is read.
+// No further file is read once there are more violations than this.
 inline constexpr std::size_t kMaxCatalogueViolations = 500;
 inline constexpr std::size_t kMaxNameBytes = 255;  // of a file
 // Models and the values of one type are told apart by a byte; 255 is left for "none".

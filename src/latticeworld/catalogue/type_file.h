@@ -35,7 +35,7 @@ struct TypeFile {
   std::vector<ValueEntry<Material>> materials;
   std::vector<ModelEntry> models;
   std::vector<DensityEntry> densities;
-  // Of the models that cannot be read: a reference to one is no further error.
+  // Names of the models that cannot be read: a reference to one is no further error.
   std::vector<std::string> unread_models;
 };
 

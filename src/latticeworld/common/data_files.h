@@ -10,7 +10,8 @@
 
 namespace latticeworld {
 
-// Of files that add to what is built in: species, sensors, what worlds are furnished with.
+// This header finds files that add to what is built in: species, sensors, what worlds are furnished
+// with.
 
 // The *.json of a folder, sorted, or the file itself, whether or not there is one. Errors:
 // NOT_FOUND (a folder without any), PERMISSION_DENIED (one that cannot be listed), INVALID_ARGUMENT

@@ -216,7 +216,7 @@ void SchemaChecker::Check(const Json& document, const std::string& origin,
   if (is_valid) return;
   const std::size_t before = violations->size();
   Translator translator(parts_->json, document, origin, violations);
-  // Of a value of the wrong type nothing else is worth saying.
+  // If a value has the wrong type, nothing else about it is worth saying.
   for (const bool is_type : {true, false}) {
     for (const auto& error : results) {
       if (StartsWith(error.description, kWrongType) == is_type) translator.Translate(error);

@@ -26,8 +26,8 @@ std::string PointerToken(std::string_view key);
 // times max_elements (the parser looks through an array after each container in it). Adds a
 // violation, its pointer beginning with `origin`, for each key of an object that stands there more
 // than once (duplicate_key), for a text that is too long (too_long), no UTF-8 (bad_encoding), no
-// JSON (parse_error), or nested too deep (too_deep). Of what is too deep or too many only as much
-// is kept as shows that. False: there is no document.
+// JSON (parse_error), or nested too deep (too_deep). It keeps only as much of what is too deep or
+// too many as shows that. False: there is no document.
 bool ParseStrictly(std::string_view text, const std::string& origin, const JsonLimits& limits,
                    nlohmann::json* json, std::vector<Violation>* violations);
 

@@ -60,8 +60,8 @@ void WorkCrew::Run(int parts, Function function, const void* body) {
   body_ = body;
   done_.store(0, std::memory_order_relaxed);
   const std::uint64_t call = (ticket_.load(std::memory_order_relaxed) >> 32) + 1;
-  // Before looking who sleeps, and in one order with it: who falls asleep looks for work after it
-  // has said so.
+  // The ticket is stored before asleep_ is read, in one order with it. A thread that falls asleep
+  // says so before it looks for work, so that either it sees the ticket or it is woken here.
   ticket_.store(call << 32 | static_cast<std::uint64_t>(parts) << 16, std::memory_order_seq_cst);
   if (asleep_.load(std::memory_order_seq_cst) > 0) {
     { const std::lock_guard<std::mutex> lock(mutex_); }

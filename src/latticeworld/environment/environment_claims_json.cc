@@ -155,7 +155,7 @@ class ClaimReader {
     ReadOneName(*json, "/category", &categories->back());
   }
 
-  // Of a pair of bounds one may be left out.
+  // Returns whether at least one of a pair of bounds is there, and adds a violation if none is.
   bool HasBound(const std::string& least, const std::string& most) {
     if (Find(least) != nullptr || Find(most) != nullptr) return true;
     Add("missing_key", "/" + least, "is missing, and " + most + " too: one is needed", "");

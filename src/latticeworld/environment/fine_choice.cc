@@ -40,7 +40,7 @@ double Draw(const NumberBound& bound, RandomStream* random) {
   const double mode = std::max(bound.draw_low, std::min(bound.draw_high, bound.typical));
   const double value = bound.draw_evenly ? bound.draw_low + u * (bound.draw_high - bound.draw_low)
                                          : Triangular(bound.draw_low, mode, bound.draw_high, u);
-  // Down to hundredths, which keeps below an open end.
+  // The value is rounded down to hundredths, which keeps it below an open end.
   return std::max(bound.draw_low, std::floor(value * 100.0) / 100.0);
 }
 

@@ -43,7 +43,7 @@ bool HasParameter(const AssetTypeValues& values, FineParameter parameter);
 double ValueOf(const FineAttribute& fine, FineParameter parameter);
 void SetValue(FineParameter parameter, double value, FineAttribute* fine);
 
-// Where it stands in the JSON of its type: "/density", "/rotation/2".
+// Returns the pointer to the parameter in the JSON of its type: "/density", "/rotation/2".
 std::string PointerOf(FineParameter parameter);
 
 }  // namespace latticeworld

@@ -29,7 +29,7 @@ struct AgentMetrics {
   double joint_work_j = -1.0;  // negative: not recorded
 };
 
-// Of every agent that was there, by name.
+// Returns the metrics of every agent that was there, by name.
 std::vector<AgentMetrics> MetricsOf(const EpisodeRecord& record);
 
 }  // namespace latticeworld

@@ -9,7 +9,7 @@
 
 namespace latticeworld {
 
-// Where an agent was at one moment.
+// Tells where an agent was at one moment, and how it fared.
 struct TrackPoint {
   double time_s = 0.0;                                   // since the episode began
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  // of base_link, frame map

@@ -221,7 +221,7 @@ SetWeatherCall ToSetWeather(const Json& json) {
   return it;
 }
 
-// For the calls of one text.
+// Reads the argument of a call that has one text.
 std::string OnlyText(const Json& json, const char* key) {
   jf::ExpectKeys(json, {"call", key});
   return jf::Text(json, key);

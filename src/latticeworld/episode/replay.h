@@ -28,7 +28,7 @@ struct ReplayPlan {
   std::vector<RecordedHash> hashes;  // in order
 };
 
-// Where a simulation went another way than the recorded one.
+// Says where a simulation went another way than the recorded one.
 struct Divergence {
   RecordedHash recorded;
   std::string state_hash;  // as simulated; empty: a call failed

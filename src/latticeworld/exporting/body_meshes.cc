@@ -75,7 +75,7 @@ int AddProp(PropKind kind, ArtisticStyle style, GlbDocument* document) {
   std::vector<std::uint32_t> corners;
   for (const auto& triangle : mesh.triangles)
     corners.insert(corners.end(), triangle.begin(), triangle.end());
-  // From so far that grain and joints are not seen.
+  // From so far away, grain and joints are not seen.
   constexpr float kFar_m = 1.0f;
   const SurfaceLook look = LookOfProp(kind, style, RayHit(), Eigen::Vector3f::Zero(), kFar_m);
   GlbPrimitive primitive;

@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<const char*, 3> kShades = {"dark", "middle", "light"};
 constexpr std::size_t kFewest = 12;  // that get shades
 
-// By Rec. 709, of sRGB bytes.
+// Returns 10,000 times the luma of the asset's main part by Rec. 709, from its sRGB bytes.
 int LumaOf(const Scene& scene, const Asset& asset) {
   const Rgb color = PartColors(scene, asset)[static_cast<std::size_t>(MainPartOf(asset.kind))];
   return 2126 * color.r + 7152 * color.g + 722 * color.b;

@@ -41,8 +41,8 @@ struct LookGroup {
   std::string name;                    // "<model>/<material>/<shade>"
   std::vector<std::uint32_t> members;  // numbers in scene.assets, increasing
 };
-// By model, material and, where there are more than a few, thirds from dark to light of what
-// decides their colour; sorted by name, every asset in one group.
+// Groups assets by model and material; a group that is not small is parted into thirds, from dark
+// to light, by the colour of its assets' main parts. Sorted by name, every asset in one group.
 std::vector<LookGroup> GroupAssets(const Scene& scene, const std::vector<std::uint32_t>& assets);
 
 }  // namespace latticeworld

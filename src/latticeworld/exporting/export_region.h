@@ -44,7 +44,7 @@ struct CellRange {
 };
 // Those whose centres a region holds; none where it lies between centres.
 CellRange CellsIn(const ExportRegion& region, const GridGeometry& geometry);
-// From the centres of the outermost of them to each other; at least one cell.
+// Returns the region between the centres of the outermost cells. cells: at least one.
 ExportRegion BetweenCenters(const CellRange& cells, const GridGeometry& geometry);
 
 }  // namespace latticeworld

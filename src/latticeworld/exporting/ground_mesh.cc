@@ -24,7 +24,7 @@ Eigen::Vector2f TextureCoordinate(const SurfaceLattice& lattice, int row, int co
           static_cast<float>(row) / static_cast<float>(lattice.rows - 1)};
 }
 
-// Both triangles of a quad by the numbers of its vertices.
+// Adds both triangles of a quad by the numbers of its vertices.
 void AddQuad(std::uint32_t north_west, std::uint32_t north_east, std::uint32_t south_west,
              std::uint32_t south_east, std::vector<std::uint32_t>* corners) {
   corners->insert(corners->end(), {north_west, south_west, south_east});
@@ -132,7 +132,7 @@ Result<std::string> GroundTexture(const Scene& scene, const ExportRegion& region
   try {
     const cv::Mat whole = MaterialsOf(scene).color;
     const GridGeometry& geometry = scene.geometry();
-    // Between whole cells, at least one.
+    // The part that is cut out consists of whole cells, at least one.
     const auto first = [](double cell) { return static_cast<int>(std::floor(cell + 0.5 + 1e-6)); };
     const auto last = [](double cell) { return static_cast<int>(std::ceil(cell + 0.5 - 1e-6)); };
     const int west = std::clamp(first(geometry.ColOf(region.west_m)), 0, whole.cols - 1);

@@ -32,8 +32,8 @@ struct SurfaceLattice {
             region.north_m - region.depth_m() * row / (rows - 1)};
   }
 };
-// So that neighbours are at most spacing_m apart, or, where that would be more, with most_vertices
-// along the longer side.
+// Makes a lattice whose neighbours are at most spacing_m apart, unless that takes more than
+// most_vertices along the longer side.
 SurfaceLattice MakeLattice(const ExportRegion& region, double spacing_m, int most_vertices);
 
 // The ground: every vertex lies on HeightField's surface, quads are split from north-west to

@@ -17,7 +17,7 @@ namespace latticeworld {
 // names and options.
 std::vector<Violation> ValidateVisual(const GenerationRequest& request,
                                       const SketchTranslator& sketches);
-// Of its options alone: of those that its kind looks at.
+// Returns the violations of the options alone that the kind of the visual instruction looks at.
 std::vector<Violation> ValidateVisualOptions(const GenerationRequest& request);
 
 // The request as it is recorded: the translator of a sketch is named, options that its kind does

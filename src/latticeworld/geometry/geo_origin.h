@@ -3,7 +3,7 @@
 
 namespace latticeworld {
 
-// Where the origin of the frame map lies on the earth, WGS 84: x east, y north there.
+// Says where the origin of the frame map lies on the earth, WGS 84: x points east, y north there.
 struct GeoOrigin {
   double latitude_deg = 0.0;
   double longitude_deg = 0.0;

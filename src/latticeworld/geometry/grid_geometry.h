@@ -20,7 +20,7 @@ inline constexpr double kMaxResolution_m = 16.0;
 inline constexpr int kMinCells = 32;    // a side
 inline constexpr int kMaxCells = 8192;  // a side
 
-// Where a square grid lies in the world. Row 0, column 0 is the north-west corner cell, whose
+// Says where a square grid lies in the world. Row 0, column 0 is the north-west corner cell, whose
 // centre is at (-size/2 + resolution/2, +size/2 - resolution/2): x grows with the column, y falls
 // with the row. Every layer of a world shares one GridGeometry, and values stand at cell centres.
 class GridGeometry {

@@ -233,7 +233,7 @@ void Drainage::FindSaddles(const Grid<float>& height_m) {
   const std::size_t basins = pits_.size();
   saddles_.clear();
   lowest_way_.assign(basins + 1, Way{});
-  // Of each basin the saddle found last, since the next is often to the same other basin.
+  // For each basin, the saddle found last, since the next is often to the same other basin.
   std::vector<std::int32_t> last(basins + 1, -1);
   const auto meet = [&](std::int32_t cell, std::uint8_t direction) {
     const std::int32_t neighbour = cell + steps_[direction];

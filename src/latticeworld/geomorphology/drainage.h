@@ -18,7 +18,7 @@ inline constexpr std::uint8_t kOutlet = 9;
 
 inline bool IsDiagonal(int direction) { return ((0b10100101 >> direction) & 1) != 0; }
 
-// From a cell to the index of its neighbours in a grid of `cols` columns.
+// The steps from the index of a cell to those of its neighbours in a grid of `cols` columns.
 class NeighbourSteps {
  public:
   explicit NeighbourSteps(int cols)
@@ -59,8 +59,8 @@ class Drainage {
   // their pits. Ties go to the smaller index.
   void Route(const Grid<float>& height_m, const Grid<unsigned char>* outlet, int threads);
 
-  // After Route. Of each cell: where it drains to, 0 to 7 or kOutlet, and from where, one bit a
-  // direction.
+  // These tell for each cell, after Route, where it drains to, 0 to 7 or kOutlet, and from where,
+  // one bit a direction.
   const std::vector<std::uint8_t>& directions() const { return directions_; }
   const std::vector<std::uint8_t>& donors() const { return donors_; }
   int rows() const { return rows_; }
@@ -71,7 +71,7 @@ class Drainage {
   void Fill(Grid<float>* height_m) const;
 
  private:
-  // From a cell to a neighbour in another basin, over the higher of both.
+  // A way from a cell to a neighbour in another basin, over the higher of both.
   struct Way {
     float saddle_m = std::numeric_limits<float>::infinity();
     std::int32_t cell = 0;

@@ -67,8 +67,8 @@ void DrainageOrder::SortBand(const Drainage& drainage, int band) {
        ++at) {
     *tail++ = static_cast<std::int32_t>(at - directions);
   }
-  // Then ring by ring what drains to them. Breadth first, since the cells of a ring do not wait for
-  // each other, here and in every later pass.
+  // What drains to those cells follows ring by ring: breadth first, since the cells of a ring do
+  // not wait for each other, here and in every later pass.
   const std::int32_t second_row = is_first ? begin : begin + cols_;
   const std::int32_t last_row = is_last ? end : end - cols_;
   for (const std::int32_t* head = cells; head != tail; ++head) {

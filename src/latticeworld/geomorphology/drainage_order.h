@@ -23,7 +23,7 @@ class DrainageOrder {
 
   void Sort(const Drainage& drainage, int threads);
 
-  // Of each cell, after Sort: how many cells drain through it, itself included.
+  // Returns for each cell, after Sort, how many cells drain through it, itself included.
   const std::vector<std::int32_t>& area_cells() const { return area_cells_; }
 
   // Calls visit(cell) once for every cell, for a receiver before its donors. With more than one

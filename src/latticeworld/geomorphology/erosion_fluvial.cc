@@ -46,7 +46,7 @@ void ErodeFluvially(double resolution_m, const FluvialOptions& options,
     LW_CHECK(layer == nullptr || layer->size() == height_m->size(), "one value a cell");
   }
   const auto time_step_yr = static_cast<float>(options.time_step_yr);
-  // Of a cell of 1 m^2 over a step of one cell.
+  // This is the pace of a cell that drains 1 m^2, over a step of one cell.
   const auto pace = static_cast<float>(options.erodibility * options.time_step_yr / resolution_m);
   const float pace_of[2] = {pace, pace / kDiagonal};
   const double creep =

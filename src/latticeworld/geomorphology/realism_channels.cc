@@ -47,7 +47,8 @@ Grid<unsigned char> Outlets(const Grid<unsigned char>& dry) {
   return outlets;
 }
 
-// Where the steepest way from a cell leads; the cell itself when all neighbours are as high.
+// Returns the neighbour that the steepest way from a cell leads to; the cell itself if none is
+// lower.
 CellIndex SteepestNeighbour(const Grid<float>& height_m, CellIndex cell) {
   CellIndex steepest = cell;
   double steepest_drop = 0.0;

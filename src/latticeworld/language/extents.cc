@@ -65,6 +65,7 @@ struct Bounds {
 constexpr int kOpen = CountMatch::kUnbounded;
 
 const PhraseTable<Bounds>& CountWords() {
+  // Exact numbers stand first, then vague ones, from few to very many.
   static const PhraseTable<Bounds> table{
       {{1, 1},
        {"a single",         "single",        "a lone",        "lone",         "a solitary",

@@ -64,7 +64,7 @@ class LayoutGenerator {
   // back end adds (UNAVAILABLE, ...).
   virtual Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress,
                                         std::vector<ModelReply>* replies) = 0;
-  // For who does not keep the replies.
+  // Does the same for callers who do not keep the replies.
   Result<LayoutAnswer> Generate(const LayoutRequest& request, const Progress& progress) {
     std::vector<ModelReply> replies;
     return Generate(request, progress, &replies);
@@ -91,7 +91,7 @@ class EnvironmentGenerator {
  public:
   virtual ~EnvironmentGenerator() = default;
   virtual std::string_view name() const = 0;
-  // As of a LayoutGenerator.
+  // Generates an environment; replies and errors are those of LayoutGenerator::Generate.
   virtual Result<EnvironmentAnswer> Generate(const EnvironmentRequest& request,
                                              const Progress& progress,
                                              std::vector<ModelReply>* replies) = 0;

@@ -89,7 +89,8 @@ bool TakeGroup(PlaceCursor* cursor, ReadPlace* read) {
   if (cursor->Take({"two"})) two = true;
   const bool opposite = cursor->Take({"opposite", "opposing", "facing"});
   const bool outer = cursor->Take({"outer", "outermost", "extreme", "far", "very"});
-  // Without one of these words nothing may stand before the noun but what can stand before a noun.
+  // If none of these words stands before the noun, the word before it must be one that a noun may
+  // follow.
   const bool alone = cursor->at() == start;
   if (alone && !MayBeNoun(previous)) return false;
   const std::string_view noun = cursor->word();

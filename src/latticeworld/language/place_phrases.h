@@ -14,7 +14,8 @@ struct ReadPlace {
   std::vector<Place> places;  // empty: no place
   bool of_other = false;
   bool whole = false;
-  // Of one place: what it was made of, so that a preposition can bend it.
+  // If there is one place: the direction and the extent that it was made of. A preposition may
+  // change them.
   Direction direction;
   PlaceExtent extent;
 };

@@ -329,8 +329,8 @@ Place BesideCenter(Heading heading) {
 Place AroundCenter() { return PlaceOfBoxes("around the center", {MiddleBox(0.6)}); }
 
 Place Between(const Place& a, const Place& b) {
-  // Along each axis the gap between the two; where they overlap, what they share, and where they
-  // touch, a third about that line.
+  // Along each axis this is the gap between the two. Where they overlap it is what they share, and
+  // where they touch, a third of the map about that line.
   const auto bounds = [](double a_min, double a_max, double b_min, double b_max) {
     const double low = std::min(a_max, b_max);
     const double high = std::max(a_min, b_min);

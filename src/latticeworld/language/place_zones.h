@@ -51,7 +51,7 @@ Place BesideCenter(Heading heading);
 Place AroundCenter();
 Place Between(const Place& a, const Place& b);
 // "the middle of the northern half", "the west end of the northern edge": `part` measured in
-// `whole` and not in the map. Of a whole of several boxes, the box around them counts.
+// `whole` and not in the map. If the whole has several boxes, the box around them counts.
 Place PartOf(const Direction& part, const Place& part_place, const Place& whole);
 
 }  // namespace latticeworld

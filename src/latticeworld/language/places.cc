@@ -55,6 +55,7 @@ bool TakeHalfway(PlaceCursor* cursor, int depth, ReadPlace* read) {
 // "a strip along the southern edge", "a narrow band across the middle".
 bool TakeBand(PlaceCursor* cursor, int depth, ReadPlace* read) {
   cursor->Take({"a", "one"});
+  // Adjectives say how wide the band is, and whether it runs down the map.
   bool narrow = false;
   bool wide = false;
   bool vertical = false;
@@ -77,12 +78,14 @@ bool TakeBand(PlaceCursor* cursor, int depth, ReadPlace* read) {
                                 "through", "over", "up"})) {
     return false;
   }
+  // The place behind the preposition is where the band lies.
   const std::string_view preposition = cursor->word();
   cursor->Skip(1);
   *read = TakePlace(cursor, depth);
   if (read->places.size() != 1 || read->of_other) return false;
   const Direction& direction = read->direction;
   if (!direction.found) return true;
+  // If that place says no depth, adjectives and preposition give it.
   PlaceExtent extent = read->extent;
   if (extent.depth == PlaceDepth::kUnsaid || extent.depth == PlaceDepth::kSide) {
     const bool middle = direction.heading.east == 0 && direction.heading.south == 0;

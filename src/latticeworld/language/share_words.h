@@ -3,7 +3,7 @@
 
 #include "latticeworld/language/phrase_table.h"
 
-// Of shares.cc only: the words of shares of the land that are no numbers.
+// This header is for shares.cc only. It has the words of shares of the land that are no numbers.
 namespace latticeworld {
 
 // The least share of a thing that is there at all.

@@ -25,11 +25,12 @@ class SpellingDictionary {
   // Whether the word, or the word less a regular English ending, is in the dictionary.
   bool Knows(std::string_view word) const;
 
-  // The word that was meant by one that the dictionary does not know: at distance 1, for words of
-  // nine letters and more also 2; a word of four letters only by a swap of two, or where a letter
-  // was left out. The first letter is right, or swapped with the second. Of words one edit away the
-  // likeliest edit wins. nullopt for known words, for shorter ones, where two words are as good
-  // (but for a word and its plural), and where nothing is near. The view is of this dictionary.
+  // Returns the word that was meant by one that the dictionary does not know: at distance 1, for
+  // words of nine letters and more also 2; a word of four letters only by a swap of two, or where a
+  // letter was left out. The first letter is right, or swapped with the second. If several words
+  // are one edit away, the likeliest edit wins. nullopt for known words, for shorter ones, where
+  // two words are as good (but for a word and its plural), and where nothing is near. The view is
+  // of this dictionary.
   std::optional<std::string_view> Correct(std::string_view word) const;
 
  private:
@@ -45,7 +46,7 @@ class SpellingDictionary {
     std::size_t index;      // into words_
     std::uint32_t letters;  // which it holds, a bit each
   };
-  // By first letter and length.
+  // The words by their first letter and length.
   std::unordered_map<std::size_t, std::vector<Entry>> by_start_;
 };
 

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kRows = kLayoutSize;
 using Rows = std::array<std::uint32_t, kRows>;
 
-// Without a multiplication, so that compilers count many rows at once.
+// Counts bits without a multiplication, so that compilers count many rows at once.
 constexpr std::uint32_t BitCount(std::uint32_t bits) {
   bits -= bits >> 1 & 0x55555555u;
   bits = (bits & 0x33333333u) + (bits >> 2 & 0x33333333u);

@@ -35,7 +35,7 @@ class LayoutMask {
   // With every cell that is at most one step away: 4 neighbours, 8 neighbours.
   LayoutMask Grown4() const;
   LayoutMask Grown8() const;
-  // With every cell at most `steps` away in king's moves.
+  // Adds every cell that is at most `steps` king's moves away.
   LayoutMask Grown8(int steps) const;
   // The 8-connected (4-connected) cells of this set that hang together with `start`.
   LayoutMask Flooded8(const LayoutMask& start) const;

@@ -7,7 +7,7 @@
 
 namespace latticeworld::internal {
 
-// Where the cells of one class of a layout run as lines (rivers, roads) and as areas, drawn
+// Says where the cells of one class of a layout run as lines (rivers, roads) and as areas, drawn
 // smoothly: a line one cell wide as a band along its centre line, an area with rounded corners.
 class LineShape {
  public:
@@ -16,7 +16,8 @@ class LineShape {
 
   // Whether a point is in the shape, whose lines and areas see it at unlike places.
   bool Contains(LayoutPoint place, LayoutPoint area_place) const;
-  // From `place` to the nearest place of the centre line; nothing in areas and far from lines.
+  // Returns the offset from `place` to the nearest place of the centre line; (0, 0) in areas and
+  // far from lines.
   LayoutPoint ToCenterLine(LayoutPoint place) const;
 
  private:

@@ -12,9 +12,9 @@
 namespace latticeworld {
 namespace {
 
-// Of times, as the rig's lidars have it.
+// Times this near to each other are the same, as the rig's lidars have it.
 constexpr double kTolerance_s = 1e-9;
-// Between two looks whether to go on.
+// So many steps run before the caller is asked again whether to go on.
 constexpr int kStepsAtATime = 50;
 
 // A suite of the first 2D lidar alone: its noise does not depend on what else is carried.

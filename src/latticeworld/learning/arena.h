@@ -25,8 +25,8 @@ struct ArenaOptions {
 
 // A world that is advanced call by call, and the scans of its robots, as the service lockstep of
 // world_server has them: same world, options, seed and calls, same states and scans, bit for bit.
-// Of the sweeps in a call only those are traced that can be the last one of this call or the next.
-// One thread at a time; arenas know nothing of each other.
+// Only those sweeps of a call are traced that can be the last one of this call or the next. One
+// thread at a time; arenas know nothing of each other.
 class Arena {
  public:
   // Errors: INVALID_ARGUMENT (options; a suite without a 2D lidar).
@@ -52,7 +52,7 @@ class Arena {
   // The last one that was complete at or before the last step; null: none of a robot that the last
   // Advance scanned.
   const LidarSweep* SweepOf(const std::string& robot) const;
-  // Of the steps of the last Advance.
+  // Returns the events of the steps of the last Advance.
   const std::vector<Event>& events() const { return events_; }
 
  private:

@@ -21,7 +21,7 @@ struct CrewLayout {
   float max_range_m = 0.0f;         // of it
 };
 
-// Where a call reads and writes; rows of (arenas x robots), row-major. Borrowed for the call.
+// Says where a call reads and writes; rows of (arenas x robots), row-major. Borrowed for the call.
 struct CrewArrays {
   const double* actions = nullptr;        // forward [m/s], yaw rate [rad/s]; finite
   const unsigned char* acting = nullptr;  // 0: a robot that is neither told nor observed

@@ -30,7 +30,7 @@ class BridgeDecks {
 
   const GridGeometry& geometry_;
   const std::vector<PropDeck>& decks_;
-  // Of each tile the decks that may reach into it, as indices into decks_.
+  // For each tile, the indices into decks_ of the decks that may reach into it.
   std::vector<std::vector<std::size_t>> tiles_;
 };
 

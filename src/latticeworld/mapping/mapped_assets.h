@@ -12,8 +12,8 @@ namespace latticeworld {
 // buildings (prop_boxes.h).
 struct MappedAsset {
   Asset asset;  // of a tree that lies, position and z_m are those of its stem's foot
-  // Of a tree that lies: direction of its stem from foot to tip, 0 east, counter-clockwise, and the
-  // shares of its length that are level and up (negative: down).
+  // If the asset is a tree that lies: the direction of its stem from foot to tip, 0 east,
+  // counter-clockwise, and the shares of its length that are level and up (negative: down).
   bool lies = false;
   double heading_rad = 0.0;
   double level_share = 1.0;

@@ -27,13 +27,14 @@ bool IsInTheWay(const PropBlock& block, const RobotLimits& limits, double ground
 // What a deck makes of a place.
 enum class DeckEffect { kNone, kCarries, kBlocks };
 
-// Of a body whose middle is at the point, in a grid of cells of that size. A deck that bears the
-// body carries it where it keeps its radius from the deck's edges, and in any case in a strip along
-// the middle, as wide as the cells need to touch each other; and half a cell beyond the deck's
-// ends, where the slope of the ground is still that of the bank below the deck. Beside that the
-// deck blocks, but where the body can step onto it; and everywhere where it does not bear the body
-// or is less wide than half of it. Where it does not carry the body's mass and hangs at least its
-// clearance above the ground, the body's way is the one below. ground_m: at the point.
+// Returns the effect on a body whose middle is at the point, in a grid of cells of that size. A
+// deck that bears the body carries it where it keeps its radius from the deck's edges, and in any
+// case in a strip along the middle, as wide as the cells need to touch each other; and half a cell
+// beyond the deck's ends, where the slope of the ground is still that of the bank below the deck.
+// Beside that the deck blocks, but where the body can step onto it; and everywhere where it does
+// not bear the body or is less wide than half of it. Where it does not carry the body's mass and
+// hangs at least its clearance above the ground, the body's way is the one below. ground_m: at the
+// point.
 DeckEffect EffectOf(const PropDeck& deck, const RobotLimits& limits, double cell_m,
                     WorldPoint point, double ground_m);
 

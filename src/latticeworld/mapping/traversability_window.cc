@@ -48,7 +48,7 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
   const auto block = [&](const MappedAsset& asset) {
     block_where(asset, [](int, int) { return true; });
   };
-  // Around a circle that holds the window.
+  // Assets and props count that come near a circle which holds the window.
   const WorldPoint north_west = geometry.CenterOf({window.row_begin, window.col_begin});
   const WorldPoint south_east = geometry.CenterOf({window.row_end - 1, window.col_end - 1});
   const WorldPoint middle{0.5 * (north_west.x_m + south_east.x_m),

@@ -118,7 +118,7 @@ void AddBlock(const ShapeInput& input, const BlockForm& block, MeshBuilder* buil
   front.corner_m = Vec3(wall_x_m + 0.06f, -wall_y_m, 0.0f);
   front.width_m = 2.0f * wall_y_m;
   const float door_m = std::min(1.8f, 0.25f * front.width_m);
-  // In the middle bay, between two piers.
+  // The door is in the middle bay, between two piers.
   const float middle_m =
       front.width_m * (static_cast<float>(bays_y / 2) + 0.5f) / static_cast<float>(bays_y);
   AddOpening(front, middle_m - 0.5f * door_m, 0.02f, door_m, std::min(2.4f, 0.8f * each_m),

@@ -35,7 +35,7 @@ void BuildBranch(ShapeInput input, MeshBuilder* builder) {
   for (int i = 0; i <= parts.bends; ++i) {
     const float share = static_cast<float>(i) / static_cast<float>(parts.bends);
     axis.push_back(at(share));
-    // As thick as a round one, however few its sides.
+    // The radius gives the branch the cross-section of a round one, however few its sides.
     const float corner = 2.0f * static_cast<float>(M_PI) / static_cast<float>(parts.sides);
     radii.push_back(thickness(share) * std::sqrt(corner / std::sin(corner)));
   }

@@ -78,7 +78,7 @@ std::array<Rgb, kMeshPartCount> ColorsOf(const Catalogue& catalogue, AssetType t
       set(MeshPart::kDoor, kDoors[static_cast<std::size_t>(4.0 * Another(draw, 3))]);
       set(MeshPart::kTrim, Mix(made, {226, 220, 208}, 0.7));
       set(MeshPart::kStone, {148, 145, 138});
-      // Of hedges, benches and fences.
+      // Leaves are those of hedges, bark is that of benches and fences.
       set(MeshPart::kLeaves, {66, 92, 48});
       set(MeshPart::kBark, {122, 94, 66});
       break;

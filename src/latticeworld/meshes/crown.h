@@ -20,7 +20,7 @@ struct Crown {
   float RadiusAt(float z_m, float angle_rad) const;
   // Points in it, evenly spread; `shell` in [0, 1]: how much they keep to its outside.
   std::vector<Vec3> Fill(int count, float shell, RandomStream* random) const;
-  // Between its radius and half its length.
+  // Returns the geometric mean of its radius and half its length [m].
   float size_m() const { return std::sqrt(radius_m * 0.5f * (top_m - base_m)); }
   Vec3 centre_m() const { return {0.0f, 0.0f, base_m + 0.45f * (top_m - base_m)}; }
 };

@@ -16,8 +16,8 @@ Vec3 TypicalSize_m(const AssetModel& model) {
   double half_length_m = model.spread.mean * height_m;
   double half_width_m = half_length_m;
   if (model.collision == Collision::kTrunk || model.crown_per_trunk > 1.0) {
-    // Between trees of a stand and solitary ones: 60 times as high as thick (slenderness: Wang,
-    // Titus and LeMay 1998).
+    // The tree is 60 times as high as thick, between trees of a stand and solitary ones
+    // (slenderness: Wang, Titus and LeMay 1998).
     const double trunk_m = height_m / 120.0;
     half_length_m = std::clamp(model.crown_per_trunk * trunk_m, 0.1 * height_m, 0.5 * height_m);
     half_width_m = half_length_m;

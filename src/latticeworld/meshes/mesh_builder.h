@@ -20,7 +20,7 @@ class MeshBuilder {
   void Reserve(std::size_t triangles);
   std::uint32_t AddVertex(const Vec3& position_m);
   void AddTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, MeshPart part);
-  // With corners of its own.
+  // Adds a triangle with corners of its own.
   void AddTriangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, MeshPart part);
   // Corners counter-clockwise seen from outside.
   void AddQuad(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const Vec3& d_m, MeshPart part);
@@ -45,10 +45,10 @@ class MeshBuilder {
   void FitToUnitBox();
   // The same along x and z; y is brought from half_width_m to 1: for what is longer than wide.
   void FitLengthToUnitBox(float half_width_m);
-  // Where FitToUnitBox() brought a point [m -> unit box].
+  // Returns where FitToUnitBox() brought a point [m -> unit box].
   Vec3 Fitted(const Vec3& position_m) const;
 
-  // Without the triangles that have no area and the vertices that none uses.
+  // Returns the mesh without the triangles that have no area and the vertices that none uses.
   Mesh Finish() &&;
 
  private:

@@ -58,7 +58,7 @@ void AddFittedTrunk(const Trunk& trunk, float height_m, float breast_radius, int
     // Far away a foot, breast height and a top are enough.
     if (detail == 2 && i != 0 && i != kBreastNode && i != last) continue;
     if (detail == 1 && (i == 2 || (i > 4 && i % 2 == 0 && i != last))) continue;
-    // Where the trunk is straight the crown's stretching leaves it as it is.
+    // The crown's stretching leaves the straight part of the trunk as it is.
     axis.push_back(i <= kBreastNode ? Vec3(trunk.axis_m[i] / height_m)
                                     : builder->Fitted(trunk.axis_m[i]));
     float radius = breast_radius;

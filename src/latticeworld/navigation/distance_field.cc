@@ -21,7 +21,7 @@ constexpr int kStraightCells = 8;
 struct Step {
   int row, col;
 };
-// Around a cell, each beside the next.
+// The steps to the eight neighbours of a cell, each beside the next.
 constexpr std::array<Step, 8> kAround = {
     {{0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}}};
 
@@ -159,7 +159,7 @@ class Marcher {
     Reach(cell, best_m);
   }
 
-  // From a cell to a neighbour.
+  // The step from a cell to a neighbour.
   struct Edge {
     int direction;
     float rise_m;

@@ -14,7 +14,8 @@ namespace latticeworld {
 
 struct Scene;
 
-// Where one robot's centre can be, and how high the ground is there, or the deck that carries it.
+// Says where one robot's centre can be, and how high the ground is there, or the deck that carries
+// it.
 struct NavigableMap {
   HeightField ground;
   Grid<std::uint8_t> free;  // (rows x cols) of ground.geometry(); 1: it can be there

@@ -64,7 +64,7 @@ std::vector<WorldPoint> Straighten(const NavigableMap& map, const std::vector<Wo
   std::vector<WorldPoint> corners = {points.front()};
   std::size_t at = 0;
   while (at + 1 < points.size()) {
-    // As far as doubling reaches, then back by halves.
+    // The line is lengthened by doubling as long as that pays, then by halves.
     std::size_t good = at + 1, step = 1;
     const auto pays = [&](std::size_t to) {
       const SurfaceLine line = MeasureLine(map, points[at], points[to]);

@@ -27,7 +27,7 @@ struct TaskDifficulty {
 inline constexpr double kDensityReach_m = 3.0;
 inline constexpr double kAgentReach_m = 20.0;
 
-// From where to where a robot is to go. Solvable: `way` is free for the robot all along.
+// Says from where to where a robot is to go. Solvable: `way` is free for the robot all along.
 struct NavigationTask {
   WorldPoint start;
   double start_heading_rad = 0.0;

@@ -8,13 +8,14 @@
 
 namespace latticeworld {
 
-// Where a robot was, and what it felt, at one moment.
+// Says where a robot was, and what it felt, at one moment.
 struct TrialSample {
   double time_s = 0.0;
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  // of base_link, map frame
   double yaw_rad = 0.0;
   double power_w = 0.0;  // that its motors give or take, summed as absolute values
-  // Until it and the nearest other body meet if both go on as they go; infinity: they do not.
+  // The time until it and the nearest other body meet if both go on as they go; infinity: they do
+  // not.
   double time_to_collision_s = 0.0;
 };
 
@@ -64,12 +65,12 @@ Status Validate(const TrialRecord& record, const TrialGoal& goal);
 // record, goal: valid.
 TrialMetrics Measure(const TrialRecord& record, const TrialGoal& goal);
 
-// Until two discs that go on as they go touch [s]: 0 where they do already; infinity: never.
-// position, velocity: of the second as the first sees it; radii_m: sum of both.
+// Returns the time until two discs touch that go on as they go [s]; 0: they already do; infinity:
+// they never do. position, velocity: of the second as the first sees it; radii_m: sum of both.
 double TimeToCollision(const Eigen::Vector2d& position_m, const Eigen::Vector2d& velocity_mps,
                        double radii_m);
 
-// Of many tries.
+// Sums up the metrics of many trials.
 struct TrialSummary {
   int trials = 0;
   double success_share = 0.0;
@@ -78,7 +79,7 @@ struct TrialSummary {
   double mean_spl = 0.0, mean_sct = 0.0, mean_barn_4_8 = 0.0, mean_barn_2_8 = 0.0;
   double collision_share = 0.0, timeout_share = 0.0, survival_share = 0.0;
   double mean_collisions = 0.0, mean_adversary_hits = 0.0;
-  // Of the successful ones; 0 where there is none.
+  // Means over the successful trials; 0: there is none.
   double mean_time_s = 0.0, mean_length_m = 0.0, mean_energy_j = 0.0;
 };
 TrialSummary Summarize(const std::vector<TrialMetrics>& trials);

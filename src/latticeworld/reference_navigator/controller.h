@@ -16,7 +16,7 @@ struct DriveCommand {
   double yaw_rate_radps = 0.0;
 };
 
-// Where a robot is in plan and how it moves.
+// Says where a robot is in plan and how it moves.
 struct PlanarState {
   WorldPoint at;
   double heading_rad = 0.0;

@@ -45,7 +45,7 @@ class GlobalRoute {
   // What the way costs from a place, or from the nearest open one where it stands too near
   // something; infinity: none.
   double CostFrom(WorldPoint here) const;
-  // From a place that has a way to the goal, both included.
+  // Returns the way to the goal from a place that has one, both included.
   std::vector<WorldPoint> WayFrom(WorldPoint here) const;
   // As Navigator::Plan; points are finite.
   Result<std::vector<WorldPoint>> Plan(WorldPoint start, WorldPoint goal, double tolerance_m) const;

@@ -76,7 +76,7 @@ LocalPlan::LocalPlan(const GlobalPlan& global, const ObstacleLayer& seen,
 }
 
 double LocalPlan::CostAt(WorldPoint point) const {
-  // Between the four centres around, of those that have a way.
+  // The cost is interpolated between those of the four centres around that have a way.
   const double row = (corner_.y_m - point.y_m) / kCell_m - 0.5;
   const double col = (point.x_m - corner_.x_m) / kCell_m - 0.5;
   const int r0 = static_cast<int>(std::floor(row)), c0 = static_cast<int>(std::floor(col));

@@ -15,7 +15,7 @@
 
 namespace latticeworld {
 
-// Where the robot may go, in the map frame.
+// Says where the robot may go, in the map frame.
 struct CostMap {
   GridGeometry geometry;
   // (rows x cols), row 0 north; as nav_msgs/OccupancyGrid means it: -1 unknown, 0 free .. 100
@@ -33,7 +33,7 @@ struct Sighting {
   bool planar = false;                    // of a 2D scan: any hit may be rising ground
 };
 
-// Where the robot is, by tf and odometry.
+// Says where the robot is, by tf and odometry.
 struct NavigatorPose {
   double time_s = 0.0;
   // x forward, z up; its origin is at most about the robot's height above the ground.

@@ -44,7 +44,7 @@ struct NavigatorOptions {
   // The controller.
   double lookahead_m = 1.2;  // [0.1, 20] at top speed; less the slower it goes
   double horizon_s = 1.0;    // [0.5, 10] that arcs are looked at
-  // When it gives up.
+  // The following say when it gives up.
   double patience_s = 8.0;  // [0.5, 600] without progress until it tries to free itself
   int recoveries = 6;       // [0, 100] in a row without progress between them; then it fails
   double time_limit_s = std::numeric_limits<double>::infinity();  // above 0, of one goal

@@ -108,7 +108,7 @@ void ObstacleLayer::JudgeByHeight(std::vector<Hit>* hits) const {
   }
   for (Hit& hit : *hits) {
     const double above_m = hit.at_m.z() - ground_m[place(hit.at_m)];
-    // Within a cell the ground itself rises.
+    // The ground itself may rise by `rise` within a cell.
     hit.is_obstacle = above_m > robot_.max_step_m + rise &&
                       above_m < std::max(robot_.height_m, robot_.max_step_m + rise + 0.1) + 0.1;
   }

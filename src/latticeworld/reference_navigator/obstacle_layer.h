@@ -23,8 +23,8 @@ class GroundGuess {
 // seen for long is forgotten.
 class ObstacleLayer {
  public:
-  // Of options the robot and what is said of what is seen; the window is local_size_m wide or
-  // wider.
+  // Takes from the options the robot and what is said of what is seen; the window is local_size_m
+  // wide or wider.
   explicit ObstacleLayer(const NavigatorOptions& options);
 
   double reach_m() const { return 0.5 * cells_ * cell_m_ - 0.5; }  // from the robot
@@ -37,8 +37,9 @@ class ObstacleLayer {
   // Forgets what is older than the memory reaches; distances count from then on.
   void Settle(double time_s);
 
-  // From there to the middle of the nearest occupied cell, infinity: none within kFar_m or outside
-  // the window. Of the last Settle.
+  // DistanceAt returns the distance from a place to the middle of the nearest cell that was
+  // occupied at the last Settle [m]; infinity: none is within kFar_m, or the place is outside the
+  // window.
   static constexpr double kFar_m = 2.0;
   double DistanceAt(WorldPoint point) const;
   WorldPoint middle() const { return {middle_m_.x(), middle_m_.y()}; }

@@ -58,7 +58,7 @@ class BucketQueue {
 TravelField SpreadFrom(const std::vector<TravelSeed>& seeds, const Grid<float>& prices,
                        double resolution_m, const CellIndex* enough) {
   const int rows = prices.rows(), cols = prices.cols();
-  // With a closed cell all round, so that no neighbour is outside.
+  // The grid has a closed cell all round, so that no neighbour is outside.
   const int width = cols + 2;
   const auto place = [width](CellIndex cell) {
     return static_cast<std::uint32_t>((cell.row + 1) * width + cell.col + 1);

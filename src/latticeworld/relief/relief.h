@@ -37,9 +37,10 @@ struct HeightMapOptions {
 std::vector<Violation> Validate(const HeightMapOptions& options);
 
 // Reads an 8- or 16-bit greyscale height map (colour is refused) from the bytes of a PNG, PGM or
-// TIFF. Of a picture that is not square its middle square, and a warning says which pixels are
-// kept. Errors: INVALID_ARGUMENT (not such a picture, truncated, a side outside 33..8193, options).
-// The header is checked before pixels are decoded, so that a hostile size costs no memory.
+// TIFF. If the picture is not square, its middle square is taken, and a warning says which pixels
+// are kept. Errors: INVALID_ARGUMENT (not such a picture, truncated, a side outside 33..8193,
+// options). The header is checked before pixels are decoded, so that a hostile size costs no
+// memory.
 Result<Relief> ReadHeightMap(std::string_view bytes, const HeightMapOptions& options);
 // The same with nothing cut off, (rows x cols) of the picture: for measuring.
 Result<Relief> ReadWholeHeightMap(std::string_view bytes, const HeightMapOptions& options);

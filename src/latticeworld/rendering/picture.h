@@ -16,16 +16,18 @@ struct PictureOptions {
   bool agents = true;   // draw agents where they begin, and mark them
   int compression = 3;  // of the PNG, [0, 9]: larger is smaller and slower
   bool quick = false;   // views from the side: coarse shapes and plain light, for thumbnails
-  // Of the stages "ray scene" and "picture", or null; views fail with CANCELLED.
+  // Hears the stages "ray scene" and "picture" of ray-traced views and may cancel them, or null.
   const Progress* progress = nullptr;
 };
 
-// PNG of the world from above, north up: ground colours, shaded relief, water, assets, agents.
+// Draws a PNG of the world from above, north up: ground colours, shaded relief, water, assets,
+// agents. Errors: INVALID_ARGUMENT (options), INTERNAL (the PNG cannot be encoded).
 Result<std::string> DrawTopView(const Scene& scene, const PictureOptions& options);
-// PNG of the world from the south at an angle, as a block of land, ray-traced in the light of its
-// weather and hour.
+// Draws a PNG of the world from the south at an angle, as a block of land, ray-traced in the light
+// of its weather and hour. Errors: those of DrawTopView, RESOURCE_EXHAUSTED (no memory for the
+// rays' world), INTERNAL (Embree), CANCELLED.
 Result<std::string> DrawObliqueView(const Scene& scene, const PictureOptions& options);
-// Both side by side.
+// Draws both views side by side. Errors: those of DrawObliqueView.
 Result<std::string> DrawWorld(const Scene& scene, const PictureOptions& options);
 
 }  // namespace latticeworld

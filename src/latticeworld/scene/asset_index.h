@@ -23,7 +23,7 @@ class AssetIndex {
   void ForEachNear(WorldPoint point, double radius_m, Visit&& visit) const;
 
   double largest_solid_radius_m() const { return largest_solid_radius_m_; }
-  // Of memory that it holds.
+  // Returns the bytes of memory that it holds.
   std::size_t bytes() const {
     return entries_.capacity() * sizeof(Entry) + bucket_begin_.capacity() * sizeof(std::uint32_t);
   }

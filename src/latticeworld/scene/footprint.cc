@@ -58,7 +58,7 @@ double GapBetween(const Footprint& a, const Footprint& b) {
   const double separation_m =
       std::max(SeparationOnAxesOf(a, corners_b), SeparationOnAxesOf(b, corners_a));
   if (separation_m <= 0.0) return separation_m;
-  // Of two rectangles that do not overlap the nearest points are a corner and a point of a side.
+  // The nearest points of two rectangles that do not overlap are a corner and a point of a side.
   double gap_m = INFINITY;
   for (const WorldPoint& corner : corners_b) gap_m = std::min(gap_m, GapTo(a, corner));
   for (const WorldPoint& corner : corners_a) gap_m = std::min(gap_m, GapTo(b, corner));

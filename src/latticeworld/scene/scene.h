@@ -26,7 +26,7 @@ inline constexpr int kMaxAssets = 500000;
 // Agents of a scene at most: those of the groups and the robot that every world has.
 inline constexpr int kMaxAgentStarts = kMaxAgents + 1;
 
-// Where an agent begins.
+// Says where an agent begins.
 struct AgentStart {
   std::string name;  // unique, legal as a ROS name: "sheep_1"; the first wheeled robot is "robot"
   AgentCategory category = AgentCategory::kSheep;

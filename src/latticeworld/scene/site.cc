@@ -141,7 +141,7 @@ double SiteMap::ToWater(WorldPoint point) const {
 }
 
 Site SiteMap::At(WorldPoint point) const {
-  // Between the four nearest cells.
+  // Values are interpolated between the four nearest cells.
   const double last = coarse_.rows() - 1;
   const double row = std::clamp(coarse_.RowOf(point.y_m), 0.0, last);
   const double col = std::clamp(coarse_.ColOf(point.x_m), 0.0, last);

@@ -34,7 +34,7 @@ class SiteMap {
 
   Site At(WorldPoint point) const;
   double ToWater(WorldPoint point) const;  // [m], to the middle of the nearest wet cell
-  // Of the dry land that is no farther than that from water [m^2].
+  // Returns the area of the dry land that is no farther than that from water [m^2].
   double ShoreArea_m2(double reach_m) const;
 
  private:

@@ -25,7 +25,7 @@ class SurfaceTable {
   std::array<SurfaceProperties, kSurfaceClassCount> properties_;
 };
 
-// That under the state of the ground that the changes tell of.
+// Returns the table under the state of the ground that the changes tell of.
 inline SurfaceTable SurfacesIn(const Scene& scene, const SceneChanges& changes) {
   return SurfaceTable(scene, changes.ground.value_or(scene.atmosphere.ground()));
 }

@@ -14,7 +14,7 @@ constexpr double kCut = 4.0;
 
 double NormalDistribution(double x) { return 0.5 * std::erfc(-x * M_SQRT1_2); }
 
-// Where the standard normal distribution function is p, (0, 1), by bisection.
+// Returns where the standard normal distribution function is p, (0, 1), by bisection.
 double NormalQuantile(double p) {
   double low = -kCut, high = kCut;
   for (int i = 0; i < 60; ++i) {

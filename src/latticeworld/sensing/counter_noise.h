@@ -11,7 +11,8 @@ namespace latticeworld {
 // of them come in any order, on any thread, or not at all, and each stays the same. The mixing is
 // SplitMix64's (Steele, Lea and Flood 2014).
 
-// Of one sensor's stream: seed: of the rig, what: "imu", "lidar" ...
+// Returns the key of the random numbers of one sensor's stream. seed: of the rig; what: "imu",
+// "lidar" ...
 std::uint64_t NoiseKey(std::uint64_t seed, std::string_view robot, std::string_view sensor,
                        std::string_view what);
 

@@ -70,7 +70,7 @@ struct Interval {
 
 constexpr Interval kNothing = {1.0, 0.0};
 
-// Where start + t delta lies in [-limit, limit].
+// Clips `inside` to the t for which start + t delta lies in [-limit, limit].
 void ClipToSlab(double start, double delta, double limit, Interval* inside) {
   if (delta == 0.0) {
     if (std::abs(start) > limit) *inside = kNothing;

@@ -16,7 +16,7 @@ namespace {
 
 using Reading = decltype(SensorFrame::reading);
 
-// Of a reading: what steps and rates hit exactly they hit in doubles too.
+// The tolerance is in readings: what steps and rates hit exactly they hit in doubles too.
 constexpr double kClockTolerance = 1e-6;
 
 // What sensors have in common that are read at moments.

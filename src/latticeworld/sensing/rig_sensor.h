@@ -17,7 +17,7 @@ class SensorClock {
  public:
   explicit SensorClock(double rate_hz) : rate_hz_(rate_hz) {}
 
-  // Of the last reading at or before a step's time.
+  // Returns the number of the last reading at or before a step's time.
   std::uint64_t Number(std::uint64_t step, double step_s) const;
   bool IsDue(std::uint64_t step, double step_s) const {
     return step == 0 || Number(step, step_s) > Number(step - 1, step_s);
@@ -54,7 +54,7 @@ std::unique_ptr<RigSensor> MakeRigSensor(std::shared_ptr<const SensorSpec> spec,
                                          const SensedAgent& agent, std::uint64_t seed,
                                          const SensorRigOptions& options);
 
-// Of MakeRigSensor: those that trace rays. key: of their noise.
+// MakeRigSensor calls these two for sensors that trace rays. key: of their noise.
 std::unique_ptr<RigSensor> MakeRigLidar(std::shared_ptr<const SensorSpec> spec,
                                         const SensedAgent& agent, std::uint64_t key);
 std::unique_ptr<RigSensor> MakeRigCamera(std::shared_ptr<const SensorSpec> spec,

@@ -27,7 +27,7 @@ class RigWorld {
 
   // As the world of this step is. Errors are Embree's.
   Result<const SensorScene*> Rays();
-  // Under the weather of this step.
+  // Returns the surfaces under the weather of this step.
   const LidarSurfaces& surfaces();
 
   const SensedWorld& world() const { return *world_; }

@@ -17,7 +17,8 @@ namespace latticeworld {
 
 // The wheels of a vehicle, as encoders read them.
 struct SensedWheels {
-  // Of the first driven wheel of a side, forward positive; angles go around within +-pi.
+  // Angles and rates of the first driven wheel of a side, forward positive; angles go around within
+  // +-pi.
   double left_rad = 0.0, right_rad = 0.0;
   double left_radps = 0.0, right_radps = 0.0;
   std::optional<double> steering_rad;  // of the middle of the steered axle; none: not steered

@@ -105,7 +105,7 @@ class SensorCatalogueBuilder {
 
   // By name, with those of what it extends; what is wrong with its own is added.
   std::map<std::string, SensorSpec> SensorsOf(const SuiteEntry& entry) {
-    // From the entry back to the suite that all of them extend.
+    // The chain goes from the entry back to the suite that all of them extend.
     std::vector<const SuiteEntry*> chain = {&entry};
     std::set<std::string> met = {entry.name};
     while (!chain.back()->extends.empty()) {

@@ -37,8 +37,8 @@ struct SensorFile {
 };
 
 // Reads one file and adds all its violations: JSON, schema, and what a schema cannot say about one
-// entry, where that entry keeps to the schema. Of what is wrong no entry is given. file_name: what
-// the pointers begin with.
+// entry, where that entry keeps to the schema. What is wrong gives no entry. file_name: what the
+// pointers begin with.
 SensorFile ReadSensorFile(const std::string& file_name, const std::string& text,
                           const SchemaChecker& checker, std::vector<Violation>* violations);
 

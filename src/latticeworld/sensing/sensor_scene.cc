@@ -86,7 +86,7 @@ Status SensorScene::Update(const SensedWorld& world) {
     return InvalidArgument("asset " + std::to_string(absent.back()) +
                            " cannot have fallen or gone: the world has " +
                            std::to_string(assets.size()) + " assets");
-  // Both or neither.
+  // If either part fails, neither changes: the moving scene is prepared first and used last.
   LW_RETURN_IF_ERROR(parts_->moving->Prepare(world, assets, parts_->tiles.get()));
   LW_RETURN_IF_ERROR(parts_->tiles->SetAbsent(std::move(absent)));
   parts_->moving->Use();

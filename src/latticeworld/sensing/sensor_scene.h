@@ -38,8 +38,8 @@ struct SensorSceneOptions {
 // Update and Focus by one thread, while no other traces; rays from as many as wanted.
 class SensorScene {
  public:
-  // About 130 MiB for the ground of a kilometre at 0.5 m. Reports the stage "ray scene". Errors: as
-  // RayScene::Create, INVALID_ARGUMENT (options).
+  // Builds the scenes; the ground of a kilometre at 0.5 m takes about 130 MiB. Reports the stage
+  // "ray scene". Errors: those of RayScene::Create, INVALID_ARGUMENT (options).
   static Result<SensorScene> Create(std::shared_ptr<const Scene> scene,
                                     const SensorSceneOptions& options, const Progress& progress);
   ~SensorScene();
@@ -50,10 +50,10 @@ class SensorScene {
   // tree that falls has its tile made anew. Errors are the device's and INVALID_ARGUMENT (trees
   // that the scene has not); everything stays as it was then.
   Status Update(const SensedWorld& world);
-  // Where sensors are, so that what is near them is baked and fine: a function of these places
-  // alone, not of earlier ones. Cheap while they stay within the tiles they were in; tiles that
-  // were baked are kept while max_baked_triangles lets them. The hits are the same wherever tiles
-  // are baked up to rounding, but for the detail of meshes. Errors are the device's.
+  // Bakes and refines what is near these places of sensors: a function of the places alone, not of
+  // earlier ones. Cheap while they stay within the tiles they were in; tiles that were baked are
+  // kept while max_baked_triangles lets them. The hits are the same wherever tiles are baked up to
+  // rounding, but for the detail of meshes. Errors are the device's.
   Status Focus(const std::vector<Eigen::Vector3d>& eyes_m);
 
   // No agent: RayHits may be of any.

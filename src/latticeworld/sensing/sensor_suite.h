@@ -43,7 +43,7 @@ struct SensorSpec {
       model;
 };
 
-// Of a sensor on a body of that height [m].
+// Returns the pose of a sensor on a body of that height [m].
 Eigen::Isometry3d BaseFromSensor(const SensorSpec& spec, double body_height_m);
 
 // What a robot carries.

@@ -30,11 +30,11 @@ class JournaledSimulator : public Simulator {
   std::uint64_t run() const { return run_; }
   // The start state that entries() go on from.
   const JournalBeginning& beginning() const { return beginning_; }
-  // In order. Empty while the journal is not complete.
+  // Returns the calls in order; none while the journal is not complete.
   const std::vector<JournalEntry>& entries() const { return entries_; }
   // False: there were more calls than are kept, until the next Reset.
   bool complete() const { return complete_; }
-  // Of the last call.
+  // Returns the number of the last call.
   std::uint64_t last_number() const { return last_number_; }
   // Steps since the simulator was made.
   std::uint64_t steps() const { return steps_; }

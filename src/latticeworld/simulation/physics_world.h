@@ -93,9 +93,10 @@ class PhysicsWorld {
   // angle to which a steered one turns (left positive) [rad], until told otherwise.
   virtual void SetWheel(BodyId body, std::size_t wheel, double rate_radps, double steer_rad) = 0;
   virtual JointReading WheelOf(BodyId body, std::size_t wheel) const = 0;
-  // Of the steering of a wheel (left positive); all zero where it is not steered.
+  // Returns the angle and rate of a wheel's steering (left positive); all zero if it is not
+  // steered.
   virtual JointReading SteeringOf(BodyId body, std::size_t wheel) const = 0;
-  // Until told otherwise.
+  // Sets what a joint strives for; it holds until the next call.
   virtual void SetJoint(BodyId body, std::size_t link, const JointTarget& target) = 0;
   virtual JointReading JointOf(BodyId body, std::size_t link) const = 0;
   // Pose of a link's frame (BodySpec) in the map.
@@ -106,7 +107,7 @@ class PhysicsWorld {
   virtual void AddForceAt(BodyId body, const Eigen::Vector3d& force_n,
                           const Eigen::Vector3d& point_m) = 0;
   virtual void AddTorque(BodyId body, const Eigen::Vector3d& torque_nm) = 0;
-  // At once, at a point of the trunk [N s].
+  // Changes the body's momentum at once, at a point of the trunk [N s].
   virtual void AddImpulse(BodyId body, const Eigen::Vector3d& impulse_ns,
                           const Eigen::Vector3d& point_m) = 0;
 
@@ -139,7 +140,7 @@ class PhysicsWorld {
 
   // solver_seed: of the solver's order of constraints.
   virtual void Step(double step_s, std::uint64_t solver_seed) = 0;
-  // Of the last step, in the order in which they were found.
+  // Returns the contacts of the last step, in the order in which they were found.
   virtual const std::vector<Contact>& contacts() const = 0;
   // Bodies that met numbers not finite in the last step, a part of which became 30 m/s faster than
   // forces explain, or that go on gaining energy; each is back where it was, at rest. Increasing.

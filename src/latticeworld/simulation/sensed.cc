@@ -8,7 +8,7 @@
 namespace latticeworld {
 namespace {
 
-// Of agents that do what Simulator::Command says.
+// The policy of agents that do what Simulator::Command says.
 constexpr char kExternalPolicy[] = "external";
 
 const JointSnapshot* FindJoint(const AgentSnapshot& agent, const std::string& name) {
@@ -35,8 +35,8 @@ void SetWheels(const AgentSnapshot& agent, const std::string& left, const std::s
   }
 }
 
-// Of the middle of the steered axle: its wheels stand on circles around one point of the rear
-// axle's line, and so does its middle (Ackermann's geometry).
+// Returns the steering angle of the middle of the steered axle: its wheels stand on circles around
+// one point of the rear axle's line, and so does its middle (Ackermann's geometry).
 double MiddleSteering(double left_rad, double right_rad) {
   // cot(middle) is the mean of the wheels' cotangents.
   const double left = std::tan(left_rad), right = std::tan(right_rad);

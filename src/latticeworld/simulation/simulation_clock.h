@@ -40,7 +40,7 @@ class SimulationClock {
   // What need not be done in every step is done in turns: each number has one in a tenth of a
   // second, so that those of many agents, by their ids, spread over the steps between.
   bool HasTurn(std::uint64_t number) const { return (episode_step_ + number) % turn_steps_ == 0; }
-  // From one turn of a number to its next.
+  // Returns the number of steps from one turn of a number to its next.
   std::uint64_t turn_steps() const { return turn_steps_; }
 
  private:

@@ -20,8 +20,8 @@ struct SimulatorOptions {
   double command_timeout_s = 0.5;    // a robot without a newer command stops; [0.05, 60]
   double pursuit_distance_m = 25.0;  // adversaries pursue enemies nearer than this; (0, 1000]
   double day_length_s = 0.0;         // from noon to noon; 0: the hour stands still; else [60, 1e6]
-  // That step bodies where enough of them move, [0, 256]; 0: as many as cores. States do not depend
-  // on it.
+  // The number of threads that step bodies if enough of them move, [0, 256]; 0: as many as cores.
+  // States do not depend on it.
   int physics_threads = 0;
   std::shared_ptr<const SpeciesCatalogue> species = SpeciesCatalogue::BuiltIn();  // never null
   std::string robot_species = "wheeled robot";  // of the scene's wheeled robots; of their category
@@ -126,9 +126,9 @@ class Simulator {
   // OUT_OF_RANGE.
   virtual Status OpenGate(const std::string& prop, double opening_rad) = 0;
 
-  // From the next step on the weather moves to what the change says; an event tells when it begins
-  // to and when it is there. Maps keep the waters' mean level. Errors: INVALID_ARGUMENT with every
-  // violation; nothing changes then.
+  // Lets the weather move, from the next step on, to what the change says; an event tells when it
+  // begins to and when it is there. Maps keep the waters' mean level. Errors: INVALID_ARGUMENT with
+  // every violation; nothing changes then.
   virtual Status SetWeather(const WeatherChange& change) = 0;
   // What the weather is once it stops moving.
   virtual const Atmosphere& WeatherTarget() const = 0;

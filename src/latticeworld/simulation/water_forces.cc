@@ -50,7 +50,7 @@ class Water {
       : terrain_(terrain), atmosphere_(atmosphere), one_level_(one_level) {
     if (one_level_) level_m_ = LevelAt({motion.position_m.x(), motion.position_m.y()});
   }
-  // Of the surface [m]; minus infinity where dry.
+  // Returns the height of the water's surface [m]; minus infinity: it is dry there.
   double SurfaceAt(const Eigen::Vector3d& point) const {
     return one_level_ ? level_m_ : LevelAt({point.x(), point.y()});
   }

@@ -79,8 +79,8 @@ struct AgentSnapshot {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d linear_velocity_mps = Eigen::Vector3d::Zero();     // in base_link
   Eigen::Vector3d angular_velocity_radps = Eigen::Vector3d::Zero();  // in base_link
-  // Of the hardest bump of the last step with what it does not stand on; of agents that obey
-  // commands alone.
+  // The force of the hardest bump of the last step with what it does not stand on; only for agents
+  // that obey commands.
   double contact_force_n = 0.0;
   Eigen::Vector3d contact_direction = Eigen::Vector3d::Zero();  // to it, in base_link; zero: none
   std::vector<JointSnapshot> joints;  // wheels and steering, or legs; of controllable agents alone
@@ -149,8 +149,9 @@ struct Event {
   std::uint64_t step = 0;
   EventKind kind = EventKind::kSpawned;
   std::string agent;  // who: an agent or a prop; empty: the world
-  // With or against whom or what; may be empty. kWeatherChanged: "rain begins" when the weather
-  // begins to move there, "rain" once it is there. kFelledTree, kTreeCameToRest: "tree_<asset>".
+  // The agent, prop or thing with or against which it happened; may be empty. kWeatherChanged:
+  // "rain begins" when the weather begins to move there, "rain" once it is there. kFelledTree,
+  // kTreeCameToRest: "tree_<asset>".
   std::string other;
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
 };

@@ -33,7 +33,7 @@ constexpr std::array<EnumName<BodyPlan>, 6> EnumNames(BodyPlan) {
 inline bool IsOnLegs(BodyPlan plan) {
   return plan == BodyPlan::kQuadruped || plan == BodyPlan::kBiped || plan == BodyPlan::kGrazer;
 }
-// In the air or in water, where nothing holds it but itself.
+// Returns whether it moves in the air or in water, where nothing holds it but itself.
 inline bool KeepsAfloat(BodyPlan plan) {
   return plan == BodyPlan::kFlyer || plan == BodyPlan::kSwimmer;
 }
@@ -96,8 +96,8 @@ struct Species {
 
   double mass_kg = 60.0;  // all of it
   double height_m = 1.0;
-  // Of the vertical cylinder around it: the one footprint that spawning, paths, maps and tasks
-  // take.
+  // The radius of the vertical cylinder around it: the one footprint that spawning, paths, maps and
+  // tasks take.
   double radius_m = 0.5;
   double eye_height_m = 0.9;  // above base_link
 

@@ -6,7 +6,8 @@
 namespace latticeworld {
 namespace {
 
-// To the farthest corner of a wheel that points ahead, its middle at (x, y).
+// Returns the distance to the farthest corner of a wheel that points ahead, its middle at (x, y)
+// [m].
 double ReachOfWheel(const VehicleDesign& design, double x_m, double y_m) {
   return std::hypot(std::abs(x_m) + design.wheel_radius_m, y_m + 0.5 * design.wheel_width_m);
 }

@@ -19,7 +19,8 @@ void UpperCones(float fall_per_cell, Grid<float>* values);
 // in one round of the same two sweeps.
 void LimitSlope(const Grid<float>& rise_per_cell, Grid<float>* values);
 
-// For every cell the index of the nearest cell of the mask, by the same distances; -1 without any.
+// Returns for every cell the index of the nearest cell of the mask, by the same distances; -1 if
+// the mask has none.
 Grid<std::int32_t> NearestOf(const Grid<unsigned char>& mask);
 
 // The same cones within a mask, along ways that never leave it: distances in king's moves of 1 and

@@ -33,7 +33,7 @@ constexpr double kMostSoftGrowth = 4.0;
 // Water lies a little below its shore: a share of the world's size, up to a limit [m].
 constexpr double kIncisionOfSize = 0.002;
 constexpr double kMaxIncision_m = 0.5;
-// Between two waters of unlike level the land falls no steeper [m/m].
+// The land between two waters of unlike level falls no steeper than this [m/m].
 constexpr double kNeighbourSlope = 0.25;
 
 // What slides comes to rest a little below the talus.
@@ -140,7 +140,7 @@ Fields FieldsOf(const GridGeometry& lattice, const SmoothedMasks& masks, const U
   return fields;
 }
 
-// Where water leaves the world: water itself, and the low places of a dry edge.
+// Says where water leaves the world: at water itself, and at the low places of a dry edge.
 struct BaseLevel {
   Grid<unsigned char> outlet;
   Grid<float> height_m;  // of the outlets
@@ -214,7 +214,8 @@ BaseLevel Coarser(const BaseLevel& base, int cells) {
   return coarse;
 }
 
-// Where the water of a dry edge leaves: hills, and higher where the land is.
+// Returns the heights at which the water of a dry edge leaves: those of hills, and higher where the
+// land is [m].
 Grid<float> EdgeHeight(const GridGeometry& lattice, const Fields& fields,
                        const Grid<float>& hills_m) {
   Grid<float> height_m = fields.steepness_m;

@@ -43,7 +43,7 @@ DecodeOptions BorderOptions(const GridGeometry& geometry, bool fords) {
   return options;
 }
 
-// Of land that is shaped around its water anyway.
+// Banks are no steeper than this in land that is shaped around its water anyway.
 constexpr double kShapedBankSlope = 0.4;
 constexpr float kFordReach_cells = 4.0f;
 constexpr double kClimbShare = 0.65;  // of the most that roads slope by: what bends are laid for
@@ -342,7 +342,7 @@ Works BuildIntoLand(const TerrainRequest& request, const internal::ReliefForms& 
   return works;
 }
 
-// Where the plan's water may be forded, and how much of what is finer than the lattice stays there.
+// Plans where the water may be forded, and how much of what is finer than the lattice stays there.
 // shaped: see Works.
 void PlanDetail(const LatticeLayout& layout, const internal::Banks& banks,
                 const Grid<float>& shaped, internal::LandPlan* plan) {

@@ -73,7 +73,7 @@ latticeworld_msgs::AgentEvent ToAgentEvent(const Event& event, ros::Time stamp,
 Eigen::Isometry3d LevelFrameAt(const Eigen::Isometry3d& pose) {
   const Eigen::Vector3d forward = pose.linear().col(0);
   const Eigen::Vector3d left = pose.linear().col(1);
-  // Where the robot looks straight up or down, what is to its left says the yaw.
+  // If the robot looks straight up or down, what is to its left says the yaw.
   const bool steep = forward.head<2>().norm() < 1e-3;
   const double yaw_rad =
       steep ? std::atan2(-left.x(), left.y()) : std::atan2(forward.y(), forward.x());

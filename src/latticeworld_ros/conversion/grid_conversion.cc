@@ -41,7 +41,7 @@ std_msgs::Float32MultiArray ToMultiArray(const Grid<float>& values) {
   return array;
 }
 
-// Of a layer beside its cells: its name and layout, generously.
+// The bytes of a layer beside its cells: its name and layout, generously.
 constexpr std::uint64_t kLayerBytes = 1024;
 
 int CoarseCells(int cells, int coarsening) { return (cells + coarsening - 1) / coarsening; }

@@ -11,11 +11,11 @@
 namespace latticeworld {
 namespace {
 
-// Of what comes exact from the simulation, in covariances whose zeros would mean "unknown".
+// The variance of what comes exact from the simulation: zeros in a covariance would mean "unknown".
 constexpr double kExact = 1e-9;
-// Of a pose before anything has made it uncertain: that of exact odometry.
+// The variance of a pose before anything has made it uncertain: that of exact odometry.
 constexpr double kExactPose = 1e-6;
-// Of what wheels know nothing of: rising, rolling, pitching.
+// The variance of what wheels know nothing of: rising, rolling, pitching.
 constexpr double kUnmeasured = 1e6;
 
 std_msgs::Header HeaderOf(const std::string& frame_id, ros::Time stamp) {
@@ -31,7 +31,7 @@ void SetDiagonal(const Eigen::Vector3d& variances, Matrix* matrix) {
   for (int i = 0; i < 3; ++i) (*matrix)[static_cast<std::size_t>(4 * i)] = variances[i];
 }
 
-// Of one reading of an inertial sensor's white noise.
+// Returns the variance of one reading of an inertial sensor's white noise.
 double VarianceOf(const InertialNoise& noise, double rate_hz) {
   return std::max(kExact, noise.density * noise.density * rate_hz);
 }

@@ -17,7 +17,7 @@
 
 namespace latticeworld {
 
-// To the nanosecond, where ros::Duration(double) cuts.
+// Rounds to the nanosecond, where ros::Duration(double) cuts.
 ros::Duration DurationOf(double seconds);
 
 // <robot>/<sensor>, and of its pictures <robot>/<sensor>_optical.

@@ -11,7 +11,7 @@
 namespace latticeworld {
 namespace {
 
-// None for an empty list or NaN; a violation for more than one number.
+// Reads at most one number: none from an empty list or NaN; more than one are a violation.
 std::optional<double> ReadOne(const char* field, const std::vector<double>& given,
                               std::vector<Violation>* violations) {
   if (given.size() > 1) {

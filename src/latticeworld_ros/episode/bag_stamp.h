@@ -17,9 +17,9 @@ struct BagStamp {
   std::optional<ros::Time> stamp;  // when what it tells was; nullopt: it does not say
 };
 
-// Of messages that begin with a std_msgs/Header its number, which roscpp gives, and stamp; of tf
-// those of the first transform, where world_server numbers its messages from 1 on and others leave
-// 0, which is no number; of the clock its time alone. A stamp of 0 says nothing.
+// Returns, of a message that begins with a std_msgs/Header, its number, which roscpp gives, and its
+// stamp; of tf those of the first transform, where world_server numbers its messages from 1 on and
+// others leave 0, which is no number; of the clock its time alone. A stamp of 0 says nothing.
 BagStamp StampOf(const BagMessage& message);
 
 }  // namespace latticeworld

@@ -25,7 +25,7 @@ constexpr std::chrono::seconds kLongestIntroduction(5);
 constexpr std::chrono::milliseconds kPollPeriod(20);
 // What was published last is on its way still when the program would end.
 constexpr std::chrono::milliseconds kFarewell(500);
-// So that a signal is heard while nothing is to be told.
+// It sleeps no longer than this at a time, so that a signal is heard while nothing is to be told.
 constexpr std::chrono::milliseconds kLongestSleep(50);
 
 bool EndsWith(const std::string& text, const std::string& ending) {
@@ -92,7 +92,7 @@ class Player {
     publishers_[connection.topic] = node_.advertise(options);
   }
 
-  // Until whoever listens to a topic that is played has found its publisher.
+  // Waits until whoever listens to a topic that is played has found its publisher.
   void WaitForSubscribers() const {
     const Clock::time_point patience = Clock::now() + kLongestIntroduction;
     std::this_thread::sleep_for(kIntroduction);

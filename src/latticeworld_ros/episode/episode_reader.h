@@ -32,7 +32,7 @@ class EpisodeReader {
 
   // The world of the episode. Errors: as UnpackWorld.
   Result<std::shared_ptr<const World>> ReadWorld() const;
-  // Where agents were and what happened.
+  // Reads where agents were and what happened.
   Result<EpisodeRecord> ReadRecord() const;
   // What the episode is simulated again by. warnings: gets what cannot be proven, and why.
   Result<ReplayPlan> ReadPlan(std::vector<std::string>* warnings) const;

@@ -32,7 +32,8 @@ constexpr char kBundleService[] = "get_world_bundle";
 constexpr std::size_t kMostNamed = 5;  // topics, in a warning
 constexpr std::chrono::milliseconds kSupervisePeriod(250);
 constexpr std::chrono::milliseconds kPollPeriod(10);
-// For connections that stand in a few milliseconds, and a server that starts.
+// It waits this long for connections, which stand in a few milliseconds, and for a server that
+// starts.
 constexpr std::chrono::seconds kPatience(5);
 
 // Time of the wall: simulated time may stand still.

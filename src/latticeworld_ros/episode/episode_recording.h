@@ -89,7 +89,7 @@ class EpisodeRecording {
   // False: time has run backward, which that of one server never does.
   bool KeepClock(const BagMessage& message);
   bool KeepHash(const BagMessage& message);
-  // Of a simulation that comes after the recorded one: the episode is over.
+  // Returns whether the run is the recorded one; if it comes after that, the episode is over.
   bool IsOurs(std::uint64_t run);
   void KeepCall(const latticeworld_msgs::JournalEntry& entry);
   void AddMissingCalls(const latticeworld_msgs::GetWorldBundle::Response& last);
@@ -112,7 +112,7 @@ class EpisodeRecording {
   EpisodeProgress progress_;                                             // guarded by mutex_
   SequenceGaps gaps_;                                                    // guarded by mutex_
 
-  // Of the writing thread, and of Begin and End while it does not run.
+  // Only the writing thread touches these, and Begin and End while it does not run.
   latticeworld_msgs::EpisodeStart start_;
   latticeworld_msgs::WorldFiles world_;
   std::unique_ptr<BagFile> file_;  // null: none is open

@@ -33,7 +33,7 @@ class ServerWatch {
   bool Close();
   // False: the first server has been replaced, and messages are no part of the episode any more.
   // Looks with the first message of every new connection: a server is known to the master before it
-  // publishes. Of one thread.
+  // publishes. Only one thread may call it.
   bool Accepts(const BagMessage& message);
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kSlices = 8;               // of a sweep, each with a pose of its own
 constexpr double kLongestSweep_s = 1.0;  // what says that it took longer is not believed
-// Of a map's origin from where it would lie with its middle at the frame's origin [cells].
+// A map's middle may lie this far from the frame's origin [cells].
 constexpr double kOffCentre_cells = 0.01;
 
 // Poses of a sensor over a sweep, seen from its pose at the sweep's end.
@@ -85,7 +85,7 @@ float FloatAt(const std::uint8_t* from) {
   return value;
 }
 
-// Where in a cloud's bytes its points are, row after row.
+// Says where in a cloud's bytes its points are, row after row.
 struct CloudLayout {
   std::size_t x, y, z;
   std::optional<std::size_t> time;
@@ -117,7 +117,8 @@ Result<CloudLayout> LayoutOf(const sensor_msgs::PointCloud2& cloud) {
   return CloudLayout{*x, *y, *z, OffsetOf(cloud, "time")};
 }
 
-// When the first and the last point were met [s from the stamp]; both 0 where that is not told.
+// Returns when the first and the last point were met [s from the stamp]; both 0 if that is not
+// told.
 std::pair<double, double> SpanOf(const sensor_msgs::PointCloud2& cloud, const CloudLayout& layout) {
   if (!layout.time) return {0.0, 0.0};
   float first = 0.0f, last = 0.0f;

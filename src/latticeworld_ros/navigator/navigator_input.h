@@ -22,7 +22,7 @@ namespace latticeworld {
 // at the origin of its frame, within the limits of GridGeometry, -1 and 0..100.
 Result<CostMap> ToCostMap(const nav_msgs::OccupancyGrid& map);
 
-// Where a sensor was at a moment, frame map; nullopt: not known.
+// Returns where a sensor was at a moment, frame map; nullopt: not known.
 using SensorPoseAt = std::function<std::optional<Eigen::Isometry3d>(ros::Time)>;
 
 // Readings beyond `range_m` are hits no more: of a scan their rays clear as far as that, of a cloud

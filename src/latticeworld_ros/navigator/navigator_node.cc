@@ -202,7 +202,7 @@ void NavigatorNode::OnWatch() {
 
 template <typename Message>
 void NavigatorNode::See(std::deque<boost::shared_ptr<const Message>>* readings) {
-  // Of several since the last control the newest tells most; older ones are let go.
+  // The newest of several since the last control tells most; older ones are let go.
   for (std::size_t i = readings->size(); i-- > 0;) {
     const Message& reading = *(*readings)[i];
     std::string unknown;
@@ -256,7 +256,7 @@ void NavigatorNode::Control() {
       break;
   }
   Drive(output.speed_mps, output.yaw_rate_radps);
-  // After the command, so that who steps a world may wait for it.
+  // Feedback comes after the command, so that who steps a world may wait for it.
   move_base_msgs::MoveBaseFeedback feedback;
   feedback.base_position.header = HeaderOfNow();
   feedback.base_position.pose = ToPose(pose->map_from_base);

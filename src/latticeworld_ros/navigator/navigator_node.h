@@ -59,7 +59,7 @@ class NavigatorNode {
   Status TakeGoal(const geometry_msgs::PoseStamped& target);
   // Whether there are a map and odometry: FAILED_PRECONDITION naming what lacks.
   Status Ready() const;
-  // Where the robot is by tf, at the last odometry's stamp. Errors: what tf says.
+  // Returns where the robot is by tf, at the last odometry's stamp. Errors: what tf says.
   Result<NavigatorPose> Pose() const;
 
   void Control();

@@ -44,7 +44,7 @@ class MasterWatch {
   void WarnOfTaken(const std::vector<ServiceStanding::Taken>& taken);
 
   std::vector<std::string> services_;
-  // Of the thread alone.
+  // Only the thread touches these.
   std::vector<std::string> told_;    // taken services of which a warning was written
   std::vector<std::string> unsure_;  // topics not delivered at the last look
   bool short_told_ = false;

@@ -23,7 +23,7 @@ bool ReadParameter(XmlRpc::XmlRpcValue value, bool* out);
 bool ReadParameter(XmlRpc::XmlRpcValue value, std::string* out);
 bool ReadParameter(XmlRpc::XmlRpcValue value, std::vector<std::string>* out);
 bool ReadParameter(XmlRpc::XmlRpcValue value, std::size_t* out);
-// Of an enum, a name of it.
+// Reads an enumerator by its name.
 template <typename Enum, typename = std::enable_if_t<std::is_enum_v<Enum>>>
 bool ReadParameter(XmlRpc::XmlRpcValue value, Enum* out) {
   std::string name;

@@ -15,6 +15,7 @@ using XmlRpc::XmlRpcValue;
 
 BoundParameters BindAll(WorldServerOptions* options) {
   return {
+      // These are the simulation's.
       {"real_time_factor", Bind(&options->real_time_factor)},
       {"start_paused", Bind(&options->start_paused)},
       {"step", Bind(&options->simulator.step_s)},
@@ -24,6 +25,7 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"day_length", Bind(&options->simulator.day_length_s)},
       {"species", Bind(&options->species)},
       {"robot_species", Bind(&options->simulator.robot_species)},
+      // These are the sensors', and say where a world lies that does not say it.
       {"sensors", Bind(&options->sensors)},
       {"sensor_suite", Bind(&options->sensor_suite)},
       {"sensor_threads", Bind(&options->sensor_threads)},
@@ -32,6 +34,7 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"altitude", Bind(&options->altitude_m)},
       {"geoid_undulation", Bind(&options->geoid_undulation_m)},
       {"point_times", Bind(&options->point_times)},
+      // These say which frames are published, and how often what.
       {"publish_map_to_odom", Bind(&options->frames.map_to_odom)},
       {"publish_odom_to_base", Bind(&options->frames.odom_to_base)},
       {"localised_elsewhere", Bind(&options->frames.localised_elsewhere)},
@@ -42,6 +45,8 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"state_hash_rate", Bind(&options->state_hash_rate_hz)},
       {"marker_terrain_cells", Bind(&options->marker_terrain_cells)},
       {"marker_max_assets", Bind(&options->marker_max_assets)},
+      // These say who reads instructions and generates: the rules, a model on a server, one in this
+      // process.
       {"reader", Bind(&options->reader)},
       {"generator", Bind(&options->generator)},
       {"remote_url", Bind(&options->remote.server.url)},
@@ -70,10 +75,12 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"reader_model", Bind(&options->reader_model.model)},
       {"reader_threads", Bind(&options->reader_model.threads)},
       {"most_message_bytes", Bind(&options->most_message_bytes)},
+      // These name files that are read and written.
       {"worlds_directory", Bind(&options->worlds_directory)},
       {"visual_directories", Bind(&options->visual_directories)},
       {"catalogue", Bind(&options->catalogue)},
       {"sketch_model", Bind(&options->sketch_model)},
+      // These describe maps, and the robot that they are for.
       {"octomap_resolution", Bind(&options->octomap_resolution_m)},
       {"octomap_thickness", Bind(&options->octomap_thickness_m)},
       {"map_values", Bind(&options->map_values)},

@@ -37,7 +37,7 @@ class ServiceQueue {
     servers_.push_back(node_.advertiseService(name, callback));
   }
 
-  // Of all services, whole.
+  // Returns the resolved names of all services.
   std::vector<std::string> names() const {
     std::vector<std::string> names;
     for (const ros::ServiceServer& server : servers_) names.push_back(server.getService());

@@ -63,9 +63,9 @@ class TaskQueue {
     });
   }
 
-  // Of the owner: waits until `due`, which tasks may change, and runs tasks meanwhile. hurried:
-  // asked after tasks, true: does not wait any longer. Time goes on even for those who ask without
-  // end. False: the queue is stopped.
+  // The owner waits until `due`, which tasks may change, and runs tasks meanwhile. hurried: asked
+  // after tasks, true: does not wait any longer. Time goes on even for those who ask without end.
+  // False: the queue is stopped.
   bool WaitUntil(LoopClock::TimePoint due, const std::function<bool()>& hurried) {
     for (;;) {
       std::deque<std::function<void()>> tasks;
@@ -89,8 +89,8 @@ class TaskQueue {
     wake_.notify_all();
   }
 
-  // Of the owner, after Stop: whoever waits for a task hears, by its broken promise, that none will
-  // come.
+  // The owner calls this after Stop: whoever waits for a task hears, by its broken promise, that
+  // none will come.
   void Drop() {
     std::deque<std::function<void()>> dropped;
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -27,7 +27,7 @@ struct SensorPublishers {
 
   SensorWish wish() const;
 };
-// By sensor; by robot.
+// The publishers of a suite by sensor, and those of suites by robot.
 using SuitePublishers = std::map<std::string, SensorPublishers>;
 using SensorPublisherMap = std::map<std::string, std::shared_ptr<const SuitePublishers>>;
 

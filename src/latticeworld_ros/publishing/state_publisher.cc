@@ -18,7 +18,7 @@
 namespace latticeworld {
 namespace {
 
-// Of agents that do what their command topics say.
+// The policy of agents that do what their command topics say.
 constexpr char kExternalPolicy[] = "external";
 
 std::uint64_t TicksPer(double rate_hz, double step_s) {

@@ -42,7 +42,7 @@ class StatePublisher : public SimulationListener {
   void OnRestore() override;
   void OnStatistics(const LoopStatistics& statistics) override;
 
-  // Where the odometry of a controllable robot began; nullptr: it has none.
+  // Returns where the odometry of a controllable robot began; nullptr: it has none.
   const Eigen::Isometry3d* MapFromOdom(const std::string& robot) const;
 
  private:

@@ -15,8 +15,8 @@ namespace latticeworld {
 // the simulator at once by the one that owns it. However many come, little is kept. Thread safe.
 class AgentCommands {
  public:
-  // Each answers whether nothing was waiting before: then somebody has to call Apply. Of several
-  // commands of a kind to one agent the last counts.
+  // Each answers whether nothing was waiting before: then somebody has to call Apply. If several
+  // commands of a kind go to one agent, the last counts.
   bool Velocity(const std::string& agent, const VelocityCommand& command);
   bool Joints(const std::string& agent, std::vector<JointCommand> commands);
   bool Strike(const std::string& agent);

@@ -35,7 +35,7 @@ WishStanding StandingOf(const MapWish& wish, const PublishedWorld* published);
 // changes.
 class MapFollower {
  public:
-  // Both outlive the follower.
+  // `current` and `maps` must outlive this.
   MapFollower(const WorldServerOptions& options, const CurrentWorld* current, MapPublisher* maps);
   ~MapFollower();
   MapFollower(const MapFollower&) = delete;

@@ -34,7 +34,7 @@ const SensorSpec* FindScanner(const SensorSuite& suite) {
 }  // namespace
 
 GeoOrigin OriginForSensors(const World& world, const SensorThreadOptions& options) {
-  // Of worlds that lie nowhere on the earth the weather knows the latitude.
+  // The weather knows the latitude of worlds that lie nowhere on the earth.
   GeoOrigin origin = world.geo ? *world.geo
                                : GeoOrigin{world.scene->atmosphere.latitude_deg,
                                            options.longitude_deg, options.altitude_m};

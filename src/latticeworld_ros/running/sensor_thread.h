@@ -59,13 +59,14 @@ class SensorThread {
 
   // Whether the suite has a 2D lidar, whose sweeps can be kept. Errors: FAILED_PRECONDITION.
   Status CheckScanner() const;
-  // While the simulation is paused from here on, the last sweep that the first 2D lidar of each of
-  // these agents completes is kept, until a jump or until others are named.
+  // Keeps, while the simulation is paused from here on, the last sweep that the first 2D lidar of
+  // each of these agents completes, until a jump or until others are named.
   void KeepScans(std::set<std::string> agents);
-  // Null: none is complete yet. Of the last step once Take has come back from a settled tick.
+  // Returns the kept scan of the agent; null: none is complete yet. It is that of the last step
+  // once Take has come back from a settled tick.
   std::shared_ptr<const sensor_msgs::LaserScan> KeptScan(const std::string& agent) const;
 
-  // Of the simulation loop's thread. Whether Take will hand something over.
+  // Returns whether Take will hand something over. For the simulation loop's thread.
   bool IsDue(const Tick& tick) const;
   // Hands over the step that the tick shows. Waits while the queue is full, and, where the tick is
   // settled, until all that is due has been published.
@@ -104,12 +105,12 @@ class SensorThread {
   SensorTopics* const topics_;
   const SensorSpec* const scanner_;  // of the suite; null: it has none
 
-  // Of the loop's thread alone.
+  // Only the loop's thread touches these.
   bool jumped_ = true;
   std::uint64_t last_step_ = 0;          // of the episode, as handed over
   const World* handed_world_ = nullptr;  // which the thread keeps; nullptr: none
 
-  // Of this thread alone.
+  // Only this thread touches these.
   std::shared_ptr<const World> rig_world_;  // of rig_, or of the try to make one
   std::unique_ptr<SensorRig> rig_;
 

@@ -26,7 +26,7 @@ struct Tick {
   std::string world_id() const { return world == nullptr ? std::string() : world->id; }
 };
 
-// Over the last second or so of wall time.
+// Figures of the last second or so of wall time.
 struct LoopStatistics {
   ros::Time now;
   bool paused = false;

@@ -89,7 +89,7 @@ class SimulationLoop {
     std::uint32_t steps = 1;
     bool hash = false;
     std::uint64_t episode = 0;  // that runs, else the call is refused; 0: any
-    // Before the first step. An error refuses the call; an exception fails the simulator.
+    // Runs before the first step. An error refuses the call; an exception fails the simulator.
     std::function<Status(Simulator*)> begin;
     // Once the listener has heard of the last step; of calls that succeed alone.
     std::function<void()> end;
@@ -144,7 +144,7 @@ class SimulationLoop {
   AgentCommands commands_;
   std::thread thread_;
 
-  // Of the loop's thread alone.
+  // Only the loop's thread touches these.
   SimulationRun run_;
   std::uint64_t tick_ = 0;
   bool paused_;

@@ -59,7 +59,7 @@ class SimulationRun {
   Simulator* simulator() const { return failure_.empty() ? running_.simulator.get() : nullptr; }
   // Why the simulator cannot go on; empty: it can.
   const std::string& failure() const { return failure_; }
-  // Of what runs, as a moment has it.
+  // Returns the number of the running episode, as a moment has it.
   std::uint64_t episode() const { return episode_; }
   // FAILED_PRECONDITION: there is no world, or its simulator has failed.
   Status Check() const;
@@ -78,7 +78,8 @@ class SimulationRun {
   void Command(AgentCommands* commands);
   // seed 0: the one that it runs with.
   Status Reset(std::uint64_t seed);
-  // In the place of one that has the name. Also: INVALID_ARGUMENT (name), RESOURCE_EXHAUSTED.
+  // Saves the state in the place of one that has the name. Also: INVALID_ARGUMENT (name),
+  // RESOURCE_EXHAUSTED.
   Status Save(const std::string& name);
   // Also: NOT_FOUND naming those that there are.
   Status Restore(const std::string& name);

@@ -31,6 +31,7 @@ void AdvertiseAgentServices(const SimulatorOptions& options, SimulationLoop* loo
   using latticeworld_msgs::SpawnAgent;
   using latticeworld_msgs::SpawnElement;
 
+  // Agents come and go, and get other policies; robots have their topics before the answer.
   queue->Advertise<SpawnAgent>(
       "spawn_agent", [=](const SpawnAgent::Request& request, SpawnAgent::Response* response) {
         const auto spawn = [&]() -> Status {
@@ -68,6 +69,7 @@ void AdvertiseAgentServices(const SimulatorOptions& options, SimulationLoop* loo
         };
         response->status = ToStatusMessage(set());
       });
+  // Props come and go, and gates are opened.
   queue->Advertise<SpawnElement>("spawn_element", [=](const SpawnElement::Request& request,
                                                       SpawnElement::Response* response) {
     const auto spawn = [&]() -> Status {

@@ -9,7 +9,8 @@ struct StageShare {
   std::string_view name;
   double share;
 };
-// Of the wall time of a default world with the grounded back end, in order; the sum is 1.
+// The shares of the wall time of a default world with the grounded back end, in order; the sum is
+// 1.
 constexpr StageShare kShares[] = {{"relief", 0.02},  {"layout", 0.03}, {"environment", 0.01},
                                   {"terrain", 0.34}, {"scene", 0.2},   {"maps", 0.4}};
 constexpr double kTooLittleDone = 0.02;

@@ -10,7 +10,7 @@
 namespace latticeworld {
 namespace {
 
-// Of snapshots that are given none.
+// The name of snapshots that are given none.
 constexpr char kSnapshotName[] = "snapshot";
 
 void SetPaused(bool paused, SimulationLoop* loop, std_srvs::Trigger::Response* response) {

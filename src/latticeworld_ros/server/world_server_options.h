@@ -71,7 +71,8 @@ struct WorldServerOptions {
   double robot_radius_m = kRadiusOfSpecies;
   RobotLimits robot;  // for map and the traversability layer; its radius is that, as a length
   MapValues map_values = MapValues::kGraded;  // of map, static_map and bundles' map.pgm
-  // Of maps, markers and answers: [1e6, kMostMessageBytes], so that they can be received.
+  // The greatest size of maps, markers and answers, [1e6, kMostMessageBytes], so that they can be
+  // received.
   std::size_t most_message_bytes = kMostMessageBytes;
 };
 

@@ -145,6 +145,7 @@ void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, MapVa
   using nav_msgs::GetMap;
   using octomap_msgs::GetOctomap;
 
+  // These tell and save the current world, and list those that are saved.
   queue->Advertise<GetWorld>("get_world",
                              [=](const GetWorld::Request&, GetWorld::Response* response) {
                                OnGet(loop, *current, response);
@@ -158,6 +159,7 @@ void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, MapVa
                                [=](const ListWorlds::Request&, ListWorlds::Response* response) {
                                  OnList(worlds_directory, response);
                                });
+  // These tell what is where, and change the weather.
   queue->Advertise<QueryTerrain>(
       "query_terrain", [=](const QueryTerrain::Request& request, QueryTerrain::Response* response) {
         OnQuery(loop, request, response);
@@ -170,6 +172,7 @@ void AdvertiseWorldServices(const std::filesystem::path& worlds_directory, MapVa
                                                          SetWeatherService::Response* response) {
     response->status = ToStatusMessage(SetWeather(loop, request, response));
   });
+  // These give maps of the current world.
   queue->Advertise<GetOctomap>("octomap_full",
                                [=](const GetOctomap::Request&, GetOctomap::Response* response) {
                                  response->map = *MessagesOf(current->Get().get()).octomap_full;

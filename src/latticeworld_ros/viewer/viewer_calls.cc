@@ -95,6 +95,7 @@ Status ViewerCalls::Trigger(const std::string& service) {
 
 ViewerReply ViewerCalls::Call(const ViewerRequest& request) {
   ViewerReply reply;
+  // Each type is a call of one service of world_server; generating and weather take more.
   switch (request.type) {
     case RequestType::kListWorlds: {
       latticeworld_msgs::ListWorlds list;
@@ -190,7 +191,7 @@ ViewerReply ViewerCalls::Generate(const ViewerRequest& request) {
   bool cancelled = false;
   int unconnected = 0;
   while (!client.getState().isDone()) {
-    // Of the wall: simulated time stands still where nothing is simulated yet.
+    // The wall's time counts: simulated time stands still while nothing is simulated yet.
     std::this_thread::sleep_for(std::chrono::duration<double>(kPoll_s));
     if (cancel_ && !std::exchange(cancelled, true)) client.cancelGoal();
     unconnected = client.isServerConnected() ? 0 : unconnected + 1;

@@ -23,7 +23,7 @@ namespace latticeworld {
 // What world_server and robots publish, as the viewer's stream has it. Messages may come from
 // anybody: nothing in them is trusted.
 
-// At most 65535 of them.
+// These convert at most 65535 agents or props.
 StreamedState<AgentRow> Streamed(const latticeworld_msgs::AgentStates& message);
 StreamedState<PropRow> Streamed(const latticeworld_msgs::ElementStates& message);
 Atmosphere ToAtmosphere(const latticeworld_msgs::Weather& message);

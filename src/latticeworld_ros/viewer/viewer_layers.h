@@ -33,7 +33,7 @@ class ViewerLayers {
 
   // From any thread; never waits.
   void SetDemand(const LayerDemand& demand);
-  // Where robots stand, map_from_base, by name; on the queue's thread.
+  // Takes where robots stand, map_from_base, by name; on the queue's thread.
   void SetPoses(std::map<std::string, Eigen::Isometry3d> poses);
   void Stop();
 
@@ -64,12 +64,12 @@ class ViewerLayers {
   ViewerServer* server_;
   ros::Subscriber static_transforms_;
 
-  // Of the queue's thread alone.
+  // Only the queue's thread touches these.
   std::map<std::string, Eigen::Isometry3d> poses_;
   std::map<std::string, Mounting> mountings_;  // by child frame
   std::map<std::string, double> last_wall_s_;  // when it was shown last, by topic or robot
 
-  // Of the thread alone.
+  // Only the thread touches these.
   std::map<std::string, Listened> listened_;  // by topic
 
   std::mutex mutex_;

@@ -67,7 +67,7 @@ class ViewerNode : private ViewerBackend {
   const ViewerOptions options_;
   std::string address_;
 
-  // Of the queue's thread.
+  // Only the queue's thread touches these.
   std::string info_world_id_;   // that world_server runs; "": none
   std::string shown_world_id_;  // whose payloads are served; "": none
   bool is_gone_ = true;

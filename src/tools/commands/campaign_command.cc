@@ -34,7 +34,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of all trials: what comes between two is not shown, so that logs stay short.
+// Progress is shown this often over all trials, so that logs stay short.
 constexpr std::size_t kParts = 50;
 
 struct CampaignArguments {

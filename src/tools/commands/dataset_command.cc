@@ -22,7 +22,7 @@
 namespace latticeworld::tools {
 namespace {
 
-// Of all groups: what comes between two is not shown, so that logs stay short.
+// Progress is shown this often over all groups, so that logs stay short.
 constexpr std::size_t kSteps = 50;
 
 bool IsGiven(const CLI::App& command, const std::string& name) {

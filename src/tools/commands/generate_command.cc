@@ -136,7 +136,7 @@ Status Generate(const CLI::App& command) {
   if (!accepted.ok()) return ByOptions(accepted.status());
   LW_RETURN_IF_ERROR(CheckTarget(target));
 
-  // Of the time of a default world; how long a language model reads is its own affair.
+  // The shares are of the time of a default world; a language model reads as long as it reads.
   ProgressDisplay display({{"terrain", 0.36}, {"scene", 0.19}, {"save", 0.45}});
   Progress progress(
       [&display](std::string_view stage, double fraction) { display.Show(stage, fraction); });
@@ -163,6 +163,7 @@ void AddGenerateCommand(CLI::App* app, int* exit_status) {
       app->add_subcommand("generate",
                           "Generates a world from words (and a height map, a sketch or real "
                           "elevation) and saves it as a bundle.");
+  // These make the request: words, and a relief from a height map, a sketch or elevation.
   AddValueOption(command, "--layout", "TEXT",
                  "What the land looks like, in words; @FILE reads them from a file. Needed unless "
                  "there is a height map, a sketch or elevation.");
@@ -190,6 +191,7 @@ void AddGenerateCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--elevation-unit", "NAME",
                  "degrees or metres: of an ASCII grid, which names no coordinate system [judged by "
                  "its numbers].");
+  // These set heights of the relief, and what the world is furnished with.
   command->add_flag("--keep-altitude",
                     "Heights as in the elevation; without it the lowest point becomes 0.");
   AddValueOption(command, "--height-scale", "METRES",
@@ -203,6 +205,7 @@ void AddGenerateCommand(CLI::App* app, int* exit_status) {
       "Adds to what worlds are furnished with: a file (see latticeworld catalogue), or a "
       "directory of them.");
   AddValueOption(command, "--vocabulary", "NAME", "suburb or wild. Without it the words decide.");
+  // These say who reads and generates, and set the seed, the grid and the bundle.
   AddLanguageOptions(command);
   AddValueOption(command, "--seed", "N",
                  "The same request and seed give the same world. 0 or none: one is drawn and "

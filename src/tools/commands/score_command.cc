@@ -66,7 +66,7 @@ Status ScoreBundle(const CLI::App& command, const std::string& directory) {
   if (command.count("--claims") + command.count("--environment-claims") > 0) {
     return ScoreByClaims(command, *world);
   }
-  // By the reader that read it then, as it read it.
+  // The reader that read the instructions then reads them again, with the replies that it had.
   const LanguageStack language = MakeReplayStack(world->replies);
   LW_ASSIGN_OR_RETURN(
       const FidelityReport report,

@@ -11,7 +11,7 @@
 
 namespace latticeworld {
 
-// More worlds than these are in the tables alone.
+// At most this many worlds are drawn; further ones are in the tables alone.
 inline constexpr std::size_t kMostWorldFigures = 60;
 
 // One page that asks for nothing outside itself: figures, histograms, maps with ways and tracks,

@@ -39,7 +39,7 @@ Result<std::string> MapJpeg(const Scene& scene, int width_px, int* side_px) {
   }
 }
 
-// From the map frame to pixels of the picture.
+// Maps points of the map frame to pixels of the picture.
 struct Placement {
   double half_m;
   double px_per_m;

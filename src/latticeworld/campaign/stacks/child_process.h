@@ -41,7 +41,8 @@ Result<ChildProcess> StartChild(const std::vector<std::string>& command,
 // relative, and any other is looked for in PATH.
 bool IsProgram(const std::string& program, const std::filesystem::path& folder);
 
-// As write(), without the signal where nobody reads any more: that is errno EPIPE.
+// Writes like write(), but raises no signal when nobody reads any more: then it fails with errno
+// EPIPE.
 ssize_t WriteQuietly(int descriptor, const char* data, std::size_t size);
 
 // What waitpid told.

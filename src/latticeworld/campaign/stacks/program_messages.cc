@@ -39,7 +39,8 @@ std::string PointsOf(const std::vector<Eigen::Vector3f>& points) {
   return Base64(bytes);
 }
 
-// In the order of nav_msgs/OccupancyGrid: from the south-west, row by row northwards.
+// Writes the map in the order of nav_msgs/OccupancyGrid: from the south-west, row by row
+// northwards.
 Json MapOf(const GridGeometry& geometry, const Grid<std::int8_t>& occupancy) {
   std::string bytes;
   bytes.reserve(static_cast<std::size_t>(occupancy.rows()) * occupancy.cols());

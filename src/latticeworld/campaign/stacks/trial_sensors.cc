@@ -11,7 +11,7 @@ namespace {
 constexpr double kKeptPoses_s = 1.5;  // longer than any sweep of the catalogue
 constexpr double kTolerance_s = 1e-9;
 
-// Where a beam of a 2D scanner points, in the sensor's frame.
+// Returns the direction of a beam of a 2D scanner, a unit vector in the sensor's frame.
 Eigen::Vector3f DirectionOf(const LidarModel& model, int column, int columns) {
   const double elevation = model.ring_elevations_rad.empty() ? 0.0 : model.ring_elevations_rad[0];
   const double azimuth = model.first_azimuth_rad + model.field_of_view_rad / columns * column;

@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kTries = 2;
 constexpr int kPoll_ms = 200;  // between two looks at the clock and at a wish to end
-// Of workers that cannot begin: another try would end alike.
+// Workers that cannot begin end with these statuses: another try would end alike.
 constexpr int kCannotStart = 127, kUnusableArguments = 2;
 
 double SecondsSince(Clock::time_point begin) {

@@ -31,7 +31,7 @@ class WorkerProcess {
   std::chrono::steady_clock::time_point since() const { return since_; }
   void Done() { trial_.reset(); }
 
-  // That it speaks through, for poll().
+  // Returns the descriptor of the pipe that the worker writes to, for poll().
   int descriptor() const { return out_; }
   // The lines that it said since the last call; false: it is gone.
   bool Read(std::vector<std::string>* lines);

@@ -50,7 +50,7 @@ Status CheckLayoutCaption(std::string_view text, const SymbolicLayout& layout, i
   };
   LayoutReading reading = ReadLayoutInstruction(text, layout.vocabulary);
   for (const Claim& claim : reading.plan.claims) check(claim);
-  // Of a text that contradicts itself the reader keeps one side; a "no" has to hold by itself.
+  // If a text contradicts itself, the reader keeps one side; a "no" has to hold by itself.
   for (const std::string& sentence : Split(std::string(text), '.')) {
     if (sentence.find_first_not_of(" \t\r\n") == std::string::npos) continue;
     for (const Claim& claim : ReadLayoutInstruction(sentence, layout.vocabulary).plan.claims) {

@@ -30,7 +30,7 @@ std::string NameOfColour(std::uint32_t key) {
   return text;
 }
 
-// Where a colour that the legend does not have was met.
+// Counts the pixels of a colour that the legend does not have, and where it was met first.
 struct Foreign {
   CellIndex first;
   std::size_t pixels = 0;
@@ -128,6 +128,7 @@ Result<PictureLegend> ReadLegend(std::string_view json, const std::string& what)
   }
   if (!violations.empty()) return Status::FromViolations(what, std::move(violations));
 
+  // Texts are taken; any other key is illegal, but for those read below.
   PictureLegend legend;
   for (const auto& [key, value] : document.items()) {
     if (key == "vocabulary" || key == "values" || key == "colors") continue;
@@ -144,6 +145,7 @@ Result<PictureLegend> ReadLegend(std::string_view json, const std::string& what)
                           "legal are vocabulary, either values or colors, licence and citation",
                           Quote(key)});
   }
+  // The vocabulary says which classes the entries may name.
   const auto vocabulary = document.find("vocabulary");
   const std::optional<Vocabulary> named = vocabulary != document.end() && vocabulary->is_string()
                                               ? FromName<Vocabulary>(vocabulary->get<std::string>())
@@ -155,6 +157,7 @@ Result<PictureLegend> ReadLegend(std::string_view json, const std::string& what)
                           "must be one of " + LegalNames<Vocabulary>(),
                           vocabulary == document.end() ? "" : Quote(vocabulary->dump())});
   }
+  // Pixels mean classes by value or by colour, not both.
   if (document.contains("values") == document.contains("colors")) {
     violations.push_back({"missing_key", "/values", "needs values or colors, one of them", ""});
   } else if (named) {

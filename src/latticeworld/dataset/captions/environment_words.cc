@@ -18,7 +18,8 @@ class EnvironmentWriter {
   std::string Write(const SampledEnvironment& sample) {
     const CoarseAttributes& coarse = sample.environment.coarse;
     std::vector<std::string> sentences;
-    // When and in what weather, in one sentence; what comes without words may be left out.
+    // The first sentence tells season, weather and time of day. If all are the usual ones and
+    // nothing else is told, it is sometimes left out.
     const bool all_said = coarse.season != Season::kSummer || coarse.weather != Weather::kSunny ||
                           coarse.time_of_day != TimeOfDay::kDay || !sample.told.empty() ||
                           random_->Chance(0.7);

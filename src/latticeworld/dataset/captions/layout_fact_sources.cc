@@ -141,10 +141,10 @@ std::vector<LayoutFact> ExtentFacts(const FactSource& source) {
   for (const ClassInLayout& entry : classes) {
     if (entry.form != ClassForm::kSpread || !entry.nameable) continue;
     for (const Amount& amount : Amounts()) {
-      // Beside what there is most of, nothing else covers half.
+      // Beside the class that there is most of, none covers half.
       const double most_left = std::min(0.45, first.share() - 0.03);
       if (entry.letter != first.letter && amount.value > most_left) continue;
-      // As exact as who says "about 45 %", so that what is said of two classes adds up.
+      // The share must be as exact as "about 45 %" is, so that what is said of two classes adds up.
       const double error = std::abs(amount.value - entry.share());
       if (error > std::max(0.025, 0.06 * amount.value)) continue;
       Claim claim = ClaimOf(ClaimKind::kAmount, entry.letter);
@@ -300,7 +300,7 @@ std::vector<LayoutFact> AbsenceFacts(const FactSource& source) {
                              {ClaimOf(ClaimKind::kAbsent, known.letter)}));
       continue;
     }
-    // Of one thing it is enough to say where it is.
+    // If there is only one thing of a class, it is enough to say where it is.
     if (!entry->nameable || entry->form == ClassForm::kOne || entry->form == ClassForm::kLine) {
       continue;
     }

@@ -64,8 +64,8 @@ bool SameFact(const LayoutFact& a, const LayoutFact& b) {
     return one.phrase == "place.fills" || one.phrase == "place.mostly";
   };
   if (a.subject == b.subject && ((share(a) && full(b)) || (full(a) && share(b)))) return true;
-  // Of several villages one may lie in the forest and one in the fields: told of one class, the two
-  // contradict each other for who reads them.
+  // One of several villages may lie in the forest and one in the fields: told of one class, the two
+  // facts contradict each other to a reader.
   if (a.subject == b.subject && a.phrase == "relation.within" && b.phrase == a.phrase) return true;
   if (a.topic != b.topic) return false;
   switch (a.topic) {

@@ -72,7 +72,7 @@ struct LayoutFact {
   std::vector<Claim> claims;  // all that the words say; every one satisfied
 };
 
-// About `wanted` facts (fewer where the layout has no more to say), salient ones rather than
+// Chooses about `wanted` facts (fewer if the layout has no more to say), salient ones rather than
 // others, never two that say the same. The layout satisfies every claim by DistanceOf. Takes a
 // fraction of a millisecond.
 std::vector<LayoutFact> ChooseFacts(const LayoutMasks& layout,

@@ -132,7 +132,7 @@ class Thinning {
     return Depth(cell, k_nearest) >= kEndDepth;
   }
 
-  // Of the cells that may go the one that carries least; row -1 where none may.
+  // Returns the cell that carries least among those that may go; row -1: none may go.
   CellIndex Worst() const {
     CellIndex worst{-1, -1};
     for (int r = 0; r < kLayoutSize; ++r) {

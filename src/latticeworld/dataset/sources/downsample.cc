@@ -27,7 +27,7 @@ struct LineClass {
   Grid<unsigned char> thin;
 };
 
-// In the order in which they take cells.
+// Returns the letters of lines in the order in which they take cells.
 std::vector<char> LineLetters(Vocabulary vocabulary) {
   return vocabulary == Vocabulary::kSuburb
              ? std::vector<char>{suburb_letter::kRoad, class_letter::kWater}

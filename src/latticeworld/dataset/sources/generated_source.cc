@@ -48,7 +48,7 @@ Grid<float> RandomLand(RandomStream* random) {
           static_cast<float>(tilt * (u * std::cos(heading_rad) + v * std::sin(heading_rad)));
     }
   }
-  // As many low lands as high ones, in the sense that 5 to 50 m are as likely as 50 to 500 m.
+  // The relief is as likely to be from 5 to 50 m as from 50 to 500 m.
   const double relief_m = std::exp(random->Uniform(std::log(3.0), std::log(1500.0)));
   const auto [low, high] = std::minmax_element(land.begin(), land.end());
   const float offset = *low;

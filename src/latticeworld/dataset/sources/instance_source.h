@@ -19,8 +19,8 @@ struct SourceCard {
   std::string citation;  // "" none
 };
 
-// Where instances come from, group by group. A group is a source image with all its rotations or
-// tiles, or one generated place.
+// Supplies instances, group by group. A group is a source image with all its rotations or tiles, or
+// one generated place.
 class InstanceSource {
  public:
   virtual ~InstanceSource() = default;

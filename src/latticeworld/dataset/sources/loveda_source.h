@@ -35,10 +35,10 @@ struct LoveDaOptions {
 // options.scenes says nothing. Its test part has no masks and is left out. Mask values: 0 no data,
 // 1 background (grassland), 2 building, 3 road, 4 water, 5 barren, 6 forest, 7 agriculture. A group
 // is an image; its four instances are the quarter turns of its layout, anticlockwise
-// ("<group>-r0", "-r90", "-r180", "-r270"), without a relief. Of images only the header is read.
+// ("<group>-r0", "-r90", "-r180", "-r270"), without a relief. Only the header of images is read.
 //
 // Errors: NOT_FOUND (no folder), INVALID_ARGUMENT (a folder that is none of these, or has no
-// images), PERMISSION_DENIED. Of a group: those of InstanceSource.
+// images), PERMISSION_DENIED. A group's errors are those of InstanceSource.
 Result<std::unique_ptr<InstanceSource>> MakeLoveDaSource(const LoveDaOptions& options);
 
 }  // namespace latticeworld

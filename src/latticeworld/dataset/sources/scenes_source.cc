@@ -99,7 +99,8 @@ std::shared_ptr<const Relief> ReliefOf(Grid<float> height_m) {
   return std::make_shared<const Relief>(MakeRelief(std::move(height_m)));
 }
 
-// Of the tiles that a folder's pictures have by their headers; one that cannot be read has none.
+// Counts the tiles that a folder's pictures have by their headers; one that cannot be read has
+// none.
 struct FolderCount {
   std::int64_t tiles = 0;
   std::int64_t pixels = 0;

@@ -43,8 +43,8 @@ TileCount TilesOf(std::int64_t width, std::int64_t height);
 // half is no data are left out.
 //
 // Errors: NOT_FOUND (no folder), INVALID_ARGUMENT (options; a folder without scenes; a classes.json
-// that is not legal), PERMISSION_DENIED. Of a group: those of InstanceSource; samples that are not
-// square; more than half of the elevation missing; no tile that fits.
+// that is not legal), PERMISSION_DENIED. A group's errors are those of InstanceSource; samples that
+// are not square; more than half of the elevation missing; no tile that fits.
 Result<std::unique_ptr<InstanceSource>> MakeScenesSource(const ScenesOptions& options);
 
 }  // namespace latticeworld

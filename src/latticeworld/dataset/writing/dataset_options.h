@@ -48,8 +48,8 @@ constexpr std::array<EnumName<LayoutsBy>, 2> EnumNames(LayoutsBy) {
   return {{{LayoutsBy::kSource, "source"}, {LayoutsBy::kGrounded, "grounded"}}};
 }
 
-// Of a part: written ones are made in an instant, a model's cost minutes each and are lost with a
-// part that a server does not live to see whole.
+// The groups of a part: written ones are made in an instant, a model's cost minutes each and are
+// lost with a part that a server does not live to see whole.
 inline constexpr int kGroupsPerPart = 50;
 inline constexpr int kGroupsPerRemotePart = 5;
 
@@ -64,8 +64,8 @@ struct DatasetOptions {
   double validation_share = 0.05;  // [0, 1]; the rest is for tests
   double sketch_share = 0.02;  // of a sketch's pixels, at most, for each kind of stroke, (0, 0.5)
   double size_m = 512.0;       // [16, 8192]: side of the world that environments are for
-  // [1, 10000]: what a thread loses at most when the work is broken off. Of a data set, so that its
-  // bytes do not depend on breaks
+  // [1, 10000]: what a thread loses at most when the work is broken off. It belongs to the data
+  // set, so that its bytes do not depend on breaks.
   int groups_per_part = kGroupsPerPart;
   int threads = 0;  // [0, 256]; 0: as many as cores
 };

@@ -15,7 +15,7 @@
 
 namespace latticeworld {
 
-// Where the work stands.
+// Tells how far the work has got.
 struct DatasetProgress {
   std::size_t groups = 0;       // of the source
   std::size_t groups_done = 0;  // with those of earlier runs

@@ -33,7 +33,7 @@ Eigen::Vector3f PlaceOf(const Asset& asset) {
   return YUp(Eigen::Vector3f(asset.x_m, asset.y_m, asset.z_m));
 }
 
-// In the axes of glTF.
+// Returns half of the asset's length, its height and half of its width, as x, y, z of glTF [m].
 Eigen::Vector3f SizeOf(const Asset& asset) {
   return Eigen::Vector3f(asset.half_length_m, asset.height_m, asset.half_width_m)
       .cwiseMax(kThinnest_m);

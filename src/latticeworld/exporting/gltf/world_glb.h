@@ -16,8 +16,8 @@ struct Scene;
 
 struct WorldGlbOptions {
   std::optional<ExportRegion> region;  // absent: the whole world
-  // Between vertices of ground and water; [0.05, 100]; absent: the world's cells. At most
-  // kMostGroundVertices a side.
+  // The distance between vertices of ground and water, [0.05, 100]; absent: the world's cells. A
+  // side has at most kMostGroundVertices.
   std::optional<double> ground_step_m;
   int texture_px = 2048;  // longer side of the ground's colours at most, [16, 8192]
   int detail = 1;         // of the meshes, [0, 2], 0 the finest

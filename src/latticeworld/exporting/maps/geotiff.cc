@@ -41,7 +41,7 @@ class TiffFile {
   Status Create(int cols, int rows, GDALDataType type) {
     const GDALDriverH driver = GDALGetDriverByName("GTiff");
     if (driver == nullptr) return Internal("this GDAL has no GeoTIFF driver");
-    // Without a predictor, which would save a third: Whitebox Workflows 2.0 passes over it.
+    // There is no predictor, though one would save a third: Whitebox Workflows 2.0 ignores it.
     char** options = CSLSetNameValue(nullptr, "COMPRESS", "DEFLATE");
     options = CSLSetNameValue(options, "NUM_THREADS", "1");
     dataset_ = GDALCreate(driver, name_.c_str(), cols, rows, 1, type, options);
@@ -124,6 +124,7 @@ Result<std::vector<ExportFile>> GeoTiffFiles(const Scene& scene,
   LW_RETURN_IF_ERROR(Status::FromViolations("GeoTIFF", Validate(options.region, geometry)));
   const ExportRegion region = options.region.value_or(WholeWorld(geometry));
   internal::PrepareGdal();
+  // All layers share the frame: cells, coordinate system and the outer corner in the north-west.
   Frame frame;
   frame.cells = CellsIn(region, geometry);
   if (frame.cells.rows() < 1 || frame.cells.cols() < 1)
@@ -140,6 +141,8 @@ Result<std::vector<ExportFile>> GeoTiffFiles(const Scene& scene,
   };
   std::vector<ExportFile> files;
   LW_RETURN_IF_ERROR(advance(0.0));
+  // Each file has one layer, with its unit or the meaning of its numbers, and what stands for no
+  // data.
   const Terrain& terrain = *scene.terrain;
   LW_ASSIGN_OR_RETURN(
       ExportFile elevation,

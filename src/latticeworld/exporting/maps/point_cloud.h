@@ -46,9 +46,9 @@ constexpr std::array<EnumName<PointLabel>, 11> EnumNames(PointLabel) {
            {PointLabel::kFlower, "flower"},
            {PointLabel::kCrop, "crop"}}};
 }
-// Of ASPRS LAS 1.4 R15, table 17: ground 2, low, medium and high vegetation 3, 4 and 5 (grass,
-// flowers, crops and fallen branches; bushes; trees), building 6, water 9, road surface 11; stones
-// are 64, the first that users may define.
+// Returns the class of ASPRS LAS 1.4 R15, table 17: ground 2, low, medium and high vegetation 3, 4
+// and 5 (grass, flowers, crops and fallen branches; bushes; trees), building 6, water 9, road
+// surface 11; stones are 64, the first that users may define.
 std::uint8_t LasClassOf(PointLabel label);
 
 struct CloudPoint {

@@ -10,7 +10,7 @@
 namespace latticeworld {
 namespace {
 
-// Of LAS 1.4 R15.
+// These numbers are those of LAS 1.4 R15.
 constexpr std::uint16_t kHeaderBytes = 375, kRecordHeaderBytes = 54, kPointBytes = 36;
 constexpr std::uint8_t kPointFormat = 7;
 constexpr std::uint16_t kSyntheticReturns = 8, kWktReference = 16;

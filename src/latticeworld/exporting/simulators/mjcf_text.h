@@ -10,7 +10,7 @@
 
 namespace latticeworld {
 
-// In the order in which they are written.
+// Attributes in the order in which they are written.
 using MjcfAttributes = std::vector<std::pair<std::string_view, std::string>>;
 
 // Numbers parted by blanks, each the shortest text that reads back as the same double.

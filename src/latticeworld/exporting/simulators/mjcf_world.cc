@@ -132,7 +132,7 @@ class MjcfBuilder {
     model->Leaf("headlight", {{"ambient", MjcfNumbers({ambient, ambient, ambient})},
                               {"diffuse", "0 0 0"},
                               {"specular", "0 0 0"}});
-    // In parts of the extent.
+    // MuJoCo takes znear as a share of the extent.
     model->Leaf("map", {{"znear", MjcfNumbers({kNearest_m / Extent()})}});
     model->Close("visual");
     model->Open("default");
@@ -181,7 +181,8 @@ class MjcfBuilder {
                           {"specular", "0.1 0.1 0.1"}});
   }
 
-  // Of rows from east to west and columns from south to north.
+  // Encodes heights as shares of their range, the world's columns from east to west, each from
+  // south to north.
   std::string HeightFieldBytes() const {
     const Grid<float>& height_m = scene_.terrain->ground.height_m();
     std::string content;

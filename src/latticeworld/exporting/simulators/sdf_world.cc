@@ -102,7 +102,7 @@ class SdfBuilder {
       world->Open("spherical_coordinates");
       world->Leaf("surface_model", "EARTH_WGS84");
       world->Leaf("world_frame_orientation", "ENU");
-      // Where the middle of the region lies, on the ellipsoid.
+      // The place is where the middle of the region lies on the ellipsoid.
       const GeoPoint middle = GeoPointAt(*origin_, {middle_m_.x(), middle_m_.y(), 0.0});
       world->Leaf("latitude_deg", DegreesText(middle.latitude_deg));
       world->Leaf("longitude_deg", DegreesText(middle.longitude_deg));

@@ -19,7 +19,7 @@ constexpr char kLooks[] = "/World/looks/";
 using Triangles = std::vector<std::uint32_t>;  // numbers of them
 using ByClass = std::array<Triangles, kSurfaceClassCount>;
 
-// By the cell that the middle of a triangle lies in.
+// Sorts triangles by the class of the cell that their middle lies in.
 ByClass TrianglesByClass(const Terrain& terrain, const SurfaceMesh& mesh) {
   ByClass triangles;
   for (std::size_t i = 0; i < mesh.corners.size(); i += 3) {

@@ -83,7 +83,7 @@ class UsdBuilder {
     progress_.Report(kStage, fraction);
     return progress_.CheckCancelled();
   }
-  // Of the stage's origin, frame map.
+  // Returns the place of the stage's origin in the frame map [m].
   Eigen::Vector3d Middle() const {
     if (!options_.region) return Eigen::Vector3d::Zero();
     return {region_.center().x_m, region_.center().y_m, 0.0};

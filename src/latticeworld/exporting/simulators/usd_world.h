@@ -18,8 +18,8 @@ struct Scene;
 
 struct UsdOptions {
   std::optional<ExportRegion> region;  // absent: the whole world
-  // Between vertices of ground and water; [0.05, 100]; absent: the world's cells. At most
-  // kMostUsdVertices a side.
+  // The distance between vertices of ground and water, [0.05, 100]; absent: the world's cells. A
+  // side has at most kMostUsdVertices.
   std::optional<double> ground_step_m;
   int texture_px = 2048;  // of the ground's colours, [16, 8192]
   int detail = 1;         // of the meshes, [0, 2], 0 the finest

@@ -52,8 +52,9 @@ LanguageGenerator MakeRemote(const std::shared_ptr<ChatServer>& server,
           MakeRemoteEnvironmentGenerator(server, options)};
 }
 
-// As of a model in this process, which is asked as one from afar is. Its answers have their form by
-// construction; models of this size cannot be talked into what no form says.
+// Returns the options for asking a model in this process through the interface of remote models.
+// Its answers have their form by construction; models of this size cannot be talked into what no
+// form says.
 RemoteOptions AskedInProcess() {
   RemoteOptions model;
   model.name = "local";

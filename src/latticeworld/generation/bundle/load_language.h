@@ -21,7 +21,7 @@ struct RemoteModelOptions {
 
   bool is_wanted() const { return !server.url.empty(); }
 };
-// None when it is not wanted.
+// Returns every violation; none if the model is not wanted.
 std::vector<Violation> Validate(const RemoteModelOptions& options);
 
 // The generator "local": models in this process (language/local/local.h).
@@ -35,7 +35,7 @@ struct LocalModelOptions {
 
   bool is_wanted() const { return !layout_model.empty(); }
 };
-// None when it is not wanted. Files are not looked at.
+// Returns every violation; none if the models are not wanted. It does not look at the files.
 std::vector<Violation> Validate(const LocalModelOptions& options);
 
 // The readers "model" and "checked": a model in this process that says instructions in the small
@@ -46,7 +46,7 @@ struct ReaderModelOptions {
 
   bool is_wanted() const { return !model.empty(); }
 };
-// None when it is not wanted. The file is not looked at.
+// Returns every violation; none if the model is not wanted. It does not look at the file.
 std::vector<Violation> Validate(const ReaderModelOptions& options);
 
 struct LoadedLanguage {

@@ -18,7 +18,7 @@ using jf::Json;
 
 constexpr std::size_t kMaxFileBytes = 64u << 20;
 
-// Where the agents of environments live: land that has all that texts name often.
+// Returns the land on which the agents of environments live: it has all that texts name often.
 SymbolicLayout LayoutOfEnvironments() {
   const LayoutPlan plan =
       LayoutOfSentences({"A lake in the west", "A village in the east", "Forest in the north",

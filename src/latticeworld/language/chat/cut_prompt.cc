@@ -12,7 +12,7 @@ constexpr std::size_t kMostCharactersPerToken = 6;
 constexpr std::size_t kFewestCharactersPerToken = 2;
 constexpr int kSmallestContext = 1024;
 
-// Of UTF-8: the bytes that begin one.
+// Counts the characters of all messages: of UTF-8, the bytes that begin one.
 std::size_t Characters(const ChatRequest& request) {
   std::size_t count = 0;
   for (const ChatMessage& message : request.messages) {

@@ -31,7 +31,7 @@ class Tries {
 
   int retries() const { return retries_; }
 
-  // Until a try goes well, fails for good, or there is no time or number left for another.
+  // Repeats `attempt` until it succeeds, fails for good, or no time or number of tries is left.
   Status Run(const std::function<Failure()>& attempt) {
     while (true) {
       const Failure failure = attempt();

@@ -48,7 +48,7 @@ class TryHandler : public HttpHandler {
     return true;
   }
 
-  // Since the try began.
+  // Returns the time since the try began [s].
   double try_s() const { return context_.clock.elapsed_s() - begin_s_; }
   // Why the handler interrupted the exchange; OK: it had waited enough for what is not needed.
   const Status& interruption() const { return interruption_; }

@@ -32,7 +32,7 @@ double SecondsSince(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// Where in an answer something was: " after '...'".
+// Says after which words of an answer something was: " after '...'".
 std::string After(const std::string& text) {
   return " after '" + text.substr(text.size() - std::min<std::size_t>(text.size(), 40)) + "'";
 }
@@ -118,12 +118,14 @@ class LocalServer : public ChatServer {
   Result<ChatReply> Answer(const ChatRequest& request, const Grammar* grammar,
                            const AnswerListener& listener, const Progress& progress) {
     const Clock::time_point begin = Clock::now();
+    // The model hears the pictures and messages; with guidance it also hears a chat without any.
     const std::vector<TokenId> prompt = ChatTokens(tokenizer_, style_, request.messages);
     if (prompt.empty()) return InvalidArgument("there are no messages to answer");
     LW_ASSIGN_OR_RETURN(const std::vector<float> seen, Seen(request.messages));
     LW_RETURN_IF_ERROR(asked_.Begin(seen, prompt, progress));
     if (unasked_)
       LW_RETURN_IF_ERROR(unasked_->Begin({}, ChatTokens(tokenizer_, style_, {}), progress));
+    // The answer grows token by token until it ends, is cut, or fills what it may.
     ChatReply reply;
     reply.model = name_;
     reply.prompt_tokens = static_cast<int>(prompt.size());
@@ -140,6 +142,7 @@ class LocalServer : public ChatServer {
       if (allowed.empty())
         return InvalidArgument("the model '" + name_ + "' has no token that the form allows" +
                                After(reply.text));
+      // The model is asked only if there is a choice. It first hears what was taken without it.
       if (allowed.size() > 1 && !unheard.empty()) {
         LW_RETURN_IF_ERROR(Hear(unheard, progress));
         unheard.clear();
@@ -154,6 +157,7 @@ class LocalServer : public ChatServer {
       const TokenId token = *chosen;
       if (mask && allowed.size() > 1 && request.temperature <= 0.0)
         reply.log_probability += LogProbability(Logits(), allowed, token);
+      // The token ends the answer, or is added to it and told to the listener.
       if (token == end()) {
         reply.finish_reason = "stop";
         break;

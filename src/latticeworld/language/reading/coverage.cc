@@ -10,7 +10,7 @@
 namespace latticeworld {
 namespace {
 
-// Where the stops of a text are, and its end [bytes].
+// Returns where the stops and commas of a text are, then its end [bytes].
 std::vector<std::size_t> StopsOf(std::string_view text) {
   std::vector<std::size_t> stops;
   for (const Token& token : Tokenize(text)) {

@@ -139,6 +139,7 @@ class ClaimSayer {
   void SayWhere() {
     const Nouns& nouns = Of(claim_.subject);
     const std::string noun(nouns.spread);
+    // Each kind has a phrase of its own, which tells the zone if the claim has one.
     switch (claim_.kind) {
       case ClaimKind::kPresent:
         WriteThere("there", {"x", Present()}, claim_.zone);
@@ -204,6 +205,7 @@ class ClaimSayer {
 
   void SayRelation() {
     const bool same = claim_.subject == claim_.object;
+    // Each kind has a phrase of its own; pieces of one class have phrases apart.
     switch (claim_.kind) {
       case ClaimKind::kAdjacent: {
         const double most = claim_.most == Claim::kUnsaid ? 1.0 : claim_.most;

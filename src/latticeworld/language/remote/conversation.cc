@@ -12,7 +12,7 @@
 namespace latticeworld {
 namespace {
 
-// Of an answer that goes back to the model; a whole environment has about 3000.
+// At most this much of an answer goes back to the model; a whole environment has about 3000 bytes.
 constexpr std::size_t kMostAnswerBytesSaid = 12000;
 // A known failing of models in a JSON grammar: blanks without end.
 constexpr std::size_t kMostTrailingBlanks = 1000;
@@ -37,7 +37,7 @@ std::string AnswerSaid(std::string_view answer) {
   const std::string text = WithoutThinking(answer);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) return "(no answer)";
   if (text.size() <= kMostAnswerBytesSaid) return text;
-  // Before a character and not within one.
+  // The cut is before a character and not within one.
   std::size_t end = kMostAnswerBytesSaid;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
   return text.substr(0, end) + " [...]";
@@ -93,6 +93,7 @@ Status Ask(ChatServer* server, Question question, const Progress& progress,
   const std::size_t before = replies->size();
   for (int turn = 0;; ++turn) {
     LW_RETURN_IF_ERROR(progress.CheckCancelled());
+    // Each turn is a request with a seed of its own.
     request.seed = SeedOfTurn(seed, turn);
     const AnswerListener listener = question.make_listener();
     Result<ChatReply> reply = server->Complete(
@@ -103,6 +104,7 @@ Status Ask(ChatServer* server, Question question, const Progress& progress,
       if (turn == 0) return reply.status();
       return reply.status().WithContext("repair turn " + std::to_string(turn));
     }
+    // The reply is recorded as text that is legal UTF-8, whatever the server sent.
     reply->text = MakeText(std::move(reply->text));
     reply->model = MakeText(std::move(reply->model));
     reply->finish_reason = MakeText(std::move(reply->finish_reason));
@@ -112,6 +114,7 @@ Status Ask(ChatServer* server, Question question, const Progress& progress,
 
     const Status read = question.read(reply->text);
     if (read.ok()) return Status();
+    // What is wrong with it goes back to the model, or ends the conversation after the last turn.
     std::vector<Violation> violations = read.violations();
     if (violations.empty()) violations.push_back({"unusable", "", read.message(), ""});
     if (reply->finish_reason == "length") {
@@ -131,6 +134,7 @@ Status Ask(ChatServer* server, Question question, const Progress& progress,
           std::move(violations));
       return Status(StatusCode::kDataLoss, last.message(), last.violations());
     }
+    // The next turn has the opening, the last answer and what is wrong with it.
     request.messages.resize(opening);
     request.messages.push_back({ChatRole::kAssistant, AnswerSaid(reply->text), ""});
     request.messages.push_back({ChatRole::kUser, question.repair_text(violations), ""});

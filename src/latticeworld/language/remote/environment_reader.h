@@ -11,10 +11,10 @@
 namespace latticeworld {
 
 // Reads the environment of a whole answer: the JSON object in it, with thinking, prose and Markdown
-// fences around. Of several objects the last legal one counts, or without one the longest (of
-// equally long ones the last). The object itself is read strictly. Errors: INVALID_ARGUMENT with
-// every violation, as ParseEnvironment gives them, or no_object when the answer holds nothing like
-// an object.
+// fences around. If there are several objects, the last legal one counts, or without one the
+// longest (of equally long ones the last). The object itself is read strictly. Errors:
+// INVALID_ARGUMENT with every violation, as ParseEnvironment gives them, or no_object when the
+// answer holds nothing like an object.
 Result<EnvironmentConfig> ReadEnvironmentAnswer(std::string_view text,
                                                 const Catalogue& catalogue = *Catalogue::BuiltIn());
 // Does the same, and makes legal what only the rules forbid (KeepToRules). It appends what was

@@ -14,8 +14,8 @@ namespace latticeworld {
 // LayoutReader finds the matrix in an answer, letter by letter as it arrives. It reads plain lines
 // and JSON strings alike, with thinking, prose and Markdown fences around, CRLF, spaces, commas or
 // bars between letters, and line numbers before them. Lower case counts as upper case: no
-// vocabulary tells them apart, so nothing is guessed. Of several matrices the last legal one
-// counts, or without one the longest (of equally long ones the last).
+// vocabulary tells them apart, so nothing is guessed. If there are several matrices, the last legal
+// one counts, or without one the longest (of equally long ones the last).
 class LayoutReader {
  public:
   explicit LayoutReader(Vocabulary vocabulary) : vocabulary_(vocabulary) {}

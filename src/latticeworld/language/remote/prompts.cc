@@ -15,7 +15,8 @@ std::string_view RemotePromptFile(std::string_view file_name);  // compiled in f
 
 namespace {
 
-// More lines than this would fill a small model's context and tell it nothing new.
+// At most this many violations are told: more would fill a small model's context and tell it
+// nothing new.
 constexpr std::size_t kMostViolationsSaid = 100;
 
 std::string Fill(std::string_view file_name, const std::vector<PromptValue>& values) {

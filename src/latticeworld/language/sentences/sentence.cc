@@ -141,7 +141,7 @@ class Matcher {
                        });
   }
 
-  // Where the words of a phrase end that stands at `at`; `at`: it does not.
+  // Returns where the phrase ends if it stands at `at`, else `at`.
   std::size_t EndOf(std::string_view phrase, std::size_t at) const {
     std::size_t end = at;
     for (std::size_t begin = 0; begin <= phrase.size(); ++end) {

@@ -5,6 +5,7 @@ namespace latticeworld::internal {
 ClaimFields FieldsOf(ClaimKind kind) {
   constexpr unsigned kPair = kSubject | kObject;
   constexpr unsigned kZones = kZone | kObjectZone;
+  // Each kind has fields that it must have, fields that it may have, and a unit of its bounds.
   switch (kind) {
     case ClaimKind::kPresent:
       return {kSubject, kZone | kLeast};

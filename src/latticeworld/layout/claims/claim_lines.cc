@@ -142,7 +142,7 @@ ClaimMeasure ReadParallel(const Claim& claim, const LayoutMasks& layout) {
   const std::vector<JoinedPiece> object_pieces = JoinedPiecesOf(objects, claim.object, layout);
   const JoinedPiece& first = subject_pieces.front();
   const LayoutMask& subject = first.cells;
-  // Of one class, another piece of it.
+  // If both are of one class, the object is another piece of it.
   const auto other =
       std::find_if(object_pieces.begin(), object_pieces.end(),
                    [&](const JoinedPiece& piece) { return (piece.cells & subject).empty(); });

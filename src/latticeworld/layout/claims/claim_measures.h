@@ -26,7 +26,7 @@ double MostOf(const Claim& claim);
 // something to a search.
 inline constexpr double kLeastDistance = 0.02;
 
-// 0 for no violation, else from kLeastDistance to 1 for a violation of 0 to 1.
+// Returns 0 for no violation, else from kLeastDistance to 1 for a violation of 0 to 1.
 inline double DistanceFor(double violation) {
   constexpr double kRounding = 1e-9;
   if (violation <= kRounding) return 0.0;

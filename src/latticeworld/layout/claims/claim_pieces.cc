@@ -54,7 +54,7 @@ ClaimMeasure ReadScattered(const Claim& claim, const LayoutMasks& layout) {
   ClaimMeasure reading;
   reading.value = static_cast<double>(pieces.size());
   reading.other = static_cast<double>(pieces.front().count()) / subject.count();
-  // Both count, so that a search gains by each.
+  // Both shortfalls count, so that a search gains by mending either.
   reading.distance = DistanceFor(0.5 * Shortfall(reading.value, LeastOf(claim)) +
                                  0.5 * Excess(reading.other, kScatteredLargest, 1.0));
   return reading;

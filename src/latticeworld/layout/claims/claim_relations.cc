@@ -86,7 +86,7 @@ double DirectionLack(LayoutMask::Point from, LayoutMask::Point to, Claim::Headin
   const double east = to.col - from.col, south = to.row - from.row;
   *along = (east * heading.east + south * heading.south) / norm;
   const double aside = std::abs(east * heading.south - south * heading.east) / norm;
-  // Up to 63 degrees off a cardinal heading, 40 off another.
+  // The way may be up to 63 degrees off a cardinal heading, 40 off another.
   const double slope = heading.east == 0 || heading.south == 0 ? 0.5 : 1.2;
   const double lack = std::max(1.0, slope * aside) - *along;
   return std::clamp(lack / kLayoutSize, 0.0, 1.0);

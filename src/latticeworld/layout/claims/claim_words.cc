@@ -65,6 +65,7 @@ class Words {
 std::string Words::Found() const {
   const std::string value = Number(reading_.value), share = Percent(reading_.value);
   const bool holds = reading_.distance == 0.0;
+  // Each kind tells in words what MeasureClaim put into `value` and `other`.
   switch (claim_.kind) {
     case ClaimKind::kPresent:
     case ClaimKind::kAbsent:
@@ -154,6 +155,7 @@ std::string Words::FoundShape() const {
 
 std::string Words::Demanded() const {
   const double least = LeastOf(claim_), most = MostOf(claim_);
+  // Each kind tells in words what its bounds ask for, or the usual bounds if it has none.
   switch (claim_.kind) {
     case ClaimKind::kPresent:
     case ClaimKind::kLocated:

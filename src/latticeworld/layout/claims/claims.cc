@@ -53,6 +53,7 @@ double MostOf(const Claim& claim) {
 }
 
 ClaimMeasure MeasureClaim(const Claim& claim, const LayoutMasks& layout) {
+  // Each kind has a measure of its own.
   switch (claim.kind) {
     case ClaimKind::kPresent:
     case ClaimKind::kAbsent:

@@ -19,8 +19,8 @@ enum class Crossing : std::uint8_t {
 // are forded; all other water is bridged. Wild layouts have no roads.
 Grid<Crossing> CrossingsOf(const SymbolicLayout& layout, bool fords);
 
-// Where road and water cross in a corner of four cells, so that no cell is of both: 1 at the
-// north-west corner of each such cell to the south-east; (rows + 1) x (cols + 1).
+// Marks where road and water cross in a corner of four cells, so that no cell is of both: 1 at the
+// north-west corner of the south-eastern of those cells; (rows + 1) x (cols + 1).
 Grid<unsigned char> CornerCrossingsOf(const SymbolicLayout& layout);
 
 }  // namespace latticeworld

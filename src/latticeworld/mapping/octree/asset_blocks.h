@@ -9,8 +9,8 @@
 
 namespace latticeworld {
 
-// Where assets stop a robot: where it would touch their solid part, seen from above, or a crown
-// that hangs lower than it is high.
+// Says where assets stop a robot: where it would touch their solid part, seen from above, or a
+// crown that hangs lower than the robot is high.
 class AssetBlocks {
  public:
   // ground: kept by reference.

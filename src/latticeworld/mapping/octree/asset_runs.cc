@@ -78,7 +78,7 @@ void AssetCutter::Place(const Job& job, int x, int y, double low_m, double high_
                        static_cast<std::int16_t>(low), static_cast<std::int16_t>(high)});
 }
 
-// From the ground of the column up to high_m.
+// Places what stands from the ground of the column (from low_m, if that is lower) up to high_m.
 void AssetCutter::PlaceStanding(const Job& job, int x, int y, double low_m, double high_m) const {
   Place(job, x, y, std::min(low_m, VoxelCenter_m(job.window.at(x, y), voxel_m_)), high_m);
 }

@@ -20,7 +20,8 @@ class GroundVoxels {
   void SampleRow(int y, int x_low, int x_high, std::int16_t* surface) const;
 
  private:
-  // Where a line of column centres lies: between vertices `vertex` and `vertex` + 1, at `share`.
+  // A line of column centres lies between vertices `vertex` and `vertex` + 1, at `share` of the
+  // way.
   struct Place {
     int vertex;
     double share;

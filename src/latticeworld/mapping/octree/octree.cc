@@ -50,7 +50,7 @@ void CheckKeys(const OctreeOptions& options, const Scene& scene,
                                          std::abs(box.y_m) + box.half_width_m));
   }
   const double extent_m = std::max({reach_m, depth_m, std::abs(double{ground.max_m()})});
-  // With a voxel to spare at either end.
+  // A voxel is to spare at either end.
   const double finest_m = extent_m / (kKeyOfZero - 2.0);
   if (options.resolution_m >= finest_m) return;
   violations->push_back(

@@ -34,7 +34,8 @@ class VoxelTile {
   // lowest neighbouring column, so that steep ground has no holes.
   void Fill(const VoxelPlan& plan, int tile);
 
-  // Of the square of 2^level columns, level kBlockLevel to kTileLevel; x, y: its place in the tile.
+  // Returns the bounds of a square of 2^level columns, level kBlockLevel to kTileLevel. x, y: the
+  // square's place in the tile.
   const ColumnBounds& BoundsAt(int level, int x, int y) const {
     return bounds_[level][(y << (kTileLevel - level)) + x];
   }

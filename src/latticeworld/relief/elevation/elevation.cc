@@ -132,7 +132,7 @@ class Surface {
 
  private:
   static constexpr int kBorder = 3;
-  // In samples of values_, so that the four around it are there.
+  // Returns the place in samples of values_, clamped so that the four samples around it exist.
   static double Clamped(double place, int size) {
     return std::clamp(place - 0.5 + kBorder, 1.0, size - 2.0 - 1e-6);
   }

@@ -39,7 +39,7 @@ class ElevationFrame {
   ElevationFrame& operator=(ElevationFrame&&) = delete;
   ~ElevationFrame();
 
-  // Of the origin, altitude 0; nullopt where nobody knows.
+  // Returns the place of the origin on the earth, altitude 0; nullopt: it is not known.
   const std::optional<GeoOrigin>& geo() const;
   // Side of a sample at the origin, along its row and along its column [m].
   double sample_width_m() const;

@@ -204,7 +204,7 @@ Status ElevationRaster::File::Decode(std::string_view bytes) {
 
   const char* const drivers[] = {ascii_grid ? "AAIGrid" : "GTiff", nullptr};
   const char* const no_siblings[] = {nullptr};
-  // Else GDAL looks at some numbers only to find out what kind they are.
+  // Without this option GDAL looks at some numbers only to find out their type.
   const char* const any_numbers[] = {"DATATYPE=Float64", nullptr};
   dataset = GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers,
                        ascii_grid ? any_numbers : nullptr, no_siblings);
@@ -213,8 +213,8 @@ Status ElevationRaster::File::Decode(std::string_view bytes) {
                          errors.Last(name));
 }
 
-// Not left to GDAL, whose versions know different sizes of tiles (3.6.2 none of half an arc
-// second).
+// Reads the tile itself, since versions of GDAL know different sizes of tiles (3.6.2 none of half
+// an arc second).
 Status ElevationRaster::File::CopyTile(std::string_view bytes, const SrtmTile& tile) {
   constexpr double kVoid = -32768.0;
   const GdalErrors errors;
@@ -436,7 +436,7 @@ Result<Grid<float>> ElevationRaster::Read(const DataWindow& window) const {
   const int width = window.cols * window.block_cols;
   int block_height = 0, block_width = 0;
   GDALGetBlockSize(file_->band, &block_width, &block_height);
-  // About as many rows at once as a block of the file holds, so that few are decoded twice.
+  // A chunk has about as many rows as a block of the file, so that few blocks are decoded twice.
   const std::int64_t fitting = std::max<std::int64_t>(kChunkSamples / width, 1);
   const std::int64_t wanted = std::clamp<std::int64_t>(block_height, 1, fitting);
   const int chunk = static_cast<int>(std::max<std::int64_t>(wanted / window.block_rows, 1));

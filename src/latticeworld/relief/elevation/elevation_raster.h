@@ -13,7 +13,7 @@
 
 namespace latticeworld::internal {
 
-// Where samples lie: x = t[0] + t[1] col + t[2] row, y = t[3] + t[4] col + t[5] row in the
+// Says where samples lie: x = t[0] + t[1] col + t[2] row, y = t[3] + t[4] col + t[5] row in the
 // coordinates of crs; (0, 0) is the outer corner of the first sample.
 struct GeoReference {
   std::array<double, 6> transform{};
@@ -45,7 +45,8 @@ class ElevationRaster {
   int cols() const;
   int rows() const;
   const GeoReference& reference() const;
-  // Between neighbouring values of whole numbers [m]; 0: floating point numbers.
+  // Returns the step between neighbouring heights if they are whole numbers in the file [m]; 0:
+  // they are floating-point numbers.
   double height_step_m() const;
   // What had to be guessed.
   const std::vector<std::string>& warnings() const;

@@ -105,7 +105,7 @@ Ways CheapestWays(const Grid<std::int32_t>& cost, const Grid<std::int32_t>& part
       const auto both = static_cast<float>(cost[next] + cost.data()[cell]);
       const std::int32_t price = reached + static_cast<std::int32_t>(step.half_length * both);
       std::int32_t& known = enters ? outside[index] : total[index];
-      // Of a source inside a part that has not been reached yet: its own start may be cheaper.
+      // A source inside a part that has not been reached yet may start more cheaply by itself.
       if (price >= known || (enters && price >= total[index])) continue;
       known = price;
       ways.receiver[index] = cell;

@@ -32,7 +32,7 @@ Sketch DrawSketch(const Grid<float>& height_m, double share) {
   Sketch sketch(height_m.rows(), height_m.cols(), Stroke::kNone);
   for (int r = 0; r < sketch.rows(); ++r) {
     for (int c = 0; c < sketch.cols(); ++c) {
-      // Where both run, the one that gathers more of the land.
+      // If a valley and a ridge run here, the one that gathers more of the land wins.
       const float v = valley(r, c) / valley_from;
       const float d = ridge(r, c) / ridge_from;
       if (std::max(v, d) > 1.0f) sketch(r, c) = v >= d ? Stroke::kValley : Stroke::kRidge;

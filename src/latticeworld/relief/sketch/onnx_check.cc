@@ -50,7 +50,7 @@ void AddIntegers(const OnnxField& field, std::vector<std::int64_t>* numbers, boo
   *damaged = *damaged || packed.damaged() || field.wire != OnnxWire::kBytes;
 }
 
-// Of a field of numbers of `bytes` bytes each, how many.
+// Returns how many numbers of `bytes` bytes each a field has.
 std::uint64_t CountOf(const OnnxField& field, OnnxWire alone, std::size_t bytes, bool* damaged) {
   *damaged = *damaged || (field.wire != alone && field.wire != OnnxWire::kBytes);
   return field.bytes.size() / bytes;

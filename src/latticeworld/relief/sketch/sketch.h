@@ -49,10 +49,10 @@ Result<Grid<float>> SketchToHeight(const Sketch& sketch, const SketchOptions& op
 
 class SketchModel;  // sketch_model.h
 
-// Both, as a relief. Of a sketch that is not square its middle square, and a warning says which
-// pixels are kept. model: makes the land from the strokes where one is given, null for the way
-// above. Errors: as above, INVALID_ARGUMENT where all strokes lie outside that square, and INTERNAL
-// from the model. Reports the stage "relief".
+// Reads a sketch and turns it into a relief. If it is not square, its middle square is taken, and a
+// warning says which pixels are kept. model: makes the land from the strokes; null: SketchToHeight
+// without a model does. Errors: as above, INVALID_ARGUMENT if all strokes lie outside that square,
+// and INTERNAL from the model. Reports the stage "relief".
 Result<Relief> SketchToRelief(std::string_view bytes, const SketchOptions& options,
                               const Progress& progress, const SketchModel* model = nullptr);
 

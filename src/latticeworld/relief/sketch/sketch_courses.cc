@@ -140,7 +140,7 @@ std::vector<std::int32_t> StartCosts(const Grid<std::int32_t>& system,
     start[r * cols + c] = open_border;
     any = true;
   });
-  // Of several openings of one system water leaves by the one farthest from the ridges.
+  // If one system has several openings, water leaves by the one farthest from the ridges.
   for (const Opening& opening : openings) {
     const bool lowest = std::none_of(openings.begin(), openings.end(), [&](const Opening& other) {
       return other.system == opening.system && other.ridge_distance > opening.ridge_distance;

@@ -7,7 +7,7 @@
 
 namespace latticeworld::internal {
 
-// Where the valleys of a sketch run, and how their floors fall.
+// Says where the valleys of a sketch run, and how their floors fall.
 struct Courses {
   // 1 along the drawn valleys; 2 along the ways by which those that end in the land reach another
   // one or the border.

@@ -50,7 +50,7 @@ void AddRoughness(const Stage& stage, int cells, const Grid<float>& freedom, std
   }
 }
 
-// 0 along drawn valleys, rising to 1.
+// Returns a field that is 0 along drawn valleys and rises to 1 away from them.
 Grid<float> FreedomOf(const SketchSurface& surface, int threads) {
   Grid<unsigned char> drawn = surface.courses.valley;
   for (unsigned char& kind : drawn) kind = kind == kDrawn;

@@ -10,9 +10,9 @@
 
 namespace latticeworld::internal {
 
-// Where water leaves the land or comes to rest, 1, on the surface's grid: along the drawn valleys,
-// whose floors stay; at their mouths; in the dips of the border; and at the bottom of deep hollows
-// (a crater), which would else be drained through their rim.
+// Marks with 1, on the surface's grid, where water leaves the land or comes to rest: along the
+// drawn valleys, whose floors stay; at their mouths; in the dips of the border; and at the bottom
+// of deep hollows (a crater), which would otherwise be drained through their rim.
 Grid<unsigned char> FindOutlets(const SketchSurface& surface, int threads);
 
 // Lets water cut its valleys into the surface, first broadly on a coarse grid, then finer: what a

@@ -35,7 +35,7 @@ constexpr double kSlopeBlur = 1.5;  // [cells] of the eroded grid
 // Slopes steeper than this [heights a side] slide.
 constexpr int kSlideIterations = 96;
 constexpr double kTalus = 6.0;
-// So many iterations at a time, of 1024 x 1024 samples, so that a cancel is heard soon.
+// At most this many iterations on 1024 x 1024 samples run between two checks for a cancel.
 constexpr int kIterationsAtATime = 8;
 
 void AddDetail(const Grid<float>& eroded, const SketchOptions& options, Grid<float>* height) {

@@ -65,8 +65,8 @@ void RemoveSpecks(Grid<Ink>* ink) {
   }
 }
 
-// Where neutral ink ends and blue begins: inks of one sketch lie in heaps, the place between them
-// differs with lamp and camera.
+// Returns where neutral ink ends and blue begins: inks of one sketch lie in heaps, and the place
+// between them differs with lamp and camera.
 Ink BlueFrom(const Histogram& count) {
   const auto weight = [&count](int i) {
     std::size_t sum = 0;

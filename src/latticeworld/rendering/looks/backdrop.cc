@@ -13,7 +13,7 @@ namespace latticeworld {
 
 namespace {
 
-// Of a sky with single clouds before it.
+// Returns whether single clouds stand before the sky.
 bool HasClouds(Weather weather) {
   return weather == Weather::kSunny || weather == Weather::kCloudy;
 }

@@ -15,10 +15,11 @@ namespace latticeworld {
 // A display colour as linear light.
 Light LightOf(const Color& bgr);
 
-// Where a ray met a body of that kind.
+// Returns the look of a body of that kind where a ray met it.
 SurfaceLook LookOfBody(AgentCategory category, ArtisticStyle style, const RayHit& hit);
-// Where one met a prop of that kind: boards with grain, or rock. in_prop_m: the place in the
-// prop's own frame.
+// Returns the look of a prop of that kind where a ray met it: boards with grain, or rock.
+// in_prop_m: the place in the prop's own frame. footprint_m: the extent of a sample of the picture
+// there.
 SurfaceLook LookOfProp(PropKind kind, ArtisticStyle style, const RayHit& hit,
                        const Eigen::Vector3f& in_prop_m, float footprint_m);
 

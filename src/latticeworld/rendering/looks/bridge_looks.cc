@@ -13,7 +13,8 @@
 namespace latticeworld {
 namespace {
 
-// Along the piece of the bridge's line that the point is nearest to [m].
+// Returns how far along the bridge's line the point lies [m], by the piece of the line that is
+// nearest to it.
 float AlongBridge(const Bridge& bridge, const Eigen::Vector3f& point_m) {
   double nearest_m = std::numeric_limits<double>::infinity(), along_m = 0.0, passed_m = 0.0;
   for (std::size_t i = 0; i + 1 < bridge.line.size(); ++i) {

@@ -11,8 +11,8 @@ namespace latticeworld {
 // RgbOfBridge (bridge_colors.h), as pictures have colours.
 Color ColorOfBridge(BridgeKind kind, BridgePartKind part, bool top);
 
-// Where a ray met a bridge: planks, courses of stone or smooth concrete; footprint_m: the extent of
-// a sample of the picture there.
+// Returns the look of a bridge where a ray met it: planks, courses of stone or smooth concrete.
+// footprint_m: the extent of a sample of the picture there.
 SurfaceLook LookOfBridge(const Bridge& bridge, ArtisticStyle style, const RayHit& hit,
                          const Eigen::Vector3f& point_m, float footprint_m);
 

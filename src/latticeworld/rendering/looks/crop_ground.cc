@@ -38,7 +38,7 @@ class Splats {
   void Add(const Asset& asset, const Reach& reach, const Color& color, float strength) {
     const GridGeometry& geometry = scene_.geometry();
     const float cell_m = static_cast<float>(geometry.resolution_m());
-    // As wide as a cell at least.
+    // The ellipse reaches at least 0.8 cells from its middle, along and across.
     const float along_m = std::max(reach.along_m, 0.8f * cell_m);
     const float across_m = std::max(reach.across_m, 0.8f * cell_m);
     const float col = static_cast<float>(geometry.ColOf(asset.x_m));

@@ -7,8 +7,8 @@
 
 namespace latticeworld {
 
-// Where things lie in one view, in pixels of the final picture. Both views have the same size, so
-// that they stand side by side.
+// Says where things lie in one view, in pixels of the final picture. Both views have the same size,
+// so that they stand side by side.
 struct Sheet {
   Sheet(int width_px, int footer_lines);
   int width = 0;
@@ -28,7 +28,7 @@ Color InkColor();
 void DrawFrame(const cv::Rect& rectangle, cv::Mat* bgr);
 // A filled rectangle with a thin line around it [px, final].
 void DrawBox(const cv::Rect2d& box, const Color& fill, cv::Mat* bgr);
-// In the map's upper right corner.
+// Draws an arrow to the north into the map's upper right corner.
 void DrawNorthArrow(const Sheet& sheet, cv::Mat* bgr);
 // A round marker; radius [px, final] at `at` [px, supersampled].
 void DrawMarker(const Eigen::Vector2f& at, float radius, const Color& color, cv::Mat* bgr);

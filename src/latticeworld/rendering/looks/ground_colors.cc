@@ -124,7 +124,7 @@ class GroundPainter {
     return {};
   }
 
-  // Between the houses of a settlement.
+  // Returns the colour of ground between the houses of a settlement.
   Color GardenAt(CellIndex cell, float patch) const {
     if (is_dry_) return Mix(barren_, season_.grass, 0.25f);
     const WorldPoint point = terrain_.geometry().CenterOf(cell);

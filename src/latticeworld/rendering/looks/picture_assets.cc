@@ -22,7 +22,7 @@ int LawnModel(const Catalogue& catalogue) {
   return best;
 }
 
-// Of a value that the environment names; 0 where the catalogue does not have it.
+// Returns the index of a value that the environment names; 0: the catalogue does not have it.
 std::size_t IndexOf(const std::vector<std::string_view>& names, const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? 0 : static_cast<std::size_t>(found - names.begin());

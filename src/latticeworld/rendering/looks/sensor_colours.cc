@@ -40,7 +40,7 @@ bool IsSameLens(const CameraModel& a, const CameraModel& b) {
          a.cx_px == b.cx_px && a.cy_px == b.cy_px && a.distortion == b.distortion;
 }
 
-// Where the pixels of a camera look, in its optical frame; row by row.
+// Holds the directions in which a camera's pixels look, in its optical frame, row by row.
 struct Lens {
   CameraModel model;
   std::vector<Vector3f> directions;

@@ -22,7 +22,7 @@ class RayCamera {
   Eigen::Vector3f DirectionAt(float x_px, float y_px) const;
   // Where a point comes to lie [px]; it has to be before the camera (DepthOf > 0).
   Eigen::Vector2f Project(const Eigen::Vector3f& point_m) const;
-  // Along the camera's axis.
+  // Returns the distance of a point along the camera's axis [m].
   float DepthOf(const Eigen::Vector3f& point_m) const { return (point_m - eye_m_).dot(forward_); }
   float PixelsPerMetre(float depth_m) const { return focal_px_ / depth_m; }
 

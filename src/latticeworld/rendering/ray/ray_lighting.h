@@ -25,8 +25,8 @@ struct Facing {
 };
 Facing FacingTo(const SurfaceLook& look, const Eigen::Vector3f& sun);
 
-// Where a ray from a hit towards the sun begins: light from behind starts on the far side of the
-// leaf.
+// Returns where a ray from a hit towards the sun begins: for light from behind, on the far side of
+// the leaf.
 Eigen::Vector3f ShadowStart(const RayHit& hit, const Eigen::Vector3f& point_m,
                             const Eigen::Vector3f& sun);
 

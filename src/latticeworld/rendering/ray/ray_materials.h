@@ -35,9 +35,10 @@ class RayMaterials {
   RayMaterials(const Scene& scene, const GroundMaterials& ground, const std::vector<Asset>& assets,
                bool lamps_are_lit, float relief);
 
-  // At a place of the ground; footprint_m: the extent of a sample of the picture there.
+  // Returns the look of a place of the ground. footprint_m: the extent of a sample of the picture
+  // there.
   SurfaceLook Ground(const Eigen::Vector3f& point_m, float footprint_m) const;
-  // Where a ray met an asset or an agent.
+  // These return the look of an asset or an agent where a ray met it.
   SurfaceLook AssetAt(const RayHit& hit, const Eigen::Vector3f& point_m, float footprint_m) const;
   SurfaceLook AgentAt(const RayHit& hit) const;
   // Or a bridge.
@@ -46,7 +47,8 @@ class RayMaterials {
   SurfaceLook EarthAt(const Eigen::Vector3f& point_m, const Eigen::Vector3f& normal, float below_m,
                       float block_m) const;
 
-  // Of deep water under white light, how fast light fades in it [1/m], and the share of ice on it.
+  // These tell the colour of deep water under white light, how fast light fades in it [1/m], the
+  // share of ice on it, and the ice's colour.
   const Light& water_scatter() const { return water_scatter_; }
   const Light& water_extinction_pm() const { return water_extinction_pm_; }
   float ice() const { return ice_; }

@@ -53,8 +53,8 @@ std::uint32_t ThingOf(const std::vector<Asset>& assets, RayHit hit) {
   return (1u + static_cast<std::uint32_t>(hit.target)) << 28 | (hit.index + 1u);
 }
 
-// By which the film multiplies beyond what eyes would see, so that dark pictures show shapes: as
-// much as brings the mean of what is drawn up to kLeastMean, on a grid over the picture.
+// Returns the factor by which the film multiplies beyond what eyes would see, so that dark pictures
+// show shapes. It brings the mean of what is drawn up to kLeastMean, on a grid over the picture.
 float Lift(const std::function<FilmSample(int, int)>& sample, int width_px, int height_px,
            float exposure) {
   constexpr int kRows = 24;

@@ -147,7 +147,7 @@ Light RayShader::Water(const WorldHit& hit, float footprint_m, SampleDraws* draw
   if (!hit.on_cut) up.z() = std::max(up.z(), 0.015f);
   up.normalize();
 
-  // Down to the bed, along the bent ray.
+  // The ray goes on to the bed, bent by the water.
   Ray down;
   down.origin_m = hit.point_m;
   down.direction = RefractedIntoWater(hit.direction, normal);

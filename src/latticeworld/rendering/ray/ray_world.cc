@@ -15,7 +15,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kFarthest_m = 12000.0f;  // that a ray goes
 constexpr float kLawn_m = 1.0f;          // more than what pictures add to the assets is high
 
-// Where a ray comes into and leaves what lies between -half and +half on an axis.
+// The distances at which a ray enters and leaves what lies between -half and +half on an axis.
 struct Span {
   float in_m, out_m;
 };

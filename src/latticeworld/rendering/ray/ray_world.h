@@ -35,7 +35,8 @@ class RayWorld {
   RayWorld(const Scene& scene, const RayScene& rays, Surroundings surroundings, float block_m);
 
   WorldHit Trace(const Ray& ray, RaySights sights) const;
-  // In the frame of a hit, and no farther than that world or mirror image.
+  // Returns whether something solid or an agent blocks a ray in the frame of a hit; nothing beyond
+  // that world or mirror image does.
   bool IsBlocked(const Ray& ray) const { return rays_.IsBlocked(ray, kSeesSolid | kSeesAgents); }
   const RayScene& rays() const { return rays_; }
   float block_m() const { return block_m_; }

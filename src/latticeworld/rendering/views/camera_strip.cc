@@ -20,7 +20,8 @@ constexpr float kBrightest = 16.0f;  // light that the film's table reaches to
 constexpr float kFarthestMirrored_m = 3000.0f;
 // Grain of the ground that is finer is left out: noise is most of what a picture costs.
 constexpr float kFinest_m = 0.05f;
-// Of the sky's light in shadow: what throws the shadow hides a part of the sky as well.
+// This share of the sky's light reaches what is in shadow: what throws the shadow hides a part of
+// the sky as well.
 constexpr float kOpenInShadow = 0.78f;
 
 }  // namespace
@@ -167,7 +168,7 @@ void CameraStrip::LookAtWater(std::size_t i) {
 }
 
 void CameraStrip::CastShadows() {
-  // Under thick clouds.
+  // Under thick clouds nothing casts a shadow.
   if (Brightness(view_.sky.sunlight()) <
       kFaint * Brightness(view_.sky.Ambient(Vector3f::UnitZ()))) {
     return;

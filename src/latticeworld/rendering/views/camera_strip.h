@@ -69,7 +69,7 @@ class CameraStrip {
     Eigen::Vector3f point_m;
     SurfaceLook look;
     Facing facing;
-    // Of water.
+    // These are set if it is water.
     Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();
     float glint = 0.0f;
     Light image = Light::Zero();  // in its mirror

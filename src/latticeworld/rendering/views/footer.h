@@ -35,7 +35,7 @@ struct Footer {
 Footer LayOutFooter(const Scene& scene, int width_px, bool agents);
 
 void DrawFooter(const Footer& footer, const Sheet& sheet, cv::Mat* bgr);
-// On the first line's left.
+// Draws the scale bar at the left of the footer's first line.
 void DrawScaleBar(const Scene& scene, const Sheet& sheet, cv::Mat* bgr);
 void DrawNote(const Sheet& sheet, cv::Mat* bgr);
 

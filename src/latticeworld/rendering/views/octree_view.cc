@@ -99,7 +99,7 @@ class Projection {
   float bottom_ = 0.0f;
 };
 
-// From blue for low to red for high.
+// Returns a colour from blue for low (share 0) to red for high (share 1).
 Color HeightColor(float share) {
   const float hue = 4.0f * (1.0f - std::clamp(share, 0.0f, 1.0f));
   const auto channel = [hue](float peak) {

@@ -43,8 +43,8 @@ class ViewScout {
     double inside = 0;  // share of the places that are inside the world
   };
   Outlook LookAhead(WorldPoint from, double heading_rad) const;
-  // Nothing solid and no crown at the place, and neither ground nor trunk or wall close before the
-  // eye. crowns: how much of their width counts.
+  // IsFree: nothing solid and no crown is at the place. IsOpenAhead: neither ground nor trunk nor
+  // wall is close before the eye. crowns: how much of their width counts.
   bool IsFree(WorldPoint from, double crowns) const;
   bool IsOpenAhead(WorldPoint from, double heading_rad, double crowns) const;
   bool Suits(Motif motif, WorldPoint from, double crowns) const;

@@ -31,7 +31,7 @@ constexpr std::array<EnumName<PropKind>, 5> EnumNames(PropKind) {
 // face of an icosahedron, phi^2 / sqrt(3 (1 + phi^2)) of a corner's distance from the middle.
 inline constexpr double kStoneLies = 0.7946544722917661;
 
-// Where a prop begins. Its frame: x along size_m.x, z up, origin in the middle of its base; a
+// Says where a prop begins. Its frame: x along size_m.x, z up, origin in the middle of its base; a
 // gate's origin is at the base of its hinge, and the closed panel lies along +x.
 struct Prop {
   std::string name;  // unique among props and agents, legal as a ROS name: "crate_1"

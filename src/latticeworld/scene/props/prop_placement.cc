@@ -21,7 +21,7 @@ constexpr double kApart_m = 0.3;       // between props, and between them and wh
 constexpr double kFromAgents_m = 4.0;  // beyond the prop's own radius
 constexpr int kMost = 1000;            // props of a world at its start
 
-// Of houses: shares that have crates beside them, and a gate to their street.
+// The shares of houses that have crates beside them, and a gate to their street.
 constexpr double kWithCrates = 0.12;
 constexpr double kWithGate = 0.2;
 constexpr int kMostCratesOfHouse = 3;
@@ -103,7 +103,7 @@ class Placer {
     }
     return clear && IsClearOfBridges(footprint);
   }
-  // And on ground that is dry, no road and no steeper.
+  // Returns whether the prop stands on ground that is dry, no road and no steeper.
   bool IsOnLand(const Prop& prop, double steepest_deg) const {
     const Footprint footprint = FootprintOf(prop);
     return IsBuildable(terrain_, footprint.centre, footprint.radius_m()) &&
@@ -179,7 +179,7 @@ class Placer {
     }
   }
 
-  // Along a road, at the same distance from its edge.
+  // Places rows of posts along roads, each at one distance from the road's edge.
   void PlacePosts() {
     RandomStream random(seed_, "scene/elements/posts");
     const int rows = static_cast<int>(std::lround(kPostRowsPerKm2 * area_km2()));

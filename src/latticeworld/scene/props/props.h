@@ -16,7 +16,8 @@ inline constexpr int kMaxProps = 2000;
 
 // A prop of usual size, mass and strength, at the centre of the world; without a name.
 Prop UsualProp(PropKind kind);
-// Of that size. Crates are empty boxes, gates are slatted, the others are of solid wood or stone.
+// Returns the usual mass of a prop of that size [kg]. Crates are empty boxes, gates are slatted,
+// the others are of solid wood or stone.
 double UsualMass(PropKind kind, const Eigen::Vector3d& size_m);
 // Bridges: 100 kg for each square metre [kg]. Posts: the moment at which wood of 12 MPa breaks, a
 // quarter of what sound wood bears, for what has stood in soil [N m]. Others: 0.

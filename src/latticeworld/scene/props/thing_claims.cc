@@ -191,7 +191,7 @@ class Measurer {
         "their middle lies " + std::string(holds ? "in " : "outside ") + wish_->zone.name);
   }
 
-  // From the middle of a thing to the edge of the target [m].
+  // Returns the distance from the middle of a thing to the edge of the target [m].
   double ToTarget_m(WorldPoint place) {
     const ThingTarget& target = wish_->target;
     double least_m = INFINITY;
@@ -221,7 +221,8 @@ class Measurer {
                              : !land_.Has(target.letter);
     if (missing) return Add(kind, false, 1.0, "what they are to stand by is not there");
     if (wish_->relation == ThingRelation::kIn) return MeasureIn();
-    // Of an arrangement beside something, what is nearest counts; along it, everything does.
+    // If an arrangement is beside something, what is nearest counts; if it is along it, everything
+    // does.
     std::vector<double> gaps_m;
     for (const WorldPoint& place : of_->places) gaps_m.push_back(ToTarget_m(place));
     const bool all = RowBends();
@@ -255,7 +256,8 @@ class Measurer {
         std::to_string(inside) + " of " + std::to_string(count) + " stand on it");
   }
 
-  // Before the front of one of the targets, at most 60 degrees aside.
+  // Returns whether the things stand before the front of one of the targets, at most 60 degrees
+  // aside.
   bool IsInFront() const {
     if (wish_->target.wish < 0) return true;  // land has no front
     const Standing& target = standing_[static_cast<std::size_t>(wish_->target.wish)];
@@ -290,8 +292,8 @@ class Measurer {
     return most < M_PI;
   }
 
-  // Between a front and the nearest ray, of those every 5 degrees, that meets the land that it is
-  // to look at; 180: none does within 45 degrees.
+  // Returns the angle between a front and the nearest ray, of those every 5 degrees, that meets the
+  // land that it is to look at; 180: none does within 45 degrees.
   double OffLand_deg(WorldPoint from, double yaw_rad) const {
     constexpr double kStep_m = 2.0, kStep_deg = 5.0, kWidest_deg = 45.0;
     for (double off_deg = 0.0; off_deg <= kWidest_deg; off_deg += kStep_deg) {

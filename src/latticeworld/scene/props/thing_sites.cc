@@ -127,7 +127,7 @@ double ThingSites::DrawGap(double least_m, double most_m, RandomStream* random) 
   return OwnRadius() + random->Uniform(least_m, most_m);
 }
 
-// From a cell of the class outwards, beyond its edge.
+// Draws a place outwards from a cell of the class, beyond its edge.
 ThingSites::Anchor ThingSites::BesideLand(double depth_m, RandomStream* random) const {
   constexpr double kStep_m = 1.0, kFarthest_m = 400.0;
   const char letter = wish_.target.letter;
@@ -267,7 +267,7 @@ std::vector<ThingSites::Slot> ThingSites::RunAroundThing(int most) const {
   return slots;
 }
 
-// On rays from the middle of the class, beyond its last cell on each.
+// Returns slots on rays from the middle of the class, beyond its last cell on each.
 std::vector<ThingSites::Slot> ThingSites::AroundLand(int count, double turn_rad) const {
   const char letter = wish_.target.letter;
   WorldPoint middle = {0.0, 0.0};

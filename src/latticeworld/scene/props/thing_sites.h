@@ -17,7 +17,8 @@ namespace latticeworld {
 // edge at most [m]; claims allow the same.
 inline constexpr double kFarthestNear_m = 15.0;
 
-// Between the middles of neighbours [m]: as said, or usual for the kind and its size.
+// Returns the distance between the middles of neighbours [m]: as said, or usual for the kind and
+// its size.
 double SpacingOf(const ThingWish& wish);
 
 // Draws sites for the things of a wish: where each would stand if nothing were in the way.

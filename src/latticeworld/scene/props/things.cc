@@ -247,7 +247,7 @@ class Placer {
     return StandsFree(made, beside) ? Flaw::kNone : Flaw::kOccupied;
   }
 
-  // Of the things of the same try, of all others and of houses.
+  // Returns whether a thing stands free of those of the same try, of all others and of houses.
   bool StandsFree(const MadeThing& made, const std::vector<MadeThing>& beside) {
     const Footprint& footprint = made.footprint;
     for (const MadeThing& other : beside) {
@@ -265,7 +265,7 @@ class Placer {
     return true;
   }
 
-  // Between the lowest and the highest ground of what walls cover.
+  // Returns the difference between the highest and the lowest ground of what walls cover.
   double RiseWithin_m(const Footprint& footprint) const {
     double low_m = INFINITY, high_m = -INFINITY;
     for (const double along : {-1.0, 0.0, 1.0}) {

@@ -21,9 +21,9 @@ struct PlacedThings {
 // Places single things. Houses stand already, trees and the rest come later and keep clear: the
 // solids of the placement hold what stands here. Things overlap nothing solid, and stand in the
 // world, on dry ground off the roads that is not too steep, unless they were asked there: things in
-// water or on roads, piers, and things with an exact place, for which houses make room. Of several
-// sites that were tried a wish gets the first that has room for all, or the one with room for most.
-// Draws from a stream of its own for each wish.
+// water or on roads, piers, and things with an exact place, for which houses make room. A wish gets
+// the first of the sites tried that has room for all, or the one with room for most. Draws from a
+// stream of its own for each wish.
 PlacedThings PlaceThings(const std::vector<ThingWish>& wishes, Placement* placement);
 
 }  // namespace latticeworld

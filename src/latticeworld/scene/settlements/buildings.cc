@@ -300,7 +300,7 @@ class Settler {
     return BuildingUse::kDetachedHouse;
   }
 
-  // Behind houses, at one side of their gardens.
+  // Builds sheds behind houses, at one side of their gardens.
   void BuildSheds() {
     if (!builder_.models().Has(BuildingUse::kShed)) return;
     PointRandom random(StreamSeed(seed_, "sheds"), 0);

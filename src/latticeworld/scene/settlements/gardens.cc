@@ -50,7 +50,7 @@ class Planter {
   }
   std::uint8_t UsualModel() const { return MakeAsset(*placement_, kind_).model; }
 
-  // Of the model, at the point; not added yet.
+  // Makes an asset of the model at the point, without adding it.
   Asset Make(std::uint8_t model, WorldPoint point, PointRandom* random) const {
     const ModelMixture::Choice choice = mixture_.Dress(model, random);
     const AssetModel& data = placement_->catalogue.models()[model];
@@ -127,7 +127,7 @@ class Gardener {
     return !planted_.Overlaps(point, radius_m);
   }
 
-  // Behind and on one side of the house.
+  // Plants a hedge behind and on one side of the house.
   void PlantHedge(std::size_t garden, const BuildingPlan& plan) {
     PointRandom random = hedges_.RandomOf(garden);
     const Footprint& house = plan.footprint;

@@ -31,7 +31,7 @@ double DistanceBetween(WorldPoint a, WorldPoint b) {
 struct Range {
   double low, high;
 };
-// From the street's edge to the front wall [m].
+// Returns the distances that a front wall may have from the street's edge [m].
 Range SetbackOf(BuildingUse use) {
   switch (use) {
     case BuildingUse::kRowHouse:
@@ -47,7 +47,7 @@ Range SetbackOf(BuildingUse use) {
       return {3.5, 7.0};
   }
 }
-// Beside a building, on either side [m].
+// Returns the widths that the gap beside a building may have, on either side [m].
 Range SideGapOf(BuildingUse use) {
   switch (use) {
     case BuildingUse::kRowHouse:

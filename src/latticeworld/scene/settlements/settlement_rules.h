@@ -3,14 +3,15 @@
 
 namespace latticeworld {
 
-// Where buildings stand. Distances are between walls, edges of streets and borders of land; none of
-// them grows with the buildings' scale.
+// This header says where buildings stand. Distances are between walls, edges of streets and borders
+// of land; none of them grows with the buildings' scale.
 
-// Between the walls of two buildings. The houses of a terrace touch.
+// The least distance between the walls of two buildings. The houses of a terrace touch.
 inline constexpr double kLeastWallGap_m = 3.0;
-// From a building's wall to the next street, or to the wall of another building.
+// The greatest distance from a building's wall to the next street, or to the wall of another
+// building.
 inline constexpr double kMostToNeighbour_m = 60.0;
-// From the edge of the street to the wall of a building that fronts it.
+// The distance from the edge of the street to the wall of a building that fronts it.
 inline constexpr double kLeastSetback_m = 2.0;
 inline constexpr double kMostSetback_m = 12.0;
 // Turn of a front against its street, either way, beyond the environment's own rotation.

@@ -58,7 +58,7 @@ class Squares {
     const int row_low = std::max(0, static_cast<int>(std::ceil(row - reach)));
     const int row_high = std::min(kSide - 1, static_cast<int>(std::floor(row + reach)) - 1);
     for (int r = row_low; r <= row_high; ++r) {
-      // Of the row's farther border the chord is covered, whole squares of it.
+      // A row is covered where the chord of its farther border is, in whole squares.
       const float dy = std::max(row - static_cast<float>(r), static_cast<float>(r + 1) - row);
       const float chord = std::sqrt(std::max(0.0f, 4.0f * least2_ - dy * dy));
       const int low = std::max(0, static_cast<int>(std::ceil(col - chord)));
@@ -178,7 +178,7 @@ void RankedBlueNoise::Throw(int tile_row, int tile_col, int level) {
   const std::int32_t index = tile_row * tiles_a_side_ + tile_col;
   Tile& here = filled_[slot_[index]];
   PointRandom random(seed_, static_cast<std::uint64_t>(index) * kLevels + level);
-  // Of the grid's last, cut cells only what is inside the world.
+  // Only what is inside the world counts of the grid's last, cut cells.
   const auto width = static_cast<float>(std::min<double>(kTile, cells_ - tile_col * kTile));
   const auto height = static_cast<float>(std::min<double>(kTile, cells_ - tile_row * kTile));
   // Darts go only into squares that no point covers.

@@ -58,8 +58,8 @@ double ClumpedDensity::At(WorldPoint point, double draw, char* letter) const {
   return sum;
 }
 
-// Over the points of the class, by samples; what exceeds the peak is cut off, and the rest raised
-// for it.
+// Returns the mean clumping over the points of the class, by samples. What exceeds `peak` times the
+// mean is cut off, and the rest is raised for it.
 double ClumpedDensity::MeanOf(const DensityField::Term& term, double peak) const {
   struct Sample {
     float weight, clumping;

@@ -30,7 +30,7 @@ Asset MakeFrom(const Field& field) {
   return asset;
 }
 
-// Of the i-th field.
+// Returns the random numbers of the i-th field.
 PointRandom OrchardRandom(const Placement& placement, std::size_t i) {
   return PointRandom(StreamSeed(placement.seed, "scene/orchards"), i);
 }

@@ -19,7 +19,7 @@ constexpr double kUsualForest = 0.5;       // density from which orchards are no
 constexpr double kNearSettlement_m = 90.0;
 constexpr double kUphillSlope_deg = 3.0;
 
-// Where the k-th border between fields lies along an axis.
+// Returns where the k-th border between fields lies along an axis [m].
 double BorderAt(std::uint64_t seed, int k, double side_m) {
   const double draw = HashToUnit(seed, k, 0);
   return (k - 0.5 + kUneven * (2.0 * draw - 1.0)) * side_m;

@@ -147,7 +147,7 @@ void PlaceBushes(Placement* placement, const AssetIndex& solids) {
 }
 
 void PlaceFlowers(Placement* placement, const AssetIndex& solids) {
-  // In patches, fewer in the shade.
+  // Flowers grow in patches, fewer in the shade.
   PlaceCover(placement, solids, AssetKind::kFlower, 14.0, 4.0,
              [placement](double patch, WorldPoint point) {
                const double within = std::max(0.0, patch - 0.5) / 0.5;

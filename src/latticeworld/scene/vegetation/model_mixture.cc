@@ -186,7 +186,7 @@ void ModelMixture::Weigh(WorldPoint point, const Site& site, double canopy, char
     suitability *= limit;
     if (suitability <= 0.0) continue;
     if (group != kShore) weights->limit = std::max(weights->limit, limit);
-    // From evenly mixed to groups of one model.
+    // With more clumping, models go from evenly mixed to groups of one model.
     const double contrast = 1.0 + 5.0 * habitat.clumping;
     const double patch = std::exp(contrast * (entry.patches.At(point) - 0.5));
     weights->of_entry[i] = static_cast<float>(entry.data->share * suitability * patch);

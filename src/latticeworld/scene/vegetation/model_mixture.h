@@ -42,8 +42,7 @@ class ModelMixture {
   ModelMixture(const Catalogue& catalogue, const EnvironmentConfig& environment, AssetKind kind,
                Vocabulary vocabulary, std::uint64_t seed);
 
-  // Of the models that stand on a letter, only those that `keep` says still do, unless that were
-  // none.
+  // Keeps on a letter only those models that `keep` says, unless that were none.
   void Keep(char letter, const std::function<bool(const AssetModel&)>& keep);
 
   // The choice at a place of that letter; canopy: share of the sky that trees hide, [0, 1].

@@ -15,7 +15,7 @@ class PatchNoise {
   // wavelength_m: width of a patch and the gap beside it, > 0.
   PatchNoise(std::uint64_t seed, double wavelength_m);
 
-  // In [0, 1], about 0.5 in the mean, nearly evenly distributed.
+  // Returns a value in [0, 1], about 0.5 in the mean, nearly evenly distributed.
   double At(WorldPoint point) const;
 
  private:

@@ -105,7 +105,7 @@ void Scatter(Placement* placement, AssetKind kind, std::string_view stream,
              const ScatterDensity& density, const MakeAt& make) {
   if (density.largest_per_m2() <= 0.0) return;
   std::vector<Block> blocks = MakeBlocks(*placement, kind, stream, density, make);
-  // In their order, what gets in nobody's way.
+  // Assets are added in the order of their blocks, but for solid ones that stand in another's way.
   const bool solid = IsSolid(kind);
   std::size_t made = 0;
   for (const Block& block : blocks) made += block.assets.size();

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLeastCover = 0.1;  // of its density, as long as trees are not thinned
 
-// Around a building, at density 1. Sheds and the like have no garden.
+// These are plants around a building, at density 1. Sheds and the like have no garden.
 constexpr double kGardenBushes = 10.0, kGardenFlowers = 9.0, kGardenTrees = 1.0;
 
 bool IsCover(AssetKind kind) {

@@ -8,7 +8,7 @@
 
 namespace latticeworld {
 
-// Of a world that lies nowhere on the earth [deg].
+// The latitude of a world that lies nowhere on the earth [deg].
 inline constexpr double kUsualLatitude_deg = 45.0;
 // How strong a weather is when nobody says: moderate rain, moderate snow, ...
 inline constexpr double kUsualIntensity = 0.5;

@@ -13,7 +13,7 @@ struct Atmosphere;
 double DayOfYear(Season season, double latitude_deg);
 // Declination of the sun [rad] by the Fourier series of Spencer (1971), good to 0.0006 rad.
 double SunDeclination(double day_of_year);
-// Towards the sun, unit, east-north-up. hour: by the sun.
+// Returns the unit vector towards the sun, east-north-up. hour: by the sun.
 Eigen::Vector3d SunDirection(double day_of_year, double hour, double latitude_deg);
 // Hour of a time of day, [0, 24): dawn and dusk are when the sun stands 3 degrees over the horizon;
 // where it never does, the hour at which it comes nearest to that.

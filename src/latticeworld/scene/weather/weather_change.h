@@ -38,15 +38,16 @@ Atmosphere TargetOf(const Atmosphere& now, const WeatherChange& change,
                     const CoarseAttributes& coarse, double desert_wind_mps,
                     double calm_heading_rad = 0.0);
 
-// Where the mean wind blows to [rad], (-pi, pi]; in a calm calm_heading_rad.
+// Returns where the mean wind blows to [rad], (-pi, pi]; in a calm calm_heading_rad.
 double WindHeading(const Atmosphere& atmosphere, double calm_heading_rad);
 
 // True when nothing moves on the way from one to the other but by rounding.
 bool AreAlike(const Atmosphere& a, const Atmosphere& b);
 
-// On the way from one atmosphere to another of the same place and day: share 0 .. 1. What is seen
-// through, the air's extinction, moves evenly, and so does everything else that is a number; the
-// hour goes on. The weather's name and its intensity are those of `to` as soon as share is over 0.
+// Returns the atmosphere on the way from one to another of the same place and day: share 0 .. 1.
+// What is seen through, the air's extinction, moves evenly, and so does everything else that is a
+// number; the hour goes on. The weather's name and its intensity are those of `to` as soon as share
+// is over 0.
 Atmosphere Between(const Atmosphere& from, const Atmosphere& to, double share);
 
 }  // namespace latticeworld

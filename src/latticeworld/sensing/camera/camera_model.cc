@@ -12,7 +12,8 @@ namespace {
 constexpr double kSearchedRadius = 10.0;
 constexpr int kSearchSteps = 400;
 constexpr int kMaxIterations = 50;
-// Of normalised coordinates: a ten-thousandth of a pixel at any legal focal length is more.
+// The tolerance is in normalised coordinates: a ten-thousandth of a pixel at any legal focal length
+// is more.
 constexpr double kTolerance = 1e-12;
 
 bool IsDistorted(const CameraModel& model) {

@@ -31,8 +31,8 @@ std::optional<Eigen::Vector2d> Undistort(const CameraModel& model,
 // Unit direction in the optical frame of what falls onto a pixel; undoes the distortion. Where
 // nothing falls onto it: of the rim of what does.
 Eigen::Vector3d DirectionOf(const CameraModel& model, double u_px, double v_px);
-// Where a point of the optical frame falls; none: behind the camera or beyond where the distortion
-// is monotonous.
+// Returns where a point of the optical frame falls [px]; none: it is behind the camera, or so far
+// aside that the distortion is no longer monotonous there.
 std::optional<Eigen::Vector2d> Project(const CameraModel& model, const Eigen::Vector3d& point_m);
 
 // What one moment's pictures are; row-major, empty where not asked for. All of one moment.

@@ -14,7 +14,8 @@ namespace latticeworld {
 namespace {
 
 constexpr int kTile = 4;
-// Of one thread: sky and ground take a tenth of the time that crowns take.
+// A thread takes this many strips at a time: sky and ground take a tenth of the time that crowns
+// take.
 constexpr int kStripsAtATime = 8;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();

@@ -14,7 +14,8 @@ namespace {
 constexpr int kRaysAtATime = 512;
 // Fewer columns are not worth a thread of their own.
 constexpr int kColumnsOfThread = 16;
-// Of 16 rays that are traced together: a nearly square bundle meets the fewest different boxes.
+// Sixteen rays are traced together: a nearly square bundle of them meets the fewest different
+// boxes.
 constexpr int kBlockRays = 16;
 constexpr int kBlockColumns = 4;
 

@@ -13,7 +13,7 @@
 
 namespace latticeworld {
 
-// Where a lidar is, and how it moves, when it fires the first beam of a column; map frame.
+// The pose and motion of a lidar, frame map, when it fires the first beam of a column.
 struct ColumnPose {
   int column = 0;
   Eigen::Matrix3f map_from_sensor = Eigen::Matrix3f::Identity();
@@ -41,10 +41,10 @@ class LidarCaster {
 
   int columns() const { return static_cast<int>(columns_.size()); }
   int rings() const { return static_cast<int>(rings_.size()); }
-  // When a column's first beam is fired after the revolution's begin [s].
+  // Returns the time from the revolution's begin to a column's first beam [s].
   double FireTime(int column) const { return column * column_s_; }
 
-  // Of no beam yet: all dropped.
+  // Returns a sweep in which every beam counts as dropped until Fire fills it.
   LidarSweep Begin(double begin_s, double end_s) const;
   // Fires the columns and puts their echoes into the sweep; the same with any number of threads.
   void Fire(const LidarCast& cast, const std::vector<ColumnPose>& poses, LidarSweep* sweep) const;

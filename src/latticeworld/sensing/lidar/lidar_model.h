@@ -19,8 +19,8 @@ struct LidarModel {
   // Between the beams of one column, in time: ring i fires ring_delay_s * i after the first.
   double ring_delay_s = 0.0;
   double min_range_m = 0.1, max_range_m = 30.0;  // 0 <= min < max
-  // Of the diffuse target that max_range_m is of, in clear air; darker ones are lost before,
-  // brighter ones give no echo from beyond either. (0, 1]
+  // The reflectivity of the diffuse target that max_range_m is of, in clear air, (0, 1]; darker
+  // ones are lost before, brighter ones give no echo from beyond either.
   double max_range_reflectivity = 0.1;
   double noise_m = 0.01;             // standard deviation of a range
   double range_step_m = 0.0;         // ranges are multiples of it; 0: not rounded

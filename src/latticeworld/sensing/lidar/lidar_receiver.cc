@@ -14,8 +14,8 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-// From where on the receiver sees the whole beam. An estimate: with it fog of 40 m of visibility
-// hides what is further than 20 to 25 m, as Bijelic, Gruber and Ritter (2018) measured.
+// The receiver sees the whole beam from this distance on. It is an estimate: with it fog of 40 m of
+// visibility hides what is further than 20 to 25 m, as Bijelic, Gruber and Ritter (2018) measured.
 constexpr float kCrossover_m = 5.0f;
 // A pulse of 5 ns, there and back.
 constexpr float kPulse_m = 0.75f;
@@ -81,7 +81,8 @@ LidarEcho LidarReceiver::EchoAt(float distance_m, float strength, std::uint64_t 
 LidarReceiver::AirEcho LidarReceiver::FogEcho(std::uint64_t bits) const {
   const float span_m = kCrossover_m - min_range_m_;
   if (span_m <= 0.0f) return {};
-  // Where of the near part: as what comes from there weakens.
+  // Draws the echo's distance from the near part, less often the farther, as light weakens on its
+  // way.
   const float twice = 2.0f * extinction_per_m_;
   const float reach = -std::expm1(-twice * span_m);
   const float distance_m = min_range_m_ - std::log1p(-reach * UnitOf(bits)) / twice;
@@ -93,7 +94,7 @@ LidarReceiver::AirEcho LidarReceiver::FogEcho(std::uint64_t bits) const {
 LidarReceiver::AirEcho LidarReceiver::ParticleEcho(std::uint64_t bits) const {
   const float distance_m = kBlindingLength_m * UnitOf(bits);
   if (distance_m < min_range_m_) return {};
-  // More than half of the beam.
+  // The particle meets more than half of the beam.
   const float share = 0.5f + 0.5f * UnitOf(bits >> 32);
   return {distance_m, particle_reflectance_ * share * Gain(distance_m)};
 }

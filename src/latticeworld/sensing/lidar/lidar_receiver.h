@@ -36,7 +36,8 @@ class LidarReceiver {
   LidarEcho Receive(float distance_m, float returned, std::uint64_t key, std::uint64_t beam) const;
 
  private:
-  // Of an echo of a strength in the lidar equation's unit.
+  // Returns the noisy range and the intensity of an echo. strength: in the lidar equation's unit
+  // [1/m^2].
   LidarEcho EchoAt(float distance_m, float strength, std::uint64_t noise_bits) const;
   // What the air in front sends back; strength 0: nothing that could be told.
   struct AirEcho {

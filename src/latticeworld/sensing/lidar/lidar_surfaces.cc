@@ -13,9 +13,9 @@
 namespace latticeworld {
 namespace {
 
-// Of dry ground at 905 nm, by SurfaceClass, rounded from the ECOSTRESS spectral library (Meerdink
-// et al. 2019): green grass, litter, soil with crops, bare loam, worn asphalt, concrete, granite,
-// coarse snow, wet sand.
+// Reflectances of dry ground at 905 nm, by SurfaceClass, rounded from the ECOSTRESS spectral
+// library (Meerdink et al. 2019): green grass, litter, soil with crops, bare loam, worn asphalt,
+// concrete, granite, coarse snow, wet sand.
 constexpr std::array<float, kSurfaceClassCount> kDryGround = {0.45f, 0.35f, 0.35f, 0.30f, 0.18f,
                                                               0.35f, 0.30f, 0.80f, 0.12f};
 constexpr float kSnow = 0.80f;
@@ -36,7 +36,8 @@ constexpr float kGlass = 0.08f;
 // Fresnel's reflectance of water met at right angles (index of refraction 1.33).
 constexpr float kWaterMirror = 0.02f;
 
-// Of the material that the environment has for a type; `otherwise` where it names none.
+// Returns the reflectance of the material that the environment has for a type; `otherwise` if it
+// names none.
 float MaterialOf(const Scene& scene, AssetType type, float otherwise) {
   const std::string& name = scene.environment.fine_of(type).material;
   for (const Material& material : scene.catalogue->materials(type)) {

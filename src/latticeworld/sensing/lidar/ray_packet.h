@@ -7,8 +7,8 @@
 
 namespace latticeworld {
 
-// Up to 16 rays that are traced together, through one scene after the other. Each scene brings
-// nearer the ends of the rays that meet it; `met` and rays.hit are of the last one.
+// Traces up to 16 rays together, through one scene after the other. Each scene brings nearer the
+// ends of the rays that meet it; `met` and rays.hit are of the last one.
 struct RayPacket {
   static constexpr int kSize = 16;
 
@@ -26,14 +26,14 @@ struct RayPacket {
   alignas(64) RTCRayHit16 rays;
 };
 
-// For rays that run side by side.
+// Returns a context for rays that run side by side.
 RTCIntersectContext CoherentContext();
 
 // Whether Embree may be given the ray: its numbers are numbers, and not beyond all measure. Others
 // meet nothing.
 bool IsLegal(const Ray& ray);
 
-// Of a legal ray.
+// Converts a legal ray (IsLegal) into Embree's form.
 RTCRay ToEmbree(const Ray& ray, unsigned mask = ~0u);
 
 // Whether the ray meets anything in the scene.

@@ -13,7 +13,8 @@
 namespace latticeworld {
 namespace {
 
-// Of times: what is fired at a step's own time belongs to that step.
+// Times this near to each other are the same: what is fired at a step's own time belongs to that
+// step.
 constexpr double kTolerance_s = 1e-9;
 
 class RigLidar final : public RigSensor {
@@ -130,7 +131,7 @@ class RigLidar final : public RigSensor {
     double angle_rad_ = 0.0, sine_ = 1.0;
   };
 
-  // From the step before to this one, evenly.
+  // The base moves evenly from its pose at the step before to that of this step.
   struct Motion {
     Turning turning;  // map_from_base
     Eigen::Vector3d from_m, to_m;

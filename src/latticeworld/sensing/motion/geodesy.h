@@ -16,14 +16,16 @@ using GeoPoint = GeoOrigin;
 
 // Earth-centred, earth-fixed: x towards the meridian of Greenwich, z towards the north pole [m].
 Eigen::Vector3d EcefOf(const GeoPoint& point);
-// By Heikkinen's closed form (1982, as in Zhu 1994): within micrometres for altitudes from
-// -5000 km up. Within 43 km of the earth's centre, where it has no answer: of the centre's
-// latitude 0. At the poles the longitude is that of the signs of zero, 0 or 180.
+// Converts by Heikkinen's closed form (1982, as in Zhu 1994): within micrometres for altitudes from
+// -5000 km up. Within 43 km of the earth's centre, where the form has no answer, the latitude is 0
+// and the altitude that above a sphere of the equator's radius. At the poles the longitude is that
+// of the signs of zero, 0 or 180.
 GeoPoint GeoPointOf(const Eigen::Vector3d& ecef_m);
 
 // The tangent plane at an origin: rows are east, north and up in ECEF.
 Eigen::Matrix3d EnuFromEcef(const GeoPoint& origin);
-// Where a point of the frame map lies, whose origin lies there and whose x is east, y north.
+// Returns where a point of the frame map lies; map's origin lies at `origin`, its x points east,
+// its y north.
 GeoPoint GeoPointAt(const GeoPoint& origin, const Eigen::Vector3d& map_m);
 
 // The field of the earth, east, north and up [T]: the dipole of IGRF-13 for 2020 (Alken et al.

@@ -15,8 +15,8 @@ struct PointMotion {
   Eigen::Isometry3d map_from_sensor = Eigen::Isometry3d::Identity();
   Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();  // of the sensor's origin, in map
 };
-// Of a sensor at base_from_sensor on a body: v + omega x r. Velocity of base_link in map, angular
-// velocity in base_link.
+// Returns the motion of a sensor at base_from_sensor on a body: v + omega x r. linear_velocity_mps:
+// of base_link, in map; angular_velocity_radps: in base_link.
 PointMotion MotionOf(const Eigen::Isometry3d& map_from_base,
                      const Eigen::Vector3d& linear_velocity_mps,
                      const Eigen::Vector3d& angular_velocity_radps,
@@ -26,7 +26,7 @@ PointMotion MotionOf(const Eigen::Isometry3d& map_from_base,
 // and specific force summed in its own turning frame, from changes of velocity and orientation.
 class InertialIntegral {
  public:
-  // From `before` to `now`, duration_s > 0 later. gravity_mps2: along -z of map.
+  // Adds the motion from `before` to `now`, duration_s > 0 later. gravity_mps2: along -z of map.
   void Add(const PointMotion& before, const PointMotion& now, double duration_s,
            double gravity_mps2);
   void Clear() { *this = InertialIntegral(); }
@@ -47,7 +47,7 @@ class ImuErrors {
  public:
   ImuErrors(const ImuModel& model, double rate_hz, std::uint64_t key);
 
-  // Of a whole interval's means: with errors, cut at the model's limits.
+  // Returns the means over a whole interval, with errors, cut at the model's limits.
   ImuReading Read(const InertialIntegral& integral, std::uint64_t k);
 
  private:

@@ -66,8 +66,8 @@ struct WheelOdometryModel {
   double skid_radpm = 0.08;  // standard deviation of the turn that wheels which skid lose a metre
                              // that they roll, against the way they turn
 };
-// Of base_link, in the plane, from where it began. Covariances are of first order: they hold while
-// the heading is known to half a radian or so.
+// The motion of base_link in the plane, reckoned from where it began. Covariances are of first
+// order: they hold while the heading is known to half a radian or so.
 struct WheelOdometryReading {
   double time_s = 0.0;
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();

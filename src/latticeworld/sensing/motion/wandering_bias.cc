@@ -8,7 +8,8 @@
 namespace latticeworld {
 namespace {
 
-// Of what a value was, exp(-45) is left: less than a double's last digit of what it is.
+// After this many correlation times, exp(-45) of a value is left: less than a double's last digit
+// of it.
 constexpr double kForgotten = 45.0;
 constexpr double kMostSteps = 1e7;
 
@@ -25,7 +26,7 @@ WanderingBias::WanderingBias(std::uint64_t key, const Eigen::Vector3d& stddev, d
 
 Eigen::Vector3d WanderingBias::At(std::uint64_t k) {
   if (stddev_.isZero(0.0)) return Eigen::Vector3d::Zero();
-  // From the beginning, or from so far back that it no longer matters.
+  // The walk starts at the beginning, or so far back that what was before no longer matters.
   if (!begun_ || k < k_ || k - k_ > memory_) {
     k_ = k > memory_ ? k - memory_ : 0;
     unit_ = NormalsAt(key_, k_);

@@ -16,7 +16,7 @@ class WanderingBias {
   WanderingBias(std::uint64_t key, const Eigen::Vector3d& stddev, double interval_s,
                 double correlation_s);
 
-  // At reading k. Cost grows with how far k is from the one asked for before.
+  // Returns the bias at reading k. The cost grows with how far k is from the k asked for before.
   Eigen::Vector3d At(std::uint64_t k);
 
  private:

@@ -18,7 +18,7 @@ double TurnOf(double before_rad, double now_rad, double rate_radps, double step_
 // A quarter turn to the left: what a small turn of the heading moves a way by.
 Eigen::Vector2d LeftOf(const Eigen::Vector2d& way) { return {-way.y(), way.x()}; }
 
-// Along an arc that begins at the origin along x.
+// Returns the end of an arc that begins at the origin along x [m].
 Eigen::Vector2d ArcEnd(double way_m, double turn_rad) {
   const double half = 0.5 * turn_rad;
   const double chord_m = std::abs(half) < 1e-6 ? way_m : way_m * std::sin(half) / half;

@@ -21,7 +21,7 @@ class WheelOdometer {
  public:
   WheelOdometer(const WheelOdometryModel& model, std::uint64_t key) : model_(model), key_(key) {}
 
-  // Where the counting of the wheels begins; what was reckoned before stays.
+  // Starts counting the wheels from these angles; what was reckoned before stays.
   void Begin(const SensedWheels& wheels);
   // Wheels step_s after those of Begin or the last Add.
   void Add(const SensedWheels& wheels, double step_s);
@@ -30,7 +30,7 @@ class WheelOdometer {
   WheelOdometryReading Read(std::uint64_t k);
 
  private:
-  // Of the wheels' angle since the beginning, as the encoder tells it.
+  // Returns as much of a wheel's angle since the beginning as the encoder tells.
   double Counted(double angle_rad) const;
   double TickVariance() const;  // of a wheel's count [m^2]
   // Variances of a turn and a way by the model's noise.
@@ -50,11 +50,11 @@ class WheelOdometer {
   std::uint64_t key_;
   SensedWheels last_;
   double left_rad_ = 0.0, right_rad_ = 0.0;  // since Begin
-  // Since the reading before.
+  // These are sums since the reading before.
   double duration_s_ = 0.0, way_m_ = 0.0, turn_rad_ = 0.0;
   double rolled_m_ = 0.0;                              // by a wheel, to and fro alike, on average
   Eigen::Vector2d moved_m_ = Eigen::Vector2d::Zero();  // in the frame of the reading before
-  // At the reading before, noise included; of the axle, from where it began.
+  // The axle's pose at the reading before, noise included, from where it began.
   Eigen::Vector2d position_m_ = Eigen::Vector2d::Zero();
   double heading_rad_ = 0.0;
   Eigen::Matrix3d noise_ = Eigen::Matrix3d::Zero();  // covariance of x, y, heading by noise alone

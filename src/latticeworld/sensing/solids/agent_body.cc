@@ -146,8 +146,8 @@ void AddAerialRobot(BodyBuilder* body) {
   body->Box(BodyPart::kDetail, {0.12f, 0.0f, 0.05f}, {0.04f, 0.04f, 0.05f});  // camera
 }
 
-// Of BuildBody's bodies: to the top of back or head, and the species' radius that they are made
-// for.
+// The size of a body that BuildBody makes: the height to the top of its back or head, and the
+// species' radius that it is made for.
 struct BuiltSize {
   double height_m, radius_m;
 };

@@ -96,7 +96,7 @@ MeshInstance LyingInstance(const Asset& asset, const FallenTree& tree) {
   MeshInstance instance;
   instance.position_m = tree.foot_m.cast<float>();
   instance.size_m = SizeOf(asset);
-  // By the shortest way from where it stood, so that it turns evenly while it falls.
+  // The tree turns by the shortest way from where it stood, so that it turns evenly while it falls.
   const double towards_rad = level > 1e-6 ? std::atan2(stem.y(), stem.x()) : 0.0;
   const double twist_rad = static_cast<double>(asset.yaw_rad) - towards_rad;
   instance.cos_yaw = static_cast<float>(std::cos(towards_rad));

@@ -24,7 +24,7 @@ using MeshKey = std::uint32_t;
 // The meshes of a catalogue's assets, each made when it is first asked for and kept.
 class AssetMeshes {
  public:
-  // Both outlive it.
+  // Device and catalogue must outlive this.
   AssetMeshes(RTCDevice device, const Catalogue& catalogue);
 
   // detail: [0, kMeshDetails).
@@ -46,7 +46,7 @@ class AssetMeshes {
 class MeshList {
  public:
   explicit MeshList(const AssetMeshes& meshes) : meshes_(meshes), numbers_(meshes.keys(), -1) {}
-  // Of a mesh that was prepared.
+  // Adds a mesh that was prepared if the list lacks it, and returns its number.
   std::uint16_t Add(MeshKey key) {
     if (numbers_[key] < 0) {
       numbers_[key] = static_cast<std::int32_t>(list_.size());

@@ -41,7 +41,7 @@ class AssetTiles {
 
   RTCScene scene() const { return group_.scene(); }
   bool empty() const { return tiles_.empty(); }
-  // Of a hit in the scene.
+  // Tells what a ray of the packet met in the scene. lane: of the ray.
   void Describe(const RayPacket& packet, int lane, RayHit* hit) const;
 
  private:

@@ -18,9 +18,9 @@ class BridgeShapes {
   // Errors are the device's.
   BridgeShapes(RTCDevice device, const Terrain& terrain);
 
-  // Null where there are none.
+  // Returns the scene of the bridges; null: there are none.
   RTCScene scene() const { return scene_.get(); }
-  // Of a hit in the scene: target, index and part.
+  // Sets target, index and part of a hit in the scene.
   void Describe(unsigned primitive, RayHit* hit) const;
 
  private:

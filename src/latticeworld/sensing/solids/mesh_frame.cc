@@ -21,7 +21,8 @@ RTCRay IntoFrame(const MeshFrame& frame, const RTCRay& ray) {
   return local;
 }
 
-// Of all lanes, whether they have a ray or not. RayN: RTCRay4, RTCRay8 or RTCRay16.
+// Transforms all lanes into the mesh's frame, whether they have a ray or not. RayN: RTCRay4,
+// RTCRay8 or RTCRay16.
 template <int kLanes, typename RayN>
 void IntoFrame(const MeshFrame& frame, const RayN& ray, RayN* local) {
   const Eigen::Matrix3f& t = frame.mesh_from_map;

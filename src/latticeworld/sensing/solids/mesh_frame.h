@@ -24,7 +24,7 @@ void IntersectMesh(RTCScene mesh, const MeshFrame& frame, unsigned mask,
 void OccludeByMesh(RTCScene mesh, const MeshFrame& frame, unsigned mask,
                    const RTCOccludedFunctionNArguments& arguments);
 
-// Around what the scene of a mesh holds, in the map.
+// Returns the box in the map that holds the scene of a mesh.
 RTCBounds BoundsInMap(RTCScene mesh, const Eigen::Matrix<float, 3, 4>& map_from_mesh);
 
 }  // namespace latticeworld

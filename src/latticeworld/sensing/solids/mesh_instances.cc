@@ -40,7 +40,7 @@ Result<MeshPrototype> MakePrototype(RTCDevice device, const std::vector<Eigen::V
   prototype.parts = std::move(parts);
   prototype.vertices = vertices.size();
   prototype.scene.reset(rtcNewScene(device));
-  // Else rays that meet an edge or a corner may slip through.
+  // Without this flag, rays that meet an edge or a corner may slip through.
   rtcSetSceneFlags(prototype.scene.get(), RTC_SCENE_FLAG_ROBUST);
   if (!triangles.empty()) {
     const EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));

@@ -40,7 +40,7 @@ struct MeshInstance {
   std::uint32_t index = 0;      // in its owner's list
   std::uint16_t prototype = 0;  // in the list that the instances share
 };
-// From the mesh's frame; columns x, y, z, origin.
+// Returns the transform from the mesh's frame; columns x, y, z, origin.
 Eigen::Matrix<float, 3, 4> MapFromMesh(const MeshInstance& instance);
 
 // Embree's own instances take about a kilobyte each; here all of them are the primitives of one
@@ -56,10 +56,10 @@ class MeshInstances {
   MeshInstances& operator=(const MeshInstances&) = delete;
 
   bool empty() const { return instances_.empty(); }
-  // Of nothing where there is none.
+  // Makes an Embree geometry of all instances; an empty geometry if there is none.
   EmbreeGeometry MakeGeometry(RTCDevice device) const;
 
-  // Of a hit.
+  // These tell the instance and the part that a hit is of.
   const MeshInstance& InstanceOf(unsigned geometry) const { return instances_[geometry - 1]; }
   std::uint8_t PartOf(unsigned geometry, unsigned triangle) const {
     return prototypes_[InstanceOf(geometry).prototype]->parts[triangle];

@@ -42,12 +42,12 @@ struct RayHit {
   RayTarget target = RayTarget::kNothing;
   std::uint8_t part = 0;    // kAsset: MeshPart, kAgent: BodyPart, kBridge: BridgePartKind
   std::uint32_t index = 0;  // of the asset, the agent or the bridge in its list
-  // Of the triangle, unit, on the side that the ray comes from.
+  // The unit normal of the triangle, on the side that the ray comes from.
   Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();
 };
 
 struct RaySceneOptions {
-  // Instead of the scene's assets, or null; read only while the rays' scene is made.
+  // These assets take the place of the scene's, or null; read only while the rays' scene is made.
   const std::vector<Asset>* assets = nullptr;
   // What has become of the scene's assets, or null; legal, and read only while the rays' scene is
   // made. Trees that fell lie, what is gone is not met. Not together with `assets`.

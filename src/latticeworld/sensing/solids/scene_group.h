@@ -24,7 +24,7 @@ class SceneGroup {
   Status Prepare(const std::vector<RTCScene>& scenes);
   void Use() { active_ = 1 - active_; }
 
-  // Null before the first Use.
+  // Returns the scene in use; null before the first Use.
   RTCScene scene() const { return sides_[active_].scene.get(); }
 
  private:

@@ -26,7 +26,7 @@ int DetailOf(const Asset& asset, const RaySceneOptions& options) {
 }  // namespace
 
 int MeshVariationOf(const Asset& asset) {
-  // Of where it stands, so that it is the same in every list.
+  // The hash is of the asset's place, so that the variation is the same in every list.
   return static_cast<int>(kMeshVariations * HashToUnit(51, std::lround(asset.x_m * 64.0f),
                                                        std::lround(asset.y_m * 64.0f)));
 }

@@ -15,7 +15,7 @@ struct VertexGrid {
   explicit VertexGrid(const GridGeometry& the_geometry)
       : geometry(the_geometry), side(the_geometry.rows() + 2) {}
 
-  // Of the column or, from the south, of the row.
+  // Returns x of the column i or, counted from the south, y of the row i [m].
   float Coordinate_m(int i) const {
     if (i == 0) return static_cast<float>(-geometry.half_size_m());
     if (i == side - 1) return static_cast<float>(geometry.half_size_m());

@@ -29,7 +29,7 @@ class IslandGroup {
   dWorldID world() const { return world_.get(); }
   // Forgets the members and the step before.
   void Clear();
-  // In the order of their ids.
+  // Adds a member; members are added in the order of their ids.
   void Add(OdeBody* member) { members_.push_back(member); }
   const std::vector<OdeBody*>& members() const { return members_; }
 

@@ -30,7 +30,7 @@ class IslandGroups {
   IslandGroups(const IslandGroups&) = delete;
   IslandGroups& operator=(const IslandGroups&) = delete;
 
-  // Where a body is that touches nobody.
+  // Returns the place of a body that touches nobody.
   GroupPlace HomeOf(BodyId id) const { return PlaceOf(id % groups_.size()); }
 
   // The parts of a step, in their order. Bodies that joints hold together come into one group.
@@ -53,7 +53,7 @@ class IslandGroups {
   // Adds the contacts that the groups found to those of two bodies, in the order of the bodies, and
   // lists what became of these.
   void Collect(const OdeBodies& bodies, StepReport* report);
-  // That the groups looked for contacts, all threads taken together.
+  // Returns how long the groups looked for contacts, all threads taken together.
   std::chrono::nanoseconds SearchTime() const;
 
  private:

@@ -15,7 +15,7 @@
 
 namespace latticeworld {
 
-// Where a body is stepped: a group of IslandGroups, and its world of ODE.
+// Says where a body is stepped: in a group of IslandGroups, and in its world of ODE.
 struct GroupPlace {
   std::size_t group = 0;
   dWorldID world = nullptr;

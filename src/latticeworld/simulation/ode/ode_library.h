@@ -24,7 +24,7 @@ class OdeThreading {
   OdeThreading(const OdeThreading&) = delete;
   OdeThreading& operator=(const OdeThreading&) = delete;
 
-  // To be destroyed before this.
+  // Makes a world. The caller must destroy it before this object.
   OdeWorldHandle MakeWorld() const;
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFarthest_m = 1e7;  // from the middle of the world
 
-// Of finite numbers, near enough to be reckoned with.
+// Returns whether a motion has finite numbers, and is near enough to be reckoned with.
 bool IsSomewhere(const BodyMotion& motion) {
   const double norm = motion.orientation.coeffs().stableNorm();
   return motion.position_m.allFinite() && motion.position_m.cwiseAbs().maxCoeff() < kFarthest_m &&

@@ -18,7 +18,8 @@ void OdeWorld::Step(double step_s, std::uint64_t solver_seed) {
   groups_.Gather(pairs_.joints(), bodies_);
   const std::chrono::nanoseconds before_groups = clock_.Now() - begin;
   const auto step = [&](IslandGroup* group) { group->Step(step_s, solver_seed, contacts); };
-  // At once while all of it is in the cache, where nobody is to be asked.
+  // A group that needs no answer of the judge is stepped at once, while its bodies are in the
+  // cache.
   groups_.ForEach([&](IslandGroup* group) {
     FindContacts(group, step_s);
     if (group->asked.empty()) step(group);

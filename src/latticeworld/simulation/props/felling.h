@@ -47,7 +47,8 @@ class Felling {
   // Part of the physics' judge: whether the asset of a kAsset contact gives way to it. It falls in
   // Step; what hit it keeps the speed that the energy of breaking leaves it.
   bool GivesWay(const Contact& contact);
-  // Before the physics' step: what holds the foot of a falling tree, and water on what lies.
+  // Exerts, before the physics' step, what holds the foot of a falling tree, and the water's forces
+  // on what lies.
   void Act(const Atmosphere& atmosphere);
   // What a step did.
   struct Outcome {
@@ -70,7 +71,7 @@ class Felling {
   const SceneChanges& changes() const { return changes_; }
   // What stems that lie or fall cover, and where those that fall will lie, seen from above.
   std::vector<Footprint> Obstacles() const;
-  // By asset; those that have left the world never come to rest.
+  // Returns the felled trees by asset; those that have left the world never come to rest.
   std::vector<FelledTree> Snapshots() const;
   static std::string NameOf(std::uint32_t asset);
   // Which tree a body is.

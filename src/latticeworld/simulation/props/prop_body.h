@@ -20,7 +20,7 @@ Buoyancy PropBuoyancyOf(const Prop& prop);
 // Moment at the base over the angle by which a post leans [N m/rad].
 double PostStiffness(const Prop& post);
 
-// Where base_link of the prop's body is when it begins.
+// Returns where base_link of the prop's body is when it begins.
 BodyMotion BeginningOf(const Prop& prop);
 // map_from_prop when its body is there.
 BodyMotion PropPoseOf(const Prop& prop, const BodyMotion& body);

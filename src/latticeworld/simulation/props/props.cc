@@ -14,7 +14,7 @@
 namespace latticeworld {
 namespace {
 
-// Where it begins on sloping ground.
+// Returns where a prop begins on sloping ground.
 BodyMotion OnGround(const Terrain& terrain, const Prop& prop) {
   constexpr double kGap_m = 0.003;
   BodyMotion motion = BeginningOf(prop);

@@ -50,7 +50,7 @@ BodySpec TreeBodyOf(const Asset& tree, const AssetPhysics& physics) {
   spec.mass_kg = std::max(1.0, physics.mass_kg);
   const double stem_kg = kStemMass * spec.mass_kg, crown_kg = spec.mass_kg - stem_kg;
 
-  // Of a paraboloid over its base: its centre is at 1/3 of its height.
+  // The stem is a paraboloid over its base: its centre is at 1/3 of its height.
   const double stem_z_m = height_m / 3.0, crown_z_m = kCrownMiddle * height_m;
   spec.center_height_m = (stem_kg * stem_z_m + crown_kg * crown_z_m) / spec.mass_kg;
   const double stem_off_m = stem_z_m - spec.center_height_m;

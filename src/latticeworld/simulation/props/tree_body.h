@@ -16,11 +16,11 @@ namespace latticeworld {
 // its crown. The mass is that of PhysicsOf, three quarters of it in a stem that tapers as a
 // paraboloid and the rest in the crown's ellipsoid.
 BodySpec TreeBodyOf(const Asset& tree, const AssetPhysics& physics);
-// Of its wood.
+// Returns the buoyancy of a tree's body, by the volume of its wood.
 Buoyancy TreeBuoyancyOf(const Asset& tree);
 
-// Where such a body begins: on the tree's place, leaning by a few degrees along `direction` (unit,
-// level) and falling on at that rate about its foot.
+// Returns where such a body begins: on the tree's place, leaning by a few degrees along `direction`
+// (unit, level) and falling on at that rate about its foot.
 BodyMotion BeginningOfFall(const Asset& tree, const Eigen::Vector2d& direction, double rate_radps);
 
 // The stem of such a body now.

@@ -5,8 +5,8 @@
 
 namespace latticeworld {
 
-// After the physics' step: what agents met faster than they can bear hurts them and knocks them
-// over; tells collided, hit and died.
+// Hurts and knocks over, after the physics' step, agents that met something faster than they can
+// bear; tells collided, hit and died.
 void CollideAgents(RunningWorld* world);
 
 }  // namespace latticeworld

@@ -36,7 +36,7 @@ void ThinkAndDrive(const TeamPolicies& policies, const StrayWatch& strays, Runni
   }
 }
 
-// After the physics' step: what props and trees do, and maps with them.
+// Lets props and trees act after the physics' step, and maps follow them.
 void StepDynamicScene(RunningWorld* world) {
   const auto name_of = [world](BodyId body) { return world->NameOf(body); };
   const DynamicScene::Outcome outcome =

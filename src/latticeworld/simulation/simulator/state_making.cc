@@ -42,7 +42,7 @@ std::vector<JointSnapshot> JointSnapshotsOf(BodyId body, const std::vector<Joint
   return snapshots;
 }
 
-// Without its joints.
+// Fills a snapshot of an agent; the caller adds the joints.
 AgentSnapshot SnapshotOf(const Agent& agent, const TeamPolicies& policies) {
   AgentSnapshot snapshot;
   snapshot.name = agent.name;

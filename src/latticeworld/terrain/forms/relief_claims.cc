@@ -94,7 +94,7 @@ class Measurer {
     claims_.AddAsked(kind, words, text, is_m, asked_m, kNearEnough);
   }
 
-  // Between its own rises, or those of the wishes that it lies between.
+  // Measures a saddle between its own rises, or those of the wishes that it lies between.
   void MeasureSaddle(const std::vector<const ReliefPiece*>& pieces) {
     std::vector<const ReliefPiece*> rises(pieces.begin() + 1, pieces.end());
     for (const ReliefPiece& piece : all_) {

@@ -57,7 +57,7 @@ HeightRange RangeOf(const HeightCover& cover, const std::vector<HeightCover>& co
   return range;
 }
 
-// From 0 below a height to 1 above it.
+// Returns a share that rises from 0 below the limit to 1 above it.
 float ShareAbove(float height_m, float limit_m) {
   if (std::isinf(limit_m)) return limit_m < 0.0f ? 1.0f : 0.0f;
   return std::clamp(0.5f + 0.5f * (height_m - limit_m) / kBorder_m, 0.0f, 1.0f);

@@ -19,8 +19,8 @@ std::vector<ReliefMeasure> MeasureCovers(const std::vector<HeightCover>& covers,
 namespace internal {
 
 // Gives open land to the classes that cover it at its height, and takes it from them on the other
-// side. Water, roads, buildings and fields stay. height_m: of the masks' cells. Of two covers of
-// the same side the one that begins later, upward or downward, has what is beyond.
+// side. Water, roads, buildings and fields stay. height_m: of the masks' cells. If two covers are
+// of the same side, the one that begins later, upward or downward, has what is beyond.
 void CoverByHeight(const std::vector<HeightCover>& covers, const Grid<float>& height_m,
                    SmoothedMasks* masks);
 

@@ -378,7 +378,7 @@ void ReliefForms::LayDunes(const Area& area, Grid<float>* land_m) const {
       const double along = (at.x_m * to.east - at.y_m * to.south) / (norm * length_m);
       const auto turn = static_cast<float>(along) + 1.6f * phase(r, c);
       const float t = turn - std::floor(turn);
-      // Up gently on the windward side, down at sand's angle of repose in the lee.
+      // A dune rises gently on the windward side and falls at sand's angle of repose in the lee.
       const float wave = t < 0.68f ? SmoothStep(t / 0.68f) : 1.0f - SmoothStep((t - 0.68f) / 0.32f);
       const float tall = std::clamp(0.75f + 0.9f * height(r, c), 0.15f, 1.0f);
       (*land_m)(r, c) += static_cast<float>(area.piece->height_m) * wave * tall * area.share(r, c);

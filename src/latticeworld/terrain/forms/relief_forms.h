@@ -28,8 +28,8 @@ class ReliefForms {
   bool empty() const { return pieces_.empty(); }
   const std::vector<ReliefPiece>& pieces() const { return pieces_; }
 
-  // Of evolution: uplift over erodibility [m], the steepest slope that rock holds [m/m], and that
-  // of loose ground.
+  // Changes what evolution starts from: uplift over erodibility [m], the steepest slope that rock
+  // holds [m/m], and that of loose ground.
   void Raise(Grid<float>* steepness_m, Grid<float>* slide_slope, Grid<float>* talus) const;
   // A mountain that is all of the world falls to every edge of it: outlets, with their heights [m].
   void OpenEdges(const Grid<float>& hills_m, Grid<unsigned char>* outlet,

@@ -44,7 +44,7 @@ double CliffHeight_m(const ReliefPiece& piece, const GridGeometry& geometry,
   ForEachSample(geometry, [&](CellIndex cell) {
     const WorldPoint at = geometry.CenterOf(cell);
     const double side_m = SideOfAxis_m(piece, at);
-    // Not around the ends, where the step runs out.
+    // Places around the ends, where the step runs out, do not count.
     if (std::abs(side_m) < DistanceToAxis_m(piece, at) - 0.01) return;
     if (side_m > 1.2 * half_m && side_m < 2.2 * half_m) high.push_back(height_m[cell]);
     if (side_m < -1.2 * half_m && side_m > -2.2 * half_m) low.push_back(height_m[cell]);

@@ -14,8 +14,8 @@ double SideOfAxis_m(const ReliefPiece& piece, WorldPoint at);
 
 // Measures on a height field [m] over the whole world (docs/relief.md).
 
-// Of a thing with an axis: from its foot to its top or crest, from its rim to its floor, or from
-// the foot of a cliff to its edge. 0 where nothing can be measured.
+// Returns the height of a thing with an axis: from its foot to its top or crest, from its rim to
+// its floor, or from the foot of a cliff to its edge. 0: nothing can be measured.
 double Amplitude_m(const ReliefPiece& piece, const GridGeometry& geometry,
                    const Grid<float>& height_m);
 // The slope of a thing's flanks [deg]: the median between a third and two thirds of the way from
@@ -40,7 +40,7 @@ double Length_m(const ReliefPiece& piece, const GridGeometry& geometry,
 WorldPoint MiddleOf(const ReliefPiece& piece, const GridGeometry& geometry,
                     const Grid<float>& height_m);
 
-// Of the dry cells of an area.
+// Measures of the dry cells of an area.
 struct AreaRelief {
   double relief_m = 0.0;      // from the lowest to the highest
   double spread_m = 0.0;      // from the 2nd to the 98th percentile

@@ -3,6 +3,7 @@
 namespace latticeworld::internal {
 
 ReliefNature NatureOf(ReliefKind kind) {
+  // Each kind has a half width, in sizes of the world, and a height, in half widths.
   switch (kind) {
     case ReliefKind::kHill:
       return {0.13, 0.30};

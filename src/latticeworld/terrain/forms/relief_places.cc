@@ -228,7 +228,8 @@ class Placer {
     return mask;
   }
 
-  // Where a tie says that the piece lies, and what is no obstacle to it.
+  // Returns the zone in which ties say that the piece lies, and takes from obstacles what is none
+  // to it.
   LayoutMask TiedZone(const ReliefWish& wish, LayoutMask zone, bool first,
                       LayoutMask* obstacles) const {
     for (const ReliefTie& tie : wish.ties) {
@@ -406,8 +407,9 @@ class Placer {
     return false;
   }
 
-  // Where the layout shows the course itself: through the middles of its cells, one after another
-  // along their main direction, and on to the world's edge where that is near.
+  // Lays the course where the layout itself shows it: through the middles of its cells, one after
+  // another along their main direction, and on to the world's edge if that is near. False: the
+  // layout does not show it.
   bool FollowLetter(const ReliefWish& wish, const LayoutMask& zone, ReliefPiece* piece) const {
     constexpr int kBins = 12;
     if (wish.letter == '\0') return false;
@@ -472,7 +474,7 @@ class Placer {
       auto [ahead, ahead_edge] = reach(1);
       auto [behind, behind_edge] = reach(-1);
       if (drains && wish.length_m) {
-        // From the nearer edge on.
+        // The course begins at the nearer edge.
         double& out = ahead_edge < behind_edge ? ahead : behind;
         double& in = ahead_edge < behind_edge ? behind : ahead;
         out = std::min(ahead_edge, behind_edge);
@@ -583,11 +585,11 @@ class Placer {
     return rises;
   }
 
-  // Of its rises' height, how high a pass lies.
+  // A pass lies at this share of the height of the lower of its rises.
   static constexpr double kPassShare = 0.5;
-  // Of a rise's half width, how far from its top the ridge to the pass begins.
+  // The ridge to the pass begins at this share of a rise's half width from its top.
   static constexpr double kOnFlanks = 0.66;
-  // Of a flank's width the share that is not rounded off at foot and top.
+  // This share of a flank's width is not rounded off at foot and top.
   static constexpr double kFlankShare = 0.75;
 
   const SymbolicLayout& layout_;

@@ -15,8 +15,8 @@ struct SaddleRelief {
   double side_m = 0.0;  // of the higher of the two sides that the land falls to from the pass
 };
 
-// Between two round pieces. The sides lie one half width from the pass, across the line from top
-// to top; each is as high as the median ground around it.
+// Measures the saddle between two round pieces. The sides lie one half width from the pass, across
+// the line from top to top; each is as high as the median ground around it.
 SaddleRelief MeasureSaddle(const ReliefPiece& one, const ReliefPiece& other,
                            const GridGeometry& geometry, const Grid<float>& height_m);
 

@@ -5,7 +5,7 @@
 
 namespace latticeworld::internal {
 
-// From 0 at t = 0 to 1 at t = 1, level at both ends and beyond.
+// Rises from 0 at t = 0 to 1 at t = 1, level at both ends and beyond.
 float SmoothStep(float t);
 
 // The section of a kind: how high, or how deep, it is by the distance from its axis in half widths,

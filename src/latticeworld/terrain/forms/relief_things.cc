@@ -50,7 +50,7 @@ double AgeOf(ReliefKind kind) {
   }
 }
 
-// Where a cell lies beside the axis of a piece.
+// Says where a cell lies beside the axis of a piece.
 struct AxisPlace {
   double off_m = 0.0;    // from the axis; of a cliff: to its left positive
   double along_m = 0.0;  // from its first point
@@ -73,7 +73,8 @@ AxisPlace PlaceBeside(const std::vector<WorldPoint>& axis, WorldPoint at) {
   return place;
 }
 
-// Beside a line that swings about the chord of the axis, so that sides are told apart everywhere.
+// Returns the place beside a line that swings about the chord of the axis, so that sides are told
+// apart everywhere.
 AxisPlace PlaceBesideChord(const std::vector<WorldPoint>& axis, WorldPoint at) {
   const WorldPoint first = axis.front(), last = axis.back();
   const double chord_m = std::max(std::hypot(last.x_m - first.x_m, last.y_m - first.y_m), 1e-6);

@@ -56,7 +56,7 @@ class TieMeasurer {
   }
 
  private:
-  // Where the other thing is: the cells of its largest piece, or the axis of another form.
+  // Returns where the other thing is: the cells of its largest piece, or the axis of another form.
   std::vector<WorldPoint> PlacesOf(const ReliefTie& tie) const {
     std::vector<WorldPoint> places;
     if (tie.wish >= 0) {

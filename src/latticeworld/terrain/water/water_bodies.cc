@@ -66,7 +66,7 @@ class Merger {
   std::vector<int> parent_;
 };
 
-// Where a disc as wide as a lake fits into the water (a morphological opening).
+// Marks where a disc as wide as a lake fits into the water (a morphological opening).
 struct OpenWater {
   OpenWater(const Grid<unsigned char>& wet, double layout_cell)
       : half_width(static_cast<float>(kLakeHalfWidth * layout_cell)),

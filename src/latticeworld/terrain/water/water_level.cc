@@ -136,7 +136,8 @@ void ShapedLevels::SetClosedBases(const Grid<float>& land_m, double incision_m) 
   const int cols = land_m.cols();
   for (int body = 0; body < water_.bodies.count(); ++body) {
     if (IsSet(body)) continue;
-    // Where the base would be if the water stood as high as the shore.
+    // `bases` holds where the base would be if the water stood as high as the shore; `own` takes
+    // its place if there is no shore.
     std::vector<float> bases, own;
     for (int k = water_.bodies.begin[body]; k < water_.bodies.begin[body + 1]; ++k) {
       const std::int32_t cell = water_.bodies.cells[k];

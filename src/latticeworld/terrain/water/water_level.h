@@ -10,11 +10,12 @@
 
 namespace latticeworld::internal {
 
-// Where the water of each body leaves it: into the sea if the body has any, else over the world's
-// edge where the land [m] is lowest, else in its lowest lake or its lowest cell, where it stays.
+// Returns where the water of each body leaves it: into the sea if the body has any, else over the
+// world's edge where the land [m] is lowest, else in its lowest lake or its lowest cell, where it
+// stays.
 std::vector<std::int32_t> OutletsOf(const WaterBodies& water, const Grid<float>& land_m);
 
-// For every wet cell the least sum of `cost` over ways through water to an outlet, infinity
+// Returns for every wet cell the least sum of `cost` over ways through water to an outlet, infinity
 // elsewhere: by Dijkstra 1959, ties to the smaller index. cost: of a step of one cell. Still water
 // costs nothing, so that it has one distance.
 Grid<float> FlowDistance(const WaterBodies& water, const std::vector<std::int32_t>& outlets,
@@ -33,7 +34,7 @@ class ShapedLevels {
   // below the land there. land_m: before water has shaped it.
   void SetOpenBases(const std::vector<std::int32_t>& outlets, const Grid<float>& land_m,
                     double incision_m);
-  // Of the others: lower than nearly all of their shore.
+  // Sets the base levels of the other bodies: lower than nearly all of their shore.
   void SetClosedBases(const Grid<float>& land_m, double incision_m);
   // Lowers bodies that lie more than slope * distance above another one, slope per cell.
   void Reconcile(double slope_m_per_cell);

@@ -34,8 +34,8 @@ struct Bridge {
   double water_level_m = 0.0;  // the highest below; the floor of a dry gorge
   double railing_m = 0.0;      // height of the railings above the deck; 0: none
   double load_kg = 0.0;        // greatest mass of a body that it carries
-  // Where it is held, along the line from its begin [m]: the faces of both abutments, and the piers
-  // between them. Increasing, at least two.
+  // The places along the line, from its begin, at which it is held [m]: the faces of both
+  // abutments, and the piers between them. Increasing, at least two.
   std::vector<double> supports_m;
 
   double length_m() const;

@@ -94,8 +94,8 @@ class Planner {
   }
 
  private:
-  // From each cell of a road to what is beside it [cells], seams between its dry and its wet part
-  // closed.
+  // Returns the distance of each road cell to the road's side [cells]; seams between its dry and
+  // its wet part are closed first.
   static Grid<float> ToSides(Grid<unsigned char> way) {
     constexpr float kSeam_cells = 2.0f;
     const Grid<float> to_way = DistanceTo(true, way);
@@ -146,7 +146,7 @@ class Planner {
     return middles;
   }
 
-  // Where the road comes to a piece of water that it crosses.
+  // Returns where the road comes to a piece of water that it crosses.
   std::vector<CellIndex> LandingsOf(const std::vector<std::int32_t>& piece) const {
     std::vector<std::int32_t> shore, edge;
     for (const std::int32_t cell : piece) {
@@ -304,8 +304,8 @@ class Planner {
     return line;
   }
 
-  // Along the road from a landing to where a deck rests on land with all of its width; empty where
-  // there is no such place near.
+  // Returns the way along the road from a landing to where a deck rests on land with all of its
+  // width; empty: there is no such place near.
   std::vector<Place> ToDryRoad(CellIndex landing) const {
     const int reach = static_cast<int>(kLongestDetour * layout_cell_);
     const double need = 0.5 * width_m_ / cell_m_ + kOnLand_cells;
@@ -381,7 +381,7 @@ class Planner {
     return false;
   }
 
-  // Where the line is over water, from the first to the last place.
+  // Returns the first and the last place along the line that is over water [m].
   std::pair<double, double> OverWater(const Bridge& bridge) const {
     const double length_m = bridge.length_m();
     double begin_m = length_m, end_m = 0.0;

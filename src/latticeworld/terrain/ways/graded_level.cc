@@ -131,7 +131,7 @@ class Reaches {
     }
     std::sort(contacts_.begin(), contacts_.end());
     contacts_.erase(std::unique(contacts_.begin(), contacts_.end()), contacts_.end());
-    // From the springs down.
+    // Contacts are sorted from the springs down.
     std::sort(contacts_.begin(), contacts_.end(), [this](const auto& a, const auto& b) {
       const float distance_a = reaches_[a.first].distance;
       const float distance_b = reaches_[b.first].distance;

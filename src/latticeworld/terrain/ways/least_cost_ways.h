@@ -17,7 +17,7 @@ class LeastCostWays {
   LeastCostWays(const Grid<float>& cost, const std::vector<CellIndex>& sources);
 
   bool Reaches(CellIndex cell) const { return from_[cell] != kNowhere; }
-  // From its source to the cell, both included. The cell must be reached.
+  // Returns the way from its source to the cell, both included. The cell must be reached.
   std::vector<CellIndex> WayTo(CellIndex cell) const;
 
  private:

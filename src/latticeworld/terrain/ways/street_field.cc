@@ -113,6 +113,7 @@ void StreetField::FindAreas() {
 void StreetField::BuildCrosses(std::uint64_t seed) {
   const int rows = built_.rows(), cols = built_.cols();
   const double cell_m = lattice().resolution_m();
+  // Crosses follow the main axis of their area, turned a little by district in large ones.
   NoiseOptions districts;
   districts.wavelength_m = kDistrict_m;
   districts.octaves = 1;
@@ -127,6 +128,7 @@ void StreetField::BuildCrosses(std::uint64_t seed) {
       axis.data()[cell] = static_cast<float>(area.axis_rad + districts_turn);
     }
   }
+  // A cross has four equal arms: directions add up as cosine and sine of four times their angle.
   cosine4_ = Grid<float>(rows, cols, 0.0f);
   sine4_ = Grid<float>(rows, cols, 0.0f);
   for (int row = 0; row < rows; ++row) {
@@ -138,6 +140,7 @@ void StreetField::BuildCrosses(std::uint64_t seed) {
         s4 += weight * std::sin(4.0 * angle_rad);
       };
       add(kAxisWeight, axis(row, col));
+      // Roads and shores weigh more the nearer they are, contours the steeper the ground is.
       double east = 0.0, north = 0.0;
       if (GradientAt(to_road_, row, col, &east, &north)) {
         add(kRoadWeight * std::exp(-to_road_(row, col) * cell_m / kRoadReach_m),

@@ -29,10 +29,10 @@ struct BuiltUpArea {
   double heart_depth_m = 0;  // from the heart to the area's border
 };
 
-// Where streets may run, and which way: in each place along or across a cross field that follows
-// the layout's roads, the shores, the contours and the main axis of its area, in the way of Chen et
-// al. 2008, "Interactive procedural street modeling", with crosses instead of tensors, so that a
-// street along a road and one away from it agree.
+// Says where streets may run, and which way: in each place along or across a cross field that
+// follows the layout's roads, the shores, the contours and the main axis of its area, in the way of
+// Chen et al. 2008, "Interactive procedural street modeling", with crosses instead of tensors, so
+// that a street along a road and one away from it agree.
 class StreetField {
  public:
   StreetField(const StreetGround& ground, std::uint64_t seed);

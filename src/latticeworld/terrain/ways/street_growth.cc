@@ -144,7 +144,7 @@ StreetGrower::Trace StreetGrower::Follow(WorldPoint start, double heading_rad, d
     heading_rad += std::clamp(wanted_rad - heading_rad, -most_rad, most_rad);
     WorldPoint next = Ahead(place, heading_rad, step_m_);
     if (!field_.lattice().Contains(next)) {
-      // Over the edge of the world, so that no gap is left there.
+      // The street goes on over the edge of the world, so that no gap is left there.
       trace.line.push_back(next);
       trace.end = End::kAtBorder;
       return trace;
@@ -214,7 +214,7 @@ void StreetGrower::BeginAtRoad(const BuiltUpArea& area, WorldPoint edge, double 
   if (!HasRoom(edge, heading_rad, spacing_m)) return;
   Trace trace = Follow(edge, heading_rad, spacing_m, -1);
   if (LengthOf(trace.line) < kLeastLength_m) return;
-  // From within the road.
+  // The street begins within the road.
   const WorldPoint centre = field_.RoadCentreAt(edge);
   const double cell_m = field_.lattice().resolution_m();
   double into_m = std::max(4.0, 3.0 * cell_m);

@@ -154,7 +154,7 @@ class Planner {
     std::vector<WorldPoint> lane =
         Smoothed(ways_from_roads_->WayTo(heart), field_.lattice(), cost_);
     if (lane.size() < 3) return false;
-    // From within the road.
+    // The lane begins within the road.
     const WorldPoint centre = field_.RoadCentreAt(lane.front());
     if (DistanceBetween(centre, lane.front()) > 1.0) lane.insert(lane.begin(), centre);
     grower_.BeginWithLane(area, std::move(lane));

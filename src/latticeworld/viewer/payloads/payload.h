@@ -21,7 +21,7 @@ Payload MakePayload(std::string content_type, std::string bytes, bool compress);
 // By path: "/index.html".
 using PayloadMap = std::map<std::string, Payload, std::less<>>;
 
-// By the name's extension; "application/octet-stream" where that says nothing.
+// Returns the type by the name's extension; "application/octet-stream" if that says nothing.
 std::string_view ContentTypeOf(std::string_view name);
 // Whether what has that type shrinks: texts, meshes and grids do, pictures do not.
 bool IsCompressible(std::string_view content_type);

@@ -13,8 +13,8 @@ struct ViewerPoint {
   std::uint8_t intensity = 0;
 };
 
-// A message of points: docs/viewer.md. Of more than 4096 points every n-th is taken; points that
-// are not finite are left out.
+// Returns a message of points: docs/viewer.md. If there are more than 4096 points, every n-th is
+// taken; points that are not finite are left out.
 std::string PointsMessage(double time_s, const Eigen::Vector3d& sensor_m,
                           const std::vector<ViewerPoint>& points);
 

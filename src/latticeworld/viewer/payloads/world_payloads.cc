@@ -71,6 +71,7 @@ Result<std::shared_ptr<const WorldPayloads>> MakeWorldPayloads(const World& worl
     progress.Report(kStage, fraction);
     return progress.CheckCancelled();
   };
+  // The grids and the table of assets come first: the description tells of them too.
   LW_RETURN_IF_ERROR(advance(0.0));
   HeightGrid height = MakeHeightGrid(*scene.terrain);
   TextureGrid texture = MakeTextureGrid(*scene.terrain);
@@ -78,6 +79,7 @@ Result<std::shared_ptr<const WorldPayloads>> MakeWorldPayloads(const World& worl
   AssetTable assets = MakeAssetTable(scene);
   LW_RETURN_IF_ERROR(advance(0.25));
 
+  // These are the files that a page fetches; a ground of very many cells has no pictures.
   std::vector<NamedFile> files;
   files.push_back({"height", "height.bin", std::move(height.heights)});
   files.push_back({"water", "water.bin", std::move(height.waters)});
@@ -101,6 +103,7 @@ Result<std::shared_ptr<const WorldPayloads>> MakeWorldPayloads(const World& worl
   files.push_back({"models", "models.glb", std::move(models)});
   LW_RETURN_IF_ERROR(advance(0.9));
 
+  // The key names these bytes, so that browsers may keep them for good.
   Digest digest;
   digest.Add(kViewerProtocol);
   digest.Add(moves);
@@ -111,6 +114,7 @@ Result<std::shared_ptr<const WorldPayloads>> MakeWorldPayloads(const World& worl
   auto payloads = std::make_shared<WorldPayloads>();
   payloads->world_id = world.id;
   payloads->key = world.id + "-" + digest.Hex().substr(0, kKeyDigits);
+  // Each file gets its address below the key.
   std::vector<PayloadEntry> entries;
   for (NamedFile& file : files) {
     const std::string url = "/api/worlds/" + payloads->key + "/" + file.file;

@@ -11,7 +11,7 @@
 namespace latticeworld {
 namespace {
 
-// Without its port; "[::1]:80" -> "::1".
+// Returns a host without its port: "[::1]:80" -> "::1".
 std::string_view NameOfHost(std::string_view host) {
   if (!host.empty() && host.front() == '[') {
     const std::size_t end = host.find(']');

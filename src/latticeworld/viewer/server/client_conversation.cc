@@ -9,7 +9,8 @@ namespace latticeworld {
 namespace {
 
 constexpr int kMostPending = 8;
-// Beyond what is legal; a browser whose timers lag does not come near.
+// A client whose messages are refused this often in a row must leave; a browser whose timers lag
+// does not come near.
 constexpr int kMostRefusedInARow = 240;
 constexpr double kTokenRate_hz = 0.5, kTokenBurst = 5.0;
 constexpr double kComplaintRate_hz = 1.0, kComplaintBurst = 5.0;

@@ -11,7 +11,7 @@ namespace latticeworld {
 // A way to the server's thread that may outlive it: what comes too late is dropped.
 class Mailbox {
  public:
-  // Until then what is posted is dropped, too.
+  // Gives it the context of the server's thread; until then what is posted is dropped, too.
   void Open(boost::asio::io_context* context) {
     const std::lock_guard<std::mutex> lock(mutex_);
     context_ = context;

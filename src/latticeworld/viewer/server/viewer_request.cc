@@ -75,7 +75,7 @@ class RequestReader {
     return Number(key, -kMost, kMost, "a number");
   }
 
-  // As a number, or as a text where it has more digits than a browser's numbers.
+  // Reads a seed that is a number, or a text if it has more digits than a browser's numbers.
   std::uint64_t Seed(const char* key) {
     const json* value = Take(key);
     if (value == nullptr) return 0;

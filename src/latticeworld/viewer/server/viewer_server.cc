@@ -19,7 +19,7 @@ namespace asio = boost::asio;
 using boost::system::error_code;
 using tcp = asio::ip::tcp;
 
-// After a failed accept (as when the system has no more files): not at once again.
+// The server waits this long after a failed accept (as when the system has no more files).
 constexpr std::chrono::milliseconds kAcceptPause(100);
 
 }  // namespace

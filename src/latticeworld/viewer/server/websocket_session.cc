@@ -20,7 +20,7 @@ namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 using beast::error_code;
 
-// That somebody who is left has for taking leave.
+// A client that is sent away has this long to answer.
 constexpr std::chrono::seconds kFarewell(2);
 
 std::chrono::milliseconds Milliseconds(double seconds) {
@@ -92,7 +92,8 @@ class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
                         });
   }
 
-  // Of somebody who goes on beyond what is legal: says so, and does not wait long for an answer.
+  // Sends away a client that goes on beyond what is legal: says so, and does not wait long for an
+  // answer.
   void Leave() {
     if (!is_open_) return;
     is_open_ = false;

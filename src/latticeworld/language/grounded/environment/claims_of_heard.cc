@@ -82,7 +82,7 @@ void AddAgents(const AgentWish& wish, const SymbolicLayout* layout,
   EnvironmentClaim claim;
   claim.kind = EnvironmentClaimKind::kAgents;
   claim.categories = wish.categories;
-  // Beyond the limits nothing can be claimed but the limit.
+  // Quantities beyond the limits are claimed as the limit.
   const std::size_t lands = wish.feature.has_value() ? 1 + wish.more_land.size() : 0;
   const int times =
       wish.each ? std::max<int>(1, static_cast<int>(std::max(wish.places.size(), lands))) : 1;

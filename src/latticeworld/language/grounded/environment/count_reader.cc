@@ -83,7 +83,7 @@ class CountReader {
       if (inner.tokens == 0) continue;
       length = said;
       longest = inner;
-      // Of a vague number only the bound that it has itself can be said.
+      // A vague number keeps the bounds that it has itself.
       if (inner.least == inner.most) longest = qualifier.apply(inner.value);
       longest.tokens = said + inner.tokens;
     }

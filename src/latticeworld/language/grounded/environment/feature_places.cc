@@ -146,7 +146,7 @@ Grid<unsigned char> CellsBetween(const FeaturePlace& feature, std::string_view f
   return cells;
 }
 
-// Of the cells those on the side of `letters` that is turned away from `viewpoint`.
+// Keeps the cells on the side of `letters` that is turned away from `viewpoint`.
 void KeepFarSide(std::string_view letters, std::string_view viewpoint, const SymbolicLayout& layout,
                  Grid<unsigned char>* cells) {
   double row = 0.0, col = 0.0, from_row = 0.0, from_col = 0.0;

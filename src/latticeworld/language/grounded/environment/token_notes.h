@@ -32,7 +32,7 @@ struct NotedTokens {
   bool IsEnd(std::size_t at) const {
     return at >= tokens.size() || tokens[at].kind == TokenKind::kStop;
   }
-  // Also at the small pauses.
+  // Returns whether a sentence ends there, or a comma stands there.
   bool IsPause(std::size_t at) const { return IsEnd(at) || tokens[at].kind == TokenKind::kComma; }
   bool IsWord(std::size_t at, std::string_view word) const {
     return at < tokens.size() && tokens[at].text == word;

@@ -153,7 +153,7 @@ struct WordTable {
     for (const int row : *found.rows) match.rows.push_back(&rows[static_cast<std::size_t>(row)]);
     return match;
   }
-  // Only how many tokens match.
+  // Returns how many tokens match, without the rows.
   std::size_t LengthAt(const std::vector<Token>& tokens, std::size_t at) const {
     return index.At(tokens, at).tokens;
   }

@@ -7,9 +7,9 @@
 
 namespace latticeworld {
 
-// What a layout of the plan is measured by: a claim for all that its features, relations, orders
-// and absences say, and no more. A claim is of a class, not of a feature; what several features of
-// one class would blur is left out. Of equal claims the first stays.
+// Returns what a layout of the plan is measured by: a claim for all that its features, relations,
+// orders and absences say, and no more. A claim is of a class, not of a feature; what several
+// features of one class would blur is left out. If claims are equal, the first stays.
 std::vector<Claim> ClaimsOfPlan(const LayoutPlan& plan);
 
 }  // namespace latticeworld

@@ -19,7 +19,8 @@ bool SaysAnywhere(const std::vector<Place>& places);  // "everywhere"
 bool SaysExtent(std::string_view words);
 // The same of a zone, where the word itself was left out.
 bool IsExtent(const Zone& zone);
-// Where a course ends that the words only give a side: at the edge of the map there.
+// Returns the zone where a course ends; where the words give a side alone, it is the map's edge
+// there.
 Zone EndZoneOf(const Zone& zone, std::string_view words);
 // "along the south" is along the southern edge.
 Zone AlongZone(const Zone& zone);

@@ -9,7 +9,7 @@
 // it together.
 namespace latticeworld {
 
-// Of a class that is asked for and denied altogether, what was said later counts.
+// If a class is both asked for and denied altogether, what was said later counts.
 void Discourse::SettleDenials() {
   std::vector<PlannedAbsence> kept;
   for (std::size_t a = 0; a < plan_.absences.size(); ++a) {

@@ -6,7 +6,7 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/reading/discourse.h"
 
-// Where islands lie.
+// This file settles where islands lie.
 namespace latticeworld {
 
 // Water of which no words speak, four times as much as the island; -1: there is no room for it.

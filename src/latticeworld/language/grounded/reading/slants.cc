@@ -18,7 +18,7 @@ bool IsLeft(const Slant& slant, double east, double south) {
   return along_east * (south - slant.from.south) - along_south * (east - slant.from.east) < 0.0;
 }
 
-// Where the side lies, for people.
+// Names the side for people: "north-east of a line".
 std::string NameOf(const Slant& slant) {
   const int sign = slant.left ? 1 : -1;
   const int east = sign * (slant.to.south - slant.from.south);

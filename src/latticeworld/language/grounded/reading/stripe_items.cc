@@ -183,7 +183,7 @@ bool TakeStripeItem(const std::vector<Token>& tokens, std::size_t at, const Stri
   }
   next = SkipQualifier(tokens, next, item);
   const std::size_t body = SkipHolds(tokens, next);
-  // Without a verb what it holds follows at once.
+  // If there is no verb, what the stripe holds follows at once.
   const bool said = body > next;
   if (item->numbered && !said && !IsMark(tokens, body, "(")) return false;
   if (!ClassSoon(tokens, body, said ? 5 : 4)) return false;

@@ -28,8 +28,8 @@ inline constexpr int kNeighbours8[8][2] = {{-1, 0},  {1, 0},  {0, -1}, {0, 1},
 using Spot = LayoutMask::Point;
 CellIndex NearestCell(Spot spot);
 double DistanceBetween(Spot a, Spot b);
-// Of a way of so many rows and columns; std::hypot, careful of overflow, takes several times as
-// long.
+// Returns the length of a way of so many rows and columns; std::hypot, careful of overflow, takes
+// several times as long.
 inline double LengthOf(double rows, double cols) { return std::sqrt(rows * rows + cols * cols); }
 
 // The letters that an instruction forbids, cell by cell.

@@ -79,8 +79,8 @@ class LandLayer {
     return land;
   }
 
-  // Where else it starts, so that it comes to lie all over a zone that it shall mostly fill: each
-  // seed the cell that is farthest from those before.
+  // Returns further cells to grow from, so that the land comes to lie all over a zone that it shall
+  // mostly fill. Each is the cell that is farthest from those before.
   std::vector<CellIndex> FurtherSeeds(const PieceWish& wish, CellIndex first) const {
     std::vector<CellIndex> seeds;
     if (!wish.zoned || first.row < 0 || 2 * wish.cells < wish.zone.count()) return seeds;

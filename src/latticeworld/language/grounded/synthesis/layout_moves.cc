@@ -198,7 +198,7 @@ bool LayoutMoves::CutBack(char letter, const LayoutMask& place, LayoutMasks* nex
 
 bool LayoutMoves::Add(char letter, const LayoutMask& place, const Claim& claim, LayoutMasks* next) {
   LayoutMask where = place - forbidden_.of(letter);
-  // Near what the claim ties it to, as often as not.
+  // Half of the time, the piece goes near what the claim ties it to.
   const char other = letter == claim.subject ? claim.object : claim.subject;
   if (other != '\0' && other != letter && random_->Chance(0.5)) {
     const LayoutMask near = masks_.of(other).Grown8(3) & where;

@@ -127,7 +127,7 @@ void Lay(const PieceWish& wish, Spot middle, Draft* draft) {
   if (seed.row < 0) seed = NearestFree(draft->canvas, allowed, shape.seed);
   if (seed.row < 0) return;
   if (laid > 0) {
-    // Beside its ring.
+    // If the ring that is there has free cells beside it, the piece grows from one of them.
     const CellIndex beside = NearestFree(draft->canvas, allowed & ring.Grown8(), shape.seed);
     if (beside.row >= 0) seed = beside;
   }

@@ -26,8 +26,8 @@ struct Skeleton {
   std::vector<SkeletonLine> lines;  // in the order of the features
 };
 
-// Where everything goes, solved jointly: simulated annealing over the middles of the pieces and the
-// stops of the lines, with an energy for zones, relations, room and relief. relief: or nullptr.
+// Places everything jointly by simulated annealing over the middles of the pieces and the stops of
+// the lines, with an energy for zones, relations, room and relief. relief: or nullptr.
 Skeleton PlaceSkeleton(const LayoutPlan& plan, const std::vector<PieceWish>& wishes,
                        const ForbiddenCells& forbidden, const Relief* relief, RandomStream* random);
 

@@ -45,7 +45,7 @@ class SkeletonEnergy {
   bool HasOneSide(const Claim& claim) const;
   // The middle of all that is of a letter; weight 0: nothing is.
   std::pair<Spot, double> LetterPoint(char letter) const;
-  // Of the largest of its pieces; 0: it has none.
+  // Returns the radius of the largest of its pieces [cells]; 0: it has none.
   double RadiusOf(int feature) const;
   // Distance between the nearest rims of one piece of a and of all of b [cells].
   double GapFrom(int piece, int b) const;

@@ -183,7 +183,7 @@ double SkeletonEnergy::ClaimEnergy(const Claim& claim) const {
   if (claim.kind == ClaimKind::kDirection) {
     const auto [subject, weight] = LetterPoint(claim.subject);
     const auto [object, other] = LetterPoint(claim.object);
-    // Of several of a class the relations tell which is meant.
+    // If there are several of a class, the relations tell which is meant.
     if (weight == 0.0 || other == 0.0 || !HasOneSide(claim)) return 0.0;
     return DirectionEnergy(subject, object, claim.heading, 4.0);
   }

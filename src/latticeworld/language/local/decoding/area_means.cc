@@ -8,7 +8,7 @@ namespace {
 // Adds share * line(i) of each of the `samples` samples that lie in cell `cell` of `side`.
 template <typename Add>
 void ForShares(std::size_t samples, std::size_t side, std::size_t cell, const Add& add) {
-  // In units of 1 / side of a sample, so that all is whole numbers.
+  // Bounds are in units of 1 / side of a sample, so that all of them are whole numbers.
   const std::size_t begin = cell * samples, end = begin + samples;
   for (std::size_t i = begin / side; i * side < end; ++i) {
     const std::size_t from = std::max(begin, i * side), to = std::min(end, (i + 1) * side);

@@ -53,7 +53,7 @@ class HeightEyes {
   };
 
   HeightEyes() = default;
-  // Of the whole and of each patch: (1 + grid^2) x width.
+  // Embeds the whole and each patch: (1 + grid^2) x width, row-major.
   std::vector<float> Patches(const Grid<float>& heights) const;
   void Attend(const Layer& layer, std::vector<float>* places) const;
   void FeedForward(const Layer& layer, std::vector<float>* places) const;

@@ -18,6 +18,7 @@ Result<LlamaSizes> ReadSizes(const GgufFile& file) {
   LW_ASSIGN_OR_RETURN(const std::string architecture, file.Text("general.architecture"));
   if (architecture != "llama")
     return DataLoss("a model of the architecture '" + architecture + "'; read here is 'llama'");
+  // These are the sizes of the layers, and how heads share them.
   LlamaSizes sizes;
   LW_ASSIGN_OR_RETURN(sizes.width, file.Integer("llama.embedding_length", 2, kMostWidth));
   LW_ASSIGN_OR_RETURN(sizes.layers, file.Integer("llama.block_count", 1, kMostLayers));
@@ -35,6 +36,8 @@ Result<LlamaSizes> ReadSizes(const GgufFile& file) {
                     std::to_string(sizes.heads) + " heads over " + std::to_string(sizes.kv_heads) +
                     " of keys");
   sizes.head_width = sizes.width / sizes.heads;
+  // Normalization and rotary positions have constants; forms that are not computed here are
+  // refused.
   LW_ASSIGN_OR_RETURN(const double epsilon, file.Number("llama.attention.layer_norm_rms_epsilon"));
   if (!(epsilon > 0.0 && epsilon < 1.0))
     return DataLoss("llama.attention.layer_norm_rms_epsilon is " + std::to_string(epsilon) +
@@ -55,6 +58,7 @@ Result<LlamaSizes> ReadSizes(const GgufFile& file) {
     if (scaling != "none")
       return DataLoss("llama.rope.scaling.type is '" + scaling + "'; read here is 'none'");
   }
+  // The number of tokens follows from the tokenizer's list.
   const auto found = file.metadata().find("tokenizer.ggml.tokens");
   const auto* tokens = found == file.metadata().end()
                            ? nullptr

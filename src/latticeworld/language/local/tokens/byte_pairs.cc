@@ -87,7 +87,7 @@ std::size_t ContractionAt(std::string_view text) {
   return 0;
 }
 
-// Where the characters of a sort end that begin at `at`.
+// Returns where the run of characters of that sort ends that begins at `at` [bytes].
 std::size_t EndOfRun(std::string_view text, std::size_t at, Sort sort) {
   while (at < text.size()) {
     const Character next = CharacterAt(text, at);

@@ -46,8 +46,8 @@ class Grammar {
   NodeId root_ = 0;
 };
 
-// Where texts that a grammar allows may stand after some of their bytes. One
-// thread owns it.
+// Follows texts that a grammar allows, byte by byte: it keeps where in the grammar they may stand
+// after the bytes so far. One thread owns it.
 class GrammarMatcher {
  public:
   // One way of having read the bytes so far: the node that awaits the next byte

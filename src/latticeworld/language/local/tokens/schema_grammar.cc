@@ -90,7 +90,7 @@ class Writer {
     return "\"\"";
   }
 
-  // Only these members; what else a schema says would not be kept.
+  // Fails if the schema has other members than these: what they say would not be kept.
   bool HasOnly(const Json& schema, const std::string& pointer, const std::set<std::string>& known) {
     static const std::set<std::string> kWords = {"type", "title", "description", "$schema", "$id"};
     for (const auto& [key, value] : schema.items()) {

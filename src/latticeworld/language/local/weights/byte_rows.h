@@ -15,8 +15,8 @@ struct ByteRows {
   std::vector<float> scales;  // (count x columns / 32)
 };
 
-// Each block by its largest magnitude, which becomes 127; scales are rounded to float16, as
-// llama.cpp stores them. Of a block with what is not finite the scale is NaN.
+// Rounds each block by its largest magnitude, which becomes 127; scales are rounded to float16, as
+// llama.cpp stores them. A block that has numbers not finite has a scale of NaN.
 ByteRows RoundToBytes(const float* in, std::size_t count, std::size_t columns);
 
 // Weights of the same form (rows x columns of what they are multiplied with).

@@ -78,7 +78,7 @@ Entry ReadEntry(GgufReader* reader) {
 }  // namespace
 
 Result<GgufFile> GgufFile::Open(const std::string& path) {
-  // Not to wait for a writer where the path names a pipe.
+  // O_NONBLOCK keeps this from waiting for a writer if the path names a pipe.
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) return Unopened(path);
   struct stat about {};
@@ -108,6 +108,7 @@ GgufFile::GgufFile(GgufFile&& other) noexcept
 
 Status GgufFile::Read() {
   GgufReader reader(begin_, size_);
+  // The head tells the name, the version, and how much follows.
   if (size_ < 4 || std::memcmp(begin_, "GGUF", 4) != 0)
     return DataLoss("no GGUF: it does not begin with these four letters");
   reader.Take<std::uint32_t>("the format's name");
@@ -117,6 +118,7 @@ Status GgufFile::Read() {
                     "; read here are 2 and 3, little endian");
   const std::uint64_t tensor_count = reader.Count(kLeastTensorBytes, "tensors");
   const std::uint64_t key_count = reader.Count(kLeastEntryBytes, "keys");
+  // Metadata and the list of tensors follow one another; the reader keeps the first error.
   for (std::uint64_t i = 0; i < key_count && reader.status().ok(); ++i) {
     std::string key = reader.String("a key of the metadata");
     Value value = reader.Value();
@@ -128,6 +130,7 @@ Status GgufFile::Read() {
     entries.push_back(ReadEntry(&reader));
   LW_RETURN_IF_ERROR(reader.status());
 
+  // The tensors' bytes begin at the next multiple of the alignment.
   std::uint64_t alignment = 32;
   if (Has("general.alignment")) {
     LW_ASSIGN_OR_RETURN(alignment, Integer("general.alignment", 8, 1u << 20));
@@ -136,6 +139,7 @@ Status GgufFile::Read() {
                       "; legal are powers of two");
   }
   const std::size_t data = (reader.offset() + alignment - 1) / alignment * alignment;
+  // Each tensor must lie within the file before its place is kept.
   for (Entry& entry : entries) {
     const std::size_t row_bytes = RowBytes(entry.tensor.type, entry.tensor.columns);
     if (row_bytes == 0)

@@ -26,6 +26,7 @@ Result<HeightEyes> HeightEyes::Read(const GgufFile& file) {
   if (architecture != "latticeworld-eyes")
     return DataLoss("a model of the architecture '" + architecture +
                     "'; what sees heights is 'latticeworld-eyes'");
+  // Sizes are read first, and must fit each other.
   HeightEyes eyes;
   LW_ASSIGN_OR_RETURN(eyes.side_, file.Integer("eyes.side", 2, kMostSide));
   LW_ASSIGN_OR_RETURN(eyes.patch_, file.Integer("eyes.patch", 1, eyes.side_));
@@ -41,6 +42,7 @@ Result<HeightEyes> HeightEyes::Read(const GgufFile& file) {
                     " values shared by " + std::to_string(eyes.heads_) +
                     " heads; legal are an even number of whole patches and equal shares");
   const std::size_t width = eyes.width_;
+  // Weights come in the order in which they are used; the reader keeps the first error.
   WeightReader reader(&file);
   const auto linear = [&reader](const std::string& name, std::size_t rows, std::size_t columns) {
     return Linear{reader.Matrix(name + ".weight", rows, columns),

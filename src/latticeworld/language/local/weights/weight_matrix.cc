@@ -75,6 +75,7 @@ std::array<float, kBlock> HalfByteValues(const std::byte* block) {
 WeightMatrix::WeightMatrix(const GgufTensor& tensor)
     : rows_(tensor.rows), columns_(tensor.columns) {
   const std::size_t size = rows_ * columns_;
+  // Blocks of bytes are kept as they are.
   if (tensor.type == GgufType::kQ8_0) {
     bytes_.resize(size);
     scales_.resize(size / kBlock);
@@ -87,6 +88,7 @@ WeightMatrix::WeightMatrix(const GgufTensor& tensor)
     }
     return;
   }
+  // Blocks of half bytes are rounded to bytes by their largest magnitude.
   if (tensor.type == GgufType::kQ4_1) {
     bytes_.resize(size);
     scales_.resize(size / kBlock);
@@ -111,6 +113,7 @@ WeightMatrix::WeightMatrix(const GgufTensor& tensor)
     }
     return;
   }
+  // Floating-point weights are kept as floats, float16 widened.
   floats_.resize(size);
   if (tensor.type == GgufType::kFloat32) {
     std::memcpy(floats_.data(), tensor.data, size * sizeof(float));

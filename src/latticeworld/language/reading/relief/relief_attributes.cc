@@ -180,8 +180,9 @@ class AttributeReader {
   std::vector<std::string>& warnings_;
 };
 
-// Where what is said of a mention begins: where the sentence does, or behind what is named before
-// it, at the comma between them, else at what leads its noun: "a hill and a 25 m deep gorge".
+// Returns where the words begin that describe a mention: at the beginning of the sentence, or after
+// the thing named before it: at the comma between them, else at the words that lead its noun ("a
+// hill and a 25 m deep gorge").
 std::size_t BeginOf(const ReliefSentence& sentence, std::size_t mention) {
   const std::size_t noun = sentence.mentions()[mention].begin;
   std::size_t before = mention == 0 ? 0 : sentence.mentions()[mention - 1].end;

@@ -45,7 +45,8 @@ double SizeOf(std::string_view word) {
   return word == "tiny" ? 0.5 : word == "small" ? 0.7 : word == "large" ? 1.4 : 1.8;
 }
 
-// From the middle of the map to that of a zone; east where the zone is the middle.
+// Returns the heading from the middle of the map to that of a zone [rad]; east if the zone is in
+// the middle.
 double HeadingTo(const Zone& zone) {
   double x = 0.0, y = 0.0;
   for (const UnitBox& box : zone.boxes) {

@@ -52,7 +52,7 @@ constexpr std::string_view kFollowers[] = {
     "lies",   "placed", "arranged",  "line",     "lines",  "from",   "to",        "surrounding",
     "inside", "within", "surrounds", "surround", "face",   "faces",  "alongside", "which"};
 
-// That may follow "the trees" where more is said of them.
+// These verbs may follow "the trees" where a text says more about them.
 constexpr std::string_view kVerbs[] = {"is",   "are",   "stand",    "stands",    "lie",  "lies",
                                        "face", "faces", "surround", "surrounds", "form", "forms"};
 
@@ -220,7 +220,8 @@ class Taker {
     const bool grows = kind->source == ThingSource::kAsset || kind->name == "boulder" ||
                        (kind->words.size() > 1 && kind->words[1] == kind->name + " tree");
     const bool arranged = wish.arrangement != ThingArrangement::kNone && counted;
-    // Before what it stands by, which a thing of land is only together with.
+    // The number of things is kept before the thing that this one stands by is added: a thing of
+    // land counts only together with that one.
     const std::size_t things = things_.size();
     if (things >= static_cast<std::size_t>(kMostThingWishes)) return false;
     std::vector<std::pair<std::size_t, std::size_t>> parts = {{begin, end}};
@@ -377,6 +378,7 @@ class Taker {
         {{"in"}, ThingRelation::kIn},
         {{"inside"}, ThingRelation::kIn},
         {{"within"}, ThingRelation::kIn}};
+    // The relation is a distance ("12 m from") or one of the words above.
     const std::size_t begin = *end;
     at_ = begin;
     TakeCopula();
@@ -398,6 +400,7 @@ class Taker {
       }
     }
     if (!relation || IsPlaceHere()) return false;
+    // It leads to a thing that was named before, or else to land.
     TakePlaceOf();
     const std::size_t target_at = at_;
     ThingTarget target = TakeThingTarget();
@@ -407,6 +410,7 @@ class Taker {
       target = LandTarget();
     }
     if (target.is_nothing() || (is_thing && *relation == ThingRelation::kIn)) return false;
+    // Only now is the wish changed and are the words taken.
     wish->relation = *relation;
     wish->target = target;
     wish->distance_m = distance_m;

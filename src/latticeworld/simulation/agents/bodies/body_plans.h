@@ -18,7 +18,7 @@ BodySpec GrazerBody(const Species& species);
 BodySpec FlyerBody(const Species& species);
 BodySpec SwimmerBody(const Species& species);
 
-// Of a homogeneous box about its centre [kg m^2].
+// Returns the moments of inertia of a homogeneous box about its centre [kg m^2].
 Eigen::Vector3d BoxInertia(double mass_kg, const Eigen::Vector3d& size_m);
 BodyShape BoxShape(const Eigen::Vector3d& center_m, const Eigen::Vector3d& half_extents_m);
 // A box as a body's only shape, the corners of which meet the ground.

@@ -161,6 +161,7 @@ void Walk(Agent* agent, const Legs& legs, Surroundings* world) {
   const QuadrupedDesign& design = *agent->species->quadruped;
   const Footing ground(*world, *agent, kStride_m);
   const GaitState state = StateOf(design, legs, ground, agent->body, agent->motion, physics);
+  // If nothing is wanted and the robot stands well, its joints are locked.
   const bool wanted = IsWanted(agent->driven);
   const double low_m = state.ground_m + design.stance_height_m - state.center_m.z();
   const bool settled = AllStand(posture.gait_phase) && state.velocity_mps.norm() < kCalm_mps &&
@@ -170,6 +171,7 @@ void Walk(Agent* agent, const Legs& legs, Surroundings* world) {
     Lock(agent, &physics);
     return;
   }
+  // The stride goes on unless it first rises, or stands calmly enough.
   const bool rises = low_m > kLow_m && AllStand(posture.gait_phase);
   const bool calm = !wanted && AllStand(posture.gait_phase) && Tilt(state) < kTipped_rad &&
                     state.velocity_mps.norm() < kMoved_mps &&
@@ -179,6 +181,7 @@ void Walk(Agent* agent, const Legs& legs, Surroundings* world) {
     posture.gait_phase -= std::floor(posture.gait_phase);
   }
 
+  // The trunk follows the command as far as slopes allow; the trim makes up for what it loses.
   GaitCommand command;
   const Eigen::Vector3d across = Eigen::Vector3d::UnitZ().cross(state.heading);
   command.velocity_mps =
@@ -191,6 +194,7 @@ void Walk(Agent* agent, const Legs& legs, Surroundings* world) {
   const GaitCommand push = {
       command.velocity_mps + posture.gait_trim.x() * state.heading + posture.gait_trim.y() * across,
       command.yaw_rate_radps + posture.turn_trim_radps};
+  // Each foot swings or pushes, and its joints turn as that takes.
   for (int leg = 0; leg < kLegs; ++leg) {
     const LegKinematics& kinematics = legs[static_cast<std::size_t>(leg)];
     const LegPhase phase = PhaseOf(posture.gait_phase, leg, design.stride_period_s);

@@ -14,7 +14,7 @@ struct WheelCommand {
   double steer_rad = 0.0;
 };
 
-// By the order of the wheels of the body.
+// Returns the commands in the order of the body's wheels.
 std::array<WheelCommand, 4> CommandsFor(const VehicleDesign& design,
                                         const VelocityCommand& wanted) {
   const double speed_mps = wanted.linear_mps.x();

@@ -16,7 +16,7 @@ void DriveLegs(Agent* agent, Surroundings* world);
 void DriveWings(const Agent& agent, const Surroundings& world);
 void DriveFins(const Agent& agent, const Surroundings& world);
 
-// Down, and told so.
+// Lays the agent down as fallen, stops what drives it, and tells knocked_over.
 void FallOver(Agent* agent, Surroundings* world);
 // While it is down: true when it has lain still for as long as its species takes to get up.
 bool HasLainStill(Agent* agent, const Surroundings& world);

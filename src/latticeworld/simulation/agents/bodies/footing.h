@@ -14,7 +14,7 @@ namespace latticeworld {
 // on or can step onto.
 class Footing {
  public:
-  // For places within reach_m of the agent. world: outlives this, unchanged.
+  // Holds for places within reach_m of the agent. world: outlives this, unchanged.
   Footing(const Surroundings& world, const Agent& agent, double reach_m);
   // [m], map frame.
   double HeightAt(WorldPoint place) const;

@@ -28,10 +28,10 @@ class LegKinematics {
   // Angles that bring the foot there, or as near as the leg reaches.
   Eigen::Vector3d Solve(const Eigen::Vector3d& foot_m) const;
 
-  // Of the nominal stance, from a leg that hangs straight.
+  // These are the angles of the nominal stance, from a leg that hangs straight.
   double nominal_pitch_rad() const { return nominal_pitch_rad_; }
   double nominal_knee_rad() const { return nominal_knee_rad_; }
-  // From hip pitch to foot, straight.
+  // Returns the distance from the hip's pitch joint to the foot of a straight leg.
   double reach_m() const { return thigh_m_ + shank_m_; }
 
  private:

@@ -19,6 +19,7 @@ constexpr double kLeastKnee_rad = -2.75, kMostKnee_rad = -0.1;
 }  // namespace
 
 BodySpec QuadrupedBody(const Species& species) {
+  // The trunk is a box at the height at which the robot stands.
   const QuadrupedDesign& design = *species.quadruped;
   BodySpec body;
   body.mass_kg = species.mass_kg - kLegs * design.leg_mass_kg;
@@ -27,12 +28,14 @@ BodySpec QuadrupedBody(const Species& species) {
   body.inertia_kgm2 = BoxInertia(body.mass_kg, size_m);
   const Eigen::Vector3d center_m(0.0, 0.0, design.stance_height_m);
   MakeBox(center_m, 0.5 * size_m, &body);
+  // Each leg has three links; rotors add to the inertia of each.
   const double leg_m = design.thigh_m + design.shank_m;
   const double rotor_kgm2 = kRotorShare * design.leg_mass_kg * leg_m * leg_m;
   for (int leg = 0; leg < kLegs; ++leg) {
     const LegKinematics kinematics(design, leg);
     const Eigen::Vector3d pitch_m = kinematics.PitchJoint(), knee_m = kinematics.Knee();
     const Eigen::Vector3d foot_m = kinematics.NominalFoot();
+    // The hip rolls the leg outwards.
     LinkSpec hip;
     hip.parent = -1;
     hip.anchor_m = kinematics.hip_m();
@@ -43,6 +46,7 @@ BodySpec QuadrupedBody(const Species& species) {
     hip.low_rad = -kMostRoll_rad;
     hip.high_rad = kMostRoll_rad;
 
+    // The thigh swings to and fro; a knee may touch the ground.
     LinkSpec thigh;
     thigh.parent = static_cast<int>(body.links.size());
     thigh.anchor_m = pitch_m;
@@ -53,6 +57,7 @@ BodySpec QuadrupedBody(const Species& species) {
     thigh.high_rad = kMostPitch_rad - kinematics.nominal_pitch_rad();
     thigh.ground_samples = {{knee_m, kKneeRadius * design.thigh_m}};
 
+    // The shank bends at the knee and ends in the foot.
     LinkSpec shank;
     shank.parent = thigh.parent + 1;
     shank.anchor_m = knee_m;

@@ -16,7 +16,7 @@ constexpr double kMostRise_mps = 0.4;
 constexpr double kAttitudeGain_hz = 8.0;
 constexpr double kMostRighting_radps = 3.0;
 constexpr double kMostLean_rad = 0.45;  // along the ground
-// Of the speed that the trunk has too much, into where the foot is put down.
+// A foot is put down further by this gain times the speed that the trunk has too much.
 constexpr double kCaptureGain_s = 0.12;
 constexpr double kLeastRemaining_s = 0.03;
 constexpr double kMostSwing_mps = 5.0;
@@ -128,7 +128,7 @@ Eigen::Vector3d SwingVelocity(const QuadrupedDesign& design, const LegKinematics
                               const Footing& ground, const GaitState& state,
                               const GaitCommand& command, int leg, const LegPhase& phase) {
   const Eigen::Vector3d& foot_m = state.feet_m[static_cast<std::size_t>(leg)];
-  // Where the hip will be, and half a stance further.
+  // The foot is put down where the hip will be, and half a stance further.
   const Eigen::Vector3d neutral_m = NeutralFoot(design, kinematics, ground, state);
   const double half_stance_s = 0.5 * StanceTime(design.stride_period_s);
   const Eigen::Vector3d turning = command.yaw_rate_radps * Eigen::Vector3d::UnitZ();
@@ -139,7 +139,7 @@ Eigen::Vector3d SwingVelocity(const QuadrupedDesign& design, const LegKinematics
   place_m.z() = ground.HeightAt({place_m.x(), place_m.y()}) + design.foot_radius_m;
 
   Eigen::Vector3d foot_mps = (place_m - foot_m) / std::max(kLeastRemaining_s, phase.remaining_s);
-  // Up over what lies between, then down.
+  // The foot goes up over what lies between, then down.
   const double here_m = ground.HeightAt({foot_m.x(), foot_m.y()}) + design.foot_radius_m;
   const double floor_m = std::max(here_m, place_m.z());
   const double wanted_m =

@@ -15,7 +15,7 @@ namespace latticeworld {
 // follows Raibert (1986, Legged Robots that Balance): below the hip, ahead by half of what the
 // trunk travels while the foot stands, and further by a share of the speed that it has too much.
 
-// Where a leg is in its stride.
+// Says where a leg is in its stride.
 struct LegPhase {
   bool swings = false;
   double share = 0.0;        // of the swing that is over, [0, 1)
@@ -43,7 +43,7 @@ GaitState StateOf(const QuadrupedDesign& design, const std::array<LegKinematics,
                   const Footing& ground, BodyId body, const BodyMotion& motion,
                   const PhysicsWorld& physics);
 
-// Where a foot stands when nothing is wanted: upright below its pitch joint, on the ground.
+// Returns where a foot stands when nothing is wanted: upright below its pitch joint, on the ground.
 Eigen::Vector3d NeutralFoot(const QuadrupedDesign& design, const LegKinematics& leg,
                             const Footing& ground, const GaitState& state);
 

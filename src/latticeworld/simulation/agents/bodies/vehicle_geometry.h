@@ -16,11 +16,11 @@ inline double LeftSteering(const VehicleDesign& design, double curvature) {
 inline double RightSteering(const VehicleDesign& design, double curvature) {
   return std::atan2(design.wheelbase_m * curvature, 1.0 + 0.5 * design.track_m * curvature);
 }
-// Of the tightest turn [1/m].
+// Returns the curvature of the tightest turn [1/m].
 inline double MostCurvature(const VehicleDesign& design) {
   return std::tan(design.max_steering_rad) / design.wheelbase_m;
 }
-// Of the inner wheel in it [rad].
+// Returns the steering angle of the inner wheel in the tightest turn [rad].
 inline double InnerSteering(const VehicleDesign& design) {
   return LeftSteering(design, MostCurvature(design));
 }

@@ -54,7 +54,8 @@ WorldPoint DrawHide(Agent* agent, const Surroundings& world, WorldPoint watched)
   RandomStream& random = agent->mind.random;
   const double heading_rad = random.Uniform(-M_PI, M_PI);
   const WorldPoint drawn = Ahead(watched, heading_rad, random.Uniform(kNear_m, kFar_m));
-  // Behind the broadest solid thing near there, seen from the watched place.
+  // The agent hides behind the broadest solid thing near the drawn place, seen from the watched
+  // one.
   WorldPoint hide = drawn;
   double broadest_m = 0.0;
   world.scene->index.ForEachNear(drawn, 3.0, [&](std::uint32_t index) {

@@ -39,8 +39,9 @@ Agent* ThoughtOfTarget(const Agent& agent, Surroundings* world) {
                                                             : nullptr;
 }
 
-// Above the victim's base [m]. What stands on wheels or four feet is struck low at its side: a blow
-// pushes it away and seldom turns it over, as it would at the height of its back.
+// Returns the height of a blow above the victim's base [m]. What stands on wheels or four feet is
+// struck low at its side: a blow pushes it away and seldom turns it over, as it would at the height
+// of its back.
 double BlowHeight(const Agent& agent, const Agent& victim) {
   const double share = victim.species->plan == BodyPlan::kBiped ? 0.8 : 0.3;
   return std::min(agent.species->eye_height_m, share * victim.species->height_m);

@@ -10,7 +10,8 @@ namespace latticeworld {
 namespace {
 
 constexpr double kHerd_m = 40.0;
-// Beside its own and the other's radius, an animal keeps to itself what it grazes next.
+// An animal keeps this much room to itself beside its own and the other's radius: what it grazes
+// next.
 constexpr double kOwnRoom_m = 1.5;
 // Animals of a flock look at their nearest few, however dense it is (Ballerini et al. 2008,
 // Interaction ruling animal collective behavior depends on topological rather than metric

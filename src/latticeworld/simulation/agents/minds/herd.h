@@ -8,7 +8,7 @@
 
 namespace latticeworld {
 
-// Where an agent is drawn to by its herd, map frame: away from those that stand too close, along
+// Returns where its herd draws an agent, map frame: away from those that stand too close, along
 // with those that go somewhere, and towards the middle of its nearest once they are far (Reynolds
 // 1987, Flocks, herds and schools: a distributed behavioral model, SIGGRAPH '87: separation before
 // alignment before cohesion, until the length of 1 is spent). Length 0: it is well where it is ..

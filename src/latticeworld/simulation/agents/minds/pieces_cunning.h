@@ -10,7 +10,8 @@ namespace latticeworld {
 
 // Pieces of behaviour trees (behaviour_tree.h) for hunting in a pack and from a hiding place.
 
-// As ChoosePrey (pieces_hunt.h); without prey of its own, that of a mate within call who sees it.
+// Chooses as ChoosePrey does (pieces_hunt.h); without prey of its own, that of a mate within call
+// who sees it.
 void ChooseSharedPrey(Agent* agent, Surroundings* world);
 // Others of its team near the target are after the same one.
 bool HuntsInPack(const Agent& agent, const Surroundings& world);

@@ -27,7 +27,7 @@ void HeedTheHerd(Agent* agent, const Surroundings& world) {
     const Sighting* threat =
         NearestKnown(other, world, std::numeric_limits<double>::infinity(), kFresh_s);
     if (threat == nullptr) return;
-    // Of what it perceived as lately it thinks for itself.
+    // The agent thinks for itself about what it perceived as lately.
     const Sighting* own = MemoryOf(*agent, threat->who);
     if (own == nullptr || own->step < threat->step) told = threat;
   });

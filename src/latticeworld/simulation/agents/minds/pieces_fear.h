@@ -21,7 +21,7 @@ std::optional<Steering> Flee(Agent* agent, Surroundings* world);
 bool IsHurt(const Agent& agent, const Surroundings& world);
 // Keeps away from the enemies that it knows of; nullopt where it knows of none.
 std::optional<Steering> Retreat(Agent* agent, Surroundings* world);
-// After a blow of its own that may have landed: away from its target for some seconds.
+// Leads it away from its target for some seconds after a blow of its own that may have landed.
 std::optional<Steering> Withdraw(Agent* agent, Surroundings* world);
 
 }  // namespace latticeworld

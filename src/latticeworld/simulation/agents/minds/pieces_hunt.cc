@@ -23,7 +23,7 @@ const Sighting* TargetOf(const Agent& agent) {
   return agent.mind.target == 0 ? nullptr : MemoryOf(agent, agent.mind.target);
 }
 
-// Where the target of a chase is gone to: nullptr when it is out of sight for long.
+// Returns where the target of a chase was last seen; nullptr: it has been out of sight for long.
 const Sighting* ChasedTarget(const Agent& agent, const Surroundings& world) {
   const Sighting* target = TargetOf(agent);
   return target != nullptr && AgeOf(*target, world) <= kUnseen_s ? target : nullptr;
@@ -44,8 +44,8 @@ Steering RunTo(Agent* agent, Surroundings* world, const Sighting& target, WorldP
   return steering;
 }
 
-// When a runner at that speed can be where the other, who keeps its velocity, is then [s]: the
-// smaller positive root of |offset + velocity t| = speed t, at most longest_s.
+// Returns when a runner at that speed can be where the other is then, who keeps its velocity [s]:
+// the smaller positive root of |offset + velocity t| = speed t, at most longest_s.
 double TimeToMeet(const Eigen::Vector2d& offset_m, const Eigen::Vector2d& velocity_mps,
                   double speed_mps, double longest_s) {
   const double a = velocity_mps.squaredNorm() - speed_mps * speed_mps;
@@ -69,7 +69,7 @@ void ForgetTarget(Mind* mind) {
   mind->target = 0;
 }
 
-// From place to place around a middle, the middle first.
+// Goes from place to place around a middle, to the middle first.
 Steering SearchAround(Agent* agent, Surroundings* world, WorldPoint middle) {
   constexpr double kNear_m = 3.0, kFar_m = 9.0;
   Mind& mind = agent->mind;
@@ -200,7 +200,7 @@ std::optional<Steering> Guard(Agent* agent, Surroundings* world) {
     mind.goal.reset();
     return GoTo(agent, world, mind.home, agent->species->cruise_mps);
   }
-  // From time to time it looks another way.
+  // It looks another way from time to time.
   if (!mind.goal.has_value() || world->episode_step >= mind.goal_until) {
     mind.goal = Ahead(mind.home, mind.random.Uniform(-M_PI, M_PI), kLook_m);
     mind.goal_until = world->In(mind.random.Uniform(3.0, 6.0));

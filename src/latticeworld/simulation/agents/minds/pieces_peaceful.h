@@ -13,13 +13,13 @@ namespace latticeworld {
 
 // Stands at its home, and goes back there when something has moved it away.
 std::optional<Steering> Idle(Agent* agent, Surroundings* world);
-// From place to place, wherever the last one leads to.
+// Goes from place to place, wherever the last one leads to.
 std::optional<Steering> Wander(Agent* agent, Surroundings* world);
 // A loop of places around its home.
 std::optional<Steering> Patrol(Agent* agent, Surroundings* world);
 // From one patch of grass to the next with its herd, and stands in between.
 std::optional<Steering> Graze(Agent* agent, Surroundings* world);
-// From place to place through deep water.
+// Swims from place to place through deep water.
 std::optional<Steering> Swim(Agent* agent, Surroundings* world);
 // Circles around its home above ground, water and trees.
 std::optional<Steering> Soar(Agent* agent, Surroundings* world);

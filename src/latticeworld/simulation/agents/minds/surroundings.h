@@ -48,7 +48,7 @@ struct Surroundings {
   }
   std::uint64_t StepsIn(double seconds) const { return WholeSteps(seconds, step_s); }
   std::uint64_t In(double seconds) const { return episode_step + StepsIn(seconds); }
-  // Of the bed and what stands on it: the water's surface, else the ground [m].
+  // Returns the height of the water's surface, or of the ground where it is dry [m].
   double SurfaceHeightAt(WorldPoint place) const {
     return scene->terrain->ground.HeightAt(place) + WaterDepthAt(place);
   }

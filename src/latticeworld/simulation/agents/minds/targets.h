@@ -8,7 +8,7 @@ namespace latticeworld {
 
 // What choosers of targets are made of.
 
-// Where somebody was perceived last.
+// Returns where somebody was perceived last.
 WorldPoint PlaceOf(const Sighting& sighting);
 double AgeOf(const Sighting& sighting, const Surroundings& world);  // [s]
 

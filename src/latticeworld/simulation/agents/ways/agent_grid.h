@@ -14,7 +14,7 @@ namespace latticeworld {
 class AgentGrid {
  public:
   AgentGrid() = default;
-  // Of every agent, the dead too, as they are now.
+  // Holds every agent, the dead too, as they are now.
   AgentGrid(double world_size_m, const std::map<AgentId, Agent>& agents) {
     Rebuild(world_size_m, agents);
   }

@@ -43,7 +43,7 @@ Vector2d WayOut(const AvoidedBody& body, const Vector2d& relative_mps, double ti
     if (length <= 1e-9 && squared <= 1e-18) *normal = Vector2d::UnitX();
     return (radius / time_s - length) * *normal;
   }
-  // Beside it, the tangent on that side.
+  // Beside the disc, the tangent on that side is nearest.
   const double side = Cross(body.offset_m, from_disc) > 0.0 ? 1.0 : -1.0;
   const Vector2d tangent =
       (leg * body.offset_m + side * radius * TurnedLeft(body.offset_m)) / squared;
@@ -99,8 +99,8 @@ std::size_t BestInDisc(const std::vector<HalfPlane>& planes, double top_speed, c
   return planes.size();
 }
 
-// From the plane `first` on, which nothing satisfies together with those before it: the point of
-// the disc whose greatest breach is least.
+// Finds the point of the disc whose greatest breach is least, from the plane `first` on: no point
+// satisfies that one together with those before it.
 void LeastBreach(const std::vector<HalfPlane>& planes, std::size_t first, double top_speed,
                  Vector2d* best) {
   double worst = 0.0;

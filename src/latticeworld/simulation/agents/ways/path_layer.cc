@@ -20,7 +20,7 @@ PathLayer::PathLayer(int cells, double cell_m, WorldPoint north_west, Source sou
 }
 
 CellIndex PathLayer::CellAt(WorldPoint point) const {
-  // Far enough beyond any map, and no more than an int holds.
+  // The index is clamped so that it is far beyond any map and still fits an int.
   const auto index = [this](double offset_m) {
     const double cell = std::floor(offset_m / cell_m_);
     if (!(cell > -1e6)) return -1000000;  // NaN too
@@ -40,7 +40,8 @@ const PathLayer::Tile& PathLayer::Fill(CellIndex cell) {
 
 bool PathLayer::IsLineFree(WorldPoint from, WorldPoint to, double leave_m, double* left) {
   *left = 0.0;
-  // In cells, south and east, so that cell (row, col) is [row, row + 1) x [col, col + 1).
+  // Places are in cells, south and east, so that cell (row, col) is [row, row + 1) x [col, col +
+  // 1).
   const double row = (north_west_.y_m - from.y_m) / cell_m_;
   const double col = (from.x_m - north_west_.x_m) / cell_m_;
   const double rows = (from.y_m - to.y_m) / cell_m_, cols = (to.x_m - from.x_m) / cell_m_;
@@ -49,8 +50,9 @@ bool PathLayer::IsLineFree(WorldPoint from, WorldPoint to, double leave_m, doubl
   CellIndex cell = CellAt(from);
   bool leaving = leave_m > 0.0;
 
-  // From border to border (Amanatides and Woo 1987, A fast voxel traversal algorithm): shares of
-  // the way at which the next border of rows and of columns is crossed.
+  // The line is walked from border to border (Amanatides and Woo 1987, A fast voxel traversal
+  // algorithm). next_row and next_col are the shares of the way at which the next border of rows
+  // and of columns is crossed.
   const int row_step = rows > 0.0 ? 1 : -1, col_step = cols > 0.0 ? 1 : -1;
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const double per_row = rows != 0.0 ? 1.0 / std::abs(rows) : kNever;
@@ -108,7 +110,7 @@ bool PathLayer::NearestFree(WorldPoint point, double radius_m,
     nearest_m = distance_m;
     *nearest = cell;
   };
-  // In square rings, until the next ring is farther than what was found.
+  // The search goes in square rings, until the next ring is farther than what was found.
   for (int ring = 0; ring <= rings; ++ring) {
     if (found && (ring - 0.5) * cell_m_ > nearest_m) break;
     for (int row = middle.row - ring; row <= middle.row + ring; ++row) {

@@ -35,7 +35,7 @@ class PathLayer {
             north_west_.y_m - (cell.row + 0.5) * cell_m_};
   }
 
-  // 0 beyond the map.
+  // Returns how easy the cell is; 0 beyond the map.
   std::uint8_t Ease(CellIndex cell) {
     if (cell.row < 0 || cell.row >= cells_ || cell.col < 0 || cell.col >= cells_) return 0;
     const std::unique_ptr<Tile>& tile =

@@ -55,7 +55,7 @@ class PathLayers {
  private:
   struct Layer;
   double cell_m() const { return scene_cells_ * scene_.geometry().resolution_m(); }
-  // Of a path's cell, also beyond the map.
+  // Returns the middle of a path's cell, also beyond the map.
   WorldPoint CenterOf(int row, int col) const {
     return {-scene_.geometry().half_size_m() + (col + 0.5) * cell_m(),
             scene_.geometry().half_size_m() - (row + 0.5) * cell_m()};

@@ -95,6 +95,8 @@ CellPath PathSearch::Find(PathLayer* layer, CellIndex from, CellIndex to, int ma
     return CellIndex{static_cast<int>(n / cells), static_cast<int>(n % cells)};
   };
 
+  // A* closes the open node with the least cost plus weighted distance to go; `best` is the closed
+  // node that is nearest to the goal.
   Reach(number(from), 0, 0, OctileDistance(from, to));
   std::uint32_t best = 0;
   while (!open_.empty() && path.expanded < max_nodes) {
@@ -115,6 +117,7 @@ CellPath PathSearch::Find(PathLayer* layer, CellIndex from, CellIndex to, int ma
       break;
     }
 
+    // The four sides are reached first; a corner only if both sides beside it are free.
     const Cost hardship = Hardship(layer->Ease(here));
     const auto step_to = [&](int rows, int cols, Cost half_length, std::uint8_t ease) {
       const CellIndex next{here.row + rows, here.col + cols};
@@ -139,6 +142,7 @@ CellPath PathSearch::Find(PathLayer* layer, CellIndex from, CellIndex to, int ma
     }
   }
 
+  // The path is read backward from the best node.
   path.cost = static_cast<double>(nodes_[best].cost) / kStep;
   for (std::uint32_t index = best;; index = nodes_[index].parent) {
     path.cells.push_back(cell_of(nodes_[index].cell));

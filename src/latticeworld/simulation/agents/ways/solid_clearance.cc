@@ -156,7 +156,8 @@ bool BlocksWay(const PropBlock& block, const Scene& scene, WorldPoint from, Worl
 
 bool IsWayClear(const Scene& scene, const SceneChanges& changes, WorldPoint from, WorldPoint to,
                 double margin_m, double height_m) {
-  // In pieces, so that a long way asks about what lies along it and not about a disc around it.
+  // The way is looked at in pieces, so that a long one asks about what lies along it and not about
+  // a disc around it.
   constexpr double kPiece_m = 8.0;
   const double length_m = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
   const int pieces = std::max(1, static_cast<int>(std::ceil(length_m / kPiece_m)));

@@ -36,7 +36,7 @@ class NearSolids {
   // scene, changes: outlive this, unchanged.
   NearSolids(const Scene& scene, const SceneChanges& changes, WorldPoint place, double radius_m,
              double height_m);
-  // As IsWayClear, for ways that stay within radius_m less margin_m of the place.
+  // Does as IsWayClear, for ways that stay within radius_m less margin_m of the place.
   bool IsWayClear(WorldPoint from, WorldPoint to, double margin_m) const;
 
  private:

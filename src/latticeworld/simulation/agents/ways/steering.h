@@ -52,10 +52,10 @@ std::optional<double> HeightOnTheWay(const Agent& agent, const Surroundings& wor
 double HighestAhead(const Surroundings& world, WorldPoint from, double heading_rad, double reach_m,
                     double radius_m);
 
-// Of the headings that differ from the wanted one by a turn to either side, the first that is clear
-// (bool(double heading_rad)). It prefers the side on which it last went around something
-// (turn_side: 1 left, -1 right), so that it rounds long walls, and notes the side. nullopt: none
-// is.
+// Returns the first clear heading (bool(double heading_rad)) of those that differ from the wanted
+// one by a turn to either side. It prefers the side on which it last went around something
+// (turn_side: 1 left, -1 right), so that it rounds long walls, and notes the side. nullopt: none is
+// clear.
 template <typename Turns, typename IsClear>
 std::optional<double> FirstClearHeading(double wanted_rad, const Turns& turns_rad, int* turn_side,
                                         const IsClear& is_clear) {
@@ -70,7 +70,7 @@ std::optional<double> FirstClearHeading(double wanted_rad, const Turns& turns_ra
   return std::nullopt;
 }
 
-// Of the tightest curve of a body that cannot turn on the spot [m]; 0: it can.
+// Returns the radius of the tightest curve of a body that cannot turn on the spot [m]; 0: it can.
 double TurningRadius(const Species& species);
 
 // What the locomotion has to do to follow a steering, in base_link.

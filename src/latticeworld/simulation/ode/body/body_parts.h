@@ -54,7 +54,7 @@ class BodyParts {
     for (const auto& link : links_) visit(link->feedback());
   }
 
-  // Of a part; inertia about its own axes [kg m^2].
+  // These return the mass of a part [kg] and its inertia about its own axes [kg m^2].
   double Mass(std::size_t i) const {
     if (i == 0) return spec_.mass_kg;
     if (i <= wheels_.size()) return spec_.wheels[i - 1].mass_kg;

@@ -10,7 +10,7 @@ namespace latticeworld {
 // The motorised hinge between a link and what carries it.
 class LinkJoint {
  public:
-  // Both stand unturned, with base_link at the origin.
+  // Joins two bodies that both stand unturned, with base_link at the origin.
   LinkJoint(dWorldID world, const LinkSpec& spec, dBodyID parent, dBodyID link);
   ~LinkJoint();
   LinkJoint(const LinkJoint&) = delete;

@@ -38,7 +38,8 @@ void KeepUpright(dBodyID trunk) {
   dBodySetAngularVel(trunk, 0.0, 0.0, dBodyGetAngularVel(trunk)[2]);
 }
 
-// Of parts whose speeds are finite. How fast parts may spin, ODE limits by itself.
+// Returns the greatest speed of parts whose speeds are finite [m/s]. ODE itself limits how fast
+// they spin.
 double FastestOf(const std::vector<dBodyID>& parts) {
   double most = 0.0;
   for (const dBodyID part : parts) {

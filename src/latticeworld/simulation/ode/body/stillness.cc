@@ -15,7 +15,7 @@ constexpr double kTremble = 3.0;       // times as much of what stands on motors
 constexpr double kArrived_rad = 0.05;  // a joint this near to its target has come there
 constexpr double kStalled = 0.95;      // share of its effort with which a joint strives in vain
 
-// On its way to a position, and not stalled by what it cannot overcome.
+// Returns whether a joint is on its way to a position, and not stalled by what it cannot overcome.
 bool IsArriving(const LinkJoint& joint, const LinkSpec& spec, const JointTarget& target) {
   if (target.mode != JointMode::kPosition) return false;
   const JointReading reading = joint.Reading();

@@ -27,7 +27,8 @@ class WheelJoint {
   void Drive(double rate_radps, double steer_rad, double step_s, double deflection_m);
 
   Eigen::Vector3d Axis() const;  // unit, map frame, to the left
-  // Of the last step; effort is what the motor exerts about the axle, by the joint's feedback.
+  // These tell about the last step; effort is what the motor exerts about the axle, by the joint's
+  // feedback.
   JointReading Reading() const;
   JointReading Steering() const;
 

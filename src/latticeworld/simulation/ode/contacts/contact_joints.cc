@@ -12,7 +12,7 @@ namespace {
 constexpr int kMaxBodyContacts = 24;
 constexpr double kErrorReduction = 0.3;    // share of a contact's depth undone in a step
 constexpr double kContactSoftness = 1e-6;  // CFM
-// So that a deep contact does not shoot bodies off.
+// These limits keep a deep contact from shooting bodies off.
 constexpr double kMaxCorrectingSpeed_mps = 2.0;
 constexpr double kMaxPartingSpeed_mps = 1.0;  // of two bodies
 constexpr double kMaxSpringSpeed_mps = 10.0;

@@ -28,7 +28,8 @@ Eigen::Matrix3d RotationOf(dGeomID geom) {
   return rotation;
 }
 
-// Where a ball touches a box; a ball whose centre is inside leaves by the nearest face.
+// Returns whether a ball touches a box, and where; a ball whose centre is inside leaves by the
+// nearest face.
 bool TouchBallAndBox(const Eigen::Vector3d& center_m, double radius_m, dGeomID box,
                      dContactGeom* contact) {
   const Eigen::Vector3d box_m(dGeomGetPosition(box)[0], dGeomGetPosition(box)[1],

@@ -38,7 +38,7 @@ struct SolidContacts {
 // where it is needed.
 class Solid {
  public:
-  // In the frame of the part that it belongs to.
+  // Takes a shape in the frame of the part that it belongs to.
   explicit Solid(const BodyShape& shape);
   ~Solid();
   Solid(Solid&& other) noexcept;
@@ -65,9 +65,9 @@ BodyShape SolidShapeOf(const Asset& asset);
 // What a touches of b, both posed; nothing is allocated.
 void Collide(const Solid& a, const Solid& b, SolidContacts* contacts);
 
-// Where a ball or point of a foot stands on the top of a level enough box, both posed: true, and
-// the contact, its normal out of the box. A foot further below the top than a step stands beside
-// it.
+// Returns whether a ball or point of a foot stands on the top of a level enough box, both posed; if
+// so, contact gets the place and the normal out of the box. A foot further below the top than a
+// step stands beside it.
 bool StandsOn(const Solid& box, const Eigen::Vector3d& center_m, double radius_m,
               dContactGeom* contact);
 

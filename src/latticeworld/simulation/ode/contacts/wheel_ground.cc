@@ -13,7 +13,7 @@ constexpr double kPascalPerKilopascal = 1000.0;
 constexpr double kMostDemand = 0.95;
 constexpr double kLeastDemand = 0.02;
 constexpr double kMostSlip = 0.8;
-// Of the speed, in one step: more would swing.
+// Rolling resistance takes at most this share of the speed in one step: more would swing.
 constexpr double kMostBraking = 0.5;
 
 }  // namespace

@@ -24,7 +24,7 @@ struct WheelLoad {
 double SlipPerForce(const WheelLoad& load, const SurfaceProperties& surface, double friction,
                     double rate_radps);
 
-// Where a wheel rolls on the ground.
+// Says where a wheel rolls on the ground.
 struct RollingContact {
   dBodyID wheel = nullptr;
   double load_kg = 0.0;     // that the wheel carries

@@ -10,7 +10,7 @@
 namespace latticeworld {
 namespace {
 
-// Where base_link of an agent that begins at the place begins [m].
+// Returns the height of base_link of an agent that begins at the place [m].
 double StartHeight(const Agent& agent, WorldPoint place, const RunningWorld& world) {
   const double ground_m = world.scene->terrain->ground.HeightAt(place);
   const double depth_m = WaterDepthAt(*world.scene->terrain, world.weather.now(), place);

@@ -17,7 +17,7 @@ constexpr double kBeginNear = 3.0;      // spread about a start that is too narr
 constexpr int kRespawnTries = 16;
 constexpr double kRespawnNear_m = 15.0;
 
-// By the rules of the scene alone.
+// Checks a place by the rules of the scene alone.
 Status CheckLegal(const Species& species, WorldPoint place, const RunningWorld& world) {
   return CheckSpawn(*world.scene, world.weather.now(), species.category, species.radius_m, place,
                     &world.map.changes());

@@ -14,7 +14,7 @@ bool IsInSeveralPlaces(const AgentWish& wish) {
   return wish.places.size() > 1 || !wish.more_land.empty();
 }
 
-// So many of each of the count.
+// Multiplies each bound of the count by the factor.
 Count Times(const Count& count, int factor) {
   return {CappedProduct(count.least, factor), CappedProduct(count.value, factor),
           CappedProduct(count.most, factor), count.tokens};

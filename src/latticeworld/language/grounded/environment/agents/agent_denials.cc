@@ -67,7 +67,7 @@ void AgentReader::ReadAbsence(const SpeciesWord& word, std::size_t end) {
   // A word of a species that we lack denies that species only, not the one that stands for it.
   if (!placed && !other) {
     for (Group& group : groups_) {
-      // Of "ten robots, but no drones" the robots remain.
+      // In "ten robots, but no drones", the robots remain.
       const bool same = Contains(claim.categories, group.wish.categories);
       // "goats rather than sheep": the goats stay, although sheep stand for them.
       const bool meant = group.wish.name == NameHere(end) || (definite && group.wish.exact) ||

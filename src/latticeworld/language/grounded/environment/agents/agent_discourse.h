@@ -1,9 +1,9 @@
 #ifndef LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_AGENTS_AGENT_DISCOURSE_H_
 #define LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_AGENTS_AGENT_DISCOURSE_H_
 
-// Of agent_reader.cc and its neighbours only: the state that reading about agents goes through, and
-// the questions about the words and the groups that it asks. None of them changes the state; each
-// is defined beside the step of agent_steps.h that asks it.
+// This header is for agent_reader.cc and its neighbours only. It has the state that reading about
+// agents goes through, and the questions about the words and the groups that it asks. None of them
+// changes the state; each is defined beside the step of agent_steps.h that asks it.
 
 #include <algorithm>
 #include <cstddef>

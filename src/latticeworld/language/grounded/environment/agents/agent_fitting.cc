@@ -150,10 +150,10 @@ class Fitter {
     return fits == regions.end() ? regions.front() : *fits;
   }
 
-  // So many in each place, or all of them shared out.
+  // Puts the wished number of agents into each place, or shares it out among all places.
   void Spread(const AgentWish& wish, const std::vector<Region>& regions, AgentGroup group) {
     const int places = std::max<int>(1, static_cast<int>(regions.size()));
-    // Of a few in many places there is one in each at least.
+    // If few are wished in many places, each place gets one at least.
     int left = wish.counted ? wish.quantity : std::max(wish.quantity, places);
     for (int i = 0; i < places; ++i) {
       const int remaining = places - i;
@@ -165,7 +165,7 @@ class Fitter {
     }
   }
 
-  // Where a category lives in a state; nullptr: wherever it likes.
+  // Returns on which cells a category lives when it is in that state; nullptr: on any.
   Suits GroundOf(AgentCategory category, AgentState state) const {
     switch (LocomotionOf(category)) {
       case Locomotion::kFins:

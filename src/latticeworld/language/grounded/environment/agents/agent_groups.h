@@ -1,7 +1,8 @@
 #ifndef LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_AGENTS_AGENT_GROUPS_H_
 #define LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_AGENTS_AGENT_GROUPS_H_
 
-// Of agent_reader.cc and its neighbours only: what is kept of the groups while they are read.
+// This header is for agent_reader.cc and its neighbours only. It has what is kept of the groups of
+// agents while they are read.
 
 #include <algorithm>
 #include <cstddef>

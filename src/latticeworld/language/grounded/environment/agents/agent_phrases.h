@@ -1,8 +1,8 @@
 #ifndef LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_AGENTS_AGENT_PHRASES_H_
 #define LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_AGENTS_AGENT_PHRASES_H_
 
-// Of agent_reader.cc and its neighbours only: phrases about agents as they are taken apart before
-// anything is made of them.
+// This header is for agent_reader.cc and its neighbours only. It has phrases about agents as they
+// are taken apart before anything is made of them.
 
 #include <cstddef>
 #include <optional>

@@ -192,7 +192,7 @@ bool AgentDiscourse::IsLabel(std::size_t at) const {
 
 bool AgentDiscourse::IsBareLand(std::size_t end) const {
   if (IsLabel(at_)) return true;
-  // Of who was named right before, and more is said of them, or nothing at all.
+  // The land is said of who was named right before, and more is said of them, or nothing at all.
   return !subject_.empty() && tokens_[at_ - 1].kind == TokenKind::kComma && at_ > 1 &&
          (noted_.notes[at_ - 2].agent || noted_.notes[at_ - 2].place) &&
          words_.variants.LengthAt(tokens_, end + 1) == 0;

@@ -1,10 +1,10 @@
 #ifndef LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_AGENTS_AGENT_STEPS_H_
 #define LATTICEWORLD_LANGUAGE_GROUNDED_ENVIRONMENT_AGENTS_AGENT_STEPS_H_
 
-// Of agent_reader.cc and its neighbours only: the steps of reading about agents. Noun phrases
-// ("about nine grazing sheep") make groups, verbs and places are said of the subject of their
-// clause, and references ("three of them", "the others") and corrections ("no, make it six") go
-// back to groups that were named before.
+// This header is for agent_reader.cc and its neighbours only. It has the steps of reading about
+// agents: noun phrases ("about nine grazing sheep") make groups, verbs and places are said of the
+// subject of their clause, and references ("three of them", "the others") and corrections ("no,
+// make it six") go back to groups that were named before.
 
 #include <cstddef>
 #include <string>
@@ -166,7 +166,7 @@ class AgentReader : private AgentDiscourse {
   // "all are idle except the horses, which graze": then the horses are the subject.
   bool ReadExcepted(const SpeciesWord& word, std::size_t end);
 
-  // Of "ten robots, no drones" none is a drone.
+  // In "ten robots, no drones", no robot is a drone.
   void NarrowDeniedKinds();
 
   void ReadPresence(const SpeciesWord& word, const Count& collective, std::size_t end);
@@ -250,8 +250,8 @@ class AgentReader : private AgentDiscourse {
   // "Ten creatures: four sheep and six goblins": the first is the sum of the others.
   void DropAnnouncedTotal();
 
-  // Of the group only those stay who are none of its parts, which are `sum` together. False: it is
-  // not said how many those are.
+  // Reduces a group to the categories that none of its parts has; the parts are `sum` agents
+  // together. False: the words do not say how many those others are.
   bool TakePartsOf(std::size_t index, const std::vector<std::size_t>& parts, int sum);
 
   // "The only living thing is an eagle": agents of any kind are no group beside those named.

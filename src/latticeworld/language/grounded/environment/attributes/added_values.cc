@@ -110,8 +110,8 @@ class Collector {
   }
 
  private:
-  // Where the tables already know values of that name, as "oak" for "summer oak", "winter oak"
-  // becomes one of them. False: they do not.
+  // If the tables already know values of that name, adds the word's values to theirs: "oak" joins
+  // "summer oak" and "winter oak". False: they know none.
   bool Join(std::string_view name, const VariantWord& word) {
     const std::vector<int>* rows = words_.variants.index.RowsOf(name);
     if (rows == nullptr) return false;

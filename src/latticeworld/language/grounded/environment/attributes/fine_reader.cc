@@ -363,7 +363,7 @@ class FineReader {
     if (counts && (name == "grass" || name.back() != 's')) return false;
     std::size_t next = end;
     for (bool last = noted_.IsWord(at - 1, "and"); !last;) {
-      // Of a list with commas only "and" is the end.
+      // In a list with commas, only "and" is the end.
       if (next < tokens_.size() && tokens_[next].text == ",") ++next;
       last = noted_.IsWord(next, "and");
       const std::size_t noun_at = next + (last ? 1 : 0);

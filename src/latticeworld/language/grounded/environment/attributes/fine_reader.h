@@ -11,8 +11,8 @@ namespace latticeworld {
 
 // Reads densities, variants, materials and continuous parameters into heard->fine: adjectives
 // before a noun ("dense, mossy forest") or said of it ("the forest is dense"), names that say it by
-// themselves ("poppies"), and measures ("wind of 12 m/s"). Of two wishes for the same property the
-// later counts. Measures that are used are removed from `measures`.
+// themselves ("poppies"), and measures ("wind of 12 m/s"). If two wishes are for the same property,
+// the later counts. Measures that are used are removed from `measures`.
 void ReadFine(const EnvironmentWords& words, std::vector<HeardMeasure>* measures,
               NotedTokens* noted, HeardEnvironment* heard);
 

@@ -13,8 +13,8 @@ class FineWishes {
  public:
   FineWishes(NotedTokens* noted, HeardEnvironment* heard) : noted_(*noted), heard_(*heard) {}
 
-  // "autumn" and "oak" narrow each other down; "wheat and maize" leaves both. Of values that
-  // exclude each other the last one said counts, with a warning.
+  // "autumn" and "oak" narrow each other down; "wheat and maize" leaves both. If values exclude
+  // each other, the last one said counts, with a warning.
   void AddVariant(const VariantWord& word, std::size_t first, std::size_t last);
 
   void AddParameter(const ParameterWord& word, std::size_t first, std::size_t last);

@@ -101,7 +101,7 @@ bool ClauseReader::AttachToObject(const std::vector<Zone>& zones, const Chunk& c
   return false;
 }
 
-// Of several owners, those go that have no place beside one that has.
+// If there are several owners, removes those that have no place of their own beside one that has.
 void ClauseReader::LeaveOutUnplaced(std::vector<int>* owners) const {
   // The rest has no place of its own beside what has one.
   if (owners->size() > 1) {

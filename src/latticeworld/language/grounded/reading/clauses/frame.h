@@ -31,7 +31,7 @@ struct Frame {
   double steps = 0.0;     // the gap that the words allow, where they are strict: "touching"
 };
 
-// Where the subject lies from the object; (0, 0) where the frame does not tell.
+// Returns in which direction the subject lies from the object; (0, 0): the frame does not tell.
 Heading HeadingOfFrame(const Frame& frame);
 // Tells how a line runs, rather than where a thing lies.
 bool IsCourse(Sense sense);

@@ -246,7 +246,7 @@ class LineLayer {
       stops.push_back({cells, feature >= 0 ? cells.Centroid() : line_.stops[i]});
     }
     if (same_ends) {
-      // By way of all its other pieces.
+      // The line also passes all other pieces of the feature.
       const int pieces = static_cast<int>(
           draft_->canvas.MaskOfFeature(line_.stop_features.front()).Pieces().size());
       for (int piece = 2; piece < pieces; ++piece) {
@@ -273,7 +273,7 @@ class LineLayer {
       stops.push_back(end);
     }
     for (const LayoutMask& cells : Visits()) {
-      // Between the two stops where it is least out of the way.
+      // Each visit goes between the two stops where it makes the smallest detour.
       const Spot spot = cells.Centroid();
       std::size_t best = 1;
       double least = 1e9;
@@ -349,7 +349,8 @@ class LineLayer {
       spot.row = std::clamp(spot.row, 1.0, kLayoutSize - 2.0);
       spot.col = std::clamp(spot.col, 1.0, kLayoutSize - 2.0);
       const CellIndex cell = NearestCell(spot);
-      // Not onto what the line goes around, nor against the slope.
+      // Such a stop must not lie on what the line goes around, nor push a line with heights against
+      // the slope.
       if (options->cost[cell] > 9.0f || options->height != nullptr) continue;
       options->stops.push_back(Single(cell));
     }

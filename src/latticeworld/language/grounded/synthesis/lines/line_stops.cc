@@ -61,7 +61,7 @@ std::vector<CellIndex> EndCellsOf(const Zone& zone) {
   return inner.empty() ? cells : inner;
 }
 
-// Of a band that lies across the map only its two ends: a line in it runs from one to the other.
+// If a band lies across the map, keeps only its two ends: a line in it runs from one to the other.
 void KeepFarSides(std::vector<CellIndex>* cells) {
   const auto any = [&](auto on_side) { return std::any_of(cells->begin(), cells->end(), on_side); };
   const auto on_west = [](CellIndex cell) { return cell.col == 0; };

@@ -8,7 +8,7 @@
 
 namespace latticeworld {
 
-// Where one stop of a line may lie.
+// Says where one stop of a line may lie.
 struct StopChoice {
   int feature = -1;              // at this feature; then cells is empty
   std::vector<CellIndex> cells;  // any of these

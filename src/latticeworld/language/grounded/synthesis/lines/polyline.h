@@ -12,7 +12,8 @@ Spot MiddleOf(const std::vector<Spot>& line);  // mean of all points on it
 double DistanceTo(const std::vector<Spot>& line, Spot spot);
 double DistanceBetweenLines(const std::vector<Spot>& a,
                             const std::vector<Spot>& b);  // 0: they meet
-// 0 where the two cross properly, else how far they are from it.
+// Returns how far the two lines are from crossing properly [cells]: 0 if they do, less than 5 if
+// they cross too close to an end, else 5 and the distance between them.
 double CrossingMiss(const std::vector<Spot>& a, const std::vector<Spot>& b);
 
 }  // namespace latticeworld

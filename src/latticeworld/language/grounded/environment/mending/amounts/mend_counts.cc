@@ -279,7 +279,8 @@ void MendFormer(std::vector<Token>* tokens) {
   }
 }
 
-// Behind a colon, parts that make up the number before it and name no species of their own.
+// Puts "of them" behind numbers after a colon that add up to the number before it and name no
+// species of their own.
 void MendParts(const EnvironmentWords& words, std::vector<Token>* tokens) {
   for (std::size_t colon = 0; colon < tokens->size(); ++colon) {
     if (!IsCommaAt(*tokens, colon) || (*tokens)[colon].text != ":") continue;

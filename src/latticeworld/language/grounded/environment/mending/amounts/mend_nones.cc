@@ -118,7 +118,7 @@ bool IsDoneToAt(const std::vector<Token>& tokens, std::size_t at) {
        "riding",    "threatening", "controls",  "controlling", "minds",      "minding"});
 }
 
-// Where it is said who is left out, and how many words say so; 0: nowhere in the sentence.
+// The words that say who is left out begin at `at`; 0 tokens: the sentence has no such words.
 struct Except {
   std::size_t at = 0;
   std::size_t tokens = 0;

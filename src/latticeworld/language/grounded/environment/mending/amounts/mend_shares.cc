@@ -64,7 +64,7 @@ Counted CountedBefore(const EnvironmentWords& words, const std::vector<Token>& t
   int sentences = 0;
   while (at-- > 0 && sentences < 2) {
     if (IsStopAt(tokens, at)) ++sentences;
-    // Of a number of several words the first one tells all of it.
+    // If a number has several words, the first one tells all of it.
     const bool inner = at > 0 && MatchNumber(tokens, at - 1).tokens > 1;
     const Counted counted = inner ? Counted{} : CountedAt(words, tokens, at);
     if (counted.value > 0) return counted;

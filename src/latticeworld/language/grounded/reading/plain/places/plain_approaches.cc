@@ -10,7 +10,8 @@
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/token_edits.h"
 
-// Where roads and rivers come from, turn and end, and what one sees from them.
+// This file rewrites how texts tell where roads and rivers come from, turn and end, and what one
+// sees from them.
 namespace latticeworld {
 namespace {
 

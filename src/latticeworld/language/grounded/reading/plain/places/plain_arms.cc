@@ -10,7 +10,7 @@
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/token_edits.h"
 
-// Where lines begin, end and part.
+// This file rewrites how texts tell where lines begin, end and part.
 namespace latticeworld {
 namespace {
 

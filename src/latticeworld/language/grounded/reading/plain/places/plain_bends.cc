@@ -10,7 +10,8 @@
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/token_edits.h"
 
-// Where roads and rivers turn, and what lies inside and outside of their bends.
+// This file rewrites how texts tell where roads and rivers turn, and what lies inside and outside
+// of their bends.
 namespace latticeworld {
 namespace {
 

@@ -13,7 +13,7 @@
 namespace latticeworld {
 namespace {
 
-// Where the clause of `at` begins.
+// Returns the index of the first token of the clause that `at` is in.
 std::size_t ClauseBegin(const std::vector<Token>& tokens, std::size_t at) {
   while (at > 0 && !IsPauseAt(tokens, at - 1)) --at;
   return at;

@@ -8,7 +8,8 @@
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/token_edits.h"
 
-// Where lines meet, and lines that are drawn like letters.
+// This file rewrites how texts tell where lines meet, and tell of lines that are drawn like
+// letters.
 namespace latticeworld {
 namespace {
 

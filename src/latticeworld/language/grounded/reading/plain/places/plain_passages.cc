@@ -97,7 +97,8 @@ void TurnFlankedSubject(std::vector<Token>* tokens, std::size_t at) {
           IsOneOf(WordAt(*tokens, other), {"has", "have", "covers", "cover", "fills", "fill",
                                            "surrounds", "surround", "occupies"})));
     if (!clause) continue;
-    // In a sentence of its own, which TurnRelatives makes of it.
+    // The clause becomes a sentence of its own; if the phrase says "both", "either" or "each",
+    // TurnRelatives makes it one.
     for (std::size_t k = at; k < end; ++k)
       if (IsOneOf(WordAt(*tokens, k), {"both", "either", "each"})) return;
     (*tokens)[i] = StopLike((*tokens)[i]);

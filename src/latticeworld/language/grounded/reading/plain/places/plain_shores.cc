@@ -136,7 +136,7 @@ void TurnOwnSides(std::vector<Token>* tokens) {
     const std::string_view word = WordAt(*tokens, at);
     const std::string_view next = WordAt(*tokens, at + 1);
     const std::string_view before = WordAt(*tokens, at - 1);
-    // Behind "of it" or "of the road" at the beginning of a clause.
+    // What follows "of it" or "of the road" at the beginning of a clause belongs to that owner.
     const bool owns = IsOneOf(before, {"of", "above", "below"});
     if (word == "whose") {
       TurnWhoseSide(tokens, at);

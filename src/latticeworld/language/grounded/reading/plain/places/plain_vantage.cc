@@ -245,7 +245,7 @@ void TurnOverlooked(std::vector<Token>* tokens, std::size_t at) {
     return;
   }
   if (!IsPauseAt(*tokens, end) && !(linked && PhraseEnd(*tokens, end + 1) > end + 1)) return;
-  // At the end of all, so that what "it" is stays as it was.
+  // The new sentence goes to the end of the text, so that what "it" means stays as it was.
   const NamedThing owner = NamedBefore(*tokens, being).front();
   const NamedThing other = NamedBefore(*tokens, side).front();
   const Token beside = (*tokens)[side];
@@ -304,7 +304,7 @@ void TurnBareShore(std::vector<Token>* tokens, std::size_t at) {
   if (WordAt(*tokens, end) == "of" && PhraseEnd(*tokens, end + 1) > end + 1)
     end = PhraseEnd(*tokens, end + 1);
   const std::size_t begin = SentenceBegin(*tokens, at);
-  // Without a sentence before it nothing would be left of the water.
+  // The first sentence stays: without one before it, nothing would be left of the water.
   if (begin == 0) return;
   if (begin != at && !IsOneOf(WordAt(*tokens, at - 1), {"but", "and", "while"})) return;
   const std::size_t no = SkipBeing(*tokens, end);

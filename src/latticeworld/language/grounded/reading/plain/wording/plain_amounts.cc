@@ -225,7 +225,7 @@ void TurnExclusions(std::vector<Token>* tokens) {
     if (!IsOneOf(WordAt(*tokens, verb), {"is", "should", "becomes", "shall", "must", "are"})) {
       continue;
     }
-    // From the end, so that the places before stay.
+    // Edits go from the end to the beginning, so that earlier positions stay valid.
     ReplaceTokens(tokens, verb, 1, {"elsewhere"});
     InsertTokens(tokens, verb,
                  {{TokenKind::kComma, ",", (*tokens)[verb].begin, (*tokens)[verb].begin}});

@@ -10,7 +10,8 @@
 #include "latticeworld/language/place_words.h"
 #include "latticeworld/language/token_edits.h"
 
-// Both, neither and all of what a list names; the northern one of two; the other half.
+// This file rewrites "both", "neither" and "all" of what a list names, "the northern one" of two
+// things, and "the other half".
 namespace latticeworld {
 namespace {
 

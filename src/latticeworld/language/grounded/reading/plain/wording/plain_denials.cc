@@ -31,7 +31,7 @@ void TurnButNot(std::vector<Token>* tokens, std::size_t at) {
     if (but && PastThing(*tokens, at + 2) > 0) (*tokens)[at + 1].text = "near";
     return;
   }
-  // Where it does go.
+  // `way` is the word for the course that the line does take.
   std::string_view way;
   for (std::size_t i = at; i-- > 0 && !IsStopAt(*tokens, i) && way.empty();)
     if (IsCourseWord(WordAt(*tokens, i)) && PastThing(*tokens, i + 1) > 0) way = WordAt(*tokens, i);

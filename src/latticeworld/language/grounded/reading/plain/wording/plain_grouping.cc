@@ -113,7 +113,7 @@ void TurnTogether(std::vector<Token>* tokens, std::size_t at) {
   InsertTokens(tokens, at, {WordLike("the", beside)});
 }
 
-// Where the words begin that say of two things that they lie apart, up to the word at `at`.
+// Returns where the words begin that say that two things lie apart and end before the word at `at`.
 std::size_t ApartBegin(const std::vector<Token>& tokens, std::size_t at) {
   while (at > 0 &&
          (tokens[at - 1].kind == TokenKind::kNumber ||

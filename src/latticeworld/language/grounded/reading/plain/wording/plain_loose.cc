@@ -79,7 +79,7 @@ void TurnLooseWords(std::vector<Token>* tokens, std::size_t at) {
     EraseTokens(tokens, at, 2);
   } else if (word == "on" && next == "the" && WordAt(*tokens, at + 2) == "other" &&
              WordAt(*tokens, at + 3) == "hand") {
-    // With the commas around it.
+    // "On the other hand" goes together with the commas around it.
     const bool before = at > 0 && (*tokens)[at - 1].kind == TokenKind::kComma;
     const bool after = IsPauseAt(*tokens, at + 4) && !IsStopAt(*tokens, at + 4);
     EraseTokens(tokens, at - (before ? 1 : 0), 4 + (before ? 1 : 0) + (after ? 1 : 0));

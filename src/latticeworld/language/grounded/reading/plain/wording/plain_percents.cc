@@ -25,7 +25,8 @@ bool IsBoundary(const std::vector<Token>& tokens, std::size_t at) {
   return IsPauseAt(tokens, at) || IsLink(WordAt(tokens, at));
 }
 
-// Where the noun that begins at `at` ends, "the old village", "dense forest"; `at`: there is none.
+// Returns where the noun ends that begins at `at` ("the old village", "dense forest"); `at`: there
+// is none.
 std::size_t NounEnd(const std::vector<Token>& tokens, std::size_t at) {
   std::size_t noun = at;
   if (IsOneOf(WordAt(tokens, noun), {"the", "a"})) ++noun;
@@ -63,7 +64,8 @@ struct Covering {
   bool needed = false;  // no other step reads it: "has 20 percent", "the amount of"
 };
 
-// Where the share that is a number ends, without "of"; `at`: there is none.
+// Returns where the share ends that begins at `at` as a number, without its "of"; `at`: there is
+// none.
 std::size_t NumberEnd(const std::vector<Token>& tokens, std::size_t at) {
   const ShareMatch share = MatchShare(tokens, at);
   if (share.tokens == 0 || !share.fraction || share.ordinal) return at;

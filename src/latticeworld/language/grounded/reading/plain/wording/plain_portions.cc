@@ -320,7 +320,7 @@ void TurnPortions(std::vector<Token>* tokens) {
       i = portion.last - 1;
     }
     if (told != total || portions.size() < 2 || !helped) continue;
-    // From the end, so that the places before stay.
+    // Edits go from the end to the beginning, so that earlier positions stay valid.
     for (std::size_t i = portions.size(); i-- > 0;) {
       const Portion& portion = portions[i];
       const std::string count = std::to_string(portion.pieces);

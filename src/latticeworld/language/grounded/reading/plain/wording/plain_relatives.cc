@@ -126,8 +126,8 @@ void TurnInserted(std::vector<Token>* tokens, std::size_t at) {
   SayAfter(tokens, at, end + 1, said);
 }
 
-// Where what is told of a line's way ends: "from north to south"; `at`: nothing is told of it. What
-// "in" tells is of the thing that it runs through.
+// Returns where the words end that tell of a line's way ("from north to south"); `at`: there are
+// none. What "in" tells is of the thing that the line runs through.
 std::size_t WayEnd(const std::vector<Token>& tokens, std::size_t at) {
   if (!IsOneOf(WordAt(tokens, at), {"from", "to", "towards", "toward", "into", "down", "up",
                                     "northwards", "southwards", "eastwards", "westwards"})) {

@@ -109,7 +109,7 @@ void TurnBase(std::vector<Token>* tokens, std::size_t at) {
   const bool opens = at == 0 || IsPauseAt(*tokens, at - 1) || WordAt(*tokens, at - 1) == "and";
   if (opens &&
       IsOneOf(WordAt(*tokens, next), {"background", "base", "default", "basis", "backdrop"})) {
-    // With a foreground it is a place.
+    // If the text also names a foreground, the background is a place and no remainder.
     for (const Token& token : *tokens)
       if (token.kind == TokenKind::kWord && token.text == "foreground") return;
     ++next;
