@@ -13,7 +13,8 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-BoundParameters BindAll(WorldServerOptions* options) {
+// Parameters of the simulation, of sensors and of what is published.
+BoundParameters BindSimulation(WorldServerOptions* options) {
   return {
       // These are the simulation's.
       {"real_time_factor", Bind(&options->real_time_factor)},
@@ -45,8 +46,13 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"state_hash_rate", Bind(&options->state_hash_rate_hz)},
       {"marker_terrain_cells", Bind(&options->marker_terrain_cells)},
       {"marker_max_assets", Bind(&options->marker_max_assets)},
-      // These say who reads instructions and generates: the rules, a model on a server, one in this
-      // process.
+  };
+}
+
+// Parameters that say who reads instructions and generates: the rules, a model on a server, one in
+// this process.
+BoundParameters BindLanguage(WorldServerOptions* options) {
+  return {
       {"reader", Bind(&options->reader)},
       {"generator", Bind(&options->generator)},
       {"remote_url", Bind(&options->remote.server.url)},
@@ -74,7 +80,11 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"local_fallback", Bind(&options->local.fallback)},
       {"reader_model", Bind(&options->reader_model.model)},
       {"reader_threads", Bind(&options->reader_model.threads)},
-      {"most_message_bytes", Bind(&options->most_message_bytes)},
+  };
+}
+
+BoundParameters BindFilesAndMaps(WorldServerOptions* options) {
+  return {
       // These name files that are read and written.
       {"worlds_directory", Bind(&options->worlds_directory)},
       {"visual_directories", Bind(&options->visual_directories)},
@@ -84,6 +94,7 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"octomap_resolution", Bind(&options->octomap_resolution_m)},
       {"octomap_thickness", Bind(&options->octomap_thickness_m)},
       {"map_values", Bind(&options->map_values)},
+      {"most_message_bytes", Bind(&options->most_message_bytes)},
       {"robot_radius", Bind(&options->robot_radius_m)},
       {"robot_max_slope", Bind(&options->robot.max_slope_rad)},
       {"robot_max_step", Bind(&options->robot.max_step_m)},
@@ -93,6 +104,13 @@ BoundParameters BindAll(WorldServerOptions* options) {
       {"robot_grip", Bind(&options->robot.grip)},
       {"robot_on_wheels", Bind(&options->robot.on_wheels)},
   };
+}
+
+BoundParameters BindAll(WorldServerOptions* options) {
+  BoundParameters all = BindSimulation(options);
+  all.merge(BindLanguage(options));
+  all.merge(BindFilesAndMaps(options));
+  return all;
 }
 
 // The radius that maps are made for: the one that is said, or that of the world's robots.

@@ -8,7 +8,7 @@
 
 #include "latticeworld/layout/class_letters.h"
 #include "latticeworld/terrain/forms/relief_measures.h"
-#include "latticeworld/terrain/ways/least_cost_ways.h"
+#include "latticeworld/terrain/least_cost_ways.h"
 
 namespace latticeworld::internal {
 namespace {

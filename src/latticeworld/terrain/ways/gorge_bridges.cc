@@ -12,7 +12,7 @@
 #include "latticeworld/terrain/cones.h"
 #include "latticeworld/terrain/forms/relief_measures.h"
 #include "latticeworld/terrain/lattice.h"
-#include "latticeworld/terrain/ways/least_cost_ways.h"
+#include "latticeworld/terrain/least_cost_ways.h"
 
 namespace latticeworld::internal {
 namespace {
