@@ -112,6 +112,7 @@ void AddDatasetSourceOptions(CLI::App* command) {
 
 Result<std::unique_ptr<InstanceSource>> MakeDatasetSource(const CLI::App& command) {
   ArgumentReader reader(&command);
+  // The options of all sources are read.
   GeneratedSourceOptions generated;
   generated.groups = static_cast<std::size_t>(reader.Integer("--generate", 1, kMostGenerated, 1));
   generated.seed = reader.Unsigned("--seed", 0);
@@ -127,6 +128,7 @@ Result<std::unique_ptr<InstanceSource>> MakeDatasetSource(const CLI::App& comman
   given.answers = reader.Whole("--answers", given.answers);
   given.leave_out = reader.Whole("--leave-out", given.leave_out);
   given.seed = generated.seed;
+  // There is one source, and only its options are legal beside it.
   reader.AllowOneOf(
       {"--generate", "--loveda", "--scenes", "--instructions", "--environment-instructions"});
   const bool asked_of_environments = command.count("--environment-instructions") > 0;
@@ -141,6 +143,7 @@ Result<std::unique_ptr<InstanceSource>> MakeDatasetSource(const CLI::App& comman
   for (Violation& violation : Validate(scenes)) violations.push_back(std::move(violation));
   for (Violation& violation : Validate(given)) violations.push_back(std::move(violation));
   LW_RETURN_IF_ERROR(Unusable(&reader, std::move(violations)));
+  // The source is made from its options.
   if (const auto file = ValueOf(command, asked)) {
     LW_ASSIGN_OR_RETURN(std::vector<GivenInstruction> instructions, ReadGivenInstructions(*file));
     const std::string title = "Instructions of " + std::filesystem::path(*file).filename().string();

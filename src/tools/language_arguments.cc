@@ -25,6 +25,7 @@ Status ByOptions(const Status& status) {
 }  // namespace
 
 void AddLanguageOptions(CLI::App* command) {
+  // These choose who reads and who answers.
   AddValueOption(
       command, "--reader", "NAME",
       "Who reads the words: rules, controlled (they are sentences of the small language, "
@@ -36,6 +37,7 @@ void AddLanguageOptions(CLI::App* command) {
       "Who answers them: grounded (draws what was read), remote (the model behind --remote-url) or "
       "local (a model in this process, --local-model) [remote where --remote-url is given, else "
       "local where --local-model is, else grounded].");
+  // These are for models in this process.
   AddValueOption(command, "--reader-model", "FILE",
                  "GGUF file of a model that was taught to read (scripts/fetch_reader.sh) "
                  "[what LATTICEWORLD_READER_MODEL names; else none].");
@@ -56,6 +58,7 @@ void AddLanguageOptions(CLI::App* command) {
                  "cores].");
   command->add_flag("--local-fallback",
                     "Where its answer stays illegal, grounded answers, with a warning.");
+  // These are for a model on a server.
   AddServerOptions(command);
   AddValueOption(command, "--remote-repair-turns", "N",
                  "Times that what is wrong with an answer goes back to the model, 0 to 8 [2].");

@@ -62,6 +62,7 @@ void PrintLine(const std::string& name, std::size_t columns, Cell cell, std::ost
 
 void PrintLand(const MeasuredLand& land, std::ostream* out) {
   const RealismMeasures& m = land.measures;
+  // The first lines tell what was measured, without a verdict.
   *out << "land         " << land.path << "\n"
        << "size         " << Size(land) << ", " << Number(100.0 * m.dry_share, 1)
        << " % of it dry land, " << Number(m.relief_m, 1) << " m from its lowest to its highest\n";
@@ -87,6 +88,7 @@ void PrintLand(const MeasuredLand& land, std::ostream* out) {
     *out << "spectra      wavelengths from " << Number(m.spectrum_min_m, 1) << " to "
          << Number(m.spectrum_max_m, 0) << " m\n";
   }
+  // A table compares each figure with its range in nature.
   *out << "\n"
        << Padded("measure", 40) << Right("value", 8) << Right("+-", 7) << "   "
        << Padded("nature", 15) << Padded("within", 8) << "source\n";

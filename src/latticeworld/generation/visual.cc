@@ -88,6 +88,7 @@ std::vector<Violation> ValidateVisualOptions(const GenerationRequest& request) {
 
 std::vector<Violation> ValidateVisual(const GenerationRequest& request,
                                       const SketchTranslator& sketches) {
+  // Without a kind that is known and wanted nothing else can be said.
   if (!IsKnown(request.visual_kind)) {
     const std::string given = std::to_string(static_cast<int>(request.visual_kind));
     return {{"unknown_value", "visual_kind",
@@ -99,6 +100,7 @@ std::vector<Violation> ValidateVisual(const GenerationRequest& request,
              "a picture is given, so its kind must be height_map, sketch or elevation, not none",
              "none"}};
   }
+  // All else that is wrong is told together: bytes, name, translator and options.
   const std::string name(NameOf(request.visual_kind));
   std::vector<Violation> violations;
   if (request.visual.empty()) {

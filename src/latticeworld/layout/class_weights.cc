@@ -38,6 +38,7 @@ Stretched Stretch(const SymbolicLayout& layout, const GridGeometry& geometry, do
                   bool fords, std::uint64_t seed) {
   const double layout_cell_m = geometry.size_m() / kLayoutSize;
   const double displacement = displacement_m / layout_cell_m;
+  // Borders are frayed by noise; courses of water meander as well.
   const NoiseOptions border{layout_cell_m, 2, 0.5};
   const Grid<float> east = FractalNoise(geometry, border, StreamSeed(seed, "layout/border/east"));
   const Grid<float> south = FractalNoise(geometry, border, StreamSeed(seed, "layout/border/south"));
@@ -48,6 +49,7 @@ Stretched Stretch(const SymbolicLayout& layout, const GridGeometry& geometry, do
       FractalNoise(geometry, meander, StreamSeed(seed, "layout/meander/south"));
   const double bend = displacement > 0.0 ? kMeander_cells : 0.0;
 
+  // Each cell asks the field at places that are displaced unlike for ground, water, shore and road.
   const LetterField field(layout, fords);
   const int rows = geometry.rows(), cols = geometry.cols();
   Stretched result{Grid<char>(rows, cols), Grid<Crossing>(rows, cols), Grid<float>(rows, cols),

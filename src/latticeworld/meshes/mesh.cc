@@ -29,6 +29,7 @@ Vec3 TypicalSize_m(const AssetModel& model) {
 }
 
 void BuildShape(ShapeInput input, MeshBuilder* builder) {
+  // Each shape has a builder of its own.
   switch (input.model.shape) {
     case Shape::kBroadleafTree:
       return BuildBroadleafTree(std::move(input), builder);

@@ -164,6 +164,7 @@ TrialSummary Summarize(const std::vector<TrialMetrics>& trials) {
   TrialSummary summary;
   summary.trials = static_cast<int>(trials.size());
   if (trials.empty()) return summary;
+  // Sums are taken over all trials, and over the successful ones.
   int successes = 0;
   for (const TrialMetrics& trial : trials) {
     summary.mean_spl += trial.spl;
@@ -181,6 +182,7 @@ TrialSummary Summarize(const std::vector<TrialMetrics>& trials) {
     summary.mean_length_m += trial.length_m;
     summary.mean_energy_j += trial.energy_j;
   }
+  // The sums become means.
   const double n = summary.trials;
   for (double* mean :
        {&summary.mean_spl, &summary.mean_sct, &summary.mean_barn_4_8, &summary.mean_barn_2_8,
@@ -191,6 +193,7 @@ TrialSummary Summarize(const std::vector<TrialMetrics>& trials) {
     for (double* mean : {&summary.mean_time_s, &summary.mean_length_m, &summary.mean_energy_j})
       *mean /= successes;
   }
+  // Wilson's interval holds the share of success at 95 %.
   const double share = successes / n;
   summary.success_share = share;
   constexpr double kZ = 1.959963984540054;

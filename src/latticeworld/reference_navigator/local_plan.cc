@@ -34,6 +34,8 @@ LocalPlan::LocalPlan(const GlobalPlan& global, const ObstacleLayer& seen,
     : cells_(CellsOf(options)),
       corner_{robot.x_m - 0.5 * cells_ * kCell_m, robot.y_m + 0.5 * cells_ * kCell_m},
       prices_(cells_, cells_, kClosedCell) {
+  // Prices are the global ones, more near what is seen; closed cells around the robot only cost
+  // much, so that it can escape.
   const double room_m = options.robot.radius_m + options.margin_m;
   const double escape_m = options.robot.radius_m + kCell_m;
   for (int row = 0; row < cells_; ++row) {
@@ -52,6 +54,7 @@ LocalPlan::LocalPlan(const GlobalPlan& global, const ObstacleLayer& seen,
       prices_(row, col) = price;
     }
   }
+  // The window's border has the costs of the global way, and the goal costs nothing.
   std::vector<TravelSeed> seeds;
   const auto seed = [&](CellIndex cell) {
     const WorldPoint at = CenterOf(cell);
@@ -67,6 +70,7 @@ LocalPlan::LocalPlan(const GlobalPlan& global, const ObstacleLayer& seen,
   }
   const CellIndex goal = CellOf(global.goal);
   if (prices_.Contains(goal)) seeds.push_back({goal, 0.0f});
+  // The way follows falling costs from the robot, pulled straight.
   const CellIndex here = CellOf(robot);
   field_ = SpreadFrom(seeds, prices_, kCell_m);
   std::vector<CellIndex> cells = Descend(field_, prices_, here);

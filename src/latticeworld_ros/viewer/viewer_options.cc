@@ -19,6 +19,7 @@ constexpr std::size_t kLeastTokenBytes = 8;
 Result<ViewerOptions> ViewerOptionsFromParameters(const XmlRpc::XmlRpcValue& parameters) {
   ViewerOptions options;
   std::vector<Violation> violations;
+  // Every parameter is read and checked by itself.
   const BoundParameters known = {
       {"host", Bind(&options.server.host)},
       {"port", Bind(&options.server.port)},
@@ -37,6 +38,7 @@ Result<ViewerOptions> ViewerOptionsFromParameters(const XmlRpc::XmlRpcValue& par
     violations.push_back(
         {"out_of_range", "state_rate", given + " is not legal; legal is 1 .. 60", given});
   }
+  // The token comes from the environment, so that no parameter shows it.
   if (!options.token_variable.empty()) {
     const char* token = std::getenv(options.token_variable.c_str());
     options.server.access.token = token == nullptr ? "" : token;
@@ -48,6 +50,7 @@ Result<ViewerOptions> ViewerOptionsFromParameters(const XmlRpc::XmlRpcValue& par
                             options.token_variable});
     }
   }
+  // A token that is required must be there.
   if (options.server.access.require_token && options.server.access.token.empty()) {
     violations.push_back({"wrong_combination", "require_token",
                           "it is true, and there is no token; legal is true with a token in the "

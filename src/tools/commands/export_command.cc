@@ -124,6 +124,7 @@ Result<Request> ReadRequest(const CLI::App& command) {
       "--to", {"glb", "usd", "sdf", "mjcf", "geotiff", "heights", "map", "octomap", "ply", "las"},
       "glb");
   request.out = *ValueOf(command, "--out");
+  // What is not given stays unset: formats have defaults of their own.
   const auto number = [&](const char* option, std::optional<double>* value) {
     if (command.count(option) > 0) *value = arguments.Number(option, 0.0);
   };
@@ -329,6 +330,7 @@ Status Export(const CLI::App& command) {
 void AddExportCommand(CLI::App* app, int* exit_status) {
   CLI::App* command = app->add_subcommand(
       "export", "Writes a bundle's world, as it begins, in the formats of other programs.");
+  // These say what is written, in which format and where.
   AddValueOption(command, "DIR", "DIR", "The bundle.");
   command->get_option("DIR")->required();
   AddValueOption(
@@ -342,6 +344,7 @@ void AddExportCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--out", "PATH",
                  "A file, which is replaced, or a folder, which must not be there yet.");
   command->get_option("--out")->required();
+  // These change what is written; each names the formats that it is for.
   AddValueOption(command, "--region", "W,S,E,N",
                  "Only what stands there [m]: west, south, east, north [the whole world].");
   command->add_flag("--expand", "glb, usd: a node a thing, for readers that know no instances.");

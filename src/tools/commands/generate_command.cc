@@ -53,6 +53,7 @@ constexpr std::size_t kMaxThingsBytes = 1u << 20;
 Result<GenerationRequest> ReadRequest(const CLI::App& command) {
   GenerationRequest request;
   ArgumentReader arguments(&command);
+  // Options of the relief are legal only beside the relief that they are for.
   arguments.AllowOneOf({"--height-map", "--sketch", "--elevation"});
   for (const char* option : {"--height-scale", "--height-offset"}) {
     arguments.RequireBesideOneOf(option, {"--height-map", "--sketch"});
@@ -61,6 +62,7 @@ Result<GenerationRequest> ReadRequest(const CLI::App& command) {
   for (const char* option : {"--at", "--keep-altitude", "--elevation-unit"}) {
     arguments.RequireBeside(option, "--elevation");
   }
+  // Numbers and choices are read first, so that all that are wrong are told together.
   request.height_map.height_scale_m =
       arguments.Number("--height-scale", request.height_map.height_scale_m);
   request.height_map.height_offset_m =
@@ -78,6 +80,7 @@ Result<GenerationRequest> ReadRequest(const CLI::App& command) {
       *FromName<ElevationUnit>(arguments.Choice("--elevation-unit", {"degrees", "metres"}, ""));
   LW_RETURN_IF_ERROR(arguments.status());
 
+  // Texts and files follow.
   if (request.seed == 0) request.seed = DrawSeed();
   request.vocabulary = ValueOf(command, "--vocabulary").value_or("");
   request.reader = ValueOf(command, "--reader").value_or("");

@@ -88,6 +88,7 @@ Result<std::string> LineProgram::Ask(std::string_view line, double answer_time_s
   if (!unread_.empty())
     return InvalidArgument("the program said something that nobody asked for: " +
                            Quote(unread_.substr(0, 80)));
+  // Writing and reading take turns as the pipes allow, so that neither side waits for the other.
   std::string left(line);
   left += '\n';
   std::size_t said = 0;
@@ -105,11 +106,13 @@ Result<std::string> LineProgram::Ask(std::string_view line, double answer_time_s
       return Status(StatusCode::kDeadlineExceeded,
                     "the program did not answer within " + FormatDouble(answer_time_s) + " s");
     }
+    // As much of the question is written as the pipe takes.
     if (!is_said && (ends[1].revents & (POLLOUT | POLLERR)) != 0) {
       const ssize_t count = WriteQuietly(child_.in, left.data() + said, left.size() - said);
       if (count > 0) said += static_cast<std::size_t>(count);
       if (count < 0 && !IsForNow(errno)) return Gone();
     }
+    // What has come is read, until it holds a whole line.
     if ((ends[0].revents & (POLLIN | POLLHUP)) == 0) continue;
     char buffer[16384];
     const ssize_t count = ::read(child_.out, buffer, sizeof(buffer));

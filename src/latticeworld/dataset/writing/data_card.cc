@@ -197,6 +197,7 @@ std::uint64_t TallyOf(const DatasetTallies& tallies, const std::string& key) {
 
 std::string ManifestJson(const DatasetFacts& facts) {
   const DatasetOptions& options = facts.options;
+  // Every file is listed with its checksum, and every instance that failed with its reason.
   Json files = Json::array();
   for (const DatasetFile& file : facts.files) {
     files.push_back({{"path", file.path},
@@ -211,6 +212,7 @@ std::string ManifestJson(const DatasetFacts& facts) {
     failed.push_back(
         {{"group", instance.group}, {"instance", instance.instance}, {"reason", instance.reason}});
   }
+  // The rest says what the data were made from, by whom and with which options.
   Json manifest = {{"format", "latticeworld data set"},
                    {"format_version", 1},
                    {"version", facts.version},

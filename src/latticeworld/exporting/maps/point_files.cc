@@ -24,6 +24,7 @@ std::int32_t Steps(float value_m) {
 }
 
 void AddLasHeader(const std::vector<CloudPoint>& points, std::size_t wkt_bytes, Bytes* bytes) {
+  // The bounds are those of the points as they are written, in whole steps.
   Eigen::Array3d low = Eigen::Array3d::Zero(), high = Eigen::Array3d::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3f& p = points[i].position_m;
@@ -34,6 +35,7 @@ void AddLasHeader(const std::vector<CloudPoint>& points, std::size_t wkt_bytes, 
   low *= kScale_m;
   high *= kScale_m;
 
+  // The fields follow in the order of the format.
   bytes->AddText("LASF", 4);
   bytes->Add<std::uint16_t>(0);  // file source
   bytes->Add<std::uint16_t>(kSyntheticReturns | kWktReference);

@@ -112,6 +112,7 @@ class UnitTaker {
     const EnvironmentWords& words = GetEnvironmentWords();
     std::size_t longest = 0;
     std::vector<std::string> keys;
+    // The tables with the longest match give the unit's keys.
     const auto offer = [&](std::size_t tokens, std::vector<std::string> found) {
       if (tokens == 0 || tokens < longest) return false;
       if (tokens > longest) keys.clear();
@@ -120,6 +121,7 @@ class UnitTaker {
       return true;
     };
     bool who = false;
+    // Species are asked first; `who` stays only if nothing longer is found.
     const auto species = words.species.At(tokens_, at_);
     std::vector<std::string> found;
     for (const SpeciesWord* row : species.rows) {
@@ -143,6 +145,7 @@ class UnitTaker {
       for (const std::string& value : row->values) found.push_back("value " + value);
     }
     if (offer(variants.tokens, std::move(found)) && variants.tokens > species.tokens) who = false;
+    // The words themselves are keys as well, by their stems.
     if (longest == 0) return 0;
     for (std::size_t i = 0; i < longest; ++i) {
       if (tokens_[at_ + i].text.size() > 3) keys.push_back("word " + StemOf(tokens_[at_ + i].text));

@@ -175,6 +175,7 @@ class ClaimReader {
   }
 
   void ReadBoxes(const Json& json, const std::string& pointer, Zone* zone) {
+    // A zone has a name and boxes, and nothing else.
     for (const auto& item : json.items()) {
       if (item.key() == "name" || item.key() == "boxes") continue;
       Add("unknown_key", pointer + "/" + PointerToken(item.key()),
@@ -192,6 +193,7 @@ class ClaimReader {
                      " boxes [u_min, u_max, v_min, v_max]",
                  "");
     }
+    // Each box that is wrong is told by itself.
     const Json& boxes = json["boxes"];
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const Json& box = boxes[i];
@@ -214,6 +216,7 @@ class ClaimReader {
       }
       zone->boxes.push_back(unit);
     }
+    // Together they must hold a cell.
     if (!zone->boxes.empty() && MaskOf(*zone).empty()) {
       Add("out_of_range", pointer + "/boxes", "hold the centre of no cell", Shown(boxes));
     }

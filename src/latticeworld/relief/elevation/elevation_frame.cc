@@ -125,6 +125,7 @@ struct ElevationFrame::Mapping {
 Status ElevationFrame::Mapping::FindOrigin(const ElevationRaster& raster,
                                            const ElevationOptions& options) {
   const GdalErrors errors;
+  // Data without a coordinate system have no place but their middle.
   origin = DataCoordinates({0.5 * cols, 0.5 * rows});
   if (raster.reference().crs.empty()) {
     if (options.centered) return Status();
@@ -132,6 +133,7 @@ Status ElevationFrame::Mapping::FindOrigin(const ElevationRaster& raster,
         "a place is asked for, but the elevation has no coordinate system, so nobody knows where "
         "it lies; legal is the middle of the data");
   }
+  // Else places are related to WGS 84.
   const Crs data_crs = MakeCrs(raster.reference().crs);
   const Crs wgs84 = MakeCrs("+proj=longlat +datum=WGS84 +no_defs");
   const Transformation to_wgs84 = MakeTransformation(data_crs, wgs84);
@@ -143,6 +145,7 @@ Status ElevationFrame::Mapping::FindOrigin(const ElevationRaster& raster,
 
   middle = Apply(to_wgs84, origin);
   if (!middle || std::abs(middle->y) > 90.0) return unknown_system;
+  // The place asked for becomes the origin, or the middle of the data does.
   Coordinates place{options.longitude_deg, options.latitude_deg};
   if (options.centered) {
     place = *middle;
@@ -157,6 +160,7 @@ Status ElevationFrame::Mapping::FindOrigin(const ElevationRaster& raster,
     origin = *coordinates;
   }
   geo = GeoOrigin{place.y, place.x - 360.0 * std::round(place.x / 360.0), 0.0};
+  // Distances and directions from the origin are true in its own azimuthal projection.
   char local[160];
   std::snprintf(local, sizeof(local),
                 "+proj=aeqd +lat_0=%.12f +lon_0=%.12f +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs",

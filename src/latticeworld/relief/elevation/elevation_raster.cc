@@ -61,6 +61,7 @@ std::optional<double> MetresOf(std::string_view unit) {
       {"foot us survey", kSurveyFoot},
       {"us surveyfoot", kSurveyFoot},
   };
+  // Signs that files write in unlike ways are made alike.
   std::string plain = ToLowerAscii(unit);
   std::replace_if(
       plain.begin(), plain.end(), [](char c) { return c == '_' || c == '-'; }, ' ');

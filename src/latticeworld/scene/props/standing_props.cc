@@ -149,6 +149,7 @@ std::vector<Violation> Validate(const StandingProps& props) {
                               std::to_string(kMaxBridgeParts) + " parts of bridges",
                           std::to_string(count)});
   }
+  // Every footprint and height must lie within the limits.
   const auto check = [&violations](const std::string& field, const Footprint& footprint,
                                    double bottom_m, double top_m) {
     const auto add = [&](double value, double low, double high, const char* name) {
@@ -165,6 +166,7 @@ std::vector<Violation> Validate(const StandingProps& props) {
     add(bottom_m, -kFarthest_m, kFarthest_m, "bottom_m");
     add(top_m - bottom_m, 0.0, kLongest_m, "top_m");
   };
+  // All three lists are checked, decks also for what they carry.
   for (std::size_t i = 0; i < props.blocks.size(); ++i) {
     const PropBlock& block = props.blocks[i];
     check("elements/blocks/" + std::to_string(i), block.footprint, block.bottom_m, block.top_m);

@@ -77,12 +77,14 @@ class PlotLayout {
   void Divide(const StreetFront& front, std::vector<Plot>* plots) {
     double along_m = random_->Uniform(0.5, 4.0);
     while (along_m + kLeastFront_m < front.length_m) {
+      // Where no settlement lies beside the front there is no plot.
       const StreetFront::Place begin = front.At(along_m);
       const int settlement = map_.At(Moved(begin.at, begin.heading_rad + 0.5 * M_PI, kIntoLand_m));
       if (settlement < 0) {
         along_m += kSkip_m;
         continue;
       }
+      // The use says what is built; a terrace that does not fit becomes a detached house.
       BuildingUse use = UseAt(settlement, begin);
       BuildingSize size = models_.Draw(use, random_);
       int houses = 1;
@@ -97,6 +99,7 @@ class PlotLayout {
           size = models_.Draw(use, random_);
         }
       }
+      // The plot is as wide as its houses and their gaps; it must end on the front and hardly bend.
       const Range gap = SideGapOf(use);
       const double gaps_m = rule_.sparseness * 2.0 * random_->Uniform(gap.low, gap.high);
       const double half_front_m = HalfFrontOf(size);
@@ -108,6 +111,7 @@ class PlotLayout {
         along_m += kSkip_m;
         continue;
       }
+      // Plots are built on in order: near the settlement's heart first, with some scatter.
       const StreetFront::Place middle = front.At(along_m + 0.5 * width_m);
       Plot plot;
       plot.settlement = settlement;

@@ -54,6 +54,7 @@ std::vector<Block> MakeBlocks(const Placement& placement, AssetKind kind, std::s
   const Terrain& terrain = placement.terrain;
   const double largest = density.largest_per_m2();
   const std::uint64_t seed = StreamSeed(placement.seed, stream);
+  // Candidates are ranked blue noise: a place stays if its rank is below the density there.
   const RankedBlueNoise noise(
       terrain.geometry().size_m(), largest, seed,
       [&](WorldPoint low, WorldPoint high) {
@@ -61,6 +62,7 @@ std::vector<Block> MakeBlocks(const Placement& placement, AssetKind kind, std::s
       },
       placement.threads);
 
+  // Blocks are worked on side by side; random numbers depend on the candidate alone.
   std::vector<Block> blocks((noise.tiles() + kTilesPerBlock - 1) / kTilesPerBlock);
   const std::uint64_t place_seed = StreamSeed(seed, "places");
   const auto work = [&](int index) {
@@ -71,6 +73,7 @@ std::vector<Block> MakeBlocks(const Placement& placement, AssetKind kind, std::s
         Place place;
         place.point = {candidate.x_m, candidate.y_m};
         const double rank = candidate.rank * largest;
+        // The cheap bound is asked before the density.
         if (rank >= density.MostAt(terrain.geometry().CellAt(place.point))) return;
         PointRandom random(place_seed, candidate.id);
         place.per_m2 = density.At(place.point, random.Uniform(), &place.letter);

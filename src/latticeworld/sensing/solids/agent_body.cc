@@ -182,6 +182,7 @@ BuiltSize BuiltSizeOf(AgentCategory category) {
 
 BodyMesh BuildBody(AgentCategory category) {
   BodyBuilder body;
+  // Bodies are in metres, x towards their front, their lowest point at z = 0.
   switch (category) {
     case AgentCategory::kGoblin:
       AddUpright(1.2f, 0.24f, &body);

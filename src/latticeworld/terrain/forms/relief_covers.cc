@@ -132,6 +132,7 @@ std::vector<ReliefMeasure> MeasureCovers(const std::vector<HeightCover>& covers,
     HeightRange other_side;
     (cover.above ? other_side.high : other_side.low) = static_cast<float>(cover.height_m);
     const SurfaceClass asked = internal::SurfaceOf(vocabulary, cover.letter);
+    // Open land is counted within the cover's range, and on the other side of its height.
     int inside = 0, covered = 0, outside = 0, free = 0;
     for (std::size_t i = 0; i < height_m.size(); ++i) {
       const SurfaceClass surface = terrain.surface.data()[i];
@@ -147,6 +148,7 @@ std::vector<ReliefMeasure> MeasureCovers(const std::vector<HeightCover>& covers,
         if (surface != asked) ++free;
       }
     }
+    // The claim holds if enough is covered within, and enough is free of it beyond.
     const std::string name(FindClass(vocabulary, cover.letter)->name);
     const std::string side =
         (cover.above ? " above " : " below ") + internal::Metres(cover.height_m);

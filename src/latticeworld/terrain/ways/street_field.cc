@@ -70,10 +70,12 @@ void StreetField::FindAreas() {
   for (std::size_t i = 0; i < inside.size(); ++i) {
     inside.data()[i] = pieces_.label.data()[i] >= 0 ? 1 : 0;
   }
+  // A cell's depth is its distance from the border of its piece.
   const Grid<float> depth = DistanceTo(false, inside);
   for (int piece = 0; piece < pieces_.count(); ++piece) {
     BuiltUpArea area;
     area.piece = piece;
+    // The built-up cells give the middle, the size and, by their second moments, the main axis.
     double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, count = 0.0;
     for (int k = pieces_.begin[piece]; k < pieces_.begin[piece + 1]; ++k) {
       const std::int32_t cell = pieces_.cells[k];
@@ -92,6 +94,8 @@ void StreetField::FindAreas() {
     area.area_m2 = count * cell_m * cell_m;
     area.axis_rad =
         0.5 * std::atan2(2.0 * (xy / count - x * y), xx / count - x * x - yy / count + y * y);
+    // The heart is deep inside and near the middle; an area without an open place has none and is
+    // left out.
     double best = -1e9;
     for (int k = pieces_.begin[piece]; k < pieces_.begin[piece + 1]; ++k) {
       const std::int32_t cell = pieces_.cells[k];

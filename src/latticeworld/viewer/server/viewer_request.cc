@@ -172,6 +172,7 @@ void ReadWeather(RequestReader* reader, ViewerRequest* request) {
 }
 
 void ReadFields(RequestReader* reader, ViewerRequest* request) {
+  // Each type has fields of its own; RequestReader refuses what is left over.
   switch (request->type) {
     case RequestType::kAuthenticate:
       request->token = reader->Text("token", kMaxRequestBytes);
@@ -223,6 +224,7 @@ bool IsControl(RequestType type) {
 Result<ViewerRequest> ParseRequest(std::string_view text, std::string* id, std::string* type) {
   *id = "null";
   type->clear();
+  // Texts come from anybody: they are small and shallow, or refused.
   JsonLimits limits;
   limits.max_bytes = kMaxRequestBytes;
   limits.max_depth = 3;
@@ -237,6 +239,7 @@ Result<ViewerRequest> ParseRequest(std::string_view text, std::string* id, std::
   if (!object.is_object()) return InvalidArgument("a message is a JSON object with a type");
   RequestReader reader(object);
   ViewerRequest request;
+  // The id goes back with the answer, whatever else is wrong.
   if (const json* given = reader.Take("id"); given != nullptr) {
     const std::string written = given->dump(-1, ' ', false, json::error_handler_t::replace);
     if ((given->is_number() || given->is_string() || given->is_null()) &&
@@ -247,6 +250,7 @@ Result<ViewerRequest> ParseRequest(std::string_view text, std::string* id, std::
     }
   }
   request.id = *id;
+  // The type says which fields are read.
   const json* given_type = reader.Take("type");
   const bool is_text = given_type != nullptr && given_type->is_string();
   const auto known =

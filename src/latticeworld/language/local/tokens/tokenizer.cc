@@ -201,6 +201,7 @@ std::vector<TokenId> Tokenizer::Encode(std::string_view text) const {
 }
 
 void Tokenizer::EncodeByMerging(const std::string& text, std::vector<TokenId>* tokens) const {
+  // At first each character is a symbol of its own, in a doubly linked list.
   std::vector<Symbol> symbols;
   for (std::size_t at = 0; at < text.size();) {
     Symbol symbol;
@@ -211,6 +212,7 @@ void Tokenizer::EncodeByMerging(const std::string& text, std::vector<TokenId>* t
     symbol.after = at < text.size() ? static_cast<int>(symbols.size()) + 1 : -1;
     symbols.push_back(symbol);
   }
+  // Two neighbours that make a token together may be merged.
   std::priority_queue<Merge> merges;
   const auto offer = [&](int left, int right) {
     if (left < 0 || right < 0) return;
@@ -220,6 +222,7 @@ void Tokenizer::EncodeByMerging(const std::string& text, std::vector<TokenId>* t
   };
   for (std::size_t i = 1; i < symbols.size(); ++i)
     offer(static_cast<int>(i) - 1, static_cast<int>(i));
+  // The best merge is done first, unless an earlier one has changed one of its symbols.
   while (!merges.empty()) {
     const Merge merge = merges.top();
     merges.pop();
@@ -233,6 +236,7 @@ void Tokenizer::EncodeByMerging(const std::string& text, std::vector<TokenId>* t
     offer(left.before, merge.left);
     offer(merge.left, left.after);
   }
+  // What is left are tokens; a character that is none is spelled in bytes.
   for (const Symbol& symbol : symbols) {
     if (symbol.size == 0) continue;
     const std::string piece = text.substr(symbol.at, symbol.size);

@@ -104,6 +104,7 @@ void ContactJoints::JoinOne(const ContactJoint& joint, double step_s, dJointFeed
   surface.mode = dContactApprox1 | dContactMu2 | dContactFDir1 | dContactSoftERP | dContactSoftCFM;
   surface.mu = traction.friction_along;
   surface.mu2 = traction.friction_across;
+  // The contact has the usual hardness, or is a spring and damper if it has a compliance.
   double max_speed_mps = joint.b.body == nullptr ? kMaxCorrectingSpeed_mps : kMaxPartingSpeed_mps;
   surface.soft_erp = kErrorReduction;
   surface.soft_cfm = kContactSoftness;
@@ -114,6 +115,7 @@ void ContactJoints::JoinOne(const ContactJoint& joint, double step_s, dJointFeed
     surface.soft_cfm = std::max(softness, kContactSoftness);
     max_speed_mps = kMaxSpringSpeed_mps;
   }
+  // A surface may move along, and slip may grow with the force.
   if (traction.speed_mps != 0.0) {
     surface.mode |= dContactMotion1;
     surface.motion1 = traction.speed_mps;
@@ -122,6 +124,7 @@ void ContactJoints::JoinOne(const ContactJoint& joint, double step_s, dJointFeed
     surface.mode |= dContactSlip1;
     surface.slip1 = traction.slip_mps_per_n;
   }
+  // Friction acts along the first direction and across it.
   const double length = traction.along.norm();
   const Eigen::Vector3d along =
       length > 1e-9 ? Eigen::Vector3d(traction.along / length) : FrictionDirection(joint);
@@ -131,6 +134,7 @@ void ContactJoints::JoinOne(const ContactJoint& joint, double step_s, dJointFeed
     contact.fdir1[i] = along[i];
   }
   contact.geom.pos[3] = contact.geom.normal[3] = contact.fdir1[3] = 0.0;
+  // The depth is cut, so that the contact does not part bodies faster than it may.
   contact.geom.depth = std::min(joint.depth_m, max_speed_mps * step_s / surface.soft_erp);
   contact.geom.g1 = contact.geom.g2 = nullptr;
   contact.geom.side1 = contact.geom.side2 = 0;
