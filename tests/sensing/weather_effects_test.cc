@@ -41,11 +41,5 @@ TEST(WeatherEffectsTest, ClearAirCostsNothing) {
   EXPECT_EQ(conditions.range_noise_m, 0.0);
 }
 
-TEST(WeatherEffectsTest, DenseFogLeavesALidarAFewTensOfMetres) {
-  const double range_m = LidarRange(ConditionsIn(Seen(50.0)), 100.0);
-  EXPECT_GT(range_m, 15.0);
-  EXPECT_LT(range_m, 40.0);
-}
-
 }  // namespace
 }  // namespace latticeworld

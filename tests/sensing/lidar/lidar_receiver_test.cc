@@ -107,6 +107,12 @@ TEST(LidarReceiverTest, ThickAirShortensTheRangeAtWhichTheEchoIsAsStrong) {
   }
 }
 
+TEST(LidarReceiverTest, DenseFogLeavesAFewTensOfMetres) {
+  const double extinction_per_m = ConditionsIn(Air(Weather::kCloudy, 50.0)).extinction_per_m;
+  EXPECT_GT(RangeThroughAir(extinction_per_m, 100.0), 15.0);
+  EXPECT_LT(RangeThroughAir(extinction_per_m, 100.0), 40.0);
+}
+
 TEST(LidarReceiverTest, NoiseAndStepsAreTheModels) {
   LidarModel model = Model();
   model.noise_m = 0.03;
