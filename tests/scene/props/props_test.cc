@@ -97,7 +97,7 @@ TEST(PropsTest, WhatIsLeftOpenIsUsual) {
   EXPECT_EQ(post.size_m, Eigen::Vector3d(0.2, 0.1, 1.2));
   EXPECT_EQ(post.mass_kg, UsualMass(PropKind::kPost, post.size_m));
   EXPECT_EQ(post.strength, UsualStrength(PropKind::kPost, post.size_m));
-  EXPECT_EQ(PropOf(PropKind::kLooseStone, {0.5, 0.7, 0.0}).size_m, Eigen::Vector3d::Constant(0.5));
+  EXPECT_EQ(PropOf(PropKind::kLooseStone, {0.5, 0.7, 0.0}).size_m, Eigen::Vector3d(0.5, 0.5, 0.5));
 }
 
 TEST(PropsTest, WhatFollowsFromAnIllegalSizeIsNotHeldAgainstIt) {
