@@ -12,14 +12,13 @@ namespace latticeworld {
 
 // What a message of any type says of itself in its first bytes.
 struct BagStamp {
-  // Which of its publisher's messages it is; nullopt: it does not say.
-  std::optional<std::uint32_t> sequence;
+  std::optional<std::uint32_t>
+      sequence;                    // which of its publisher's messages it is; nullopt: no number
   std::optional<ros::Time> stamp;  // when what it tells was; nullopt: it does not say
 };
 
-// Returns, of a message that begins with a std_msgs/Header, its number, which roscpp gives, and its
-// stamp; of tf those of the first transform, where world_server numbers its messages from 1 on and
-// others leave 0, which is no number; of the clock its time alone. A stamp of 0 says nothing.
+// Returns, of a message that begins with a std_msgs/Header, its number and stamp; of tf those of the
+// first transform; of the clock its time. A stamp of 0 says nothing, nor does a number of 0 in tf.
 BagStamp StampOf(const BagMessage& message);
 
 }  // namespace latticeworld

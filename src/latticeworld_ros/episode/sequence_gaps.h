@@ -11,9 +11,9 @@
 
 namespace latticeworld {
 
-// Counts messages that were lost on the way: roscpp numbers what a publisher publishes in the
-// header of each message, those too that find its queue full, and world_server numbers its tf.
-// Messages without a number cannot be counted.
+// Counts messages that were lost on the way: roscpp numbers what a publisher publishes in each
+// header, those too that find its queue full, and world_server its tf in the first transform (other
+// broadcasters leave 0 there). Messages without a number cannot be counted.
 class SequenceGaps {
  public:
   // How many messages of its topic and publisher are missing before this one. stamp: the message's.

@@ -73,8 +73,8 @@ void Fill(const Look& look, const SimulationLoop::Moment& moment,
   }
 }
 
-Status CheckSize(const std::vector<WorldFile>& files, std::size_t most_bytes) {
-  std::size_t bytes = 0;
+Status CheckSize(const std::vector<WorldFile>& files, std::uint64_t most_bytes) {
+  std::uint64_t bytes = 0;
   for (const WorldFile& file : files) bytes += file.data.size();
   if (bytes < most_bytes) return Status();
   return ResourceExhausted("the files of the world have " + std::to_string(bytes) +
@@ -84,7 +84,7 @@ Status CheckSize(const std::vector<WorldFile>& files, std::size_t most_bytes) {
 
 }  // namespace
 
-BundleService::BundleService(SimulationLoop* loop, std::size_t most_message_bytes,
+BundleService::BundleService(SimulationLoop* loop, std::uint64_t most_message_bytes,
                              ServiceQueue* queue)
     : loop_(loop), most_message_bytes_(most_message_bytes) {
   queue->Advertise<GetWorldBundle>(

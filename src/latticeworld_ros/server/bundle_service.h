@@ -1,7 +1,7 @@
 #ifndef LATTICEWORLD_ROS_SERVER_BUNDLE_SERVICE_H_
 #define LATTICEWORLD_ROS_SERVER_BUNDLE_SERVICE_H_
 
-#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -19,7 +19,7 @@ class BundleService {
  public:
   // loop: outlives the queue. A world whose files have most_message_bytes or more is refused
   // (RESOURCE_EXHAUSTED).
-  BundleService(SimulationLoop* loop, std::size_t most_message_bytes, ServiceQueue* queue);
+  BundleService(SimulationLoop* loop, std::uint64_t most_message_bytes, ServiceQueue* queue);
 
  private:
   Status Answer(const latticeworld_msgs::GetWorldBundle::Request& request,
@@ -29,7 +29,7 @@ class BundleService {
       const std::shared_ptr<const World>& world);
 
   SimulationLoop* const loop_;
-  const std::size_t most_message_bytes_;
+  const std::uint64_t most_message_bytes_;
   std::mutex mutex_;
   // Guarded by mutex_; the files of a world that nobody runs any more are let go with it only when
   // another one is packed.

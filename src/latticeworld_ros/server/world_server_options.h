@@ -1,7 +1,7 @@
 #ifndef LATTICEWORLD_ROS_SERVER_WORLD_SERVER_OPTIONS_H_
 #define LATTICEWORLD_ROS_SERVER_WORLD_SERVER_OPTIONS_H_
 
-#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -71,9 +71,9 @@ struct WorldServerOptions {
   double robot_radius_m = kRadiusOfSpecies;
   RobotLimits robot;  // for map and the traversability layer; its radius is that, as a length
   MapValues map_values = MapValues::kGraded;  // of map, static_map and bundles' map.pgm
-  // The greatest size of maps, markers and answers, [1e6, kMostMessageBytes], so that they can be
+  // The greatest size of maps, markers and bundles, [1e6, kMostMessageBytes], so that they can be
   // received.
-  std::size_t most_message_bytes = kMostMessageBytes;
+  std::uint64_t most_message_bytes = kMostMessageBytes;
 };
 
 // Every violation, each with its parameter's name.
