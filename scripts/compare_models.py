@@ -91,9 +91,10 @@ def page(scores, given, more_of, version):
         local += ". How it came about: [training](training.md).\n"
     return f"""# Readers and generators compared
 
-Written by `scripts/compare_models.py` on {datetime.date.today().isoformat()}, {version}: the {given.part} part of
-`benchmarks/fidelity`. What the kinds of claims mean is in [language](language.md), how time is measured in
-[benchmarks](benchmarks.md). `rules`, `model` and `checked` read, and `grounded` answers; `local` and `remote` read and answer themselves.
+Written by `scripts/compare_models.py` on {datetime.date.today().isoformat()}, {version}: the
+{given.part} part of `benchmarks/fidelity`. What the kinds of claims mean is in
+[language](language.md), how time is measured in [benchmarks](benchmarks.md). `rules`, `model` and
+`checked` read, and `grounded` answers; `local` and `remote` read and answer themselves.
 {local}
 ## Layouts
 

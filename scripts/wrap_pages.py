@@ -11,12 +11,14 @@ import sys
 import textwrap
 
 WIDTH = 100
+NO_PROSE = re.compile(r"\||    |\t|#|!|>|<|\[[^]]+\]:")
 ITEM = re.compile(r"^(\s*)(?:[-*+]|\d+\.) +")
 
 
 def is_prose(line):
-    """Whether a line may be wrapped: not of a table, code, heading, picture, quotation or HTML."""
-    return bool(line.strip()) and not line.startswith(("|", "    ", "\t", "#", "!", ">", "<", "["))
+    """Whether a line may be wrapped: not of a table, code, heading, picture, quotation,
+    HTML or list of links."""
+    return bool(line.strip()) and not NO_PROSE.match(line)
 
 
 def blocks_of(text):
