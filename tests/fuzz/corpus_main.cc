@@ -39,7 +39,7 @@ void OnFatalSignal(int signal) {
     (void)!write(file, current_input.data(), current_input.size());
     close(file);
   }
-  constexpr char kText[] = "a finding: ";
+  constexpr char kText[] = "ended within: ";
   (void)!write(STDERR_FILENO, kText, sizeof(kText) - 1);
   (void)!write(STDERR_FILENO, what_runs, std::char_traits<char>::length(what_runs));
   (void)!write(STDERR_FILENO, "\n", 1);
