@@ -1,12 +1,20 @@
 #include "latticeworld/common/files.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/synced_directories.h"
 
 namespace latticeworld {
 namespace {
@@ -68,6 +76,42 @@ TEST_F(FilesTest, UncommittedDirectoryLeavesNothing) {
     ASSERT_TRUE(writer->Write("b.txt", "content").ok());
   }
   EXPECT_EQ(EntryCount(), 0);
+}
+
+TEST_F(FilesTest, WhatAKilledWriterLeftTheNextRemovesAndNothingElse) {
+  if (const pid_t child = ::fork(); child == 0) {
+    auto writer = DirectoryWriter::Create(directory_ / "killed");
+    ::_exit(writer.ok() && writer->Write("a", "half").ok() ? 0 : 1);
+  } else {
+    int status = 1;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_EQ(status, 0);
+  }
+  ASSERT_EQ(EntryCount(), 1);
+  fs::create_directory(directory_ / ".notes.backup");
+  auto living = DirectoryWriter::Create(directory_ / "living");
+  ASSERT_TRUE(living.ok() && living->Write("a", "whole").ok());
+  auto next = DirectoryWriter::Create(directory_ / "next");
+  ASSERT_TRUE(next.ok() && next->Commit().ok());
+  EXPECT_TRUE(living->Commit().ok());
+  EXPECT_TRUE(fs::exists(directory_ / "living/a"));
+  // Where there are no locks (as in common_network_file_system), nobody knows whether a writer
+  // lives.
+  const int fd = ::open(directory_.c_str(), O_RDONLY | O_DIRECTORY);
+  EXPECT_EQ(EntryCount(), ::flock(fd, LOCK_EX) == 0 ? 3 : 4);
+  ::close(fd);
+}
+
+TEST_F(FilesTest, ARenamedFileKeepsItsNameThroughALossOfPower) {
+  ASSERT_TRUE(WriteFile(directory_ / "new", "content").ok());
+  ASSERT_TRUE(WriteFile(directory_ / "file", "before").ok());
+  const std::size_t before = SyncedDirectories().size();
+  ASSERT_TRUE(RenameFile(directory_ / "new", directory_ / "file").ok());
+  EXPECT_EQ(*ReadFile(directory_ / "file", 100), "content");
+  const std::vector<fs::path> synced = SyncedDirectories();
+  ASSERT_GT(synced.size(), before);
+  EXPECT_EQ(synced.back(), fs::canonical(directory_));
+  EXPECT_EQ(RenameFile(directory_ / "absent", directory_ / "file").code(), StatusCode::kNotFound);
 }
 
 TEST_F(FilesTest, AnExistingDirectoryIsNeverReplaced) {

@@ -1,12 +1,14 @@
 #include "latticeworld/common/files.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "latticeworld/common/text.h"
@@ -76,6 +78,28 @@ int RenameToNew(const fs::path& from, const fs::path& to) {
   return error;
 }
 
+// What the name of a temporary directory has between the target's and six characters of its own.
+constexpr char kUnfinished[] = ".unfinished-";
+
+bool IsUnfinished(const std::string& name) {
+  const std::size_t mark = name.rfind(kUnfinished);
+  return StartsWith(name, ".") && mark != std::string::npos &&
+         name.size() == mark + std::strlen(kUnfinished) + 6;
+}
+
+// Locks a directory; its descriptor, -1 where it cannot be locked at all, nothing where another
+// process has it or removes it.
+std::optional<int> LockDirectory(const fs::path& directory) {
+  const int fd = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (fd < 0) return errno == ENOENT ? std::nullopt : std::optional<int>(-1);
+  struct stat info;
+  const bool locked = ::flock(fd, LOCK_EX | LOCK_NB) == 0;
+  if (locked && ::fstat(fd, &info) == 0 && info.st_nlink > 0) return fd;
+  const bool taken = locked || errno == EWOULDBLOCK;
+  ::close(fd);
+  return taken ? std::nullopt : std::optional<int>(-1);
+}
+
 bool IsBelow(const fs::path& path, const fs::path& directory) {
   auto part = path.begin();
   for (const fs::path& expected : directory) {
@@ -126,31 +150,62 @@ Status WriteFile(const fs::path& path, std::string_view content) {
   return Status();
 }
 
+Status RenameFile(const fs::path& from, const fs::path& to) {
+  if (::rename(from.c_str(), to.c_str()) != 0) {
+    return ErrnoStatus("cannot rename to " + to.string(), errno);
+  }
+  return SyncDirectory(to.has_parent_path() ? to.parent_path() : fs::path("."));
+}
+
+void RemoveUnfinished(const fs::path& directory) {
+  std::vector<fs::path> unfinished;
+  std::error_code error;
+  fs::directory_iterator entries(directory, error);
+  for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
+    if (IsUnfinished(entries->path().filename().string())) unfinished.push_back(entries->path());
+  }
+  for (const fs::path& path : unfinished) {
+    const FileDescriptor lock(LockDirectory(path).value_or(-1));
+    if (lock.get() >= 0) fs::remove_all(path, error);
+  }
+}
+
 Result<DirectoryWriter> DirectoryWriter::Create(const fs::path& target) {
+  constexpr int kTries = 3;  // RemoveUnfinished may come before the lock is there
   std::error_code error;
   if (fs::exists(fs::symlink_status(target, error))) {
     return Status(StatusCode::kAlreadyExists, target.string() + " already exists");
   }
   const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  std::string temporary = (parent / ("." + target.filename().string() + ".XXXXXX")).string();
-  if (::mkdtemp(temporary.data()) == nullptr) {
-    return ErrnoStatus("cannot create a directory in " + parent.string(), errno);
+  RemoveUnfinished(parent);
+  for (int i = 0; i < kTries; ++i) {
+    std::string temporary =
+        (parent / ("." + target.filename().string() + kUnfinished + "XXXXXX")).string();
+    if (::mkdtemp(temporary.data()) == nullptr) {
+      return ErrnoStatus("cannot create a directory in " + parent.string(), errno);
+    }
+    const std::optional<int> lock = LockDirectory(temporary);
+    if (!lock) continue;
+    ::chmod(temporary.c_str(), 0755);
+    return DirectoryWriter(target, temporary, *lock);
   }
-  ::chmod(temporary.c_str(), 0755);
-  return DirectoryWriter(target, temporary);
+  return Unavailable("other processes remove what is written in " + parent.string());
 }
 
-DirectoryWriter::DirectoryWriter(fs::path target, fs::path temporary)
-    : target_(std::move(target)), temporary_(std::move(temporary)) {}
+DirectoryWriter::DirectoryWriter(fs::path target, fs::path temporary, int lock)
+    : target_(std::move(target)), temporary_(std::move(temporary)), lock_(lock) {}
 
 DirectoryWriter::DirectoryWriter(DirectoryWriter&& other) noexcept
-    : target_(std::move(other.target_)), temporary_(std::move(other.temporary_)) {
+    : target_(std::move(other.target_)),
+      temporary_(std::move(other.temporary_)),
+      lock_(std::exchange(other.lock_, -1)) {
   other.temporary_.clear();
 }
 
 DirectoryWriter::~DirectoryWriter() {
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+  if (lock_ >= 0) ::close(lock_);
 }
 
 Status DirectoryWriter::Write(const fs::path& relative, std::string_view content) {
