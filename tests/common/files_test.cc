@@ -8,10 +8,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "common/synced_directories.h"
@@ -164,6 +166,29 @@ TEST_F(FilesTest, ResolveBelowStopsEveryWayOut) {
   EXPECT_EQ(code(directory_ / "allowed_too/file"), StatusCode::kPermissionDenied);
   EXPECT_EQ(code("/etc/passwd"), StatusCode::kPermissionDenied);
   EXPECT_EQ(ResolveBelow("/etc/passwd", {}).status().code(), StatusCode::kPermissionDenied);
+}
+
+TEST_F(FilesTest, ReadFileBelowStaysBelowWhileADirectoryIsSwapped) {
+  fs::create_directories(directory_ / "allowed/inner");
+  fs::create_directory(directory_ / "outside");
+  ASSERT_TRUE(WriteFile(directory_ / "outside/file", "secret").ok());
+  ASSERT_TRUE(WriteFile(directory_ / "allowed/inner/file", "open").ok());
+  fs::create_directory_symlink(directory_ / "outside", directory_ / "link");
+  const std::vector<fs::path> allowed = {directory_ / "allowed"};
+  EXPECT_EQ(*ReadFileBelow(directory_ / "allowed/inner/file", allowed, 9), "open");
+  std::atomic<bool> stop{false};
+  std::thread swapper([&] {
+    while (!stop) {
+      ::renameat2(AT_FDCWD, (directory_ / "link").c_str(), AT_FDCWD,
+                  (directory_ / "allowed/inner").c_str(), RENAME_EXCHANGE);
+    }
+  });
+  for (int i = 0; i < 3000; ++i) {
+    const auto read = ReadFileBelow(directory_ / "allowed/inner/file", allowed, 9);
+    if (read.ok()) EXPECT_EQ(*read, "open");
+  }
+  stop = true;
+  swapper.join();
 }
 
 }  // namespace

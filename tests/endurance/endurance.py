@@ -1,9 +1,7 @@
 #!/usr/bin/python3
 """Runs the programs of a build until time is up: cut off, filled up, left running, attacked.
 
-Usage: endurance.py --programs DIR --libraries DIR --minutes N [--only PART] [--seed N]
-                    [--report FILE]
-Exit status 1 where a promise was broken.
+scripts/endurance.sh calls it. Exit status 1 where a promise was broken.
 """
 
 import argparse

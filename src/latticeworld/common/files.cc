@@ -110,12 +110,9 @@ bool IsBelow(const fs::path& path, const fs::path& directory) {
   return true;
 }
 
-}  // namespace
-
-Result<std::string> ReadFile(const fs::path& path, std::size_t max_bytes) {
-  // O_NONBLOCK: opening a pipe that nobody writes to must not hang.
-  const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (fd.get() < 0) return ErrnoStatus("cannot open " + path.string(), errno);
+// Whole content of an open file.
+Result<std::string> ReadOpened(const FileDescriptor& fd, const fs::path& path,
+                               std::size_t max_bytes) {
   struct stat info;
   if (::fstat(fd.get(), &info) != 0) return ErrnoStatus("cannot stat " + path.string(), errno);
   if (!S_ISREG(info.st_mode)) return InvalidArgument(path.string() + " is not a regular file");
@@ -134,6 +131,28 @@ Result<std::string> ReadFile(const fs::path& path, std::size_t max_bytes) {
   }
   content.resize(size);
   return content;
+}
+
+}  // namespace
+
+Result<std::string> ReadFile(const fs::path& path, std::size_t max_bytes) {
+  // O_NONBLOCK: opening a pipe that nobody writes to must not hang.
+  const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (fd.get() < 0) return ErrnoStatus("cannot open " + path.string(), errno);
+  return ReadOpened(fd, path, max_bytes);
+}
+
+Result<std::string> ReadFileBelow(const fs::path& path, const std::vector<fs::path>& allowed,
+                                  std::size_t max_bytes) {
+  LW_ASSIGN_OR_RETURN(const fs::path resolved, ResolveBelow(path, allowed));
+  const FileDescriptor fd(::open(resolved.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
+  if (fd.get() < 0) return ErrnoStatus("cannot open " + path.string(), errno);
+  std::error_code error;
+  const fs::path opened = fs::read_symlink("/proc/self/fd/" + std::to_string(fd.get()), error);
+  if (error || opened != resolved) {
+    return PermissionDenied(Quote(path.string()) + " changes while it is opened");
+  }
+  return ReadOpened(fd, path, max_bytes);
 }
 
 Status WriteFile(const fs::path& path, std::string_view content) {

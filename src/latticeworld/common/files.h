@@ -20,6 +20,12 @@ Result<std::string> ReadFile(const std::filesystem::path& path, std::size_t max_
 // RESOURCE_EXHAUSTED (disk full), INTERNAL.
 Status WriteFile(const std::filesystem::path& path, std::string_view content);
 
+// ReadFile of a file that ResolveBelow lets pass, and that is below an allowed directory still once
+// it is open: who renames and links meanwhile leads nowhere else. Errors: of both.
+Result<std::string> ReadFileBelow(const std::filesystem::path& path,
+                                  const std::vector<std::filesystem::path>& allowed,
+                                  std::size_t max_bytes);
+
 // Gives a file that WriteFile or another has synced its name; what had that name is replaced. Once
 // it is OK, the file has the name after a loss of power, too. Errors: as of WriteFile.
 Status RenameFile(const std::filesystem::path& from, const std::filesystem::path& to);
