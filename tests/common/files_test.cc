@@ -1,12 +1,22 @@
 #include "latticeworld/common/files.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "common/synced_directories.h"
 
 namespace latticeworld {
 namespace {
@@ -70,6 +80,42 @@ TEST_F(FilesTest, UncommittedDirectoryLeavesNothing) {
   EXPECT_EQ(EntryCount(), 0);
 }
 
+TEST_F(FilesTest, WhatAKilledWriterLeftTheNextRemovesAndNothingElse) {
+  if (const pid_t child = ::fork(); child == 0) {
+    auto writer = DirectoryWriter::Create(directory_ / "killed");
+    ::_exit(writer.ok() && writer->Write("a", "half").ok() ? 0 : 1);
+  } else {
+    int status = 1;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_EQ(status, 0);
+  }
+  ASSERT_EQ(EntryCount(), 1);
+  fs::create_directory(directory_ / ".notes.backup");
+  auto living = DirectoryWriter::Create(directory_ / "living");
+  ASSERT_TRUE(living.ok() && living->Write("a", "whole").ok());
+  auto next = DirectoryWriter::Create(directory_ / "next");
+  ASSERT_TRUE(next.ok() && next->Commit().ok());
+  EXPECT_TRUE(living->Commit().ok());
+  EXPECT_TRUE(fs::exists(directory_ / "living/a"));
+  // Where there are no locks (as in common_network_file_system), nobody knows whether a writer
+  // lives.
+  const int fd = ::open(directory_.c_str(), O_RDONLY | O_DIRECTORY);
+  EXPECT_EQ(EntryCount(), ::flock(fd, LOCK_EX) == 0 ? 3 : 4);
+  ::close(fd);
+}
+
+TEST_F(FilesTest, ARenamedFileKeepsItsNameThroughALossOfPower) {
+  ASSERT_TRUE(WriteFile(directory_ / "new", "content").ok());
+  ASSERT_TRUE(WriteFile(directory_ / "file", "before").ok());
+  const std::size_t before = SyncedDirectories().size();
+  ASSERT_TRUE(RenameFile(directory_ / "new", directory_ / "file").ok());
+  EXPECT_EQ(*ReadFile(directory_ / "file", 100), "content");
+  const std::vector<fs::path> synced = SyncedDirectories();
+  ASSERT_GT(synced.size(), before);
+  EXPECT_EQ(synced.back(), fs::canonical(directory_));
+  EXPECT_EQ(RenameFile(directory_ / "absent", directory_ / "file").code(), StatusCode::kNotFound);
+}
+
 TEST_F(FilesTest, AnExistingDirectoryIsNeverReplaced) {
   fs::create_directory(directory_ / "bundle");
   EXPECT_EQ(DirectoryWriter::Create(directory_ / "bundle").status().code(),
@@ -120,6 +166,29 @@ TEST_F(FilesTest, ResolveBelowStopsEveryWayOut) {
   EXPECT_EQ(code(directory_ / "allowed_too/file"), StatusCode::kPermissionDenied);
   EXPECT_EQ(code("/etc/passwd"), StatusCode::kPermissionDenied);
   EXPECT_EQ(ResolveBelow("/etc/passwd", {}).status().code(), StatusCode::kPermissionDenied);
+}
+
+TEST_F(FilesTest, ReadFileBelowStaysBelowWhileADirectoryIsSwapped) {
+  fs::create_directories(directory_ / "allowed/inner");
+  fs::create_directory(directory_ / "outside");
+  ASSERT_TRUE(WriteFile(directory_ / "outside/file", "secret").ok());
+  ASSERT_TRUE(WriteFile(directory_ / "allowed/inner/file", "open").ok());
+  fs::create_directory_symlink(directory_ / "outside", directory_ / "link");
+  const std::vector<fs::path> allowed = {directory_ / "allowed"};
+  EXPECT_EQ(*ReadFileBelow(directory_ / "allowed/inner/file", allowed, 9), "open");
+  std::atomic<bool> stop{false};
+  std::thread swapper([&] {
+    while (!stop) {
+      ::renameat2(AT_FDCWD, (directory_ / "link").c_str(), AT_FDCWD,
+                  (directory_ / "allowed/inner").c_str(), RENAME_EXCHANGE);
+    }
+  });
+  for (int i = 0; i < 3000; ++i) {
+    const auto read = ReadFileBelow(directory_ / "allowed/inner/file", allowed, 9);
+    if (read.ok()) EXPECT_EQ(*read, "open");
+  }
+  stop = true;
+  swapper.join();
 }
 
 }  // namespace

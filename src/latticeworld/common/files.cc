@@ -1,12 +1,14 @@
 #include "latticeworld/common/files.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "latticeworld/common/text.h"
@@ -76,6 +78,28 @@ int RenameToNew(const fs::path& from, const fs::path& to) {
   return error;
 }
 
+// What the name of a temporary directory has between the target's and six characters of its own.
+constexpr char kUnfinished[] = ".unfinished-";
+
+bool IsUnfinished(const std::string& name) {
+  const std::size_t mark = name.rfind(kUnfinished);
+  return StartsWith(name, ".") && mark != std::string::npos &&
+         name.size() == mark + std::strlen(kUnfinished) + 6;
+}
+
+// Locks a directory; its descriptor, -1 where it cannot be locked at all, nothing where another
+// process has it or removes it.
+std::optional<int> LockDirectory(const fs::path& directory) {
+  const int fd = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (fd < 0) return errno == ENOENT ? std::nullopt : std::optional<int>(-1);
+  struct stat info;
+  const bool locked = ::flock(fd, LOCK_EX | LOCK_NB) == 0;
+  if (locked && ::fstat(fd, &info) == 0 && info.st_nlink > 0) return fd;
+  const bool taken = locked || errno == EWOULDBLOCK;
+  ::close(fd);
+  return taken ? std::nullopt : std::optional<int>(-1);
+}
+
 bool IsBelow(const fs::path& path, const fs::path& directory) {
   auto part = path.begin();
   for (const fs::path& expected : directory) {
@@ -86,12 +110,9 @@ bool IsBelow(const fs::path& path, const fs::path& directory) {
   return true;
 }
 
-}  // namespace
-
-Result<std::string> ReadFile(const fs::path& path, std::size_t max_bytes) {
-  // O_NONBLOCK: opening a pipe that nobody writes to must not hang.
-  const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (fd.get() < 0) return ErrnoStatus("cannot open " + path.string(), errno);
+// Whole content of an open file.
+Result<std::string> ReadOpened(const FileDescriptor& fd, const fs::path& path,
+                               std::size_t max_bytes) {
   struct stat info;
   if (::fstat(fd.get(), &info) != 0) return ErrnoStatus("cannot stat " + path.string(), errno);
   if (!S_ISREG(info.st_mode)) return InvalidArgument(path.string() + " is not a regular file");
@@ -112,6 +133,28 @@ Result<std::string> ReadFile(const fs::path& path, std::size_t max_bytes) {
   return content;
 }
 
+}  // namespace
+
+Result<std::string> ReadFile(const fs::path& path, std::size_t max_bytes) {
+  // O_NONBLOCK: opening a pipe that nobody writes to must not hang.
+  const FileDescriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (fd.get() < 0) return ErrnoStatus("cannot open " + path.string(), errno);
+  return ReadOpened(fd, path, max_bytes);
+}
+
+Result<std::string> ReadFileBelow(const fs::path& path, const std::vector<fs::path>& allowed,
+                                  std::size_t max_bytes) {
+  LW_ASSIGN_OR_RETURN(const fs::path resolved, ResolveBelow(path, allowed));
+  const FileDescriptor fd(::open(resolved.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
+  if (fd.get() < 0) return ErrnoStatus("cannot open " + path.string(), errno);
+  std::error_code error;
+  const fs::path opened = fs::read_symlink("/proc/self/fd/" + std::to_string(fd.get()), error);
+  if (error || opened != resolved) {
+    return PermissionDenied(Quote(path.string()) + " changes while it is opened");
+  }
+  return ReadOpened(fd, path, max_bytes);
+}
+
 Status WriteFile(const fs::path& path, std::string_view content) {
   const FileDescriptor fd(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
   if (fd.get() < 0) return ErrnoStatus("cannot create " + path.string(), errno);
@@ -126,31 +169,62 @@ Status WriteFile(const fs::path& path, std::string_view content) {
   return Status();
 }
 
+Status RenameFile(const fs::path& from, const fs::path& to) {
+  if (::rename(from.c_str(), to.c_str()) != 0) {
+    return ErrnoStatus("cannot rename to " + to.string(), errno);
+  }
+  return SyncDirectory(to.has_parent_path() ? to.parent_path() : fs::path("."));
+}
+
+void RemoveUnfinished(const fs::path& directory) {
+  std::vector<fs::path> unfinished;
+  std::error_code error;
+  fs::directory_iterator entries(directory, error);
+  for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
+    if (IsUnfinished(entries->path().filename().string())) unfinished.push_back(entries->path());
+  }
+  for (const fs::path& path : unfinished) {
+    const FileDescriptor lock(LockDirectory(path).value_or(-1));
+    if (lock.get() >= 0) fs::remove_all(path, error);
+  }
+}
+
 Result<DirectoryWriter> DirectoryWriter::Create(const fs::path& target) {
+  constexpr int kTries = 3;  // RemoveUnfinished may come before the lock is there
   std::error_code error;
   if (fs::exists(fs::symlink_status(target, error))) {
     return Status(StatusCode::kAlreadyExists, target.string() + " already exists");
   }
   const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  std::string temporary = (parent / ("." + target.filename().string() + ".XXXXXX")).string();
-  if (::mkdtemp(temporary.data()) == nullptr) {
-    return ErrnoStatus("cannot create a directory in " + parent.string(), errno);
+  RemoveUnfinished(parent);
+  for (int i = 0; i < kTries; ++i) {
+    std::string temporary =
+        (parent / ("." + target.filename().string() + kUnfinished + "XXXXXX")).string();
+    if (::mkdtemp(temporary.data()) == nullptr) {
+      return ErrnoStatus("cannot create a directory in " + parent.string(), errno);
+    }
+    const std::optional<int> lock = LockDirectory(temporary);
+    if (!lock) continue;
+    ::chmod(temporary.c_str(), 0755);
+    return DirectoryWriter(target, temporary, *lock);
   }
-  ::chmod(temporary.c_str(), 0755);
-  return DirectoryWriter(target, temporary);
+  return Unavailable("other processes remove what is written in " + parent.string());
 }
 
-DirectoryWriter::DirectoryWriter(fs::path target, fs::path temporary)
-    : target_(std::move(target)), temporary_(std::move(temporary)) {}
+DirectoryWriter::DirectoryWriter(fs::path target, fs::path temporary, int lock)
+    : target_(std::move(target)), temporary_(std::move(temporary)), lock_(lock) {}
 
 DirectoryWriter::DirectoryWriter(DirectoryWriter&& other) noexcept
-    : target_(std::move(other.target_)), temporary_(std::move(other.temporary_)) {
+    : target_(std::move(other.target_)),
+      temporary_(std::move(other.temporary_)),
+      lock_(std::exchange(other.lock_, -1)) {
   other.temporary_.clear();
 }
 
 DirectoryWriter::~DirectoryWriter() {
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+  if (lock_ >= 0) ::close(lock_);
 }
 
 Status DirectoryWriter::Write(const fs::path& relative, std::string_view content) {

@@ -23,15 +23,13 @@ Result<std::string> ReadVisualFile(const std::string& path,
                                    const std::vector<std::filesystem::path>& directories) {
   // What is no path must not reach the file system, and neither the message as it is.
   LW_RETURN_IF_ERROR(ValidateText("visual_path", path, 4096));
-  Result<std::filesystem::path> file = ResolveBelow(path, directories);
+  Result<std::string> bytes = ReadFileBelow(path, directories, kMaxVisualBytes);
   if (!std::filesystem::path(path).is_absolute()) {
     for (const auto& directory : directories) {
-      file = ResolveBelow(directory / path, directories);
-      if (file.ok()) break;
+      bytes = ReadFileBelow(directory / path, directories, kMaxVisualBytes);
+      if (bytes.ok()) break;
     }
   }
-  if (!file.ok()) return file.status().WithContext("visual_path");
-  Result<std::string> bytes = ReadFile(*file, kMaxVisualBytes);
   if (!bytes.ok()) return bytes.status().WithContext("visual_path");
   return bytes;
 }

@@ -3,6 +3,8 @@
 #include <system_error>
 #include <utility>
 
+#include "latticeworld/common/files.h"
+
 namespace latticeworld {
 namespace {
 
@@ -134,9 +136,7 @@ Status BagFile::Finish() {
   reserve_.Close();
   std::error_code error;
   bytes_ = fs::file_size(active_path_, error);
-  fs::rename(active_path_, path_, error);
-  if (error) return Internal("cannot rename to " + path_.string() + ": " + error.message());
-  return Status();
+  return RenameFile(active_path_, path_);
 }
 
 }  // namespace latticeworld

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <string>
 
+#include "common/synced_directories.h"
 #include "latticeworld_ros/episode/bag_message.h"
 
 namespace latticeworld {
@@ -49,6 +50,15 @@ class BagFileTest : public testing::Test {
 
   fs::path folder_;
 };
+
+TEST_F(BagFileTest, AFinishedBagKeepsItsNameThroughALossOfPower) {
+  auto file = BagFile::Create(folder_ / "a.bag", BagCompression::kNone);
+  ASSERT_TRUE(file.ok() && (*file)->Write(Text(100)).ok());
+  const std::size_t before = SyncedDirectories().size();
+  ASSERT_TRUE((*file)->Finish().ok());
+  ASSERT_GT(SyncedDirectories().size(), before);
+  EXPECT_EQ(SyncedDirectories().back(), fs::canonical(folder_));
+}
 
 TEST_F(BagFileTest, ABagHasItsNameOnceItIsWhole) {
   for (const auto& compression : EnumNames(BagCompression{})) {

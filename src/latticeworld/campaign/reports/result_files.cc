@@ -15,12 +15,9 @@ Status WriteWhole(const fs::path& path, std::string_view content) {
   fs::path temporary = path;
   temporary += "." + std::to_string(::getpid()) + ".part";
   Status status = WriteFile(temporary, content);
-  std::error_code error;
-  if (status.ok()) {
-    fs::rename(temporary, path, error);
-    if (error) status = Internal("cannot rename to " + path.string() + ": " + error.message());
-  }
-  if (!status.ok()) fs::remove(temporary, error);
+  if (status.ok()) status = RenameFile(temporary, path);
+  std::error_code ignored;
+  if (!status.ok()) fs::remove(temporary, ignored);
   return status;
 }
 

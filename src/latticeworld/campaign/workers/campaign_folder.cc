@@ -22,8 +22,8 @@ Status FailureOf(const std::string& what, const std::error_code& error) {
   return Internal(message);
 }
 
-// A broken-off process leaves "<file>.<pid>.part" of results, and ".<world>.XXXXXX" of worlds,
-// whose own names begin with no dot.
+// A broken-off process leaves "<file>.<pid>.part" of results, and ".<world>.unfinished-XXXXXX" of
+// worlds, whose own names begin with no dot.
 void RemoveParts(const fs::path& directory) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(directory, error)) {

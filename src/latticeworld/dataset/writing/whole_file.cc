@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "latticeworld/common/files.h"
+
 namespace latticeworld {
 namespace {
 
@@ -66,8 +68,7 @@ Status WholeFile::Append(std::string_view bytes) {
 
 Status WholeFile::Commit() {
   if (::fsync(fd_) != 0) return FailureOf("cannot sync", path_, errno);
-  if (::rename(Temporary().c_str(), path_.c_str()) != 0)
-    return FailureOf("cannot rename into", path_, errno);
+  LW_RETURN_IF_ERROR(RenameFile(Temporary(), path_));
   ::close(std::exchange(fd_, -1));
   return Status();
 }

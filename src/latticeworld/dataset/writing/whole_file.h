@@ -27,7 +27,7 @@ class WholeFile {
   ~WholeFile();
 
   Status Append(std::string_view bytes);
-  // Syncs and renames.
+  // Syncs and renames; a loss of power does not undo it.
   Status Commit();
 
   std::size_t size() const { return size_; }       // [bytes]
