@@ -119,6 +119,7 @@ void TurnTwoSides(std::vector<Token>* tokens, std::size_t at) {
       WordAt(*tokens, at + 2) != "side") {
     return;
   }
+  // The owner is said, "of the road", or is the line before.
   std::size_t next = at + 3;
   const bool own = WordAt(*tokens, next) == "of";
   std::vector<Token> owner;
@@ -133,6 +134,7 @@ void TurnTwoSides(std::vector<Token>* tokens, std::size_t at) {
     owner = LineWithSides(*tokens, at);
   }
   if (owner.empty()) return;
+  // "on the other" later in the sentence gets the side and the owner as well.
   for (std::size_t i = next; !IsStopAt(*tokens, i); ++i) {
     if (WordAt(*tokens, i) != "on" || WordAt(*tokens, i + 1) != "the" ||
         !IsOneOf(WordAt(*tokens, i + 2), {"other", "opposite"})) {
