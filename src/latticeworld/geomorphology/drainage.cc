@@ -212,7 +212,7 @@ void Drainage::FindBasins() {
   basin_cell_count_ = 0;
   if (pits_.empty()) return;
   if (basin_cells_ == nullptr) {
-    // Not a vector: memory that is not used should not be touched.
+    // This is not a vector: memory that is not used should not be touched.
     basin_cells_.reset(new std::int32_t[directions_.size() + DonorTable::kMost]);
   }
   std::int32_t* const cells = basin_cells_.get();
@@ -233,7 +233,8 @@ void Drainage::FindSaddles(const Grid<float>& height_m) {
   const std::size_t basins = pits_.size();
   saddles_.clear();
   lowest_way_.assign(basins + 1, Way{});
-  // For each basin, the saddle found last, since the next is often to the same other basin.
+  // `last` is the saddle found last for each basin, since the next is often to the same other
+  // basin.
   std::vector<std::int32_t> last(basins + 1, -1);
   const auto meet = [&](std::int32_t cell, std::uint8_t direction) {
     const std::int32_t neighbour = cell + steps_[direction];

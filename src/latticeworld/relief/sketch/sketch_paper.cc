@@ -54,7 +54,7 @@ std::array<Grid<float>, 3> Shrink(const Grid<Rgb>& picture, int block, int threa
   return small;
 }
 
-// In place: the largest (or smallest) value within radius cells along rows and columns.
+// Replaces each value by the largest (or smallest) within radius cells along rows and columns.
 template <typename Pick>
 void Extreme(int radius, Pick pick, Grid<float>* values) {
   Grid<float> along(values->rows(), values->cols());

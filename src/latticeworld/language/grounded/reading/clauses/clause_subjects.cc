@@ -219,7 +219,7 @@ void ClauseReader::TakeShare(int index, bool is_new, bool named, const Chunk& ch
   if (is_new && named && !excepting_) ShareOfLead(index, chunk);
 }
 
-// Where it runs, as the words before it told; `alone`: nothing else is named with it.
+// Takes where the line runs, as the words before it told; `alone`: nothing else is named with it.
 void ClauseReader::TakeCourse(int index, bool is_new, bool alone) {
   PlannedFeature& feature = d_.feature(index);
   if (IsLine(index) && lead_.along && !lead_.empty() && is_new) {

@@ -82,7 +82,7 @@ void TurnAllEnds(std::vector<Token>* tokens, std::size_t at) {
 void TurnArmsOf(std::vector<Token>* tokens, std::size_t at) {
   const bool noun = IsOneOf(WordAt(*tokens, at), {"arm", "branch", "fork", "prong"});
   if (!noun || at == 0 || WordAt(*tokens, at - 1) != "one") return;
-  // Whose arms they are.
+  // The arms are those of a line that splits in the words before.
   constexpr std::size_t kReach = 20;
   bool splits = false;
   for (std::size_t back = 1; back < kReach && back < at && !splits; ++back) {
@@ -90,7 +90,7 @@ void TurnArmsOf(std::vector<Token>* tokens, std::size_t at) {
     splits = IsOneOf(WordAt(*tokens, verb),
                      {"splits", "forks", "divides", "branches", "split", "fork", "parts"});
     if (!splits) continue;
-    // Where the stem comes from is told: the first arm goes on from there.
+    // If it is told where the stem comes from, the first arm goes on from there.
     std::size_t first = SentenceBegin(*tokens, verb);
     if (first > 0) first = SentenceBegin(*tokens, first - 1);
     for (std::size_t i = first; i < at; ++i) {

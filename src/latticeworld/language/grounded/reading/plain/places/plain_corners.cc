@@ -242,7 +242,7 @@ void TurnAllButOne(std::vector<Token>* tokens) {
 
 }  // namespace
 
-// Where nobody says which of them the fourth is, it is the south-eastern one, or the southern edge.
+// If nobody says which of them the fourth is, it is the south-eastern one, or the southern edge.
 void TurnCorners(std::vector<Token>* tokens) {
   TurnOtherCorners(tokens);
   TurnAllButOne(tokens);

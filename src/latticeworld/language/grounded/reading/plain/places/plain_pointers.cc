@@ -78,8 +78,8 @@ bool SaysAt(const std::vector<Token>& tokens, std::size_t at,
 
 constexpr std::size_t kPhrase = 5;  // words of "with a few houses"
 
-// Whose sides "on one side" are, at `at`: "a road with houses on one side", "a river divides the
-// map in two: houses on one side". Empty: nobody's.
+// Returns the thing whose sides "on one side" are, at `at`: "a road with houses on one side", "a
+// river divides the map in two: houses on one side". Empty: nobody's.
 std::vector<Token> LineWithSides(const std::vector<Token>& tokens, std::size_t at) {
   std::size_t with = at;
   while (with > 0 && with + kPhrase > at &&
