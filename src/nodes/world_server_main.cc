@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
   latticeworld::PrepareNode();
 
+  // Parameters, models and files that are not legal end the node at once.
   XmlRpc::XmlRpcValue parameters;
   (void)ros::param::get(ros::this_node::getName(), parameters);  // none at all is legal
   const auto options = latticeworld::OptionsFromParameters(parameters);
@@ -59,6 +60,7 @@ int main(int argc, char** argv) {
     catalogue = *std::move(loaded);
   }
   try {
+    // The node serves until ROS shuts down.
     ros::NodeHandle node;
     auto server = std::make_unique<latticeworld::WorldServer>(node, *options, *std::move(language),
                                                               *std::move(sketches), catalogue);

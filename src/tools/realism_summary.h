@@ -26,7 +26,7 @@ struct FigureSummary {
   int within = 0;       // lands in nature's range
 };
 
-// In the order of FiguresOf. lands: not empty.
+// Returns summaries in the order of FiguresOf. lands: not empty.
 std::vector<FigureSummary> Summarize(const std::vector<MeasuredLand>& lands);
 
 }  // namespace latticeworld::tools

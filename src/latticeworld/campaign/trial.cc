@@ -17,7 +17,8 @@ constexpr int kAdversaryTeam = 2;
 constexpr double kLeastAdversaryDistance_m = 10.0;  // from the start, as far as the world allows it
 constexpr int kAdversaryTries = 400;
 
-// At the start, or as near to it as there is a place: animals may stand where it is.
+// Spawns the robot at the start, or as near to it as there is a place: animals may stand where it
+// is.
 Status SpawnRobot(const TrialSetup& setup, Simulator* simulator) {
   SpawnRequest request;
   request.name = kRobot;

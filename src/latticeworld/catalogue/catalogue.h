@@ -198,8 +198,8 @@ struct AssetModel {
   double storey_m = 0.0;      // buildings only: heights are whole storeys and a roof; 0: any
   double share = 1.0;         // among the models of its kind where habitats suit alike, > 0
   Habitat habitat;
-  // Where it may stand, by vocabulary and letter, as in densities; empty: wherever its kind does,
-  // "-": nowhere.
+  // The letters on which it may stand, by vocabulary, as in densities; empty: wherever its kind
+  // does, "-": nowhere.
   std::string letters_suburb, letters_wild;
   Wood wood;                     // trees and bushes only
   std::vector<ModelPart> parts;  // Shape::kParts only, at the model's mean size

@@ -164,7 +164,8 @@ class TypeFileReader {
     return json.at("models").get<std::vector<std::string>>();
   }
 
-  // Not left to the schema: its checker compares all pairs and reports each that is equal.
+  // Checks what is not left to the schema: its checker compares all pairs and reports each that is
+  // equal.
   void CheckEachOnce(const Json& names, const std::string& pointer) {
     std::set<std::string> known;
     for (const Json& name : names) {

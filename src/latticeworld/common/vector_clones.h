@@ -1,10 +1,10 @@
 #ifndef LATTICEWORLD_COMMON_VECTOR_CLONES_H_
 #define LATTICEWORLD_COMMON_VECTOR_CLONES_H_
 
-// Before a function with a hot loop over floats: the compiler makes it twice, for any processor and
-// for one with AVX2, and the program takes the one that fits where it runs. Both give the same bits
-// where contraction is off (-ffp-contract=off). Elsewhere than on x86-64 with GCC it says nothing;
-// nor under sanitizers, which are not ready when the choice is made.
+// Stands before a function with a hot loop over floats: the compiler makes it twice, for any
+// processor and for one with AVX2, and the program takes the one that fits where it runs. Both give
+// the same bits where contraction is off (-ffp-contract=off). Elsewhere than on x86-64 with GCC it
+// says nothing; nor under sanitizers, which are not ready when the choice is made.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
     !defined(LATTICEWORLD_PLAIN)

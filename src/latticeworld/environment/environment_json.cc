@@ -117,7 +117,7 @@ Result<EnvironmentConfig> ParseUncheckedEnvironment(std::string_view text,
 }
 
 Result<EnvironmentConfig> ParseEnvironment(std::string_view text, const Catalogue& catalogue) {
-  // Where the shape is wrong, the values that were not read would only be reported twice.
+  // If the shape is wrong, the values that were not read would only be reported twice.
   LW_ASSIGN_OR_RETURN(EnvironmentConfig environment, ParseUncheckedEnvironment(text, catalogue));
   LW_RETURN_IF_ERROR(Illegal(Validate(environment, catalogue)));
   return environment;

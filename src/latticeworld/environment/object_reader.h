@@ -1,7 +1,8 @@
 #ifndef LATTICEWORLD_ENVIRONMENT_OBJECT_READER_H_
 #define LATTICEWORLD_ENVIRONMENT_OBJECT_READER_H_
 
-// For .cc files of this room only: a public header would make nlohmann's JSON everybody's.
+// This header is for .cc files of this room only: a public one would make nlohmann's JSON
+// everybody's.
 
 #include <limits>
 #include <nlohmann/json.hpp>

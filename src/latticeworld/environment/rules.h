@@ -51,7 +51,7 @@ struct FineBounds {
   AssetType type = AssetType::kGrass;
   std::vector<ValueBound> season_variants;  // by index, as in the catalogue; one is legal at least
   std::vector<ValueBound> materials;        // the same
-  // By FineParameter; nullopt: the type has no such parameter.
+  // The bounds by FineParameter; nullopt: the type has no such parameter.
   std::array<std::optional<NumberBound>, kFineParameterCount> numbers;
 
   const std::optional<NumberBound>& number(FineParameter parameter) const {

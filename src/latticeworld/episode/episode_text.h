@@ -7,7 +7,7 @@
 
 namespace latticeworld {
 
-// For people to read: what was recorded, who was there, what happened how often.
+// Tells people what was recorded, who was there, and what happened how often.
 std::string SummaryOf(const EpisodeRecord& record);
 
 // Tables with a head line, lines ended by "\n", numbers in SI units; texts that hold a comma, a

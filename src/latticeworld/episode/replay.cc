@@ -72,7 +72,8 @@ class Run {
   }
 
  private:
-  // Up to the moment of a hash. failure: what a call on the way there was refused for, if one was.
+  // Goes up to the moment of a hash. failure: what a call on the way there was refused for, if one
+  // was.
   Status Reach(const RecordedHash& hash, std::string* failure) {
     for (; next_call_ < plan_.calls.size(); ++next_call_) {
       const JournalEntry& entry = plan_.calls[next_call_];

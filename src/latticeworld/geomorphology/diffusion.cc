@@ -100,8 +100,8 @@ class Pyramid {
     }
   }
 
-  // From the coarsest grid up, each started from the one below and given one cycle; then `cycles`
-  // on the finest.
+  // Solves from the coarsest grid up, each started from the one below and given one cycle; then
+  // `cycles` on the finest.
   Status Solve(int cycles, const Progress& progress) {
     for (std::size_t i = levels_.size(); i-- > 0;) {
       LW_RETURN_IF_ERROR(progress.CheckCancelled());

@@ -136,6 +136,7 @@ void Drainage::SteepestDescent(const Grid<float>& height_m, const Grid<unsigned 
 
 void Drainage::DrainFlats(const Grid<float>& height_m) {
   const float* h = height_m.data();
+  // Cells without a lower neighbour are collected.
   std::vector<std::int32_t> undrained;
   const std::uint8_t* begin = directions_.data();
   const std::uint8_t* end = begin + directions_.size();
@@ -161,6 +162,7 @@ void Drainage::DrainFlats(const Grid<float>& height_m) {
     way.push_back(out);
   }
   for (std::size_t i = 0; i < ring.size(); ++i) directions_[ring[i]] = way[i];
+  // Each ring drains its level neighbours.
   const auto spread = [&](std::size_t from) {
     for (std::size_t i = from; i < ring.size(); ++i) {
       const std::int32_t cell = ring[i];
@@ -212,7 +214,7 @@ void Drainage::FindBasins() {
   basin_cell_count_ = 0;
   if (pits_.empty()) return;
   if (basin_cells_ == nullptr) {
-    // Not a vector: memory that is not used should not be touched.
+    // This is not a vector: memory that is not used should not be touched.
     basin_cells_.reset(new std::int32_t[directions_.size() + DonorTable::kMost]);
   }
   std::int32_t* const cells = basin_cells_.get();
@@ -233,8 +235,11 @@ void Drainage::FindSaddles(const Grid<float>& height_m) {
   const std::size_t basins = pits_.size();
   saddles_.clear();
   lowest_way_.assign(basins + 1, Way{});
-  // For each basin, the saddle found last, since the next is often to the same other basin.
+  // `last` is the saddle found last for each basin, since the next is often to the same other
+  // basin.
   std::vector<std::int32_t> last(basins + 1, -1);
+  // Two neighbours of unlike basins are a way over the higher of both; the lowest way is kept for
+  // each pair. Basin 0 is drained land.
   const auto meet = [&](std::int32_t cell, std::uint8_t direction) {
     const std::int32_t neighbour = cell + steps_[direction];
     const std::int32_t a = basin_[cell];
@@ -271,6 +276,7 @@ void Drainage::FindSaddles(const Grid<float>& height_m) {
       for (int i = 0; i < end - begin; ++i) any |= here[i] | below[i];
       if (end < cols_) any |= here[end - begin] | below[end - begin];
       if (any == 0) continue;
+      // Each pair of neighbours is met once: to the east and to the three in the next row.
       for (int c = begin; c < end; ++c) {
         if (c + 1 < cols_) meet(row + c, 4);
         if (last_row) continue;

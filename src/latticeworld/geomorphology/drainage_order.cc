@@ -78,6 +78,7 @@ void DrainageOrder::SortBand(const Drainage& drainage, int band) {
     tail = donors_.Append(*head, donors, tail);
   }
 
+  // Areas add up from the last cell back to the first, within the band.
   const NeighbourSteps steps = drainage.steps();
   std::int32_t* area = area_cells_.data();
   std::fill(area + begin, area + end, 1);

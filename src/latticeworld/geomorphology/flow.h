@@ -8,7 +8,7 @@
 
 namespace latticeworld {
 
-// Where water goes: every cell drains to one of its eight neighbours (D8, O'Callaghan and Mark
+// Says where water goes: every cell drains to one of its eight neighbours (D8, O'Callaghan and Mark
 // 1984), depressions over their lowest saddle, all of it to an outlet. Cells are row * cols + col.
 struct FlowGraph {
   int rows = 0;

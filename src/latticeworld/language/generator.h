@@ -44,8 +44,8 @@ struct ModelReply {
   double seconds = 0.0;
   double log_probability = 0.0;         // of the text, natural; 0: not said
   std::vector<std::string> warnings{};  // of how its server treats what it is asked
-  // Not OK: no reply, but what the back end failed of before another one answered. The purpose is
-  // "layout" or "environment", and the rest says nothing.
+  // If this is not OK, there was no reply, and it is what the back end failed of before another one
+  // answered. The purpose is "layout" or "environment", and the rest says nothing.
   Status failure{};
 };
 

@@ -62,6 +62,7 @@ std::size_t SkipOf(const std::vector<Token>& tokens, std::size_t at) {
 
 NumberMatch MatchNumber(const std::vector<Token>& tokens, std::size_t at) {
   if (at >= tokens.size()) return {};
+  // "half a dozen", "a pair of"
   const bool article = IsWord(tokens, at, "a") || IsWord(tokens, at, "an");
   const std::size_t after_article = at + (article ? 1 : 0);
   if (IsWord(tokens, at, "half") && IsWord(tokens, at + 1, "a") &&
@@ -72,6 +73,7 @@ NumberMatch MatchNumber(const std::vector<Token>& tokens, std::size_t at) {
     return {2, after_article + 1 - at + SkipOf(tokens, after_article + 1)};
   }
 
+  // Digits, an article or words make a number ...
   NumberMatch number;
   if (tokens[at].kind == TokenKind::kNumber) {
     number = {ValueOfDigits(tokens[at].text), 1};
@@ -83,6 +85,7 @@ NumberMatch MatchNumber(const std::vector<Token>& tokens, std::size_t at) {
   }
   if (number.tokens == 0) return {};
 
+  // ... which "dozen", "hundred", "thousand" or "million" multiplies.
   const std::size_t next = at + number.tokens;
   for (const std::string_view dozen : {"dozen", "dozens"}) {
     if (IsWord(tokens, next, dozen)) {

@@ -99,6 +99,7 @@ PlaceExtent TakeExtent(const Direction& direction, PlaceCursor* cursor) {
       return {unit == "columns" || unit == "column" ? PlaceDepth::kColumns : PlaceDepth::kRows};
     }
   }
+  // "the middle horizontal band", "the central vertical strip"
   if (cursor->Take({"horizontal"})) {
     cursor->Take({"band", "strip", "third", "stripe", "belt", "rows", "row", "part"});
     return {PlaceDepth::kRows};
@@ -113,6 +114,7 @@ PlaceExtent TakeExtent(const Direction& direction, PlaceCursor* cursor) {
       IsOneOf(cursor->word(1), {"limit", "limits", "boundary", "border", "edge"})) {
     cursor->Skip(1);
   }
+  // A noun gives the depth: "quarter", "edge", "corner".
   if (cursor->Take({"quadrant", "quadrants"})) {
     extent.depth = direction.heading.IsDiagonal() ? PlaceDepth::kQuarter : PlaceDepth::kUnsaid;
   } else if (const ExtentNoun* noun = FindExtentNoun(cursor->word())) {

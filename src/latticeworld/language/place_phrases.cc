@@ -74,6 +74,7 @@ bool TakeEverywhere(PlaceCursor* cursor, bool whole, ReadPlace* read) {
 bool TakeGroup(PlaceCursor* cursor, ReadPlace* read) {
   const std::size_t start = cursor->at();
   const std::string_view previous = cursor->previous();
+  // Words before the noun say how many of them are meant: each, one or two.
   bool each = cursor->Take({"all", "each", "every", "any", "per"});
   bool one = false;
   bool two = false;
@@ -94,6 +95,7 @@ bool TakeGroup(PlaceCursor* cursor, ReadPlace* read) {
   const bool alone = cursor->at() == start;
   if (alone && !MayBeNoun(previous)) return false;
   const std::string_view noun = cursor->word();
+  // The noun names corners, quadrants, sides, edges, the rim or the interior.
   if (TakeCornerNoun(cursor)) {
     if (opposite || (two && !each)) {
       AddSides({{-1, -1}, {1, 1}}, PlaceDepth::kCorner, read);
@@ -136,6 +138,7 @@ bool TakeGroup(PlaceCursor* cursor, ReadPlace* read) {
   } else {
     return false;
   }
+  // "of the map" may follow.
   TakeWholeMap(cursor);
   // "the edge of the forest" is no place of the map.
   return cursor->word() != "of";
@@ -175,6 +178,7 @@ bool TakeBesideCenter(PlaceCursor* cursor, ReadPlace* read) {
 }
 
 bool TakePictureWord(PlaceCursor* cursor, bool determined, ReadPlace* read) {
+  // In pictures north is far and south is near.
   if (cursor->Take({"far", "distant", "near", "immediate", "deep", "extreme"})) {
     const bool near = cursor->tokens()[cursor->at() - 1].text == "near" ||
                       cursor->tokens()[cursor->at() - 1].text == "immediate";
@@ -200,6 +204,7 @@ bool TakePictureWord(PlaceCursor* cursor, bool determined, ReadPlace* read) {
   } else if (determined && cursor->Take({"front"})) {
     *read = FoundPlace(PlaceOfName("southern third"));
   } else {
+    // A diagonal falls unless it is said to rise.
     bool rising = cursor->Take({"rising", "other", "second", "anti", "secondary", "minor"});
     cursor->Take({"main", "falling", "first", "primary"});
     if (cursor->Take({"antidiagonal"})) {

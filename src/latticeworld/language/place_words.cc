@@ -244,6 +244,7 @@ Direction TakeDirection(PlaceCursor* cursor) {
     cursor->set_at(start);
     return Direction();
   };
+  // Winds between a cardinal and a diagonal have words of their own.
   for (const WindWord& wind : kWinds) {
     if (cursor->word() != wind.word) continue;
     cursor->Skip(1);
@@ -253,6 +254,7 @@ Direction TakeDirection(PlaceCursor* cursor) {
     direction.found = true;
     return direction;
   }
+  // Words add up, "upper" and "left", as long as they do not clash.
   while (const DirectionWord* word = FindDirection(cursor->word())) {
     const Heading& step = word->heading;
     const bool clash = word->is_center ? direction.center

@@ -160,6 +160,7 @@ bool TakeDirectional(PlaceCursor* cursor, int depth, ReadPlace* read) {
   } else if (directions.size() == 1) {
     cursor->set_at(after_first);
   }
+  // The noun gives the extent, which is that of all directions.
   const Direction first = directions.front();
   const std::size_t noun_at = cursor->at();
   const PlaceExtent extent = TakeExtent(first, cursor);
@@ -193,6 +194,7 @@ bool TakeDirectional(PlaceCursor* cursor, int depth, ReadPlace* read) {
       read->places.push_back(MakePlace(direction, extent));
     }
   }
+  // "of the map", or of another part of it, may follow.
   if (directions.size() > 1 || read->places.size() > 1) read->direction = Direction();
   if (TakeWholeMap(cursor)) return true;
   if (read->places.size() == 1 && TakeWholeOfPart(cursor, depth, read)) {
@@ -207,6 +209,7 @@ ReadPlace TakePlace(PlaceCursor* cursor, int depth) {
   if (cursor->word().empty()) return {};
   const std::size_t start = cursor->at();
   ReadPlace read;
+  // Each form is tried from the same place; what fails leaves nothing behind.
   const auto attempt = [&](std::size_t at, auto&& take) {
     cursor->set_at(at);
     if (take() && !read.places.empty()) return true;

@@ -32,7 +32,7 @@ class LayoutMask {
   LayoutMask operator~() const;
   bool operator==(const LayoutMask& other) const { return rows_ == other.rows_; }
 
-  // With every cell that is at most one step away: 4 neighbours, 8 neighbours.
+  // These add every cell that is at most one step away: 4 neighbours, 8 neighbours.
   LayoutMask Grown4() const;
   LayoutMask Grown8() const;
   // Adds every cell that is at most `steps` king's moves away.

@@ -35,7 +35,8 @@ struct ThingKind {
 
 // data/things.txt, in its order.
 const std::vector<ThingKind>& AllThingKinds();
-// By its name or another word for it, in the singular; nullptr: there is none.
+// Returns the kind of that name, or of another word for it, in the singular; nullptr: there is
+// none.
 const ThingKind* FindThingKind(std::string_view word);
 // The name that is written most alike.
 std::string NearestThingKind(std::string_view word);

@@ -9,7 +9,7 @@ namespace latticeworld {
 
 // Puts wishes behind those that there are; their targets still are the wishes that they were.
 void AppendWishes(const std::vector<ThingWish>& wishes, std::vector<ThingWish>* to);
-// Where no number was said of a fence, hedge or wall along or around something: as many of its
+// Gives a fence, hedge or wall along or around something, of which no number was said, as many
 // pieces as there is room for.
 void FillRun(ThingWish* wish);
 

@@ -33,7 +33,8 @@ class Arena {
   static Result<std::unique_ptr<Arena>> Create(std::shared_ptr<const Scene> scene,
                                                const ArenaOptions& options, std::uint64_t seed);
 
-  // For commands, spawning and looking; steps, resets and restores go through the arena.
+  // The simulator is for commands, spawning and looking; steps, resets and restores go through the
+  // arena.
   Simulator* simulator() { return simulator_.get(); }
   const Simulator& simulator() const { return *simulator_; }
   const LidarModel* scanner() const;  // null: robots have none
@@ -43,9 +44,9 @@ class Arena {
   // Errors: INVALID_ARGUMENT (of another scene or other options).
   Status Restore(const SimulatorSnapshot& snapshot);
 
-  // So many fixed steps. scanned: the robots whose sweeps are kept. check: asked now and then
-  // whether to go on. Errors: its own, and Embree's: the state has moved on and there are no sweeps
-  // then.
+  // Advances by so many fixed steps. scanned: the robots whose sweeps are kept. check: asked now
+  // and then whether to go on. Errors: its own, and Embree's: the state has moved on and there are
+  // no sweeps then.
   Status Advance(int steps, const std::vector<std::string>& scanned,
                  const std::function<Status()>& check = nullptr);
 

@@ -30,7 +30,7 @@ class BridgeDecks {
 
   const GridGeometry& geometry_;
   const std::vector<PropDeck>& decks_;
-  // For each tile, the indices into decks_ of the decks that may reach into it.
+  // The indices into decks_ of the decks that may reach into each tile.
   std::vector<std::vector<std::size_t>> tiles_;
 };
 

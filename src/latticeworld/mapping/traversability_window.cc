@@ -29,6 +29,7 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
   LW_CHECK(window.row_begin >= 0 && window.rows() > 0 && window.row_end <= geometry.rows() &&
                window.col_begin >= 0 && window.cols() > 0 && window.col_end <= geometry.cols(),
            "a window lies in its scene");
+  // The bare ground comes first, row by row.
   const GroundEffort ground(*scene_.terrain, limits_, SurfacesIn(scene_, changes));
   const auto cols = static_cast<std::size_t>(window.cols());
   for (int row = window.row_begin; row < window.row_end; ++row) {
@@ -38,6 +39,7 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
   }
 
   const std::shared_ptr<const StandingProps> props = PropsIn(scene_, changes);
+  // Cells that an asset stops the robot on become 0.
   const AssetBlocks blocks(scene_.terrain->ground, limits_);
   const auto block_where = [&](const MappedAsset& asset, const auto& is_in_the_way) {
     blocks.ForEachBlocked(asset, window.row_begin, window.row_end, [&](int row, int col) {
@@ -64,6 +66,7 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
         return IsInTheWay(one, limits_, scene_.terrain->ground.height_m()(row, col));
       });
   };
+  // Bridges lie over their piers, and under everything else that stands.
   for (const PropBlock& pier : props->below) block_near(pier);
   for (const PropDeck& deck : props->decks) {
     ForEachCellOf(
@@ -75,6 +78,7 @@ void TraversabilityWindow::Fill(const CellWindow& window, const SceneChanges& ch
         coarse_);
   }
 
+  // Assets, fallen trees and props block what they stand on.
   scene_.index.ForEachNear(middle, around_m, [&](std::uint32_t asset) {
     if (!changes.empty() && !changes.Stands(asset)) return;
     MappedAsset standing;

@@ -73,6 +73,7 @@ void AddBlock(const ShapeInput& input, const BlockForm& block, MeshBuilder* buil
   const float out_m = 0.12f;
   const float wall_x_m = half_x_m - out_m, wall_y_m = half_y_m - out_m;
   const float parapet_m = std::min(0.9f, 0.1f * height_m);
+  // Far away it is a box, of glass or of wall.
   if (input.detail == 2) {
     Belts belts(half_x_m, half_y_m, -depth_m, builder);
     const bool glass = block.glass_high - block.glass_low > 0.6f;
@@ -80,6 +81,7 @@ void AddBlock(const ShapeInput& input, const BlockForm& block, MeshBuilder* buil
     belts.Close(MeshPart::kStone);
     return;
   }
+  // Each storey is a belt of wall and one of glass.
   const auto storey_m = static_cast<float>(input.model.storey_m > 0.0 ? input.model.storey_m : 3.0);
   const float roof_m = height_m - parapet_m;
   const int most = input.detail == 0 ? block.most_storeys : 3;
@@ -105,12 +107,14 @@ void AddBlock(const ShapeInput& input, const BlockForm& block, MeshBuilder* buil
   belts.Up(wall_x_m - 0.2f, wall_y_m - 0.2f, height_m, MeshPart::kTrim);
   belts.Up(wall_x_m - 0.2f, wall_y_m - 0.2f, roof_m + 0.1f, MeshPart::kTrim);
   belts.Close(MeshPart::kStone);
+  // Piers part the walls into bays.
   const int bays_x =
       std::clamp(static_cast<int>(std::lround(2.0f * half_x_m / block.bay_m)), 2, block.most_bays);
   const int bays_y =
       std::clamp(static_cast<int>(std::lround(2.0f * half_y_m / block.bay_m)), 2, block.most_bays);
   AddPiers(wall_x_m, wall_y_m, 0.06f, -0.5f * depth_m, roof_m - 0.05f, bays_x, bays_y, block.pier_m,
            block.pier, builder);
+  // The front looks along x.
   WallPatch front;
   front.outward = Vec3::UnitX();
   front.right = Vec3::UnitY();

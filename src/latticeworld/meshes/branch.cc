@@ -30,6 +30,7 @@ void BuildBranch(ShapeInput input, MeshBuilder* builder) {
     return Vec3(x_m, bow_m * (1.0f - 4.0f * (share - 0.5f) * (share - 0.5f)),
                 thickness(share) * 0.9f);
   };
+  // The stem is a bent tube that gets thinner.
   std::vector<Vec3> axis;
   std::vector<float> radii;
   for (int i = 0; i <= parts.bends; ++i) {
@@ -40,6 +41,7 @@ void BuildBranch(ShapeInput input, MeshBuilder* builder) {
     radii.push_back(thickness(share) * std::sqrt(corner / std::sin(corner)));
   }
   builder->AddTube(axis, radii, parts.sides, MeshPart::kBark);
+  // Forks leave it to both sides in turn, the first as high as the whole is.
   for (int i = 0; i < parts.forks; ++i) {
     const float share = 0.3f + 0.55f * static_cast<float>(i) / static_cast<float>(parts.forks);
     const float hand = i % 2 == 0 ? 1.0f : -1.0f;
@@ -57,6 +59,7 @@ void BuildBranch(ShapeInput input, MeshBuilder* builder) {
     } else {
       builder->AddTube({base, tip}, {foot_m, 0.0f}, parts.fork_sides, MeshPart::kBark);
     }
+    // Twigs leave the forks in any direction.
     for (int k = 0; k < parts.twigs / std::max(1, parts.forks); ++k) {
       const Vec3 root = base + Draw(random, 0.4, 0.95) * (tip - base);
       const Vec3 end = root + 0.3f * length_m * (way + 0.9f * DrawDirection(random)).normalized();

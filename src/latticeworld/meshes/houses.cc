@@ -131,6 +131,7 @@ void AddCanopy(const WallPatch& wall, float centre_m, float high_m, MeshBuilder*
 void BuildGabledHouse(ShapeInput input, MeshBuilder* builder) {
   RandomStream* random = &input.random;
   const float half_x_m = input.size_m.x(), half_y_m = input.size_m.y();
+  // A hall without storeys that is much longer than wide is a church.
   if (input.model.storey_m <= 0.0 && half_x_m > 1.6f * half_y_m) {
     AddChurch(input, random, builder);
     builder->FitToUnitBox();
@@ -139,6 +140,7 @@ void BuildGabledHouse(ShapeInput input, MeshBuilder* builder) {
   // The ridge follows the longer side; near a square either way.
   const bool turn = random->Chance(0.35);
   const bool along_x = half_x_m > 1.25f * half_y_m || (half_y_m < 1.25f * half_x_m && turn);
+  // The body has a gable form; far away it is a plain block.
   int storeys = 1;
   const GableForm form = DrawGable(input, along_x, Draw(random, 38.0, 48.0), &storeys);
   if (input.detail == 2) {
@@ -147,6 +149,7 @@ void BuildGabledHouse(ShapeInput input, MeshBuilder* builder) {
     return;
   }
   AddGableBody(form, builder);
+  // Facades follow, the front with door and canopy.
   const float window = Draw(random, 0.85, 1.1);
   const int most = input.detail == 0 ? (storeys > 1 ? 3 : 4) : 2;
   for (int side = 0; side < (input.detail == 0 ? 4 : 2); ++side) {

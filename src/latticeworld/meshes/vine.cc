@@ -36,6 +36,7 @@ void BuildVine(ShapeInput input, MeshBuilder* builder) {
                       (fork_m + 0.04f * height_m) * up + 0.95f * hand * radius_m * row},
                      {0.8f * thick_m, 0.6f * thick_m, 0.0f}, 3, MeshPart::kTrim);
   }
+  // Shoots grow up from the arms.
   const float half_width_m = thick_m * (input.detail == 0 ? 0.4f : 1.6f);
   for (int i = 0; i < parts.shoots; ++i) {
     const float x_m =
@@ -46,6 +47,7 @@ void BuildVine(ShapeInput input, MeshBuilder* builder) {
     builder->AddTriangle(base + half_width_m * row, base - half_width_m * row, tip,
                          MeshPart::kTrim);
   }
+  // Leaves hang on both sides of the row, each a spray of its own.
   const float half_m = 0.32f * radius_m;
   for (int i = 0; i < parts.leaves; ++i) {
     const float side = i % 2 == 0 ? 1.0f : -1.0f;
@@ -56,6 +58,7 @@ void BuildVine(ShapeInput input, MeshBuilder* builder) {
     AddLeafTriangle(centre, normal.normalized(), parts.leaf * height_m, random, MeshPart::kLeaves,
                     builder);
   }
+  // Grapes hang below the arms' leaves.
   for (int i = 0; i < parts.grapes; ++i) {
     const float side = i % 2 == 0 ? 1.0f : -1.0f;
     const Vec3 top(radius_m * Draw(random, -0.85, 0.85), side * half_m * 0.9f,

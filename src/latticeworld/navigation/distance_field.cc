@@ -15,7 +15,8 @@ namespace latticeworld {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
-// Around the goal distances are those of straight lines: the front is too bent there for planes.
+// This near to the goal, distances are those of straight lines: the front is too bent there for
+// planes.
 constexpr int kStraightCells = 8;
 
 struct Step {
@@ -101,8 +102,8 @@ class Marcher {
     return static_cast<std::uint32_t>((row + 1) * stride_ + col + 1);
   }
 
-  // In which of the eight directions each cell can be left; diagonals need both cells that they
-  // pass between.
+  // Finds in which of the eight directions each cell can be left; diagonals need both cells that
+  // they pass between.
   void FillWays() {
     std::vector<std::uint8_t> free(ways_.size(), 0);
     for (int row = 0; row < map_.free.rows(); ++row) {

@@ -12,7 +12,7 @@
 namespace latticeworld {
 namespace {
 
-// From here to the goal a straight line is looked for.
+// This near to the goal, a straight line to it is looked for.
 constexpr int kStraightCells = 8;
 
 struct Step {
@@ -97,7 +97,8 @@ Result<SurfacePath> PathDown(const NavigableMap& map, const DistanceField& field
   for (std::size_t i = 1; i < cells.size(); ++i)
     points.push_back(map.geometry().CenterOf(cells[i]));
   points.push_back(field.goal);
-  // From the other side as well: corners that doubling left on the way are pulled straight.
+  // The path is straightened from the other side as well: corners that doubling left on the way are
+  // pulled straight.
   points = Straighten(map, points);
   std::reverse(points.begin(), points.end());
   points = Straighten(map, points);

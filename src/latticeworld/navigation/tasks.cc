@@ -210,6 +210,7 @@ Status Validate(const TaskWishes& wishes) {
 Result<std::vector<NavigationTask>> SampleTasks(const Scene& scene, const TaskWishes& wishes,
                                                 const Progress& progress) {
   LW_RETURN_IF_ERROR(Validate(wishes));
+  // Goals and starts are open cells, some way from the world's edge.
   const NavigableMap map = BuildNavigableMap(scene, wishes.robot);
   const NavigableMap inner = WithoutEdge(map, wishes.robot.radius_m);
   const Grid<std::uint8_t> open = OpenCells(scene, inner, wishes.robot.radius_m);
@@ -224,6 +225,7 @@ Result<std::vector<NavigationTask>> SampleTasks(const Scene& scene, const TaskWi
         "the robot can be nowhere in this world: nothing is free for it outside of bushes, crops "
         "and the world's edge");
 
+  // Goals are drawn, and for each some starts, until there are tasks enough.
   RandomStream random(wishes.seed, "navigation tasks");
   const auto draw = [&](const std::vector<CellIndex>& cells) {
     return map.geometry().CenterOf(cells[random.NextBits() % cells.size()]);
@@ -239,6 +241,7 @@ Result<std::vector<NavigationTask>> SampleTasks(const Scene& scene, const TaskWi
     LW_ASSIGN_OR_RETURN(const DistanceField field,
                         DistancesTo(inner, goal, 1.02 * wishes.length_m.high));
     const std::vector<CellIndex> starts = CellsOf(field, wishes.length_m, open);
+    // The first start whose way is as difficult as wished makes a task.
     for (int i = 0; i < kStartsPerGoal && !starts.empty(); ++i) {
       NavigationTask task;
       task.start = draw(starts);

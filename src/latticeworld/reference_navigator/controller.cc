@@ -33,7 +33,7 @@ class Room {
  public:
   Room(const ObstacleLayer& seen, const GlobalPlan& global, double radius_m)
       : seen_(seen), global_(global), radius_m_(radius_m) {}
-  // Beside the robot [m]; below 0: it touches something.
+  // Returns the room beside the robot [m]; below 0: it touches something.
   double At(WorldPoint at) const {
     if (!global_.geometry.Contains(at)) return -1.0;
     if (global_.prices[global_.geometry.CellAt(at)] == kClosedCell) return -0.01;

@@ -47,7 +47,7 @@ class GlobalRoute {
   double CostFrom(WorldPoint here) const;
   // Returns the way to the goal from a place that has one, both included.
   std::vector<WorldPoint> WayFrom(WorldPoint here) const;
-  // As Navigator::Plan; points are finite.
+  // Plans as Navigator::Plan does; points are finite.
   Result<std::vector<WorldPoint>> Plan(WorldPoint start, WorldPoint goal, double tolerance_m) const;
 
  private:

@@ -32,7 +32,7 @@ class LocalPlan {
 
   // What the rest of the way costs from there, as the global field counts; infinity: no way.
   double CostAt(WorldPoint point) const;
-  // From the robot on, at most to the square's edge; empty: there is none.
+  // Returns the way from the robot on, at most to the square's edge; empty: there is none.
   const std::vector<WorldPoint>& way() const { return way_; }
 
  private:

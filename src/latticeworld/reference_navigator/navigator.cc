@@ -181,12 +181,14 @@ class Navigator::Impl {
                   "the goal was not reached within " + FormatDouble(options_.time_limit_s) + " s"));
       return {};
     }
+    // At the goal it stands; off the map it fails.
     DriveCommand stand;
     if (IsAtGoal(at, &stand)) return stand;
     if (!route_.map().geometry.Contains(at.at)) {
       Fail(Status(StatusCode::kOutOfRange, "the robot left the map at " + Shown(at.at)));
       return {};
     }
+    // It plans when it is told to, or when the local way costs much more than expected.
     if (wants_plan_) {
       PlanAnew(at.at, time_s);
       ForgetProgress(time_s);
@@ -202,6 +204,7 @@ class Navigator::Impl {
       // A longer way is no step back, but neither is a shorter one progress until it is gone.
       if (std::isfinite(cost_m)) least_cost_m_ = cost_m;
     }
+    // It makes progress if the rest of the way shrinks while it moves.
     const double moved_m = std::hypot(at.at.x_m - progress_at_.x_m, at.at.y_m - progress_at_.y_m);
     if (cost_m < least_cost_m_ - kProgress_m && moved_m > kMoved_m) {
       least_cost_m_ = cost_m;
@@ -215,12 +218,14 @@ class Navigator::Impl {
       recoveries_ = 0;
     }
     ShowWay(local, at.at, time_s);
+    // Without progress it tries to free itself for a while.
     if (state_ == NavigatorState::kRecovering) {
       if (time_s - recovering_s_ < kRecovery_s) return Free(at);
       state_ = NavigatorState::kFollowing;
       ForgetProgress(time_s);
     }
     if (time_s - progress_s_ > options_.patience_s) return BeginRecovery(at, cost_m, time_s);
+    // Else it follows the way, slower the nearer the goal is.
     const double far_m = std::hypot(at.at.x_m - route_.goal().x_m, at.at.y_m - route_.goal().y_m);
     const double top_speed =
         std::max(0.1, std::sqrt(1.2 * options_.robot.max_acceleration_mps2 * far_m));

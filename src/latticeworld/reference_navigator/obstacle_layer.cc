@@ -164,6 +164,7 @@ void ObstacleLayer::DropLoneOnes(const Eigen::Vector3d& sensor_m, std::vector<Hi
 // was seen there. Rays that go up say nothing of what stands low.
 void ObstacleLayer::Clear(const Sighting& sighting, const std::vector<Hit>& hits) {
   const Eigen::Vector3d sensor_m = sighting.map_from_sensor.translation();
+  // Hits tell, by direction, how far rays went and where the first obstacle is.
   std::vector<double> free_m(kBins, 0.0), blocked_m(kBins, kInfinity);
   for (const Hit& hit : hits) {
     const double x_m = hit.at_m.x() - sensor_m.x(), y_m = hit.at_m.y() - sensor_m.y();
@@ -179,12 +180,14 @@ void ObstacleLayer::Clear(const Sighting& sighting, const std::vector<Hit>& hits
       free_m[bin] = std::max(free_m[bin], far_m);
     }
   }
+  // Rays that met nothing went as far as they could.
   for (const Eigen::Vector3f& miss : sighting.misses_m) {
     const Eigen::Vector3d way = sighting.map_from_sensor.linear() * miss.cast<double>();
     const double level_m = std::hypot(way.x(), way.y());
     if (!sighting.planar && way.z() > -0.02 * level_m) continue;
     free_m[BinOf(way.x(), way.y())] = std::max(free_m[BinOf(way.x(), way.y())], level_m);
   }
+  // Cells that lie nearer than that are freed.
   for (int row = corner_.row; row < corner_.row + cells_; ++row) {
     for (int col = corner_.col; col < corner_.col + cells_; ++col) {
       double& seen = seen_s_(Wrapped(row), Wrapped(col));

@@ -70,6 +70,7 @@ TravelField SpreadFrom(const std::vector<TravelSeed>& seeds, const Grid<float>& 
                 price.begin() + place({row, 0}));
   }
 
+  // Costs spread from the seeds, the least first (Dijkstra 1959).
   BucketQueue queue(resolution_m);
   for (const TravelSeed& seed : seeds) {
     if (!prices.Contains(seed.cell) || prices[seed.cell] == kClosedCell) continue;
@@ -86,6 +87,7 @@ TravelField SpreadFrom(const std::vector<TravelSeed>& seeds, const Grid<float>& 
     if (entry.cost_m > limit) break;
     // Its way down may lead over cells of the same bucket that are not settled yet.
     if (enough != nullptr && at == place(*enough)) limit = entry.cost_m + 2.0f * half;
+    // A step costs half of each cell's price for its length; diagonals need both sides open.
     const auto step = [&](std::uint32_t next, float length) {
       const float cost_m = entry.cost_m + length * half * (price[at] + price[next]);
       if (!(cost_m < cost[next])) return;
@@ -105,6 +107,7 @@ TravelField SpreadFrom(const std::vector<TravelSeed>& seeds, const Grid<float>& 
     if (s && e && open(south + 1)) step(south + 1, kDiagonal);
   }
 
+  // The field is cut out of the grid again.
   TravelField field;
   field.resolution_m = resolution_m;
   field.cost_m = Grid<float>(rows, cols);

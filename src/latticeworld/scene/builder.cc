@@ -87,7 +87,7 @@ double Builder::BaseOf(const Footprint& footprint) const {
   const double reach_y_m = footprint.half_width_m + kLeastSetback_m;
   const int steps_x = static_cast<int>(std::ceil(2.0 * reach_x_m / step_m));
   const int steps_y = static_cast<int>(std::ceil(2.0 * reach_y_m / step_m));
-  // From wall to wall: the steps between terraces are steep, but low.
+  // Relief is measured from wall to wall: the steps between terraces are steep, but low.
   const double most_relief_m =
       std::min(kMostReliefBelow_m, std::tan(kSteepestForBuildings_deg * M_PI / 180.0) * 2.0 *
                                        std::min(footprint.half_length_m, footprint.half_width_m));
@@ -122,7 +122,7 @@ double Builder::BaseOf(const Footprint& footprint) const {
 
 std::optional<Asset> Builder::AssetOf(const BuildingPlan& plan) {
   const Terrain& terrain = placement_->terrain;
-  // As the asset stores it, so that what is checked is what stands.
+  // The numbers are as the asset stores them, so that what is checked is what stands.
   Asset asset;
   asset.kind = AssetKind::kBuilding;
   asset.x_m = static_cast<float>(plan.footprint.centre.x_m);

@@ -11,8 +11,8 @@
 
 namespace latticeworld {
 
-// When a sensor is read: reading k at time k / rate, taken at the first step at or after it; of
-// several within one step the last.
+// Says when a sensor is read: reading k at time k / rate, taken at the first step at or after it;
+// if there are several within one step, the last.
 class SensorClock {
  public:
   explicit SensorClock(double rate_hz) : rate_hz_(rate_hz) {}
@@ -45,7 +45,7 @@ class RigSensor {
                       std::vector<SensorFrame>* frames) = 0;
   // Whether readings are of what lies between them, so that no step must be missed.
   virtual bool IsCollecting() const = 0;
-  // As if it had just been made for an agent of the same height; false: it has to be.
+  // Makes it as if it had just been made for an agent of the same height; false: it has to be made.
   virtual bool Forget() { return false; }
 };
 

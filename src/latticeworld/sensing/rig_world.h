@@ -25,7 +25,7 @@ class RigWorld {
   // has its detail whoever listens. world lives until the next BeginStep.
   void BeginStep(const SensedWorld& world, std::vector<Eigen::Vector3d> eyes_m);
 
-  // As the world of this step is. Errors are Embree's.
+  // Returns the scene as the world of this step is. Errors are Embree's.
   Result<const SensorScene*> Rays();
   // Returns the surfaces under the weather of this step.
   const LidarSurfaces& surfaces();

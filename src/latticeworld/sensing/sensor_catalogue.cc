@@ -103,7 +103,8 @@ class SensorCatalogueBuilder {
                            std::to_string(count)});
   }
 
-  // By name, with those of what it extends; what is wrong with its own is added.
+  // Returns the suite's sensors by name, with those of what it extends; what is wrong with its own
+  // is added.
   std::map<std::string, SensorSpec> SensorsOf(const SuiteEntry& entry) {
     // The chain goes from the entry back to the suite that all of them extend.
     std::vector<const SuiteEntry*> chain = {&entry};
@@ -137,7 +138,7 @@ class SensorCatalogueBuilder {
     return sensors;
   }
 
-  // With its lidar looked up; tells: whether to add what is wrong.
+  // Returns the sensor with its lidar looked up; tells: whether to add what is wrong.
   SensorSpec Resolved(const SensorEntry& entry, bool tells) {
     SensorSpec spec = entry.spec;
     if (entry.lidar.empty()) return spec;

@@ -73,8 +73,9 @@ class SensorRig {
   // the first ray is wanted (0.4 s and 130 MiB for 1 km with 100,000 trees). Errors are Embree's.
   virtual Result<std::vector<SensorFrame>> Step(const SensedWorld& world, double step_s,
                                                 const Wanted& wanted) = 0;
-  // After a reset, a restore or a gap: the next Step is a beginning, from which odometry counts and
-  // IMUs and lidars begin with the next whole interval; seed: of noise from then on.
+  // Is to be called after a reset, a restore or a gap: the next Step is a beginning, from which
+  // odometry counts and IMUs and lidars begin with the next whole interval; seed: of noise from
+  // then on.
   virtual void Restart(std::uint64_t seed) = 0;
   // Whether the step after `step` matters to what is wanted: something is due then, or a lidar, an
   // IMU, wheel odometry or a bumper is collecting. Robots count that the last Step met; before the

@@ -35,7 +35,7 @@ struct VelocityCommand {
   double yaw_rate_radps = 0.0;
 };
 
-// For one joint of a robot; exactly one of the three is finite, the others NaN.
+// A command for one joint of a robot; exactly one of the three is finite, the others NaN.
 struct JointCommand {
   std::string joint;  // as JointSnapshot names it
   double position_rad;

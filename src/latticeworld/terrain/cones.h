@@ -8,9 +8,10 @@
 
 namespace latticeworld::internal {
 
-// In place: values(x) = min over y of values(y) + rise * |x - y|, distances in cells, infinity
-// where y carries nothing. Two sweeps of a chamfer mask with knight's moves, whose distances are at
-// most 2.8 % too long (Borgefors 1986, "Distance transformations in digital images").
+// Computes in place values(x) = min over y of values(y) + rise * |x - y|, distances in cells,
+// infinity where y carries nothing. Two sweeps of a chamfer mask with knight's moves, whose
+// distances are at most 2.8 % too long (Borgefors 1986, "Distance transformations in digital
+// images").
 void LowerCones(float rise_per_cell, Grid<float>* values);
 // values(x) = max over y of values(y) - fall * |x - y|, minus infinity where y carries nothing.
 void UpperCones(float fall_per_cell, Grid<float>* values);

@@ -236,7 +236,8 @@ Grid<float> OnFoot(const Grid<float>& foot_m, const Grid<float>& hills_m, Grid<f
   return height_m;
 }
 
-// Before anything is shaped: rivers leave the world where the land is softest and lowest.
+// Returns the land before anything is shaped: rivers leave the world where the land is softest and
+// lowest.
 Grid<float> PriorLand(const GridGeometry& lattice, const Fields& fields,
                       const Grid<float>& hills_m) {
   Grid<float> prior_m = fields.steepness_m;

@@ -54,7 +54,8 @@ inline bool operator==(const GroundState& a, const GroundState& b) {
 }
 inline bool operator!=(const GroundState& a, const GroundState& b) { return !(a == b); }
 
-// On a dry and bare summer day. surface.cc names the source of each value and marks estimates.
+// Returns the properties on a dry and bare summer day. surface.cc names the source of each value
+// and marks estimates.
 SurfaceProperties DryPropertiesOf(SurfaceClass surface);
 
 // What becomes of a surface's dry properties: continuous in each part of the state; more water or

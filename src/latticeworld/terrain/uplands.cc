@@ -61,7 +61,7 @@ void Dissect(const GridGeometry& lattice, const Grid<unsigned char>& outlet, std
   options.time_step_yr = kPace / options.erodibility;
   options.diffusivity_m2_per_yr = kCreep * cell_m * cell_m / options.time_step_yr;
 
-  // As fast as rain takes the land down now, by the same law.
+  // The land rises as fast as rain takes it down now, by the same law.
   const FlowGraph flow = RouteFlow(*land_m, &outlet);
   const Grid<float> area_cells = FlowAccumulation(flow, nullptr);
   Grid<float> uplift_m_per_yr(n, n);

@@ -82,7 +82,7 @@ class EpisodeRecording {
  private:
   void Run();
   void WriteOne(BagMessage message, const std::optional<ros::Time>& stamp);
-  // Under which time a message is kept. heard: when it was.
+  // Returns the time under which a message is kept. heard: when it was.
   ros::Time KeptTime(const std::optional<ros::Time>& stamp, ros::Time heard) const;
   // False: the message is of another simulation, or is known already.
   bool Keep(const BagMessage& message);

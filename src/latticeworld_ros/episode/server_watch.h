@@ -28,8 +28,8 @@ class ServerWatch {
 
   // Looks. Thread safe.
   bool IsSame();
-  // From now on every connection that was not heard of before is looked at. What was heard until
-  // then is of the first server if this returns true.
+  // Looks, from now on, at every connection that was not heard of before. What was heard until then
+  // is of the first server if this returns true.
   bool Close();
   // False: the first server has been replaced, and messages are no part of the episode any more.
   // Looks with the first message of every new connection: a server is known to the master before it

@@ -65,7 +65,7 @@ NavigatorNode::NavigatorNode(ros::NodeHandle node, const NavigatorNodeOptions& o
   const bool both = sensor == NavigatorSensor::kBoth;
   if (both || sensor == NavigatorSensor::kScan) listen(&scans_, "scan");
   if (both || sensor == NavigatorSensor::kPoints) listen(&clouds_, "points");
-  // As move_base does: what comes by this topic goes the way of every other goal.
+  // As with move_base, what comes by this topic goes the way of every other goal.
   subscribers_.push_back(node_.subscribe<geometry_msgs::PoseStamped>(
       "move_base_simple/goal", 1, [this](const geometry_msgs::PoseStamped::ConstPtr& pose) {
         move_base_msgs::MoveBaseActionGoal goal;

@@ -34,7 +34,7 @@ class MasterWatch {
 
   // services: that this node offers, with their whole names.
   void Start(std::vector<std::string> services);
-  // Before the services end.
+  // Is to be called before the services end.
   void Stop();
   MasterReport report() const;
 

@@ -6,7 +6,7 @@ namespace latticeworld {
 
 using XmlRpc::XmlRpcValue;
 
-// By value throughout, for XmlRpcValue's own conversions are not const.
+// Values are taken by value throughout, for XmlRpcValue's own conversions are not const.
 bool ReadParameter(XmlRpcValue value, double* out) {
   if (value.getType() == XmlRpcValue::TypeInt) return *out = static_cast<int>(value), true;
   if (value.getType() == XmlRpcValue::TypeDouble) return *out = static_cast<double>(value), true;

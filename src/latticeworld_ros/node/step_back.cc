@@ -16,7 +16,7 @@ void StepBack() {
   (void)setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()),
                     std::min(process + kFurtherBack, kLast));
   if (process < kLast) return;
-  // Behind the last there is but this.
+  // Behind the last priority there is only this.
   const sched_param none = {};
   (void)sched_setscheduler(0, SCHED_IDLE, &none);
 }

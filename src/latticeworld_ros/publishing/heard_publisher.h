@@ -19,7 +19,7 @@ namespace latticeworld {
 class HeardPublisher {
  public:
   HeardPublisher() = default;  // publishes nothing
-  // Not of hundreds a second: this searches the list.
+  // Searches a list: it is not for hundreds of publishers a second.
   explicit HeardPublisher(ros::Publisher publisher)
       : publisher_(std::move(publisher)),
         publication_(ros::TopicManager::instance()->lookupPublication(publisher_.getTopic())) {}

@@ -15,8 +15,8 @@
 namespace latticeworld {
 namespace {
 
-// As deep as that of tf: two seconds in real time, so that bursts of a simulation that runs faster
-// reach who keeps up, and who does not keep up is not told of a past long gone.
+// The queue is as deep as that of tf: two seconds in real time, so that bursts of a simulation that
+// runs faster reach who keeps up, and who does not keep up is not told of a past long gone.
 constexpr std::uint32_t kStateQueue = 100;
 
 }  // namespace

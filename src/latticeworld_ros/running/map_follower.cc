@@ -80,7 +80,7 @@ bool MapFollower::Fulfil(const MapWish& wish) {
     next->world = before->world;
     next->messages = std::move(messages).value();
     next->changes = wish.changes;
-    // Where another world has begun meanwhile, its own maps are right.
+    // If another world has begun meanwhile, its own maps are right.
     (void)maps_->PublishInPlaceOf(before.get(), std::move(next));
   } catch (const std::exception& error) {  // memory that ended
     ROS_ERROR_STREAM("maps do not follow: " << error.what());

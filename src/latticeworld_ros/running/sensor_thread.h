@@ -31,8 +31,8 @@ struct SensorThreadOptions {
   PointTimes point_times = PointTimes::kEnd;     // of clouds
 };
 
-// Where the origin of a world's map lies for its sensors, as WGS 84 has it: the altitude of z = 0
-// is above the ellipsoid, as NavSatFix means it.
+// Returns where the origin of a world's map lies for its sensors, as WGS 84 has it: the altitude of
+// z = 0 is above the ellipsoid, as NavSatFix means it.
 GeoOrigin OriginForSensors(const World& world, const SensorThreadOptions& options);
 
 // What the sensors did since the node began.

@@ -91,7 +91,7 @@ class SimulationLoop {
     std::uint64_t episode = 0;  // that runs, else the call is refused; 0: any
     // Runs before the first step. An error refuses the call; an exception fails the simulator.
     std::function<Status(Simulator*)> begin;
-    // Once the listener has heard of the last step; of calls that succeed alone.
+    // Runs once the listener has heard of the last step; only for calls that succeed.
     std::function<void()> end;
   };
   Result<Moment> Step(const StepCall& call);

@@ -111,8 +111,9 @@ WorldServer::WorldServer(ros::NodeHandle node, const WorldServerOptions& options
 }
 
 WorldServer::~WorldServer() {
-  // From outside in: nothing is asked any more, then nothing runs any more. The sensors first, for
-  // whom the loop may wait, then the loop, for whoever waits for it is let go.
+  // The order is from outside in: nothing is asked any more, then nothing runs any more. The
+  // sensors come first, for whom the loop may wait, then the loop, for whoever waits for it is let
+  // go.
   master_.Stop();
   command_spinner_.stop();
   sensors_.Stop();

@@ -28,8 +28,9 @@ Status NoWorld() {
   return FailedPrecondition("no world is running; call generate_world or load_world first");
 }
 
-// For services whose types have no status: as with octomap_server and map_server, the call itself
-// fails while there is nothing to give. roscpp passes the words of an exception on to the caller.
+// Returns the messages for services whose types have no status: as with octomap_server and
+// map_server, the call itself fails while there is nothing to give. roscpp passes the words of an
+// exception on to the caller.
 const WorldMessages& MessagesOf(const PublishedWorld* current) {
   if (current == nullptr) throw std::runtime_error(NoWorld().message());
   return current->messages;

@@ -38,7 +38,7 @@ double ValueOf(const diagnostic_msgs::DiagnosticStatus& status, std::string_view
   return 0.0;
 }
 
-// Where a float32 field stands in a point; nullopt: there is none.
+// Returns where a float32 field stands in a point [bytes]; nullopt: there is none.
 std::optional<std::size_t> OffsetOf(const sensor_msgs::PointCloud2& cloud, const char* name) {
   for (const sensor_msgs::PointField& field : cloud.fields) {
     if (field.name != name || field.datatype != sensor_msgs::PointField::FLOAT32) continue;

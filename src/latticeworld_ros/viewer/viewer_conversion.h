@@ -51,7 +51,8 @@ std::vector<ViewerPoint> PointsOf(const sensor_msgs::PointCloud2& cloud,
 std::vector<ViewerPoint> PointsOf(const sensor_msgs::LaserScan& scan,
                                   const Eigen::Matrix3d& map_from_sensor);
 
-// At most 500 points, the first and the last among them; those that are not finite are left out.
+// Returns at most 500 points, the first and the last among them; those that are not finite are left
+// out.
 std::vector<Eigen::Vector3d> PointsOf(const nav_msgs::Path& path);
 
 }  // namespace latticeworld

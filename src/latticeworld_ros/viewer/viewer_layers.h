@@ -31,7 +31,7 @@ class ViewerLayers {
   ViewerLayers(const ViewerLayers&) = delete;
   ViewerLayers& operator=(const ViewerLayers&) = delete;
 
-  // From any thread; never waits.
+  // Any thread may call this; it never waits.
   void SetDemand(const LayerDemand& demand);
   // Takes where robots stand, map_from_base, by name; on the queue's thread.
   void SetPoses(std::map<std::string, Eigen::Isometry3d> poses);

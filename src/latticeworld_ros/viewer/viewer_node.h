@@ -31,7 +31,7 @@ class ViewerNode : private ViewerBackend {
   // Errors: those of ViewerServer::Start and of ReadPage.
   static Result<std::unique_ptr<ViewerNode>> Create(ros::NodeHandle node,
                                                     const ViewerOptions& options);
-  // After ROS has shut down: calls under way end then.
+  // Is to run after ROS has shut down: calls under way end then.
   ~ViewerNode() override;
   ViewerNode(const ViewerNode&) = delete;
   ViewerNode& operator=(const ViewerNode&) = delete;

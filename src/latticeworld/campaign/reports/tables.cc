@@ -64,7 +64,7 @@ void AddThirds(const DifficultyField& field, const std::vector<FinishedTrial>& t
   }
 }
 
-// As RFC 4180 quotes.
+// Quotes a cell as RFC 4180 does.
 std::string Cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";

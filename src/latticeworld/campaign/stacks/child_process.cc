@@ -14,7 +14,7 @@
 namespace latticeworld {
 namespace {
 
-// In the child: nothing but calls that are safe after fork.
+// Runs in the child, which makes nothing but calls that are safe after fork.
 [[noreturn]] void RunProgram(char* const* arguments, const char* folder, bool own_group,
                              int death_signal, int in, int out, pid_t parent) {
   if (own_group) ::setpgid(0, 0);

@@ -14,7 +14,7 @@ namespace latticeworld {
 // started, and asked to end when this process does.
 class LineProgram {
  public:
-  // In that folder. Errors: RESOURCE_EXHAUSTED.
+  // Starts the program in that folder. Errors: RESOURCE_EXHAUSTED.
   static Result<LineProgram> Start(const std::vector<std::string>& command,
                                    const std::filesystem::path& folder);
   LineProgram(LineProgram&& other) noexcept;

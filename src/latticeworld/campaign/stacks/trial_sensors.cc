@@ -119,6 +119,7 @@ StackScan TrialSensors::ScanOf(const SensorFrame& frame) const {
     }
     return scan;
   }
+  // Beams of a 2D scanner are points, or misses as far as it sees; a few columns share a pose.
   const double column_s =
       model.field_of_view_rad / sweep.columns / (2.0 * M_PI * frame.sensor->rate_hz);
   Eigen::Isometry3f moved = Eigen::Isometry3f::Identity();

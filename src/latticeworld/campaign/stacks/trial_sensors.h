@@ -35,8 +35,8 @@ class TrialSensors {
                                      std::shared_ptr<const SpeciesCatalogue> species,
                                      const TrialSensorsOptions& options);
 
-  // After every step of the simulation, the state before the first one included. next_control_s:
-  // when the stack is asked next, so that no sweep is cast that it will not see.
+  // Is to be called after every step of the simulation, with the state before the first one too.
+  // next_control_s: when the stack is asked next, so that no sweep is cast that it will not see.
   Status Step(const WorldState& state, double next_control_s);
 
   // The newest sweep of each lidar since the last call, and the pose as tf has it: ground truth.

@@ -72,6 +72,7 @@ Status CheckLayoutCaption(std::string_view text, const SymbolicLayout& layout, i
 Status CheckEnvironmentCaption(std::string_view text, const SymbolicLayout& layout,
                                const EnvironmentConfig& environment, double size_m) {
   std::vector<Violation> violations;
+  // The text must be prose, and claim nothing that does not hold.
   CheckProse(text, &violations);
   if (!violations.empty()) return Status::FromViolations("caption", std::move(violations));
   for (const EnvironmentClaim& claim : ReadEnvironmentInstruction(text, &layout).claims) {
@@ -97,6 +98,7 @@ Status CheckEnvironmentCaption(std::string_view text, const SymbolicLayout& layo
                               std::string(asked) + "; it was understood as " + std::string(is),
                           std::string(is)});
   };
+  // It must say what a reader would not suppose: attributes, and every group of agents.
   demand("season", NameOf(read.season), NameOf(meant.season));
   demand("time of day", NameOf(read.time_of_day), NameOf(meant.time_of_day));
   demand("weather", NameOf(read.weather), NameOf(meant.weather));

@@ -55,9 +55,11 @@ class EnvironmentWriter {
         sentences.push_back(Agents(groups[agents++]));
       }
     }
+    // That nobody lives there is said now and then.
     if (groups.empty() && (sentences.empty() || random_->Chance(0.5))) {
       sentences.push_back(book_.Pick("agents.none", voice_, random_));
     }
+    // Sentences are joined, each with a capital letter and a stop.
     std::string text;
     for (std::string& sentence : sentences) {
       if (!text.empty()) text += ' ';

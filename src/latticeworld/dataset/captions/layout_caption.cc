@@ -134,6 +134,7 @@ class Writer {
     const bool known = fact.phrase == "place.there" && IsNamed(fact.subject) &&
                        !NounFor(fact.subject).article.empty();
     const std::string key = known ? "place.lies" : fact.phrase;
+    // A phrase that asks is drawn again within a sentence.
     const std::string* picked = &book_.Pick(key, wording_.voice, random_);
     for (int i = 0; joined && Asks(*picked) && i < kPicks; ++i)
       picked = &book_.Pick(key, wording_.voice, random_);
@@ -160,6 +161,7 @@ class Writer {
                        : !joined && verb && Pronoun(fact, name, at) ? Pronoun(letter)
                                                                     : Named(letter)});
     }
+    // Numbers, headings and places fill the other slots.
     slots.push_back({"n", NumberWord(fact.count)});
     slots.push_back({"amount", fact.amount});
     slots.push_back({"h", std::string(HeadingWord(fact.heading))});

@@ -17,7 +17,7 @@ constexpr double kLineLength = 1.75;  // cells: what is shorter is a blot
 constexpr double kEdge = 0.75;        // cells beyond an area that are still its edge
 constexpr double kEndDepth = 0.5;     // cells that a line's end reaches into the last one
 
-// Around a cell, anticlockwise from the east; even ones are the four nearest.
+// The steps around a cell, anticlockwise from the east; even ones are the four nearest.
 constexpr std::array<CellIndex, 8> kAround = {
     {{0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}}};
 

@@ -7,7 +7,7 @@
 
 namespace latticeworld {
 
-// In a mask: a pixel that nothing is known of.
+// Marks a pixel of a mask that nothing is known of.
 inline constexpr char kNoData = '\0';
 
 // The grid turned anticlockwise by quarter_turns * 90 degrees.

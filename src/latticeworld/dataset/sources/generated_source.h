@@ -27,10 +27,10 @@ struct GeneratedPlace {
 // Depends on the seed and the index alone. index: any.
 GeneratedPlace GeneratePlace(const GeneratedSourceOptions& options, std::size_t index);
 
-// As many places as wanted: a random plan, laid out by the grounded synthesis without its search
-// for claims, which would take most of the time and make places alike. Both vocabularies in equal
-// parts; about relief_share of the places on procedural or fractal land of 3 to 1500 m. Errors:
-// INVALID_ARGUMENT (options).
+// Makes a source of as many places as wanted: a random plan, laid out by the grounded synthesis
+// without its search for claims, which would take most of the time and make places alike. Both
+// vocabularies in equal parts; about relief_share of the places on procedural or fractal land of 3
+// to 1500 m. Errors: INVALID_ARGUMENT (options).
 Result<std::unique_ptr<InstanceSource>> MakeGeneratedSource(const GeneratedSourceOptions& options);
 
 }  // namespace latticeworld

@@ -71,8 +71,8 @@ struct DatasetOptions {
 };
 std::vector<Violation> Validate(const DatasetOptions& options);
 
-// By a hash of the group's name alone, so that all that was cut from one image is in one split, in
-// every data set with these shares.
+// Chooses by a hash of the group's name alone, so that all that was cut from one image is in one
+// split, in every data set with these shares.
 DatasetSplit SplitOf(std::string_view group, const DatasetOptions& options);
 
 }  // namespace latticeworld

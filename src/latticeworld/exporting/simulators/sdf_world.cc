@@ -154,6 +154,7 @@ class SdfBuilder {
 
   Status AddGround(SdfText* world) {
     LW_RETURN_IF_ERROR(Advance(0.0));
+    // Heights are taken at the heightmap's vertices.
     const int vertices = options_.heightmap_vertices > 0
                              ? options_.heightmap_vertices
                              : HeightmapSizeFor(region_, scene_.geometry().resolution_m());
@@ -169,6 +170,7 @@ class SdfBuilder {
     // Readers want some height; and the highest value has to be there for those that stretch.
     constexpr double kLeastRange_m = 0.01;
     const double range_m = std::max(kLeastRange_m, static_cast<double>(*high) - low_m);
+    // The picture has their shares of the range.
     const int most = options_.heightmap_bits == 16 ? 65535 : 255;
     cv::Mat picture(vertices, vertices, options_.heightmap_bits == 16 ? CV_16UC1 : CV_8UC1);
     for (int row = 0; row < vertices; ++row) {
@@ -180,6 +182,7 @@ class SdfBuilder {
           picture.at<std::uint8_t>(row, col) = static_cast<std::uint8_t>(step);
       }
     }
+    // The files are heights, colours, a flat normal map, and a model that other worlds can use.
     LW_ASSIGN_OR_RETURN(std::string png, internal::EncodePng(picture));
     AddFile("heightmap.png", std::move(png));
     LW_ASSIGN_OR_RETURN(std::string jpeg, GroundTexture(scene_, region_, options_.texture_px));

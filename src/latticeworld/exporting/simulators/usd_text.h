@@ -57,7 +57,7 @@ class UsdText {
   void Relation(std::string_view name, const std::vector<std::string>& paths);
   // Labels of SemanticsLabelsAPI:class, which the prim has to have.
   void Label(std::string_view label);
-  // Where it stands in its parent: place, then turn about z. scale: times its size.
+  // Says where it stands in its parent: place, then turn about z. scale: times its size.
   void Place(const Eigen::Vector3d& place_m, double yaw_rad);
   void Place(const Eigen::Vector3d& place_m, double yaw_rad, const Eigen::Vector3d& scale);
   // What another one has written.

@@ -63,9 +63,9 @@ Result<LoadedLanguage> LoadLanguage(const RemoteModelOptions& remote,
                                     const LocalModelOptions& local = {},
                                     const ReaderModelOptions& reader = {});
 
-// For making a world of a bundle again, with the same warnings and replies: models are the recorded
-// replies. Where a failure is recorded after them, or for a generator nothing at all, what is
-// embedded answers, as it did then.
+// Returns what makes a world of a bundle again, with the same warnings and replies: models are the
+// recorded replies. Where a failure is recorded after them, or for a generator nothing at all, what
+// is embedded answers, as it did then.
 LanguageStack MakeReplayStack(const std::vector<ModelReply>& replies);
 
 }  // namespace latticeworld

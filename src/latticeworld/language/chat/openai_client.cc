@@ -66,9 +66,9 @@ class Tries {
   int retries_ = 0;
 };
 
-// Where a form holds from the first letter on, a thinking model cannot write the end of its
-// thinking, so that some servers take the whole answer for that. What is thinking in earnest is not
-// in the form as a whole.
+// If a form holds from the first letter on, a thinking model cannot write the end of its thinking,
+// so that some servers take the whole answer for that. What is thinking in earnest is not in the
+// form as a whole.
 void TakeAnswerFromThinking(const AnswerForm& form, const AnswerListener& listener,
                             ChatReply* reply) {
   if (reply->text.find_first_not_of(" \t\r\n") != std::string::npos) return;

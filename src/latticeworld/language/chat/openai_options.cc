@@ -10,7 +10,8 @@
 namespace latticeworld {
 namespace {
 
-// In capitals, as is the custom: a key that is put there by mistake is no such name.
+// Returns whether it is a name in capitals, as is the custom: a key that is put there by mistake is
+// no such name.
 bool IsVariableName(const std::string& name) {
   const auto is_letter = [](char c) { return (c >= 'A' && c <= 'Z') || c == '_'; };
   return is_letter(name.front()) && std::all_of(name.begin(), name.end(), [&](char c) {

@@ -153,6 +153,7 @@ HttpRequest MakeRequest(const TryContext& context, const std::string& url) {
 Failure TransportFailure(const TryContext& context, const HttpResult& result,
                          const TryHandler& handler) {
   const std::string detail = Quote(context.key.Scrub(result.detail), 200);
+  // Failures of the transport are told first, unless the server's own answer says more.
   switch (result.end) {
     case HttpEnd::kInterrupted:
       // A server that fails and then hangs has said more than that it is late.
@@ -192,6 +193,7 @@ Failure TransportFailure(const TryContext& context, const HttpResult& result,
     case HttpEnd::kComplete:
       break;
   }
+  // The answer's status decides the rest.
   const int status = result.head.status;
   if (IsSuccess(status)) return {};
   if (status >= 300 && status < 400) {

@@ -62,7 +62,7 @@ class InterpretingReader final : public InstructionReader {
  private:
   Result<LayoutReading> ReadLand(const LayoutRequest& request, const Progress& progress,
                                  std::vector<ModelReply>* replies) {
-    // Where nothing is asked of the map, the person's own words are nearest to it.
+    // If nothing is asked of the map, the person's own words are nearest to it.
     LW_ASSIGN_OR_RETURN(LayoutReading own, rules_->ReadLayout(request, progress, replies));
     if (Trimmed(request.instruction).empty()) return own;
     progress.Report("layout", 0.0);

@@ -10,7 +10,7 @@
 
 namespace latticeworld {
 
-// Without the blanks and line breaks at both ends.
+// Returns the text without the blanks and line breaks at both ends.
 std::string_view Trimmed(std::string_view text);
 
 // A JSON object {"sentences": ["...", ...]} of at most 64 strings, as a JSON Schema.

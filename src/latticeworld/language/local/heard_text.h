@@ -16,7 +16,7 @@ namespace latticeworld {
 // One thread owns it.
 class HeardText {
  public:
-  // As LlamaDecoder's.
+  // Takes what LlamaDecoder takes.
   HeardText(std::shared_ptr<const LlamaModel> model, std::shared_ptr<WorkCrew> crew)
       : decoder_(std::move(model), std::move(crew)) {}
 

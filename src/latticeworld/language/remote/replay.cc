@@ -37,7 +37,8 @@ class ReplayServer final : public ChatServer {
     reply.total_s = record->seconds;
     reply.warnings = record->warnings;
     reply.log_probability = record->log_probability;
-    // For its progress; the reply stays as long as it was recorded, whatever the listener wants.
+    // The listener hears it for its progress; the reply stays as long as it was recorded, whatever
+    // the listener wants.
     if (listener) listener(reply.text);
     return reply;
   }

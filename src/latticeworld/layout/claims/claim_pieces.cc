@@ -22,7 +22,7 @@ ClaimMeasure ReadCount(const Claim& claim, const LayoutMasks& layout) {
     pieces += 2 * (piece.cells & zone).count() >= piece.cells.count();
   }
   const double least = LeastOf(claim), most = MostOf(claim);
-  // So many pieces more are as bad as none at all.
+  // This many pieces too many are as bad as none at all.
   constexpr double kManyMore = 10.0;
   ClaimMeasure reading;
   reading.value = pieces;

@@ -47,6 +47,7 @@ double SlimnessOf(const PrincipalAxes& axes, const LineFrame& frame) {
 }
 
 LineSides SidesOf(const LayoutMask& piece, const LineFrame& frame, int steps) {
+  // A cell's level is how far along the line it lies.
   std::array<std::array<std::int16_t, kLayoutSize>, kLayoutSize> level{};
   for (std::size_t i = 0; i < frame.levels.size(); ++i) {
     ForEachCell(frame.levels[i], [&](CellIndex cell) {
@@ -83,6 +84,7 @@ LineSides SidesOf(const LayoutMask& piece, const LineFrame& frame, int steps) {
       }
     }
   });
+  // The sign of its turn says on which side a cell lies; further cells follow their neighbours.
   LineSides sides;
   ForEachCell(piece.Grown8() - piece, [&](CellIndex cell) {
     const int side = turn[static_cast<std::size_t>(cell.row)][static_cast<std::size_t>(cell.col)];

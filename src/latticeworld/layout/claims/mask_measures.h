@@ -14,8 +14,8 @@ inline constexpr int kNoGap = kLayoutSize;
 // overlap, 1 where they touch, kNoGap when a set is empty.
 int GapBetween(const LayoutMask& a, const LayoutMask& b);
 
-// Without stray cells: those with no neighbour of the set among their eight, where they are
-// together less than a tenth of the set.
+// Returns the set without stray cells: those with no neighbour of the set among their eight, if
+// they are together less than a tenth of the set.
 LayoutMask WithoutStrays(const LayoutMask& cells);
 
 // The set with what it encloses: the cells that no way of 4-neighbours outside of it leads from to

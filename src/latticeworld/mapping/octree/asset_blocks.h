@@ -57,8 +57,8 @@ class AssetBlocks {
     const double margin_m = std::max(limits_.radius_m, MarginOfThin_m(asset));
     return SolidContains(asset, ground_.geometry().CenterOf(cell), margin_m);
   }
-  // By which a fence, which is thinner than a cell is wide, has to grow so that every cell that it
-  // goes through has it.
+  // Returns by how much a fence, which is thinner than a cell is wide, has to grow so that every
+  // cell that it goes through has it.
   double MarginOfThin_m(const Asset& asset) const;
   bool CrownBlocks(const Asset& tree, CellIndex cell) const;
   bool FallenTreeBlocks(const MappedAsset& tree, CellIndex cell) const;

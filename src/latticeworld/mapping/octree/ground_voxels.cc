@@ -19,7 +19,7 @@ GroundVoxels::GroundVoxels(const HeightField& ground, double voxel_m, const Voxe
     : ground_(ground), voxels_per_m_(1.0 / voxel_m), x_low_(columns.x_low), y_low_(columns.y_low) {
   const GridGeometry& geometry = ground.geometry();
   const double last = geometry.rows() - 1;
-  // As HeightField finds them.
+  // Places are found as HeightField finds them.
   const auto place_of = [&](double continuous) {
     const double inside = std::clamp(continuous, 0.0, last);
     const int vertex = std::min(static_cast<int>(inside), geometry.rows() - 2);

@@ -132,7 +132,7 @@ Result<OctreeData> BuildFullData(const Scene& scene, const OctreeOptions& option
 }
 
 std::string BinaryFile(const OctreeData& binary_data, double resolution_m) {
-  // As AbstractOcTree::writeBinaryConst writes it.
+  // The header is what AbstractOcTree::writeBinaryConst writes.
   std::ostringstream header;
   header << "# Octomap OcTree binary file\n# (feel free to add / change comments, but leave the "
             "first line as it is!)\n#\nid OcTree\nsize "

@@ -32,7 +32,7 @@ struct Fate {
   }
 };
 
-// In order.
+// Returns what became of assets, in order.
 std::vector<Fate> FatesOf(const SceneChanges& changes) {
   std::vector<Fate> fates;
   for (const FallenTree& tree : changes.fallen) {

@@ -66,7 +66,7 @@ class VoxelPlan {
 template <typename Visit>
 void VoxelPlan::ForEachTileOf(const MappedAsset& mapped, Visit&& visit) const {
   const double reach_m = mapped.reach_m();
-  // As assets are cut: what stands on the world's edge belongs to its last column.
+  // Tiles are found as assets are cut: what stands on the world's edge belongs to its last column.
   const auto tile_of = [this](double coordinate_m, int first, int count) {
     const int index = std::clamp(VoxelIndexOf(coordinate_m, voxel_m_), world_.x_low, world_.x_high);
     return std::clamp((index >> kTileLevel) - first, -1, count);

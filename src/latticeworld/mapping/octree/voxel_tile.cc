@@ -142,6 +142,7 @@ void VoxelTile::PlaceAssets(const VoxelPlan& plan, int tile) {
 }
 
 void VoxelTile::BuildPyramid() {
+  // A block's bounds are those of its columns.
   for (int block = 0; block < kBlocks * kBlocks; ++block) {
     const std::int16_t* low = low_.data() + block * kBlockColumns;
     const std::int16_t* end = end_.data() + block * kBlockColumns;
@@ -165,12 +166,14 @@ void VoxelTile::BuildPyramid() {
         bounds.end = std::max<int>(bounds.end, end[c]);
       }
     }
+    // Assets above the columns widen the bounds.
     const Stack& stack = stacks_[block];
     if (stack.count > 0) {
       bounds.lowest = std::min(bounds.lowest, stack.first * kBlockSide);
       bounds.end = std::max(bounds.end, (stack.first + stack.count) * kBlockSide);
     }
   }
+  // Each level joins four squares of the one below.
   for (int level = kBlockLevel + 1; level <= kTileLevel; ++level) {
     const int side = 1 << (kTileLevel - level);
     for (int y = 0; y < side; ++y) {

@@ -78,8 +78,8 @@ Result<DataWindow> WindowFor(const PlaceLattice& lattice, const ElevationFrame& 
   return window;
 }
 
-// Around the grid, so that what lies up to `border` samples beyond the outermost ones goes on as
-// it was: a plane stays a plane.
+// Adds a border around the grid, so that what lies up to `border` samples beyond the outermost ones
+// goes on as it was: a plane stays a plane.
 Grid<float> WithBorder(const Grid<float>& values, int border) {
   const int rows = values.rows(), cols = values.cols();
   Grid<float> wide(rows + 2 * border, cols + 2 * border);

@@ -20,6 +20,7 @@ struct Box {
 
 double FillVoids(Grid<float>* height_m) {
   const int rows = height_m->rows(), cols = height_m->cols();
+  // The box holds all voids.
   Box box{rows, 0, cols, 0};
   std::size_t voids = 0;
   double sum_m = 0.0;
@@ -38,6 +39,7 @@ double FillVoids(Grid<float>* height_m) {
   if (voids == 0) return 0.0;
   if (voids == height_m->size()) return 1.0;
 
+  // A membrane over the box, nailed to the heights that are there, fills them.
   box = {std::max(box.row_begin - 1, 0), std::min(box.row_end + 1, rows),
          std::max(box.col_begin - 1, 0), std::min(box.col_end + 1, cols)};
   // Heights from their mean, where floating point numbers are densest.

@@ -11,8 +11,8 @@
 
 namespace latticeworld::internal {
 
-// Where something lies among the samples, continuous: (0, 0) is the outer corner of the first one,
-// (0.5, 0.5) its centre.
+// Says where something lies among the samples, continuous: (0, 0) is the outer corner of the first
+// one, (0.5, 0.5) its centre.
 struct DataPoint {
   double col = 0.0;
   double row = 0.0;

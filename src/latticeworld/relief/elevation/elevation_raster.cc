@@ -306,6 +306,7 @@ Status ElevationRaster::File::ReadHeightUnit() {
 
 Status ElevationRaster::File::ReadReference() {
   const GdalErrors errors;
+  // The transform must be there, and give samples a size.
   std::array<double, 6>& t = reference.transform;
   if (GDALGetGeoTransform(dataset, t.data()) != CE_None) {
     return InvalidArgument(
@@ -323,6 +324,7 @@ Status ElevationRaster::File::ReadReference() {
         FormatDouble(t[3]) + ", " + FormatDouble(t[4]) + ", " + FormatDouble(t[5]) + ")");
   }
 
+  // A coordinate system must be one on the earth; its heights do not matter.
   if (OGRSpatialReferenceH crs = GDALGetSpatialRef(dataset)) {
     OGRSpatialReferenceH flat = OSRClone(crs);
     OSRStripVertical(flat);
@@ -348,6 +350,7 @@ Status ElevationRaster::File::ReadReference() {
   const bool degrees = judged ? LooksLikeDegrees(grid) : coordinates == ElevationUnit::kDegrees;
   if (judged) warnings.push_back(JudgedWarning(grid, degrees));
   if (!degrees) return Status();
+  // Degrees are those of WGS 84.
   if (!LiesOnTheEarth(t, grid.cols, grid.rows)) {
     return InvalidArgument(
         "the elevation is said to be in degrees, but reaches beyond -180 to 360 degrees of "

@@ -110,6 +110,7 @@ Status CheckPieces(const Tiff& tiff, const Directory& directory, const PictureHe
   const bool tiled = !directory.Values(kTileOffsets).empty();
   const auto width = static_cast<std::uint64_t>(header.width);
   const auto height = static_cast<std::uint64_t>(header.height);
+  // The number of tiles or strips follows from the size.
   std::uint64_t needed;
   std::uint64_t bytes_a_piece;
   if (tiled) {
@@ -130,6 +131,7 @@ Status CheckPieces(const Tiff& tiff, const Directory& directory, const PictureHe
     needed = CeilDivide(height, rows);
     bytes_a_piece = 0;  // strips differ: the last one is shorter
   }
+  // As many must be announced.
   const std::vector<std::uint32_t> offsets = directory.Values(tiled ? kTileOffsets : kStripOffsets);
   const std::vector<std::uint32_t> sizes =
       directory.Values(tiled ? kTileByteCounts : kStripByteCounts);
@@ -138,6 +140,7 @@ Status CheckPieces(const Tiff& tiff, const Directory& directory, const PictureHe
     return CutOff(what, std::to_string(needed) + pieces + " are needed, " +
                             std::to_string(std::min(offsets.size(), sizes.size())) + " are there");
   }
+  // Each lies in the file, and together they hold all samples if these are not compressed.
   std::uint64_t total = 0;
   for (std::uint64_t i = 0; i < needed; ++i) {
     if (sizes[i] == 0 || !tiff.Has(offsets[i], sizes[i])) {

@@ -181,8 +181,8 @@ float MouthHeight(float area_cells, float most_cells) {
   return kHighestMouth * (1.0f - std::pow(area_cells / most_cells, kMouthExponent));
 }
 
-// From the mouths up each floor lies above one beside it, as little as the slopes allow: so the two
-// ends of a valley that runs around a hill meet at one height.
+// Raises floors from the mouths up, so that each lies above one beside it, as little as the slopes
+// allow: so the two ends of a valley that runs around a hill meet at one height.
 void RaiseFloors(const std::vector<float>& area_cells, const Grid<unsigned char>& lake,
                  Courses* courses) {
   const int cells = lake.cols();

@@ -14,7 +14,7 @@ struct Courses {
   Grid<unsigned char> valley;
   // 1 in the cells of the border where a valley leaves.
   Grid<unsigned char> mouth;
-  // Along the courses: height of the floor, 0 at the lowest mouth, below 1; elsewhere 0.
+  // The height of the floor along the courses, 0 at the lowest mouth, below 1; elsewhere 0.
   Grid<float> floor;
 };
 

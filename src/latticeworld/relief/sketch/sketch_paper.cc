@@ -54,7 +54,7 @@ std::array<Grid<float>, 3> Shrink(const Grid<Rgb>& picture, int block, int threa
   return small;
 }
 
-// In place: the largest (or smallest) value within radius cells along rows and columns.
+// Replaces each value by the largest (or smallest) within radius cells along rows and columns.
 template <typename Pick>
 void Extreme(int radius, Pick pick, Grid<float>* values) {
   Grid<float> along(values->rows(), values->cols());
@@ -110,6 +110,7 @@ std::array<float, 3> BrightColour(const std::array<Grid<float>, 3>& closed) {
 }  // namespace
 
 Result<Paper> Paper::Estimate(const Grid<Rgb>& picture, int threads) {
+  // A closing of the shrunk picture takes away thin strokes.
   const int side = std::max(picture.rows(), picture.cols());
   Paper paper((side + kBlocks - 1) / kBlocks, picture.cols());
   paper.brightness_ = Shrink(picture, paper.block_, threads);
@@ -138,6 +139,7 @@ Result<Paper> Paper::Estimate(const Grid<Rgb>& picture, int threads) {
     stiffness.data()[i] = is_paper ? kNail : 0.0f;
     paper_cells += is_paper;
   }
+  // There must be paper, and it must be white and bright.
   const auto [weakest, strongest] = std::minmax({bright[0], bright[1], bright[2]});
   if (paper_cells < kLeastPaper * stiffness.size() || weakest < 0.45f * strongest ||
       bright_luminance < 40.0f) {
@@ -150,6 +152,7 @@ Result<Paper> Paper::Estimate(const Grid<Rgb>& picture, int threads) {
         " % of the picture is like them; legal are blue strokes (valleys) and black strokes "
         "(ridges) on white paper");
   }
+  // A membrane that is nailed to the paper fills what is none.
   if (paper_cells < stiffness.size()) {
     MembraneOptions options;
     options.cycles = 3;

@@ -116,6 +116,7 @@ Grid<float> LandOfSurface(const Grid<float>& land, const SketchSurface& surface,
 
 Result<SketchSurface> MakeSketchSurface(const Sketch& sketch, const Grid<float>* land, int cells,
                                         std::uint64_t seed, int threads, const Progress& progress) {
+  // Ridges are thinned; valleys become courses with floors.
   const Sketch strokes = ResampleSketch(sketch, cells, cells);
   SketchSurface surface;
   surface.ridge = Thin(MaskOf(Stroke::kRidge, strokes));
@@ -125,6 +126,7 @@ Result<SketchSurface> MakeSketchSurface(const Sketch& sketch, const Grid<float>*
   const Grid<unsigned char>& valley = surface.courses.valley;
   const Grid<float>& floor = surface.courses.floor;
 
+  // Membranes find the heights: springs pull cells to the heights that are known.
   MembraneOptions options;
   options.cycles = kCycles;
   options.threads = threads;
@@ -146,6 +148,7 @@ Result<SketchSurface> MakeSketchSurface(const Sketch& sketch, const Grid<float>*
     LW_ASSIGN_OR_RETURN(base, SolveMembrane(springs.stiffness, springs.target, options, progress));
   }
 
+  // Floors and ridges pull strongly, the given land or a usual height weakly.
   const Grid<float> peaks = MakePeaks(cells, seed, threads);
   const Grid<float> given =
       land == nullptr ? Grid<float>() : LandOfSurface(*land, surface, threads);

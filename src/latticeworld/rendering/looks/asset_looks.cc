@@ -14,7 +14,7 @@ namespace {
 // Buildings of these shapes have flat roofs.
 bool IsFlat(Shape shape) { return shape == Shape::kFlatBlock || shape == Shape::kTower; }
 
-// From where it stands, as ray-traced views draw it.
+// Draws by where the asset stands, as ray-traced views draw it.
 double DrawOf(const Asset& asset) {
   return HashToUnit(52, std::lround(asset.x_m * 64.0f), std::lround(asset.y_m * 64.0f));
 }

@@ -34,7 +34,7 @@ class Splats {
         sum_(scene.geometry().rows(), scene.geometry().cols(), CV_32FC3, cv::Scalar::all(0.0)),
         weight_(sum_.size(), CV_32FC1, cv::Scalar(0.0)) {}
 
-  // On farmland only: an ellipse, soft at its rim.
+  // Adds an ellipse, soft at its rim, on farmland only.
   void Add(const Asset& asset, const Reach& reach, const Color& color, float strength) {
     const GridGeometry& geometry = scene_.geometry();
     const float cell_m = static_cast<float>(geometry.resolution_m());

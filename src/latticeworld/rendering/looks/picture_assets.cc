@@ -74,7 +74,7 @@ void AddLawn(const Scene& scene, const Eigen::Vector3f& eye_m, std::vector<Asset
   constexpr float kDryShare = 0.2f;  // of the tufts that grow elsewhere
   const int model = LawnModel(*scene.catalogue);
   if (model < 0 || scene.atmosphere.snow_depth_m > 0.08) return;
-  // As the scene's own tufts look.
+  // The lawn looks as the scene's own tufts do.
   const FineAttribute& grass = scene.environment.fine_of(AssetType::kGrass);
   if (grass.density <= 0.0) return;
   const float lush = static_cast<float>(std::min(1.0, grass.density / 0.5)) *

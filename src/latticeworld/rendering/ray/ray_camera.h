@@ -20,7 +20,7 @@ class RayCamera {
 
   // Unit direction of what is seen at a place of the picture [px].
   Eigen::Vector3f DirectionAt(float x_px, float y_px) const;
-  // Where a point comes to lie [px]; it has to be before the camera (DepthOf > 0).
+  // Returns where a point comes to lie [px]; it has to be before the camera (DepthOf > 0).
   Eigen::Vector2f Project(const Eigen::Vector3f& point_m) const;
   // Returns the distance of a point along the camera's axis [m].
   float DepthOf(const Eigen::Vector3f& point_m) const { return (point_m - eye_m_).dot(forward_); }

@@ -11,7 +11,7 @@
 namespace latticeworld {
 namespace {
 
-// So that a thing in the sun looks about as its own colour does.
+// The film is so sensitive that a thing in the sun looks about as its own colour does.
 constexpr float kFilmSpeed = 0.44f;
 
 // What outlines are found by.

@@ -135,6 +135,7 @@ SurfaceLook RayMaterials::Ground(const Vector3f& point_m, float footprint_m) con
 
   dz *= relief_;
 
+  // Close by, the ground has a texture by its class, and by the snow on it.
   if (footprint_m < 1.2f) {
     const SurfaceClass surface =
         scene_.terrain->surface(north + (v > 0.5f ? 1 : 0), west + (u > 0.5f ? 1 : 0));
@@ -149,6 +150,7 @@ SurfaceLook RayMaterials::Ground(const Vector3f& point_m, float footprint_m) con
     const float coarse = DetailNoise(point_m.x(), point_m.y(), 1.7f, 3, 0.6f, footprint_m, 321);
     const float fine = DetailNoise(point_m.x(), point_m.y(), 0.16f, 4, 0.75f, footprint_m, 331);
     look.albedo *= std::max(0.25f, 1.0f + texture.coarse * coarse + texture.fine * fine);
+    // Closer still it has bumps.
     if (footprint_m < 0.05f) {
       constexpr float kStep_m = 0.012f;
       const auto bump_at = [&](float dx, float dy) {

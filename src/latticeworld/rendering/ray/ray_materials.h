@@ -41,7 +41,7 @@ class RayMaterials {
   // These return the look of an asset or an agent where a ray met it.
   SurfaceLook AssetAt(const RayHit& hit, const Eigen::Vector3f& point_m, float footprint_m) const;
   SurfaceLook AgentAt(const RayHit& hit) const;
-  // Or a bridge.
+  // Returns the look of a bridge where a ray met it.
   SurfaceLook BridgeAt(const RayHit& hit, const Eigen::Vector3f& point_m, float footprint_m) const;
   // The earth below the ground's edge, so far below it. block_m: how deep the block is.
   SurfaceLook EarthAt(const Eigen::Vector3f& point_m, const Eigen::Vector3f& normal, float below_m,

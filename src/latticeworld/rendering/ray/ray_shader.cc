@@ -133,6 +133,7 @@ Light RayShader::Water(const WorldHit& hit, float footprint_m, SampleDraws* draw
   const Vector3f sun = sky_.sun_direction().cwiseProduct(hit.mirror);
   const float wind_mps = static_cast<float>(scene_.atmosphere.wind_mps.norm());
   const float x = hit.point_m.x(), y = hit.point_m.y();
+  // Waves tilt the surface; those too small to be seen do it by chance.
   const auto [slope, unseen] = WavesAt(hit.point_m, wind_mps, footprint_m);
   const Vector2f draw = draws->Next();
   const Vector2f jitter =
@@ -141,6 +142,7 @@ Light RayShader::Water(const WorldHit& hit, float footprint_m, SampleDraws* draw
   if (hit.on_cut) normal = hit.hit.normal;
   normal.normalize();
 
+  // One part of the light is mirrored upwards.
   const float cosine = -hit.direction.dot(normal);
   const float mirror = Reflectance(cosine);
   Vector3f up = hit.direction - 2.0f * hit.direction.dot(normal) * normal;
@@ -167,6 +169,7 @@ Light RayShader::Water(const WorldHit& hit, float footprint_m, SampleDraws* draw
                       bed.hit.distance_m, depth_m);
   }
 
+  // Both parts add up, with the sun's glint where nothing shades it.
   Light light = water * (1.0f - mirror);
   const Light image = Mirrored(hit, up, footprint_m / std::max(1.0f, hit.hit.distance_m), draws);
   light += image * mirror;
@@ -178,6 +181,7 @@ Light RayShader::Water(const WorldHit& hit, float footprint_m, SampleDraws* draw
     if (!world_.IsBlocked(shadow)) light += sky_.sunlight() * glint;
   }
 
+  // Ice covers its share.
   if (materials_.ice() > 0.0f) {
     SurfaceLook ice;
     ice.albedo = materials_.ice_albedo() *

@@ -49,7 +49,7 @@ class RaySky {
   float Clarity(float distance_m) const;
 
   bool lamps_are_lit() const { return lamps_are_lit_; }
-  // By which the film multiplies: eyes get used to the dark, in part.
+  // Returns the factor by which the film multiplies: eyes get used to the dark, in part.
   float exposure() const { return exposure_; }
 
  private:

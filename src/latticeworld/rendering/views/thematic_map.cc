@@ -79,7 +79,7 @@ cv::Mat PaintClasses(const Scene& scene) {
   return map;
 }
 
-// As large as the picture, at least as large as a sketch has to be.
+// Paints the sketch as large as the picture, at least as large as a sketch has to be.
 cv::Mat PaintSketch(const Scene& scene, int width_px) {
   constexpr double kShareOfStrokes = 0.02;
   const Sketch sketch =

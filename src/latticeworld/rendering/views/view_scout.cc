@@ -16,7 +16,7 @@ constexpr double kFree_m = 1.2;  // around the eye
 constexpr double kEye_m = 1.7;
 constexpr double kNear_m = 35.0, kFar_m = 110.0;
 constexpr double kWidestCrown_m = 8.0;  // half of it
-// Where crowns leave no place, they may come closer to the eye.
+// If crowns leave no place, they may come closer to the eye.
 constexpr double kCrowns[] = {1.0, 0.6, 0.3};
 constexpr double kCrowded_ha = 400.0;   // trees that hide what is behind them
 constexpr double kSomeTrees_ha = 16.0;  // enough to frame a shore

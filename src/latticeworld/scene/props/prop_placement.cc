@@ -126,8 +126,8 @@ class Placer {
     }
   }
 
-  // Between a house's front and its street, with a post on either side; the hinge is on the left
-  // as one comes out of the house.
+  // Places gates between a house's front and its street, with a post on either side; the hinge is
+  // on the left as one comes out of the house.
   void PlaceGates() {
     RandomStream random(seed_, "scene/elements/gates");
     for (const Asset& house : scene_.assets) {

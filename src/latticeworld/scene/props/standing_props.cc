@@ -32,7 +32,7 @@ PropBlock BallAround(const Eigen::Vector3d& middle_m, double radius_m) {
           middle_m.z() + radius_m};
 }
 
-// Around a box that may lean: along and across its most level edge.
+// Returns the block around a box that may lean: along and across its most level edge.
 PropBlock AroundBox(const Eigen::Vector3d& middle_m, const Eigen::Matrix3d& axes,
                     const Eigen::Vector3d& half_m) {
   int along = 0;

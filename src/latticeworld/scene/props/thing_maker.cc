@@ -111,7 +111,7 @@ ModelMixture::Choice ThingMaker::ChooseModel(const ThingWish& wish, std::uint64_
       placement_.terrain.weights.DominantAt(placement_.terrain.geometry().CellAt(place));
   std::optional<ModelMixture::Choice> choice =
       mixture.At(place, placement_.sites.At(place), 0.0, letter, random);
-  // Where none grows by itself, one is planted.
+  // If none grows by itself, one is planted.
   if (!choice) choice = mixture.Dress(placement_.catalogue.models_of(kind).front(), random);
   if (alike) alike_.emplace(seed, *choice);
   return *choice;

@@ -115,7 +115,7 @@ class Settler {
     return std::nullopt;
   }
 
-  // As many houses side by side as fit, two at least.
+  // Builds as many houses side by side as fit, two at least.
   void BuildTerrace(const Plot& plot, PointRandom* random) {
     if (IsFull(plot.settlement)) return;
     std::size_t begin = 0, end = 0, first = 0;

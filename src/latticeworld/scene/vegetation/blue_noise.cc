@@ -28,7 +28,7 @@ constexpr float kFar = 1e6f;
 // suits vector registers, since what lies beyond is never too near.
 template <int kReach, int kWidth>
 bool IsFree(const float* x, const float* y, float dart_x, float dart_y, float least2) {
-  // From the middle outwards: what is in the way is mostly near.
+  // The search goes from the middle outwards: what is in the way is mostly near.
   for (int step = 0; step <= 2 * kReach; ++step) {
     const int rows = step % 2 == 0 ? step / 2 : -(step + 1) / 2;
     const int first = rows * kWindow - kReach;
@@ -148,7 +148,7 @@ const RankedBlueNoise::Tile* RankedBlueNoise::TileAt(int row, int col) const {
 }
 
 void RankedBlueNoise::Throw(int tile_row, int tile_col, int level) {
-  // In units of cells: the least distance of the first level is four, then 2.83, 2 and 1.41.
+  // Distances are in cells: the least one of the first level is four, then 2.83, 2 and 1.41.
   const float least2 = static_cast<float>(16 >> level);
 
   // The tile and a border of its neighbours.

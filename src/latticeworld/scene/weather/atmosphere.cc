@@ -11,8 +11,8 @@ namespace {
 // ln(1 / 0.05): light over the meteorological optical range.
 constexpr double kOpticalRangeDepth = 2.996;
 constexpr double kClearVisibility_m = 20000.0;
-// From `slight` at intensity 0 over the geometric middle at 0.5 to `extreme` at 1: people and
-// weather services grade rain, snow and fog by factors, not by differences.
+// Grades from `slight` at intensity 0 over the geometric middle at 0.5 to `extreme` at 1: people
+// and weather services grade rain, snow and fog by factors, not by differences.
 double Graded(double slight, double extreme, double intensity) {
   return slight * std::pow(extreme / slight, intensity);
 }

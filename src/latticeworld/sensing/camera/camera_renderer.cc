@@ -142,6 +142,7 @@ void CameraRenderer::RenderStrip(const CameraShot& shot, const CameraOutputs& ou
     return std::clamp(depth_m + noise * depth_m * depth_m * draw, near_m, far_m);
   };
 
+  // Rays of a row of square tiles are traced together.
   Strip strip;
   for (int top = begin; top < end; top += kTile) {
     strip.rays.clear();
@@ -161,6 +162,7 @@ void CameraRenderer::RenderStrip(const CameraShot& shot, const CameraOutputs& ou
         }
       }
     }
+    // Labels need whole hits, depth alone only distances.
     const std::size_t count = strip.rays.size();
     strip.distances_m.resize(count);
     if (labels) {
@@ -171,6 +173,7 @@ void CameraRenderer::RenderStrip(const CameraShot& shot, const CameraOutputs& ou
       shot.scene->TraceDistances(strip.rays.data(), count, kSeesAll, shot.except_agent,
                                  strip.distances_m.data());
     }
+    // Each pixel gets what was asked for.
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t place = strip.places[i];
       if (outputs.depth) {

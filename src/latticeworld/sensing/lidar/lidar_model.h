@@ -16,7 +16,7 @@ struct LidarModel {
   int columns = 1024;                       // of a revolution, or of the field of view
   double first_azimuth_rad = -3.14159265358979;  // of column 0; counter-clockwise seen from above
   double field_of_view_rad = 6.28318530717959;   // (0, 2 pi]; the beam runs through the rest unseen
-  // Between the beams of one column, in time: ring i fires ring_delay_s * i after the first.
+  // The time between the beams of one column: ring i fires ring_delay_s * i after the first.
   double ring_delay_s = 0.0;
   double min_range_m = 0.1, max_range_m = 30.0;  // 0 <= min < max
   // The reflectivity of the diffuse target that max_range_m is of, in clear air, (0, 1]; darker

@@ -31,7 +31,7 @@ class LidarSurfaces {
   float Reflectance(const Ray& ray, const RayHit& hit, const SensedWorld& world) const;
 
   std::shared_ptr<const Scene> scene_;
-  // By type: of each seasonal value and of each material.
+  // Reflectances by type: of each seasonal value and of each material.
   std::array<std::vector<float>, kAssetTypeCount> seasonal_, material_;
   std::array<float, kSurfaceClassCount> dry_ground_, ground_;
   float water_slope_variance_ = 0.01f;  // mean square slope of the waves

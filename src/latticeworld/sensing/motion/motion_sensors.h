@@ -23,8 +23,8 @@ struct ImuModel {
   double max_rate_radps = 35.0, max_acceleration_mps2 = 160.0;  // readings are cut there
   bool gives_orientation = true;  // from the simulation, exact; false: covariance[0] = -1
 };
-// At rest and level: acceleration (0, 0, g). In free fall: 0. Both are means since the reading
-// before.
+// Rates and accelerations are means since the reading before. At rest and level the acceleration is
+// (0, 0, g), in free fall 0.
 struct ImuReading {
   double time_s = 0.0;
   Eigen::Quaterniond map_from_sensor = Eigen::Quaterniond::Identity();

@@ -116,12 +116,14 @@ Result<AssetTiles::Look> AssetTiles::Make(std::size_t tile, const Situation& sit
 }
 
 Status AssetTiles::Change(Situation next, const Progress& progress) {
+  // Tiles whose assets fell or came back must be made anew.
   std::vector<bool> stale(tiles_.size());
   std::vector<std::uint32_t> differing;
   std::set_symmetric_difference(now_.absent.begin(), now_.absent.end(), next.absent.begin(),
                                 next.absent.end(), std::back_inserter(differing));
   for (const std::uint32_t asset : differing) stale[tile_of_[asset]] = true;
 
+  // Tiles whose detail changes need other meshes.
   std::vector<int> details(tiles_.size());
   std::vector<MeshKey> keys;
   for (std::size_t i = 0; i < tiles_.size(); ++i) {
@@ -145,6 +147,7 @@ Status AssetTiles::Change(Situation next, const Progress& progress) {
       missing.push_back(i);
     }
   }
+  // The missing ones are made side by side; an error leaves everything as it was.
   std::vector<Status> statuses(missing.size());
   ParallelInPieces(static_cast<int>(missing.size()), 1, options_.threads, [&](int begin, int end) {
     for (int k = begin; k < end; ++k) {
@@ -166,6 +169,7 @@ Status AssetTiles::Change(Situation next, const Progress& progress) {
   // Nothing fails from here on.
   group_.Use();
   ++changes_;
+  // Baked tiles are kept for another time, until they are stale or too many.
   for (auto kept = kept_.begin(); kept != kept_.end();)
     kept = stale[kept->first.first] ? kept_.erase(kept) : std::next(kept);
   for (std::size_t i = 0; i < tiles_.size(); ++i) {

@@ -14,10 +14,10 @@ struct MeshFrame {
   Eigen::Vector3f origin_m = Eigen::Vector3f::Zero();           // of the mesh's frame, in the map
 };
 
-// For callbacks of user geometries, whose rays come one by one or as many at once as the processor
-// takes (4, 8 or 16): they meet a mesh, if one of the bits of `mask` is theirs. Hits have 1 and the
-// number of the user primitive in geomID, that of the triangle in primID, the normal in the map
-// frame, and in instID what the context has.
+// Serves callbacks of user geometries, whose rays come one by one or as many at once as the
+// processor takes (4, 8 or 16): they meet a mesh, if one of the bits of `mask` is theirs. Hits have
+// 1 and the number of the user primitive in geomID, that of the triangle in primID, the normal in
+// the map frame, and in instID what the context has.
 void IntersectMesh(RTCScene mesh, const MeshFrame& frame, unsigned mask,
                    const RTCIntersectFunctionNArguments& arguments);
 // One by one only.

@@ -26,8 +26,8 @@ Result<MeshPrototype> MakePrototype(RTCDevice device, const std::vector<Eigen::V
                                     const std::vector<std::array<std::uint32_t, 3>>& triangles,
                                     std::vector<std::uint8_t> parts);
 
-// Where one is met: the mesh times size_m, twisted about z, leaned from z towards x, turned by a
-// yaw about z, moved to position_m.
+// Says where a mesh is met: it is multiplied by size_m, twisted about z, leaned from z towards x,
+// turned by a yaw about z, moved to position_m.
 struct MeshInstance {
   Eigen::Vector3f position_m;
   Eigen::Vector3f size_m;  // > 0

@@ -24,10 +24,10 @@ struct PropMesh {
 };
 PropMesh BuildProp(PropForm form);
 
-// Where the form of a prop of that kind and size is in the prop's frame (scene/props/prop.h),
-// as the bodies that the simulation moves have it: a gate's panel clears the ground by 6 cm, and a
-// loose stone, which rests on the faces of the icosahedron whose corners are on its ball, has its
-// middle above the origin by 0.795 of its radius.
+// Returns where the form of a prop of that kind and size is in the prop's frame
+// (scene/props/prop.h), as the bodies that the simulation moves have it: a gate's panel clears the
+// ground by 6 cm, and a loose stone, which rests on the faces of the icosahedron whose corners are
+// on its ball, has its middle above the origin by 0.795 of its radius.
 Eigen::Affine3d PropFromMesh(PropKind kind, const Eigen::Vector3d& size_m);
 
 }  // namespace latticeworld

@@ -59,7 +59,7 @@ void OdeWorld::Restore(const PhysicsSnapshot& snapshot) {
   ReadyOde();
   const auto* saved = dynamic_cast<const OdeSnapshot*>(&snapshot);
   LW_CHECK(saved != nullptr, "a snapshot of another back end");
-  // Where other bodies are about, all are made anew. In which groups they were makes no difference.
+  // If other bodies are about, all are made anew. In which groups they were makes no difference.
   if (!HasBodiesOf(*saved, bodies_)) {
     bodies_.Clear();
     for (const OdeSnapshot::Body& one : saved->bodies) {

@@ -66,7 +66,8 @@ bool Felling::GivesWay(const Contact& contact) {
   fall.point_m = contact.position_m;
   const BodySpec& spec = physics_->SpecOf(contact.body);
   if (IsDriven(spec)) {
-    // At the height of its centre of mass: breaking a tree does not make it pitch.
+    // The force acts at the height of the centre of mass: breaking a tree does not make the body
+    // pitch.
     const BodyMotion motion = physics_->MotionOf(contact.body);
     fall.point_m.z() =
         (motion.position_m + motion.orientation * Eigen::Vector3d(0, 0, spec.center_height_m)).z();
@@ -106,7 +107,8 @@ void Felling::Push(double step_s) {
     double largest_nm = 0.0;
     BodyId by = 0;
   };
-  // By tree and body: what a body can push with is shared by all its contacts with the tree.
+  // Forces are summed by tree and body: what a body can push with is shared by all its contacts
+  // with the tree.
   struct Pushed {
     Eigen::Vector2d force_n = Eigen::Vector2d::Zero();
     Eigen::Vector2d moment_nm = Eigen::Vector2d::Zero();

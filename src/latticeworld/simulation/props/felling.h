@@ -55,9 +55,9 @@ class Felling {
     bool changes = false;  // changes() are others
     bool maps = false;     // a tree came to rest, moved where it lies, or left the world
   };
-  // After it: makes bodies of the trees that gave way or are pushed beyond their strength, and
-  // tells felled_tree (name_of: of the body that did it) and tree_came_to_rest; a tree that leaves
-  // the world is gone (left_world).
+  // Makes, after the physics' step, bodies of the trees that gave way or are pushed beyond their
+  // strength, and tells felled_tree (name_of: of the body that did it) and tree_came_to_rest; a
+  // tree that leaves the world is gone (left_world).
   Outcome Step(double step_s, std::uint64_t step, const std::function<std::string(BodyId)>& name_of,
                std::vector<Event>* events);
   // Takes a tree that fell out of the world and tells left_world. name: "tree_<asset>"; others are
@@ -65,7 +65,7 @@ class Felling {
   void Remove(const std::string& name, std::uint64_t step, std::vector<Event>* events);
 
   const State& state() const { return state_; }
-  // After the physics was restored to the same moment.
+  // Is to be called after the physics was restored to the same moment.
   void Restore(const State& state);
   // Trees that lie, and as gone those that still fall or have left the world.
   const SceneChanges& changes() const { return changes_; }

@@ -33,7 +33,7 @@ class Props {
     bool broken = false;
     bool open = false;                   // gates: as told last
     std::optional<double> wanted_rad{};  // gates: opening that it is told to turn to
-    // As maps have it: where it stood still last, or began. None: they do not show it.
+    // The block that maps have: where it stood still last, or began. None: they do not show it.
     std::optional<PropBlock> on_maps{};
     bool open_on_maps = false;              // gates
     std::optional<BodyMotion> looked_at{};  // when that was looked at: spares looking again
@@ -57,16 +57,16 @@ class Props {
   // Part of the physics' judge: whether the anchored body of a kBody contact gives way to it: a
   // post that breaks under the blow.
   bool GivesWay(const Contact& contact);
-  // Before the physics' step: gate motors, buoyancy and drag in water.
+  // Exerts, before the physics' step, gate motors, buoyancy and drag in water.
   void Act(const Atmosphere& atmosphere, double step_s);
-  // After it: what is overloaded gives way; tells broke, opened and closed. True: something broke,
-  // and standing() is another.
+  // Lets, after the physics' step, give way what is overloaded; tells broke, opened and closed.
+  // True: something broke, and standing() is another.
   bool Step(double step_s, std::uint64_t step, std::vector<Event>* events);
 
   // Now and then: what stands still more than half a cell of the scene from where maps have it, or
   // a gate that was opened or closed, is on them where it is. True: standing() is another.
   bool Follow();
-  // As maps show them; never null.
+  // Returns the props as maps show them; never null.
   const std::shared_ptr<const StandingProps>& standing() const { return standing_; }
   // Whether that is where the scene has them.
   bool is_as_begun() const { return is_as_begun_; }
@@ -74,7 +74,7 @@ class Props {
   PropBlock BoxNow(const Running& running) const;
 
   const State& state() const { return state_; }
-  // After the physics was restored to the same moment.
+  // Is to be called after the physics was restored to the same moment.
   void Restore(const State& state);
   std::vector<PropSnapshot> Snapshots() const;  // sorted by name
   void AddTo(Digest* digest) const;

@@ -35,14 +35,14 @@ class DynamicScene : private ContactJudge {
   // The name of the prop or felled tree ("tree_7") that the body is of; "": of neither.
   std::string NameOf(BodyId body) const;
 
-  // Before the physics' step: exerts what acts on props and trees that fall.
+  // Exerts, before the physics' step, what acts on props and trees that fall.
   void Act(const Atmosphere& atmosphere, double step_s);
   // What a step did: whether trees or props are others, and whether maps show it.
   struct Outcome {
     bool changes = false;
     bool maps = false;
   };
-  // After the physics' step: sees what breaks, falls and comes to rest, and tells it. name_of:
+  // Sees, after the physics' step, what breaks, falls and comes to rest, and tells it. name_of:
   // names the agent, prop or tree that a body is of.
   Outcome Step(const SimulationClock& clock, const std::function<std::string(BodyId)>& name_of,
                EventLog* events);

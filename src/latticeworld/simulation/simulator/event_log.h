@@ -22,7 +22,8 @@ class EventLog {
   // The events since the last call.
   std::vector<Event> Take();
 
-  // For parts of a step that add many events themselves; Bound is called after them.
+  // Returns the list for parts of a step that add many events themselves; Bound is called after
+  // them.
   std::vector<Event>* list() { return &events_; }
   // Forgets the older half where a caller who does not take events has let too many pile up.
   void Bound();

@@ -18,10 +18,10 @@ class StrayWatch {
   // Whether an agent is held where it is, and neither thinks nor moves.
   bool IsFrozen(AgentId id) const { return frozen_until_.count(id) != 0; }
 
-  // Before the physics' step: lets go who was frozen long enough, and holds the others where they
+  // Lets go, before the physics' step, who was frozen long enough, and holds the others where they
   // are.
   void HoldFrozen(RunningWorld* world);
-  // After it: agents are where physics moved them to, unless they strayed.
+  // Moves agents, after that step, to where physics moved them, unless they strayed.
   void FollowPhysics(RunningWorld* world);
   // Takes out of the world what has strayed for too long, and props that left it.
   void RemoveLost(RunningWorld* world);

@@ -63,8 +63,8 @@ class ReliefForms {
   void RaiseBeside(const ReliefPiece& valley, Grid<float>* steepness_m) const;
   void ScaleArea(const Area& area, const Grid<float>& foot_m, Grid<float>* land_m) const;
   void ScaleValleys(const Grid<float>& foot_m, Grid<float>* land_m) const;
-  // By what the land beside a valley's floor is to be multiplied so that its rims lie as high above
-  // the floor as the valley is deep. from: as FromFloor has it.
+  // Returns the factor by which the land beside a valley's floor is to be multiplied so that its
+  // rims lie as high above the floor as the valley is deep. from: as FromFloor has it.
   float ValleyFactor(const ReliefPiece& valley, const Grid<float>& from, const Grid<float>& foot_m,
                      const Grid<float>& land_m) const;
   void LayTilt(const Area& area, Grid<float>* land_m) const;

@@ -27,12 +27,12 @@ double FlankSlope_deg(const ReliefPiece& piece, const GridGeometry& geometry,
 // quarter beyond it [m]; NaN where there is none.
 double FootLevel_m(const ReliefPiece& piece, const GridGeometry& geometry,
                    const Grid<float>& height_m);
-// Across a thing: twice the distance from its axis at which the median ground has come within a
-// tenth of its height of its foot, or of its rim; of a crater from rim to rim. 0 where it never
-// does.
+// Returns the width across a thing: twice the distance from its axis at which the median ground has
+// come within a tenth of its height of its foot, or of its rim; of a crater from rim to rim. 0: it
+// never does.
 double Width_m(const ReliefPiece& piece, const GridGeometry& geometry, const Grid<float>& height_m);
-// Along a thing that runs: of its axis, and of what lies beyond the axis' ends, the part whose
-// sections are at least half as high as the thing.
+// Returns the length along a thing that runs: of its axis, and of what lies beyond the axis' ends,
+// the part whose sections are at least half as high as the thing.
 double Length_m(const ReliefPiece& piece, const GridGeometry& geometry,
                 const Grid<float>& height_m);
 // The highest ground on a round thing, or the lowest in it; of one that runs the middle of its

@@ -215,7 +215,7 @@ class Placer {
     if (wish.width_m) {
       half_m = *wish.width_m / 2.0 / WidthShare(wish.kind);
     } else if (asked) {
-      // As wide as its height wants to be, within the world.
+      // The piece is as wide as its height wants to be, within the world.
       const double natural_slope = wish.slope_deg
                                        ? kFlankShare * std::tan(*wish.slope_deg * M_PI / 180.0)
                                        : nature.height * 1.2 * wish.steepness;

@@ -27,9 +27,9 @@ struct ReliefPiece {
   bool has_area() const { return axis.empty(); }
 };
 
-// Where each wish goes: on the cells of its letter, else on free land of its zones, as far from
-// roads, buildings and water as can be. Its height is what is asked, as far as its width lets it
-// rise. A function of its arguments alone, so that who measures finds what was laid.
+// Places each wish on the cells of its letter, else on free land of its zones, as far from roads,
+// buildings and water as can be. Its height is what is asked, as far as its width lets it rise. A
+// function of its arguments alone, so that who measures finds what was laid.
 std::vector<ReliefPiece> PlaceReliefs(const std::vector<ReliefWish>& wishes,
                                       const SymbolicLayout& layout, double size_m);
 

@@ -6,7 +6,7 @@
 namespace latticeworld::internal {
 namespace {
 
-// From 1 at 0 to 0 at 1: straight, rounded off over a quarter at either end.
+// Falls from 1 at 0 to 0 at 1: straight, rounded off over a quarter at either end.
 float Flank(float u) {
   constexpr float kRound = 0.25f;
   constexpr float kSlope = 1.0f / (1.0f - kRound);

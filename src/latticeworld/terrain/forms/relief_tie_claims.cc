@@ -76,7 +76,8 @@ class TieMeasurer {
     return places;
   }
 
-  // By height: lower than the rim, or higher than the foot, by a quarter of the form at the least.
+  // Measures by height: lower than the rim, or higher than the foot, by a quarter of the form at
+  // the least.
   void MeasureInside(const std::vector<WorldPoint>& other) {
     const double foot_m = FootLevel_m(piece_, geometry_, height_m_);
     const double amplitude_m = Amplitude_m(piece_, geometry_, height_m_);

@@ -58,8 +58,7 @@ void TerraceFields(const GridGeometry& lattice, const Grid<float>& weight, Grid<
     if (w <= 0.02f) continue;
     const float riser = RiserFor(slope.data()[i], kFieldRiserSlope);
     const float benched = Terraced(smooth.data()[i], bench_m, riser);
-    // Where it is too steep for a bench the field keeps its slope.
-    // Nearly level fields need none.
+    // A field that is too steep for a bench keeps its slope. Nearly level fields need none.
     const float share = SmoothStep((w - 0.3f) / 0.5f) * SmoothStep((1.0f - riser) / 0.3f) *
                         SmoothStep((slope.data()[i] - kLeastSlope) / kLeastSlope);
     float& land = land_m->data()[i];

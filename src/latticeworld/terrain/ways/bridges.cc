@@ -259,8 +259,8 @@ class Planner {
             cell.col + static_cast<double>(ground_.lines.to_road_center_cols[cell])};
   }
 
-  // As wide as the road is along most of the way, in whole layout cells, but no wider than decks
-  // are.
+  // Returns a width that is the road's along most of the way, in whole layout cells, but no greater
+  // than decks have.
   double WidthOver(const std::vector<CellIndex>& way) const {
     std::vector<float> half;
     for (const CellIndex cell : way) half.push_back(to_side_[cell]);
@@ -279,7 +279,7 @@ class Planner {
     const bool begins = Lengthen(line[1], &line[0]);
     const bool ends = Lengthen(line[line.size() - 2], &line.back());
     if (!begins || !ends) {
-      // Where the shore stays beside the road the bridge follows that.
+      // If the shore stays beside the road, the bridge follows the road.
       std::vector<Place> before, after;
       if (!begins) before = ToDryRoad(way.front());
       if (!ends) after = ToDryRoad(way.back());

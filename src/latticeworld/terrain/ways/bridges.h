@@ -29,8 +29,8 @@ struct BridgeGround {
 // as low as their clearance lets them.
 std::vector<Bridge> PlanBridges(const BridgeGround& ground);
 
-// For every cell the index of the bridge whose deck is above it, or touches it, or ends less than
-// apron_cells before it; else -1.
+// Returns for every cell the index of the bridge whose deck is above it, or touches it, or ends
+// less than apron_cells before it; else -1.
 Grid<std::int32_t> CellsOfBridges(const GridGeometry& lattice, const std::vector<Bridge>& bridges,
                                   double apron_cells);
 

@@ -158,8 +158,8 @@ class Reaches {
     }
   }
 
-  // Between the middles of reaches the level is interpolated along the course; a lake lies level up
-  // to its mouths.
+  // Returns the level, interpolated along the course between the middles of reaches; a lake lies
+  // level up to its mouths.
   float LevelAt(std::int32_t cell) const {
     const Reach& reach = reaches_[number_.data()[cell]];
     if (reach.is_still) return reach.level_m;
@@ -171,7 +171,8 @@ class Reaches {
     return reach.level_m + share * (next_m - reach.level_m);
   }
 
-  // Where branches of unlike levels meet, a step is left: mean levels of neighbours, several times.
+  // Smooths the step that is left where branches of unlike levels meet: mean levels of neighbours,
+  // several times.
   void Smooth(Grid<float>* level_m) const {
     std::vector<std::int32_t> cells;
     for (const std::int32_t cell : water_.bodies.cells) {

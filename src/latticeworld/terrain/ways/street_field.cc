@@ -221,7 +221,7 @@ double StreetField::DirectionAt(WorldPoint place, double heading_rad) const {
            v * ((1.0 - u) * grid(r + 1, c) + u * grid(r + 1, c + 1));
   };
   const double c4 = at(cosine4_), s4 = at(sine4_);
-  // Where its parts cancel out a field has no direction: straight on.
+  // A field whose parts cancel out has no direction: the street goes straight on.
   if (std::hypot(c4, s4) < 0.02) return heading_rad;
   const double direction_rad = 0.25 * std::atan2(s4, c4);
   return heading_rad + std::remainder(direction_rad - heading_rad, 0.5 * M_PI);

@@ -18,7 +18,7 @@ struct Payload {
 // compress: whether to try; what does not shrink by a tenth stays as it is.
 Payload MakePayload(std::string content_type, std::string bytes, bool compress);
 
-// By path: "/index.html".
+// Payloads by their path: "/index.html".
 using PayloadMap = std::map<std::string, Payload, std::less<>>;
 
 // Returns the type by the name's extension; "application/octet-stream" if that says nothing.

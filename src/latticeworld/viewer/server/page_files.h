@@ -14,9 +14,9 @@ namespace latticeworld {
 // index.html in it), RESOURCE_EXHAUSTED (more than 2000 files or 64 MiB).
 Result<PayloadMap> ReadPage(const std::filesystem::path& directory);
 
-// Where the page of this program lies: share/latticeworld/web beside the program's own place, as
-// builds and installations have it. Errors: NOT_FOUND naming where it was looked for, and how the
-// page is built.
+// Finds the page of this program: share/latticeworld/web beside the program's own place, as builds
+// and installations have it. Errors: NOT_FOUND naming where it was looked for, and how the page is
+// built.
 Result<std::filesystem::path> FindPage();
 
 // What is served at "/" where there is no page: says how to get one. reason: plain text.

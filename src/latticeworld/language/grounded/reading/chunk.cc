@@ -505,6 +505,7 @@ class Chunker {
       return;
     }
     Chunk chunk;
+    // A lexeme that is no noun is a chunk by itself ...
     switch (lexeme.kind) {
       case LexemeKind::kPlace:
         chunk.kind = ChunkKind::kPlace;
@@ -529,6 +530,7 @@ class Chunker {
         chunk.kind = ChunkKind::kSense;
         break;
     }
+    // ... but for unknown words and those that only lead nouns.
     const bool skipped = chunk.kind == ChunkKind::kUnknown ||
                          (chunk.kind == ChunkKind::kSense &&
                           (lexeme.sense == Sense::kFunction || lexeme.sense == Sense::kDefinite ||

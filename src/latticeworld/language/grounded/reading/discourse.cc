@@ -65,6 +65,8 @@ bool Discourse::Matches(const NounPhrase& phrase, int index) const {
 }
 
 std::vector<int> Discourse::Find(const NounPhrase& phrase, const std::vector<int>& subjects) const {
+  // Things that match are looked at from the last back; those with the very same word go before
+  // others of the class.
   std::vector<int> same_word;
   std::vector<int> same_class;
   for (int i = size() - 1; i >= 0; --i) {
@@ -82,6 +84,7 @@ std::vector<int> Discourse::Find(const NounPhrase& phrase, const std::vector<int
   const std::vector<int>& found = same_word.empty() ? same_class : same_word;
   if (found.empty()) return {};
   if (same_word.empty() && !MayMean(*phrase.noun, *thing(found[0]).noun)) return {};
+  // "both", "the first", "the other" choose among them.
   switch (phrase.head) {
     case Head::kBoth:
       if (found.size() >= 2) return {found[1], found[0]};
@@ -99,6 +102,7 @@ std::vector<int> Discourse::Find(const NounPhrase& phrase, const std::vector<int
     default:
       break;
   }
+  // A plural means all of them, in the order in which they were named.
   const bool many =
       phrase.plural || (phrase.qualities.count.has_value() && phrase.qualities.count->least > 1);
   if (many && found.size() > 1) {

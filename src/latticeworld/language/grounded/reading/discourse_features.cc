@@ -90,7 +90,7 @@ PlannedFeature FeatureOf(const NounPhrase& phrase, Vocabulary vocabulary) {
   return feature;
 }
 
-// So many pieces as the count allows.
+// Sets as many pieces as the count allows.
 void SetCount(const CountMatch& count, const Thing& thing, Vocabulary vocabulary,
               PlannedFeature* feature) {
   feature->pieces_least = std::min(std::max(1, count.least), kMaxPieces);

@@ -162,7 +162,7 @@ enum class Sense : std::uint8_t {
   kLikewise,
 };
 
-// As data/layout_senses.txt calls them; kNone has no name.
+// The names are those of data/layout_senses.txt; kNone has none.
 inline constexpr std::array<EnumName<Sense>, 143> kSenseNames = {{
     {Sense::kFunction, "function"},
     {Sense::kDefinite, "definite"},

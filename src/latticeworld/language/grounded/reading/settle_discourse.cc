@@ -122,6 +122,8 @@ void Discourse::SettleCrossroads() {
     const bool crossing = noun == "crossroads" || noun == "crossroad" || noun == "intersection" ||
                           noun == "junction" || noun == "road crossing";
     if (thing(i).dropped || !crossing || feature(i).form != FeatureForm::kLine) continue;
+    // The roads are the two that were spoken of, or none yet. A crossroads with a course of its
+    // own, or with another number of roads, stays one line.
     std::vector<int> roads;
     for (int j = 0; j < size(); ++j) {
       const bool road = j != i && !thing(j).dropped && feature(j).letter == feature(i).letter &&
@@ -132,6 +134,8 @@ void Discourse::SettleCrossroads() {
                       feature(i).along.has_value() || roads.size() == 1 || roads.size() > 2;
     if (tied) continue;
     const std::vector<Zone> zones = feature(i).zones;
+    // Without any, two are made, from north to south and from west to east; else the crossroads is
+    // they.
     if (roads.empty()) {
       const int second = Twin(i);
       if (second == i) continue;
@@ -155,6 +159,7 @@ void Discourse::SettleCrossroads() {
       }
       Drop(i);
     }
+    // Both roads pass the place of the crossroads, and cross.
     for (const int road : roads) {
       if (zones.size() != 1 || !feature(road).via.empty()) continue;
       Waypoint via;
@@ -314,6 +319,7 @@ void Discourse::SettleOpenEnds() {
 }
 
 LayoutPlan Discourse::Finish() {
+  // What was left open is settled, in an order in which each step finds what it needs.
   SettleOpenEnds();
   SettleAlong();
   SettleFollowing();
@@ -326,6 +332,7 @@ LayoutPlan Discourse::Finish() {
   PlaceContained();
   SettleChains();
   SettleRest();
+  // Features that were dropped are left out; `moved` has the new index of the others.
   std::vector<int> moved(things_.size(), -1);
   std::vector<PlannedFeature> features;
   for (int i = 0; i < size(); ++i) {
@@ -337,6 +344,7 @@ LayoutPlan Discourse::Finish() {
   const auto move = [&](int* index) {
     if (*index >= 0) *index = moved[static_cast<std::size_t>(*index)];
   };
+  // What names a feature follows to its new index, or goes with it.
   for (PlannedFeature& feature : features) {
     for (std::optional<Waypoint>* end : {&feature.from, &feature.to}) {
       if (!end->has_value() || (*end)->feature < 0) continue;

@@ -53,7 +53,8 @@ struct NounSpan {
   bool plural = false;
   bool found() const { return end > begin; }
 };
-// That which begins right there: an article or another such word, at most three words, the noun.
+// Returns the span that begins right there: an article or another such word, at most three words,
+// the noun.
 NounSpan TakeNounSpan(const std::vector<Token>& tokens, std::size_t at);
 
 }  // namespace latticeworld

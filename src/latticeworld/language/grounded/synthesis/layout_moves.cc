@@ -278,11 +278,13 @@ bool LayoutMoves::TakeLineAway(char letter, LayoutMasks* next) {
 }
 
 bool LayoutMoves::Bridge(const Claim& claim, char letter, LayoutMasks* next) {
+  // The bridge begins at one of the largest pieces of the class.
   const std::vector<LayoutMask> pieces = masks_.of(letter).Pieces();
   if (pieces.empty()) return false;
   const auto last = static_cast<int>(pieces.size()) - 1;
   const LayoutMask& from =
       pieces[static_cast<std::size_t>(random_->UniformInt(0, std::min(last, 3)))];
+  // It leads to where the claim wants the class, or to another piece.
   LayoutMask to;
   if (claim.kind == ClaimKind::kPresent || claim.kind == ClaimKind::kAmount ||
       claim.kind == ClaimKind::kAlong) {
@@ -296,6 +298,7 @@ bool LayoutMoves::Bridge(const Claim& claim, char letter, LayoutMasks* next) {
     to = pieces[static_cast<std::size_t>(random_->UniformInt(0, last))];
   }
   if (to.empty() || !(to & from).empty()) return false;
+  // It goes straight between near cells of both.
   LayoutMask reached = from;
   while ((reached & to).empty()) reached = reached.Grown8();
   const CellIndex end = Draw(reached & to);
@@ -309,6 +312,7 @@ bool LayoutMoves::Bridge(const Claim& claim, char letter, LayoutMasks* next) {
     nearest = rows * rows + cols * cols;
     start = CellOf(id);
   }
+  // It is not to cover what it only has to touch, and is wider unless it is a line.
   LayoutMask bridge;
   for (const CellIndex cell : StraightCells(start, end)) bridge.Add(cell);
   if (claim.kind == ClaimKind::kAdjacent || claim.kind == ClaimKind::kConnects) {

@@ -9,7 +9,7 @@
 // processor at hand. The order of additions is the same on all of them, so that
 // the same file gives the same answers.
 
-// Before a function with such sums: made for several kinds of processors, as in
+// Stands before a function with such sums: it is made for several kinds of processors, as in
 // vector_clones.h.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -18,7 +18,7 @@
 #else
 #define LATTICEWORLD_LANE_CLONES
 #endif
-// Within such a function, of what it calls: made for the same processor.
+// Stands before what such a function calls: it is made for the same processor.
 #define LATTICEWORLD_LANE_INLINE inline __attribute__((always_inline))
 
 namespace latticeworld {

@@ -33,7 +33,7 @@ class Tokenizer {
   TokenId end() const { return end_; }
   // The control token of that name ("<|im_start|>"); none.
   std::optional<TokenId> Control(std::string_view name) const;
-  // Before all text; none: the model has no such token or wants none.
+  // Returns the token that stands before all text; none: the model has no such token or wants none.
   std::optional<TokenId> begin() const { return begin_; }
   // Whether the model's texts begin with a space that was not written.
   bool adds_space() const { return adds_space_; }

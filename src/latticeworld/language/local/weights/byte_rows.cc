@@ -70,7 +70,7 @@ __attribute__((target("avx2"))) inline __m256 ProductsByAvx2(const std::int8_t* 
   return _mm256_mul_ps(_mm256_cvtepi32_ps(sums), _mm256_set1_ps(scale));
 }
 
-// As SumOfLanes.
+// Sums as SumOfLanes does.
 __attribute__((target("avx2"))) inline float SumByAvx2(__m256 even, __m256 odd) {
   const __m256 eight = _mm256_add_ps(even, odd);
   const __m128 four = _mm_add_ps(_mm256_castps256_ps128(eight), _mm256_extractf128_ps(eight, 1));

@@ -15,7 +15,8 @@ constexpr double kArrived_m = 0.3;
 constexpr double kKeepRight_rad = 0.08;
 constexpr double kSidestep_rad = 1.2;  // from the way, when stuck
 
-// As fast and as near to the wanted heading as others let it, map frame.
+// Returns the velocity that is as fast and as near to the wanted heading as others let it, map
+// frame.
 Eigen::Vector2d AroundOthers(const Agent& agent, const Surroundings& world, double heading_rad,
                              double speed_mps) {
   const std::vector<AvoidedBody> bodies = BodiesToAvoid(agent, world);

@@ -19,8 +19,8 @@ bool HuntsInPack(const Agent& agent, const Surroundings& world);
 // all are in place, one has begun to strike, or it has lasted too long: time to close in.
 std::optional<Steering> Encircle(Agent* agent, Surroundings* world);
 
-// As ChoosePrey for who comes within a few strides of the hiding place or strikes it; until then it
-// lets everybody pass.
+// Chooses, as ChoosePrey does, who comes within a few strides of the hiding place or strikes it;
+// until then it lets everybody pass.
 void ChooseVictim(Agent* agent, Surroundings* world);
 // Goes to a place near a road or its home that trees, buildings or the relief hide from most of
 // what lies around, and waits there.

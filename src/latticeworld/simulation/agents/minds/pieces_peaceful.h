@@ -17,7 +17,7 @@ std::optional<Steering> Idle(Agent* agent, Surroundings* world);
 std::optional<Steering> Wander(Agent* agent, Surroundings* world);
 // A loop of places around its home.
 std::optional<Steering> Patrol(Agent* agent, Surroundings* world);
-// From one patch of grass to the next with its herd, and stands in between.
+// Goes from one patch of grass to the next with its herd, and stands in between.
 std::optional<Steering> Graze(Agent* agent, Surroundings* world);
 // Swims from place to place through deep water.
 std::optional<Steering> Swim(Agent* agent, Surroundings* world);

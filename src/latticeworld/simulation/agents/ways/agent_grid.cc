@@ -30,7 +30,7 @@ void AgentGrid::Rebuild(double world_size_m, const std::map<AgentId, Agent>& age
   }
   for (std::size_t i = 1; i < cell_begin_.size(); ++i) cell_begin_[i] += cell_begin_[i - 1];
   entries_.resize(agents.size());
-  // From the last id to the first: every cell's end walks back to its begin.
+  // Agents are sorted in from the last id to the first: every cell's end walks back to its begin.
   std::size_t i = agents.size();
   for (auto agent = agents.rbegin(); agent != agents.rend(); ++agent)
     entries_[--cell_begin_[cell_of_[--i]]] = {agent->second.place(), &agent->second};

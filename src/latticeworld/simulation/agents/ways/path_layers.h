@@ -34,10 +34,10 @@ struct BodyClass {
 };
 BodyClass ClassOf(const Species& species);
 
-// Where bodies of each class can go in one scene: the traversability map at its mean water level,
-// with props and ground as the changes have them, less what hangs too low, in cells of 0.5 to 1
-// m (or as coarse as the scene). A cell is free where all cells of the scene in it are, or a bridge
-// carries its middle.
+// Says where bodies of each class can go in one scene: the traversability map at its mean water
+// level, with props and ground as the changes have them, less what hangs too low, in cells of 0.5
+// to 1 m (or as coarse as the scene). A cell is free where all cells of the scene in it are, or a
+// bridge carries its middle.
 class PathLayers {
  public:
   // scene: outlives this.

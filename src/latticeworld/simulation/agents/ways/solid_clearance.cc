@@ -115,7 +115,7 @@ double BlockDistance(const PropBlock& block, const HeightField& ground, WorldPoi
 
 double StemDistance(const FallenTree& tree, const HeightField& ground, double trunk_radius_m,
                     WorldPoint from, WorldPoint to, double height_m) {
-  // As far as maps show the trunk.
+  // The stem counts as far as maps show the trunk.
   const Eigen::Vector3d top_m = tree.foot_m + kTrunkTop * (tree.tip_m - tree.foot_m);
   double distance_m = 0.0;
   const double share = NearestShareToWay(tree.foot_m.head<2>(), top_m.head<2>(), ToVector(from),

@@ -74,11 +74,12 @@ class OdeBody {
   // Ball around all solids and ground samples; radius < 0: there are no solids.
   const Eigen::Vector3d& BallCenter() const { return solids_.BallCenter(); }
   double ball_radius_m() const { return solids_.ball_radius_m(); }
-  // For whoever counts contacts of bodies, and leaves 0 behind.
+  // Returns a counter for whoever counts contacts of bodies, and leaves 0 behind.
   int* contact_count() { return &contact_count_; }
 
-  // Around a step: motors, springs and what to go back to before it; then, after it, speed limits
-  // and rest. FinishStep: false when the body strayed (and was put back).
+  // These stand around a step: BeginStep sets motors and springs and notes what to go back to;
+  // FinishStep limits speeds and lets the body rest. FinishStep: false when the body strayed (and
+  // was put back).
   void BeginStep(double step_s);
   bool FinishStep(double step_s);
   // The watch over energy, between BeginStep and FinishStep. What has energy taken from it again
@@ -93,7 +94,7 @@ class OdeBody {
  private:
   // Has its hinge, where it has one, hold the trunk where it is.
   void HoldByHinge();
-  // After a step: rests when it has been still for long enough.
+  // Lets the body rest after a step when it has been still for long enough.
   void UpdateRest(double step_s);
 
   const BodyId id_;

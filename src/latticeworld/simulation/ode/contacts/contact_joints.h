@@ -56,7 +56,7 @@ class ContactJoints {
   // Makes joints of them in the order in which they were added, but for what gives way; of a body's
   // contacts that are counted only the deepest.
   void Join(double step_s);
-  // After the world's step: writes what the contacts exerted to those that are reported, two
+  // Writes, after the world's step, what the contacts exerted to those that are reported, two
   // bodies' and others in a list each, and forgets them.
   void Finish(std::vector<Contact>* of_two, std::vector<Contact>* of_one);
 

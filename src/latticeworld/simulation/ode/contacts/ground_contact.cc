@@ -23,7 +23,7 @@ Facet FacetAt(const HeightField& ground, double x_m, double y_m, double radius_m
   const GridGeometry& geometry = ground.geometry();
   const Grid<float>& height_m = ground.height_m();
   const double last = geometry.rows() - 1;
-  // In this order what is not a number becomes 0.
+  // Limits in this order make 0 of what is not a number.
   const double row = std::max(0.0, std::min(geometry.RowOf(y_m), last));
   const double col = std::max(0.0, std::min(geometry.ColOf(x_m), geometry.cols() - 1.0));
   const int r = std::min(static_cast<int>(row), geometry.rows() - 2);

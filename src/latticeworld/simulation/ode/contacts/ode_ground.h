@@ -30,7 +30,7 @@ class OdeGround {
   // What weather has made of it; true: what rests on it may feel the change and is to wake up.
   bool SetWeathered(const GroundState& weathered);
 
-  // As PhysicsWorld::SinkageOf.
+  // Returns what PhysicsWorld::SinkageOf says.
   double SinkageOf(const OdeBody& body) const;
   // Moves a body straight up, until nothing of it is below the ground.
   void LiftOut(OdeBody* body) const;

@@ -14,9 +14,9 @@ namespace latticeworld {
 // "(3.5, -2)": a place in messages.
 std::string TextOf(WorldPoint place);
 
-// Where an agent of the species can begin: the request's place, or one drawn from its region. It
-// is legal by the rules of the scene and free of agents, props and trees that lie or fall. Errors:
-// see Simulator::Spawn.
+// Returns where an agent of the species can begin: the request's place, or one drawn from its
+// region. It is legal by the rules of the scene and free of agents, props and trees that lie or
+// fall. Errors: see Simulator::Spawn.
 Result<WorldPoint> PlaceFor(const SpawnRequest& request, const Species& species,
                             const RunningWorld& world, RandomStream* random);
 // Returns where a scene's agent begins: at its start. A scene is made for its categories' own bodies;

@@ -267,7 +267,7 @@ class AgentDiscourse {
   // "in the settlement: nobody"
   bool IsDeniedBehind(std::size_t end) const;
 
-  // Whose place it is; none: of those whom the clause has still to name.
+  // Returns the groups whose place it is; none: of those whom the clause has still to name.
   std::vector<std::size_t> OwnersOf(const PlacePhrase& phrase, bool fronted) const;
 
   // Whether an aside of the subject ends before at_: "a robot (on patrol) in the village".

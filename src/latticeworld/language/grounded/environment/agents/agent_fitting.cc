@@ -115,7 +115,7 @@ class Fitter {
     Add(wish, group);
   }
 
-  // Where the wish wants its agents, a ninth for each group: none is anywhere.
+  // Returns where the wish wants its agents, a ninth for each group: none is anywhere.
   std::vector<Region> RegionsFor(const AgentWish& wish) {
     std::vector<Region> regions;
     if (wish.feature.has_value()) {

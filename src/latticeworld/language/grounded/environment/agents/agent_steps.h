@@ -151,7 +151,7 @@ class AgentReader : private AgentDiscourse {
   // "sheep: nine": how many they are, or others at a place of their own ("in the south seven").
   void ReadBareCount(const LoneCount& lone);
 
-  // Where some of a group that was not counted are more than were thought: it has at least those.
+  // If some of a group that was not counted are more than were thought, it has at least those.
   void RaiseLeastOfLast(const LoneCount& lone);
 
   static void SetCount(const Count& count, Group* group);

@@ -11,8 +11,8 @@
 namespace latticeworld {
 namespace {
 
-// Where the land begins in "of the village", "of our little lake", which begins at `of`; 0: there
-// is none.
+// Returns where the land begins in "of the village", "of our little lake", which begins at `of`; 0:
+// there is none.
 std::size_t LandOf(const EnvironmentWords& words, const std::vector<Token>& tokens,
                    std::size_t of) {
   constexpr std::size_t kAdjectives = 2;

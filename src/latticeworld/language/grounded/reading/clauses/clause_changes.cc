@@ -86,7 +86,7 @@ bool ClauseReader::ReadAcross() {
   if (side.east == 0 && side.south == 0 && there.size() == 1) {
     const Heading at = HeadingOf(RegionOf(there.front()));
     const Heading way = WayOf(river.back());
-    // Across what runs from west to east is north or south.
+    // What runs from west to east is crossed to the north or south.
     side = {way.east != 0 && way.south == 0 ? 0 : -at.east,
             way.south != 0 && way.east == 0 ? 0 : -at.south};
   }

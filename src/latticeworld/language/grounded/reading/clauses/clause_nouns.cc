@@ -24,6 +24,7 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
     skip_next_ = false;
     return;
   }
+  // Phrases that name no thing of their own are read first.
   if (ReadMapOrRest(chunk) || CountThem(chunk) || ReadLeftOut(chunk) || ReadPartOf(chunk) ||
       DenyThing(chunk) || CorrectCountOf(phrase) || IsOtherWord(chunk) || SaysMore(chunk)) {
     return;
@@ -33,6 +34,7 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
     if (!subjects_.empty()) BeginClause();
     return;  // "the other corners"
   }
+  // Any other phrase names things that are new or known.
   const int before = d_.size();
   const std::vector<int> found = Refer(chunk);
   const bool is_new = d_.size() > before;
@@ -41,6 +43,8 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
     return;
   }
   for (const int index : found) d_.Extend(index, chunk.end);
+  // They are what something is compared with, what lies on a shore, or another name of the subject
+  // ...
   if (comparing_) {
     CompareWith(found.back());
     return;
@@ -51,6 +55,7 @@ void ClauseReader::ReadNounPhrase(const Chunk& chunk) {
     subjects_ = found;
     return;
   }
+  // ... or else objects of the frame that waits for them, or new subjects.
   if (frame_.has_value() && frame_->expecting) {
     TakeObjects(found);
   } else {

@@ -192,7 +192,7 @@ void ClauseReader::ReadInsideBend() {
     } else {
       for (const int subject : subjects_) Assert(frame, subject, &d_);
     }
-    // Where the bend bulges to is known: what is inside it lies on the other side.
+    // If it is known where the bend bulges to, what is inside it lies on the other side.
     const PlannedFeature& line = d_.feature(i);
     const Heading bulge = line.via.empty() ? Heading{0, 0} : HeadingOf(RegionOf(line.via[0].zone));
     if (IsLine(i) && (bulge.east != 0) != (bulge.south != 0) && !frame_.has_value()) {

@@ -38,7 +38,7 @@ void ClauseReader::AssertMoreSides(Frame frame) {
     for (const int subject : frame.subjects) Assert(frame, subject, &d_);
     return;
   }
-  // On three sides of it or four: around it.
+  // What is on three sides of it or four is around it.
   std::vector<PlannedRelation>& relations = d_.plan().relations;
   if (!relations.empty() && relations.back().kind == RelationKind::kDirection) relations.pop_back();
   for (const Heading side : sides) {

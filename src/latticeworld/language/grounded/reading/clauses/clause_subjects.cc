@@ -66,10 +66,12 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
   if (ordering_) PassInOrder(found);
   const bool fronted = frame_.has_value() && frame_->fronted;
   BecomeSubjects(found, fronted, phrase);
+  // What held for the subjects before ends.
   joining_ = false;
   open_list_ = true;
   absences_.clear();
   negating_ = false;
+  // What was said before its noun is said of each subject.
   for (const int index : found) {
     const bool named = is_new || phrase.noun != nullptr;
     if (rest_next_) d_.feature(index).fills_rest = true;
@@ -88,6 +90,7 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
     from_.reset();
     to_.reset();
   }
+  // It is used up by that.
   rest_next_ = mostly_next_ = only_next_ = false;
   if (sharing_ > 0) --sharing_;
   if (sharing_ == 0) map_share_.reset();
@@ -96,6 +99,7 @@ void ClauseReader::TakeSubjects(const std::vector<int>& found, bool is_new, cons
   if (fronted) AssertFronted(found);
   excepting_ = false;
   if (phrase.qualities.parallel && found.size() == 1 && IsLine(found[0])) RunParallel(found);
+  // "more houses than": what follows is compared with these.
   if (phrase.qualities.more || phrase.qualities.less) {
     comparing_less_ = phrase.qualities.less;
     std::size_t next = at_ + 1;
@@ -215,7 +219,7 @@ void ClauseReader::TakeShare(int index, bool is_new, bool named, const Chunk& ch
   if (is_new && named && !excepting_) ShareOfLead(index, chunk);
 }
 
-// Where it runs, as the words before it told; `alone`: nothing else is named with it.
+// Takes where the line runs, as the words before it told; `alone`: nothing else is named with it.
 void ClauseReader::TakeCourse(int index, bool is_new, bool alone) {
   PlannedFeature& feature = d_.feature(index);
   if (IsLine(index) && lead_.along && !lead_.empty() && is_new) {

@@ -83,6 +83,7 @@ class Asserter {
 
   // How two things lie beside, around or in each other. False: the sense is none of these.
   bool AssertNearness() {
+    // Each sense is a relation, one way round or the other.
     switch (frame_.sense) {
       case Sense::kNextTo:
         Relate(RelationKind::kAdjacent, subject_, object_,

@@ -21,6 +21,7 @@ bool Touch(CellIndex a, CellIndex b) {
 std::vector<CellIndex> Leg(const RouteOptions& options, const LayoutMask& from,
                            const LayoutMask& to) {
   using Entry = std::tuple<float, int>;
+  // The search begins at all cells of `from` at once.
   std::array<float, kCellCount> best;
   std::array<int, kCellCount> parent;
   best.fill(1e9f);
@@ -36,6 +37,7 @@ std::vector<CellIndex> Leg(const RouteOptions& options, const LayoutMask& from,
     open.pop();
     if (cost > best[static_cast<std::size_t>(here)]) continue;
     const CellIndex cell = CellOf(here);
+    // The first cell of `to` that is taken out is the cheapest to reach.
     if (to.Contains(cell)) {
       std::vector<CellIndex> path;
       for (int id = here; id >= 0; id = parent[static_cast<std::size_t>(id)]) {
@@ -47,6 +49,7 @@ std::vector<CellIndex> Leg(const RouteOptions& options, const LayoutMask& from,
     for (int i = 0; i < 8; ++i) {
       const CellIndex next{cell.row + kNeighbours8[i][0], cell.col + kNeighbours8[i][1]};
       if (!IsInside(next)) continue;
+      // Steps cost by the cell that they lead to, and uphill more.
       float step = options.cost[next] * (i < 4 ? 1.0f : 1.41f);
       if (options.height != nullptr) {
         step += kUphill * std::max(0.0f, (*options.height)[next] - (*options.height)[cell]);

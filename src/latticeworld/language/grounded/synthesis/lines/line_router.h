@@ -22,7 +22,8 @@ std::vector<CellIndex> Route(const RouteOptions& options);
 // The cells between two cells, 8-connected (Bresenham 1965), both included.
 std::vector<CellIndex> StraightCells(CellIndex from, CellIndex to);
 
-// Without detours: a cell that touches a later one (of the next `reach`) leaps to it.
+// Returns the path without detours: a cell that touches a later one (of the next `reach`) leaps to
+// it.
 std::vector<CellIndex> Thinned(const std::vector<CellIndex>& path, int reach);
 
 }  // namespace latticeworld

@@ -44,7 +44,7 @@ void Append(const std::vector<Token>& tokens, const Span& span, std::vector<Toke
   for (std::size_t i = span.begin; i < span.end; ++i) said->push_back(tokens[i]);
 }
 
-// In the place of `whole`: "the river lies between the forest and the town".
+// Says in the place of `whole`: "the river lies between the forest and the town".
 void SayBetween(std::vector<Token>* tokens, const Span& whole, const Span& middle, const Span& one,
                 const Span& other) {
   const Token beside = (*tokens)[whole.begin];

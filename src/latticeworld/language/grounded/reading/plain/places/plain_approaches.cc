@@ -30,12 +30,14 @@ void TurnApproachesFromSides(std::vector<Token>* tokens, std::size_t at) {
                {"reach", "enter", "approach", "lead", "run", "come", "go", "arrive", "converge"})) {
     return;
   }
+  // What they reach stands between the verb and "from"; the verb may end in "into" or "up to".
   std::size_t from = verb + 1;
   while (!IsPauseAt(*tokens, from) && WordAt(*tokens, from) != "from") ++from;
   std::size_t thing = verb + 1;
   while (IsOneOf(WordAt(*tokens, thing), {"in", "into", "to", "at", "on", "up", "towards"}))
     ++thing;
   if (WordAt(*tokens, from) != "from" || thing >= from) return;
+  // "from three sides:" only announces the sides.
   std::size_t next = from;
   if (IsOneOf(WordAt(*tokens, from + 1), {"two", "three", "four", "all"})) {
     next = from + 2;
@@ -43,6 +45,7 @@ void TurnApproachesFromSides(std::vector<Token>* tokens, std::size_t at) {
       return;
     next += 2;
   }
+  // The sides are listed with "from", commas and "and".
   std::vector<std::string> places;
   std::size_t end = 0;
   while (true) {
@@ -57,6 +60,7 @@ void TurnApproachesFromSides(std::vector<Token>* tokens, std::size_t at) {
     if (next == end) break;
   }
   if (places.size() < 2 || WordAt(*tokens, end) == "of" || !IsPauseAt(*tokens, end)) return;
+  // One sentence tells what the roads are next to, another one where they are.
   const std::string noun = JoinWords(*tokens, at, verb);
   const Token beside = (*tokens)[at];
   std::string where = "there are " + noun;
@@ -76,6 +80,7 @@ void TurnApproachesFromSides(std::vector<Token>* tokens, std::size_t at) {
 // "Two roads cross in the middle, and both run from edge to edge": one runs from north to south
 // and one from west to east. "A cross of two straight roads that meet in the middle": of two roads.
 void TurnEdgeToEdge(std::vector<Token>* tokens, std::size_t at) {
+  // "a cross of two straight roads that meet"
   if (WordAt(*tokens, at) == "cross" && WordAt(*tokens, at + 1) == "of" &&
       WordAt(*tokens, at + 2) == "two" &&
       IsOneOf(WordAt(*tokens, at + 3), {"straight", "wide", "narrow", "long", "broad", "big"})) {
@@ -87,6 +92,7 @@ void TurnEdgeToEdge(std::vector<Token>* tokens, std::size_t at) {
     }
     return;
   }
+  // "both run from edge to edge"
   if (WordAt(*tokens, at) != "both" || at == 0) return;
   std::size_t next = at + 1;
   if (IsOneOf(WordAt(*tokens, next), {"of", "roads"})) ++next;
@@ -102,6 +108,7 @@ void TurnEdgeToEdge(std::vector<Token>* tokens, std::size_t at) {
       WordAt(*tokens, edge + 2) != "edge") {
     return;
   }
+  // Lines that cross must have been named before, in this sentence or the last.
   std::size_t begin = SentenceBegin(*tokens, at);
   if (begin == at && begin > 0) {
     --begin;
@@ -115,6 +122,7 @@ void TurnEdgeToEdge(std::vector<Token>* tokens, std::size_t at) {
     cross = cross || IsOneOf(WordAt(*tokens, i), {"cross", "crossing", "intersect", "crossroads"});
   }
   if (noun.empty() || !cross) return;
+  // A sentence about each of both takes the place of these words.
   std::size_t from = at;
   while (from > 0 && (IsMark(*tokens, from - 1) || WordAt(*tokens, from - 1) == "and")) --from;
   const Token beside = (*tokens)[at];

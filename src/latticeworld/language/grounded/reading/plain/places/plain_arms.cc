@@ -82,7 +82,7 @@ void TurnAllEnds(std::vector<Token>* tokens, std::size_t at) {
 void TurnArmsOf(std::vector<Token>* tokens, std::size_t at) {
   const bool noun = IsOneOf(WordAt(*tokens, at), {"arm", "branch", "fork", "prong"});
   if (!noun || at == 0 || WordAt(*tokens, at - 1) != "one") return;
-  // Whose arms they are.
+  // The arms are those of a line that splits in the words before.
   constexpr std::size_t kReach = 20;
   bool splits = false;
   for (std::size_t back = 1; back < kReach && back < at && !splits; ++back) {
@@ -90,7 +90,7 @@ void TurnArmsOf(std::vector<Token>* tokens, std::size_t at) {
     splits = IsOneOf(WordAt(*tokens, verb),
                      {"splits", "forks", "divides", "branches", "split", "fork", "parts"});
     if (!splits) continue;
-    // Where the stem comes from is told: the first arm goes on from there.
+    // If it is told where the stem comes from, the first arm goes on from there.
     std::size_t first = SentenceBegin(*tokens, verb);
     if (first > 0) first = SentenceBegin(*tokens, first - 1);
     for (std::size_t i = first; i < at; ++i) {
@@ -181,6 +181,7 @@ void TurnAnotherOne(std::vector<Token>* tokens, std::size_t at) {
 
 // "A road goes all around the map", "a road circles the whole map": a ring road along the edges.
 void TurnRoundMap(std::vector<Token>* tokens, std::size_t at) {
+  // "circles the map", "goes all the way around the map"
   std::size_t verb = at;
   if (IsOneOf(WordAt(*tokens, verb), {"that", "which"})) ++verb;
   std::size_t next = verb + 1;
@@ -200,6 +201,7 @@ void TurnRoundMap(std::vector<Token>* tokens, std::size_t at) {
   ++next;
   if (IsOneOf(WordAt(*tokens, next), {"whole", "entire"})) ++next;
   const std::string_view what = WordAt(*tokens, next);
+  // It may say of the map's edge, and that it keeps near it.
   const bool edge = IsOneOf(what, {"edge", "edges", "border", "perimeter", "rim", "outside"});
   if (edge && WordAt(*tokens, next + 1) == "of" && WordAt(*tokens, next + 2) == "the" &&
       IsMapWord(WordAt(*tokens, next + 3)) && !circles) {
@@ -215,9 +217,11 @@ void TurnRoundMap(std::vector<Token>* tokens, std::size_t at) {
       next = last + 1;
   }
   if (!IsPauseAt(*tokens, next)) return;
+  // The line must be one road, which stands right before.
   const NamedThing line = LineBefore(*tokens, at);
   if (line.end == 0 || line.end != at || MatchClassWord(*tokens, line.begin).plural) return;
   if (MatchClassWord(*tokens, line.begin).word->suburb != 'R') return;
+  // It becomes a ring road along the edges.
   const Token beside = (*tokens)[at];
   EraseTokens(tokens, at, next - at);
   InsertTokens(tokens, at, SaidLike("along the edges", beside));

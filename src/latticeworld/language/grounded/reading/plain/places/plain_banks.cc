@@ -52,6 +52,7 @@ void TurnHalves(std::vector<Token>* tokens) {
                                        "dividing", "cutting", "parting", "separates"})) {
       continue;
     }
+    // "the map into", "the land in"
     std::size_t into = at + 1;
     if (WordAt(*tokens, into) == "the") ++into;
     if (!IsMapWord(WordAt(*tokens, into)) &&
@@ -60,6 +61,7 @@ void TurnHalves(std::vector<Token>* tokens) {
     }
     ++into;
     if (!IsOneOf(WordAt(*tokens, into), {"into", "in"})) continue;
+    // Both parts follow, each with its side and what it is.
     Heading first;
     std::size_t part = TakeHeading(*tokens, SkipTwoHalves(*tokens, into + 1), &first);
     if (part == 0) continue;
@@ -76,6 +78,7 @@ void TurnHalves(std::vector<Token>* tokens) {
     const std::size_t second_class = SkipToClass(*tokens, SkipPart(*tokens, part));
     const ClassWordMatch two = MatchClassWord(*tokens, second_class);
     if (two.word == nullptr) continue;
+    // The line crosses the map, and each side of it gets a sentence.
     const Token beside = (*tokens)[into];
     std::vector<Token> turned = {WordLike("crosses", beside), WordLike("the", beside),
                                  WordLike("map", beside)};

@@ -115,6 +115,7 @@ bool TakeBend(const std::vector<Token>& tokens, std::size_t at, Heading* inner, 
 // outer side": to the north-east of the river, to the south-west of it.
 void TurnBendSides(std::vector<Token>* tokens, std::size_t at) {
   if (!IsOneOf(WordAt(*tokens, at), {"inner", "outer", "inside", "outside"})) return;
+  // "the inner side of the bend", "inside the bend", or a side alone after a bend was named
   const bool inside = IsOneOf(WordAt(*tokens, at), {"inner", "inside"});
   std::size_t next = at + 1;
   const bool side = WordAt(*tokens, next) == "side";
@@ -135,10 +136,12 @@ void TurnBendSides(std::vector<Token>* tokens, std::size_t at) {
       bend = bend || IsOneOf(WordAt(*tokens, i), {"bend", "curve", "curving", "curves", "bends"});
     if (!bend) return;
   }
+  // The course of the line that bends gives the direction of its inner side.
   Heading inner;
   std::string line;
   if (!TakeBend(*tokens, at, &inner, &line)) return;
   if (!inside) inner = {-inner.east, -inner.south};
+  // Articles and prepositions before it go with it.
   std::size_t begin = at;
   if (begin > 0 && WordAt(*tokens, begin - 1) == "the") --begin;
   const bool fills = begin > 0 && IsOneOf(WordAt(*tokens, begin - 1), {"fill", "cover"}) &&
@@ -149,6 +152,7 @@ void TurnBendSides(std::vector<Token>* tokens, std::size_t at) {
   } else if (begin > 0 && IsOneOf(WordAt(*tokens, begin - 1), {"on", "in", "at"})) {
     --begin;
   }
+  // "there is" is put in if what lies there follows.
   const bool fronted = begin == 0 || IsPauseAt(*tokens, begin - 1);
   const bool there =
       fills || (fronted && !IsOneOf(WordAt(*tokens, next), {"is", "are", "lies", "lie", "there"}));

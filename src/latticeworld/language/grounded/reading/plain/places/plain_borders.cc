@@ -201,7 +201,7 @@ void TurnBorderedOn(std::vector<Token>* tokens, std::size_t at) {
   std::vector<Token> said;
   std::size_t end = next;
   const Token beside = (*tokens)[at];
-  // Whose sides they are: right before, or what the sentence names.
+  // The sides are those of what stands right before, or of what the sentence names.
   std::size_t begin = at;
   bool which = false;
   const bool is = begin > 0 && IsOneOf(WordAt(*tokens, begin - 1), {"is", "are"});

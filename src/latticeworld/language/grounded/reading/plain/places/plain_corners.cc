@@ -26,6 +26,7 @@ Three ThreeAt(const std::vector<Token>& tokens, std::size_t at) {
   Three three;
   three.first = at;
   std::size_t next = at;
+  // "three", "three of", or "of ... three"
   const bool of_first = WordAt(tokens, next) == "of";
   if (of_first) {
     ++next;
@@ -36,6 +37,7 @@ Three ThreeAt(const std::vector<Token>& tokens, std::size_t at) {
     return three;
   }
   const bool bare = next == at + 1 && !of_first;  // "three corners"
+  // The noun must be of the map: its corners, quadrants or edges.
   if (WordAt(tokens, next) == "the") ++next;
   if (IsOneOf(WordAt(tokens, next), {"four", "map"})) ++next;
   const std::string_view noun = WordAt(tokens, next);
@@ -50,6 +52,7 @@ Three ThreeAt(const std::vector<Token>& tokens, std::size_t at) {
   }
   three.diagonal = three.noun != "edge";
   ++next;
+  // "of the map" may follow; corners of anything else are none.
   bool of_map = false;
   if (WordAt(tokens, next) == "of") {
     std::size_t map = next + 1;
@@ -132,6 +135,7 @@ void AppendName(Heading heading, std::string_view noun, std::vector<std::string_
 void TurnOtherCorners(std::vector<Token>* tokens) {
   std::vector<Heading> taken;
   for (std::size_t at = 0; at + 5 < tokens->size(); ++at) {
+    // Corners that are named are collected.
     PlaceCursor cursor(*tokens, at);
     const Direction direction = TakeDirection(&cursor);
     if (direction.found && direction.heading.IsDiagonal() && WordAt(*tokens, cursor.at()) != "of") {
@@ -142,6 +146,7 @@ void TurnOtherCorners(std::vector<Token>* tokens) {
       at = cursor.at() - 1;
       continue;
     }
+    // After two of them: "from the other corner to the other", "between the other two corners".
     if (taken.size() != 2 || !IsOneOf(WordAt(*tokens, at), {"from", "between"})) continue;
     std::size_t next = at + 1;
     if (WordAt(*tokens, next) == "one" && WordAt(*tokens, next + 1) == "of") next += 2;
@@ -158,6 +163,7 @@ void TurnOtherCorners(std::vector<Token>* tokens) {
     } else if (!two) {
       continue;
     }
+    // The two that are left take their place.
     std::vector<std::string_view> words = {"from"};
     for (const int south : {-1, 1}) {
       for (const int east : {-1, 1}) {
@@ -178,6 +184,7 @@ void TurnOtherCorners(std::vector<Token>* tokens) {
 // north-eastern corner there is a pond.
 void TurnAllButOne(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 4 < tokens->size(); ++at) {
+    // "each corner", "all four edges" ...
     std::size_t next = at;
     if (IsOneOf(WordAt(*tokens, next), {"each", "every"})) {
       ++next;
@@ -193,6 +200,7 @@ void TurnAllButOne(std::vector<Token>* tokens) {
     const bool diagonal = noun != "edge";
     ++next;
     if (next < tokens->size() && (*tokens)[next].kind == TokenKind::kComma) ++next;
+    // ... except one, which a direction names.
     if (!IsOneOf(WordAt(*tokens, next), {"except", "but", "save"})) continue;
     ++next;
     while (IsOneOf(WordAt(*tokens, next), {"for", "in", "at", "the", "not"})) ++next;
@@ -203,6 +211,7 @@ void TurnAllButOne(std::vector<Token>* tokens) {
     if (!fits) continue;
     std::size_t end = cursor.at();
     if (IsOneOf(WordAt(*tokens, end), {"one", noun})) ++end;
+    // The others are listed in its place.
     std::vector<std::string_view> words;
     for (int south = -1; south <= 1; ++south) {
       for (int east = -1; east <= 1; ++east) {
@@ -214,6 +223,7 @@ void TurnAllButOne(std::vector<Token>* tokens) {
         AppendName(heading, noun, &words);
       }
     }
+    // What is said of the excepted one becomes a sentence about its place.
     std::size_t which = end;
     if (which < tokens->size() && (*tokens)[which].kind == TokenKind::kComma) ++which;
     if (IsOneOf(WordAt(*tokens, which), {"which", "where"})) {
@@ -232,7 +242,7 @@ void TurnAllButOne(std::vector<Token>* tokens) {
 
 }  // namespace
 
-// Where nobody says which of them the fourth is, it is the south-eastern one, or the southern edge.
+// If nobody says which of them the fourth is, it is the south-eastern one, or the southern edge.
 void TurnCorners(std::vector<Token>* tokens) {
   TurnOtherCorners(tokens);
   TurnAllButOne(tokens);

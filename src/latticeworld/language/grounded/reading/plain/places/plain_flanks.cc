@@ -18,6 +18,7 @@ namespace {
 void TurnOtherFlanks(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 4 < tokens->size(); ++at) {
     if (!IsOneOf(WordAt(*tokens, at), {"on", "at", "along"})) continue;
+    // "on its other side", "on the town's far bank"
     std::size_t next = at + 1;
     const bool own = IsOneOf(WordAt(*tokens, next), {"its", "the"});
     if (!own) continue;
@@ -31,6 +32,7 @@ void TurnOtherFlanks(std::vector<Token>* tokens) {
       continue;
     }
     next += 2;
+    // "... of the town"
     std::size_t of_begin = 0;
     std::size_t of_end = 0;
     if (WordAt(*tokens, next) == "of" && owner.word == nullptr) {
@@ -41,6 +43,7 @@ void TurnOtherFlanks(std::vector<Token>* tokens) {
       if (of_end == thing) continue;
       next = of_end;
     }
+    // The direction follows between commas.
     if (!IsMark(*tokens, next)) continue;
     ++next;
     if (IsOneOf(WordAt(*tokens, next), {"to", "on", "in"})) ++next;
@@ -49,6 +52,7 @@ void TurnOtherFlanks(std::vector<Token>* tokens) {
     if (end == 0) continue;
     if (IsFlank(WordAt(*tokens, end)) || WordAt(*tokens, end) == "one") ++end;
     if (!IsMark(*tokens, end)) continue;
+    // It is said of the owner instead: "to the west of the town".
     const Token beside = (*tokens)[at];
     std::vector<Token> turned = {WordLike("to", beside), WordLike("the", beside),
                                  WordLike(NameOf(heading), beside), WordLike("of", beside)};
@@ -114,6 +118,7 @@ void TurnOppositeSides(std::vector<Token>* tokens) {
   int stops = 0;
   for (std::size_t at = 0; at + 3 < tokens->size(); ++at) {
     if (IsStopAt(*tokens, at) && ++stops > 1) line.clear();
+    // "West of the road": the side and the line are remembered for this sentence and the next.
     Heading heading;
     const std::size_t of = TakeHeading(*tokens, at, &heading);
     if (of > 0 && WordAt(*tokens, of) == "of") {
@@ -128,6 +133,7 @@ void TurnOppositeSides(std::vector<Token>* tokens) {
         continue;
       }
     }
+    // "on the other side", of that line or without saying of what
     if (line.empty() || !IsOneOf(WordAt(*tokens, at), {"on", "to", "at"}) ||
         WordAt(*tokens, at + 1) != "the" ||
         !IsOneOf(WordAt(*tokens, at + 2), {"other", "opposite", "far"}) ||
@@ -143,6 +149,7 @@ void TurnOppositeSides(std::vector<Token>* tokens) {
       if (!same) continue;
       end = WordAt(*tokens, noun) == "it" ? noun + 1 : noun + line.size();
     }
+    // It becomes the opposite direction.
     const Heading opposite{-told.east, -told.south};
     std::vector<std::string> names;
     for (const Token& token : line) names.push_back(token.text);

@@ -345,6 +345,7 @@ void TurnCrosses(std::vector<Token>* tokens) {
     if (WordAt(*tokens, at) != "cross" || !IsOneOf(WordAt(*tokens, at - 1), {"a", "the", "one"})) {
       continue;
     }
+    // "a cross made of two avenues"
     std::size_t next = at + 1;
     while (IsOneOf(WordAt(*tokens, next), {"made", "out", "formed", "drawn"})) ++next;
     if (!IsOneOf(WordAt(*tokens, next), {"of", "from", "by", "with"})) continue;
@@ -353,6 +354,7 @@ void TurnCrosses(std::vector<Token>* tokens) {
     const ClassWordMatch match = MatchClassWord(*tokens, next);
     if (match.word == nullptr || match.word->shape != WordShape::kLine) continue;
     const std::string noun = Singular(JoinWords(*tokens, next, next + match.tokens));
+    // "reaching every edge of the map"
     std::size_t end = next + match.tokens;
     std::size_t reach = end;
     if (reach < tokens->size() && (*tokens)[reach].kind == TokenKind::kComma) ++reach;
@@ -366,6 +368,7 @@ void TurnCrosses(std::vector<Token>* tokens) {
       }
       end = reach;
     }
+    // Two lines from edge to edge take their place.
     const Token beside = (*tokens)[at];
     std::vector<Token> turned = Tokenize(noun + " from the left edge to the right edge . another " +
                                          noun + " from the top edge to the bottom edge .");

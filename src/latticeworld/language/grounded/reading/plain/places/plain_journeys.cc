@@ -78,6 +78,7 @@ void PutRow(std::vector<Token>* tokens, std::size_t at, std::size_t end, std::st
 // to north, the lake, then a field, then a wood, then the village.
 void TurnWalk(std::vector<Token>* tokens, std::size_t at) {
   if (at > 0 && !IsStopAt(*tokens, at - 1)) return;
+  // "If you walk", "heading"
   std::size_t next = at;
   if (IsOneOf(WordAt(*tokens, next), {"if", "as", "when"}) &&
       IsOneOf(WordAt(*tokens, next + 1), {"you", "we", "one", "i"})) {
@@ -89,11 +90,13 @@ void TurnWalk(std::vector<Token>* tokens, std::size_t at) {
     return;
   }
   ++next;
+  // "towards the north"
   if (IsOneOf(WordAt(*tokens, next), {"to", "towards"})) ++next;
   if (WordAt(*tokens, next) == "the") ++next;
   const std::string to(HeadingWord(WordAt(*tokens, next)));
   if (to.empty()) return;
   ++next;
+  // "from the lake"
   std::vector<Token> from;
   if (WordAt(*tokens, next) == "from") {
     const std::size_t begin = ++next;
@@ -102,12 +105,14 @@ void TurnWalk(std::vector<Token>* tokens, std::size_t at) {
     if (NamesThing(*tokens, begin)) from = TokensBetween(*tokens, begin, next);
   }
   if (next < tokens->size() && (*tokens)[next].kind == TokenKind::kComma) ++next;
+  // "you first pass"
   if (!IsOneOf(WordAt(*tokens, next), {"you", "we", "one", "i", "there"})) return;
   ++next;
   if (IsOneOf(WordAt(*tokens, next), {"first", "will", "would"})) ++next;
   if (!IsSeeing(WordAt(*tokens, next)) && !IsOneOf(WordAt(*tokens, next), {"is", "are", "comes"}))
     return;
   ++next;
+  // What one passes stands in a row in that direction, behind where one starts.
   const std::vector<Token> row = RowFrom(*tokens, next, from.empty() ? 2 : 1);
   if (row.empty()) return;
   const std::size_t end = StopAfter(*tokens, next);

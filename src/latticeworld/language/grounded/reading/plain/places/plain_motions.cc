@@ -228,7 +228,7 @@ void TurnRunsBetween(std::vector<Token>* tokens, std::size_t at) {
   }
   if (WordAt(*tokens, at + 1) == "them" &&
       IsOneOf(WordAt(*tokens, at - 2), {"river", "stream", "brook", "creek", "canal"})) {
-    // Where it runs from and to is said of the river still.
+    // The words from where and to where it runs still tell of the river.
     ReplaceTokens(tokens, at - 1, 1, {"lies"});
     if (WordAt(*tokens, at + 2) == "from")
       InsertTokens(tokens, at + 2,

@@ -52,6 +52,7 @@ void TurnOwnersBetween(std::vector<Token>* tokens) {
     const std::size_t begin = SentenceBegin(*tokens, at);
     const std::vector<Token> subject = LastNoun(*tokens, begin, at);
     if (subject.empty()) continue;
+    // "the river to its west" leaves the river; its side is told in a sentence of its own.
     std::vector<Token> sides;
     std::size_t noun = 0;  // [noun, end_of_noun)
     std::size_t end_of_noun = 0;
@@ -80,6 +81,7 @@ void TurnOwnersBetween(std::vector<Token>* tokens) {
       EraseTokens(tokens, i, end - i);
       --i;
     }
+    // These sentences follow the one that they come from.
     if (sides.empty()) continue;
     std::size_t stop = at;
     while (!IsStopAt(*tokens, stop)) ++stop;
@@ -197,6 +199,7 @@ bool TakeSteps(const std::vector<Token>& tokens, std::size_t at, std::vector<std
 // grass, to the north of the grass forest.
 void TurnInland(std::vector<Token>* tokens) {
   for (std::size_t at = 1; at + 1 < tokens->size(); ++at) {
+    // "inland", or "behind it", at the beginning of a clause
     std::size_t next = at;
     while (IsOneOf(WordAt(*tokens, next), {"further", "farther"})) ++next;
     const bool inland = WordAt(*tokens, next) == "inland";
@@ -205,9 +208,11 @@ void TurnInland(std::vector<Token>* tokens) {
     if (!inland && !behind) continue;
     const bool fronted = IsPauseAt(*tokens, at - 1) || WordAt(*tokens, at - 1) == "and";
     if (!fronted) continue;
+    // The last edge that was named, and what lies along it, give way and beginning.
     const Edge edge = EdgeBefore(*tokens, at);
     const bool known = (edge.heading.east != 0) != (edge.heading.south != 0);
     if (!known || edge.noun.empty()) continue;
+    // "inland from it, ..."
     std::size_t after = next + (behind ? 2 : 1);
     if (inland && IsOneOf(WordAt(*tokens, after), {"from", "of", "behind"})) {
       ++after;
@@ -218,6 +223,7 @@ void TurnInland(std::vector<Token>* tokens) {
       }
     }
     if (after < tokens->size() && (*tokens)[after].kind == TokenKind::kComma) ++after;
+    // Each step on the way gets a sentence that tells it from the one before.
     std::vector<std::size_t> firsts;
     std::vector<std::size_t> lasts;
     std::size_t end = 0;

@@ -111,7 +111,7 @@ void TurnFlankedSubject(std::vector<Token>* tokens, std::size_t at) {
   if (to < tokens->size() && !IsStopAt(*tokens, to)) {
     const std::string_view next = WordAt(*tokens, to + 1);
     if (!IsOneOf(next, {"with", "and"}) || WordAt(*tokens, to + 2) == "then") {
-      // Before what goes on with the line there is no room for it.
+      // There is no room for it before what goes on with the line.
       if (next == "then" || IsRunning(next)) return;
     }
   }

@@ -78,8 +78,8 @@ bool SaysAt(const std::vector<Token>& tokens, std::size_t at,
 
 constexpr std::size_t kPhrase = 5;  // words of "with a few houses"
 
-// Whose sides "on one side" are, at `at`: "a road with houses on one side", "a river divides the
-// map in two: houses on one side". Empty: nobody's.
+// Returns the thing whose sides "on one side" are, at `at`: "a road with houses on one side", "a
+// river divides the map in two: houses on one side". Empty: nobody's.
 std::vector<Token> LineWithSides(const std::vector<Token>& tokens, std::size_t at) {
   std::size_t with = at;
   while (with > 0 && with + kPhrase > at &&
@@ -119,6 +119,7 @@ void TurnTwoSides(std::vector<Token>* tokens, std::size_t at) {
       WordAt(*tokens, at + 2) != "side") {
     return;
   }
+  // The owner is said, "of the road", or is the line before.
   std::size_t next = at + 3;
   const bool own = WordAt(*tokens, next) == "of";
   std::vector<Token> owner;
@@ -133,6 +134,7 @@ void TurnTwoSides(std::vector<Token>* tokens, std::size_t at) {
     owner = LineWithSides(*tokens, at);
   }
   if (owner.empty()) return;
+  // "on the other" later in the sentence gets the side and the owner as well.
   for (std::size_t i = next; !IsStopAt(*tokens, i); ++i) {
     if (WordAt(*tokens, i) != "on" || WordAt(*tokens, i + 1) != "the" ||
         !IsOneOf(WordAt(*tokens, i + 2), {"other", "opposite"})) {

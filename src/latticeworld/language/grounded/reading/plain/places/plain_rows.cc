@@ -156,6 +156,7 @@ void TurnWalk(std::vector<Token>* tokens, std::size_t begin) {
   }
   if (WordAt(*tokens, at) != "from") return;
   at += WordAt(*tokens, at + 1) == "the" ? 2 : 1;
+  // "from west to east" gives the way, "from the west" its beginning.
   const AxisMatch axis = MatchAxis(*tokens, at);
   Heading way = axis.to;
   if (axis.tokens > 0) {
@@ -168,6 +169,7 @@ void TurnWalk(std::vector<Token>* tokens, std::size_t begin) {
     at = cursor.at();
   }
   if (way.IsDiagonal()) return;
+  // Things follow, each once, with words such as "then" and "first" between them.
   constexpr std::size_t kLongest = 3;  // words before a noun
   std::vector<Listed> list;
   bool then = false;

@@ -70,6 +70,7 @@ void TurnBounds(std::vector<Token>* tokens) {
       thing = bounded = false;
       continue;
     }
+    // A verb that no thing stands before, or a later part of its list: the map is bounded.
     const ClassWordMatch noun = MatchClassWord(*tokens, at);
     std::size_t next = at;
     const bool verb = IsOneOf(WordAt(*tokens, at), {"bounded", "bordered", "limited", "flanked",
@@ -79,6 +80,7 @@ void TurnBounds(std::vector<Token>* tokens) {
     if ((verb && !thing) || bounded) {
       if (IsOneOf(WordAt(*tokens, next), {"to", "on", "in", "at"}) &&
           WordAt(*tokens, next + 1) == "the") {
+        // "to the east by": there is ... in the east.
         PlaceCursor cursor(*tokens, next + 2);
         const Direction direction = TakeDirection(&cursor);
         std::size_t by = cursor.at();

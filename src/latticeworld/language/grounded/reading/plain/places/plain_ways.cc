@@ -182,6 +182,7 @@ void TurnLandscape(std::vector<Token>* tokens, std::size_t at) {
 void TurnWhatIsLeft(std::vector<Token>* tokens, std::size_t at) {
   const bool apart = IsOneOf(WordAt(*tokens, at), {"apart", "other", "aside", "besides"}) &&
                      (at == 0 || IsStopAt(*tokens, at - 1));
+  // "Apart from that, everything is grass": the rest is grass.
   if (apart) {
     std::size_t next = at + 1;
     if (IsOneOf(WordAt(*tokens, next), {"from", "than"})) ++next;
@@ -196,6 +197,7 @@ void TurnWhatIsLeft(std::vector<Token>* tokens, std::size_t at) {
     }
     return;
   }
+  // "wherever there is no water": elsewhere.
   if (IsOneOf(WordAt(*tokens, at), {"wherever", "where"}) &&
       IsOneOf(WordAt(*tokens, at + 1), {"there", "it"}) && WordAt(*tokens, at + 2) == "is" &&
       IsOneOf(WordAt(*tokens, at + 3), {"no", "not"}) && at > 0 && !IsStopAt(*tokens, at - 1)) {
@@ -204,6 +206,7 @@ void TurnWhatIsLeft(std::vector<Token>* tokens, std::size_t at) {
       ReplaceTokens(tokens, at, 4 + length, {"elsewhere"});
     return;
   }
+  // "what is neither road nor house": everything else.
   if (IsOneOf(WordAt(*tokens, at), {"what", "whatever", "everything"})) {
     std::size_t next = at + 1;
     if (WordAt(*tokens, next) == "that") ++next;
@@ -225,6 +228,7 @@ void TurnWhatIsLeft(std::vector<Token>* tokens, std::size_t at) {
     ReplaceTokens(tokens, at, next - at, {"everything", "else"});
     return;
   }
+  // "surrounds everything": covers everything else.
   if (IsOneOf(WordAt(*tokens, at), {"surrounds", "surround"}) &&
       WordAt(*tokens, at + 1) == "everything" && IsPauseAt(*tokens, at + 2)) {
     ReplaceTokens(tokens, at, 2, {"covers", "everything", "else"});

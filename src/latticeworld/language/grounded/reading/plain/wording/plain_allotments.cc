@@ -291,6 +291,7 @@ void TurnBareShare(std::vector<Token>* tokens, std::size_t at) {
 void TurnSplitHalf(std::vector<Token>* tokens, std::size_t at) {
   const PartOfMap part = TakePart(*tokens, at);
   if (part.end == 0 || part.share != 0.5) return;
+  // "The right half is split between"
   const std::string half(SideWord(WordAt(*tokens, at + 1)));
   std::size_t next = part.end;
   while (IsBeing(WordAt(*tokens, next)) ||
@@ -298,6 +299,7 @@ void TurnSplitHalf(std::vector<Token>* tokens, std::size_t at) {
     ++next;
   }
   if (!IsOneOf(WordAt(*tokens, next), {"between", "into"}) || next == part.end) return;
+  // "a field at the top and a lake at the bottom"
   struct Quarter {
     std::size_t begin, end;
     std::string side;
@@ -315,6 +317,7 @@ void TurnSplitHalf(std::vector<Token>* tokens, std::size_t at) {
     next = side + 1;
     if (quarters.size() == 1 && WordAt(*tokens, next++) != "and") return;
   }
+  // Each becomes a quarter, if its side lies across the half.
   const bool rows = half == "north" || half == "south";
   std::vector<Token> said;
   for (const Quarter& quarter : quarters) {

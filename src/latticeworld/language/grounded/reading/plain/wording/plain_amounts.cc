@@ -84,6 +84,7 @@ void TurnNegations(std::vector<Token>* tokens) {
   constexpr std::size_t kReach = 14;
   for (std::size_t at = 0; at < tokens->size(); ++at) {
     const std::string word(WordAt(*tokens, at));
+    // "neither the top right nor the bottom left has a tree": in both there is none.
     if (word == "neither") {
       std::size_t nor = at + 1;
       while (nor < at + kReach && !IsPauseAt(*tokens, nor) && WordAt(*tokens, nor) != "nor") ++nor;
@@ -107,6 +108,7 @@ void TurnNegations(std::vector<Token>* tokens) {
       (*tokens)[at].text = "in";
       if (at > 0 && !IsPauseAt(*tokens, at - 1)) continue;
     }
+    // "where the diagonals cross": in the center.
     if (word == "where" && WordAt(*tokens, at + 2) == "diagonals" &&
         IsOneOf(WordAt(*tokens, at + 3), {"cross", "meet", "intersect"})) {
       const Token first = (*tokens)[at];
@@ -114,6 +116,7 @@ void TurnNegations(std::vector<Token>* tokens) {
       InsertTokens(tokens, at,
                    {WordLike("in", first), WordLike("the", first), WordLike("center", first)});
     }
+    // "One goes from": you go from.
     if (word == "one" && IsOneOf(WordAt(*tokens, at + 1), {"goes", "walks", "gets", "drives"}) &&
         WordAt(*tokens, at + 2) == "from") {
       (*tokens)[at].text = "you";

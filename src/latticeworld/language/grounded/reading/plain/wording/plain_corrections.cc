@@ -25,6 +25,7 @@ std::size_t SkipMarker(const std::vector<Token>& tokens, std::size_t at) {
   while (next < tokens.size()) {
     const std::string_view word = WordAt(tokens, next);
     const std::string_view after = WordAt(tokens, next + 1);
+    // Some words take back by themselves; others only do once one of those was said.
     if (word == "i" && IsOneOf(after, {"mean", "meant"})) {
       said = true;
       next += 2;

@@ -166,6 +166,7 @@ void TurnOfWhich(std::vector<Token>* tokens, std::size_t at) {
 // "The forest should take up the most space, followed by the fields": mostly forest, more forest
 // than fields. "More water than houses, but less than forest": more forest than water.
 void TurnMostThenNext(std::vector<Token>* tokens, std::size_t at) {
+  // "more water than houses, but less than forest"
   if (IsOneOf(WordAt(*tokens, at), {"less", "fewer"}) && WordAt(*tokens, at + 1) == "than" &&
       at > 1) {
     const std::size_t other = at + 2 + (WordAt(*tokens, at + 2) == "the" ? 1 : 0);
@@ -189,12 +190,14 @@ void TurnMostThenNext(std::vector<Token>* tokens, std::size_t at) {
     InsertTokens(tokens, begin, {StopLike(beside)});
     return;
   }
+  // "the most space, followed by"
   if (WordAt(*tokens, at) != "the" || WordAt(*tokens, at + 1) != "most" ||
       !IsOneOf(WordAt(*tokens, at + 2), {"space", "area", "land", "room", "ground"}) ||
       !IsMark(*tokens, at + 3) || WordAt(*tokens, at + 4) != "followed" ||
       WordAt(*tokens, at + 5) != "by") {
     return;
   }
+  // What has most was named before, what comes next follows.
   const std::vector<NamedThing> named = NamedBefore(*tokens, at);
   const std::size_t next = at + 6 + (WordAt(*tokens, at + 6) == "the" ? 1 : 0);
   const std::size_t end = next + MatchClassWord(*tokens, next).tokens;

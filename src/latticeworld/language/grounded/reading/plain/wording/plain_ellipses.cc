@@ -180,7 +180,7 @@ void TurnCoveredWithThem(std::vector<Token>* tokens, std::size_t at) {
       !IsOneOf(WordAt(*tokens, at - 2), {"covered", "full", "filled"})) {
     return;
   }
-  // Not what is covered: "a lake, and the forest is full of them".
+  // What is covered does not count: "a lake, and the forest is full of them".
   const std::size_t being = BeingBegin(*tokens, at - 2);
   const std::vector<NamedThing> named = NamedBefore(*tokens, at);
   std::size_t thing = 0;

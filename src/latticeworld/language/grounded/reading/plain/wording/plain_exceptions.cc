@@ -41,7 +41,8 @@ void TurnAllSidesBut(std::vector<Token>* tokens, std::size_t at) {
   std::size_t end = side + 1;
   if (IsFlank(WordAt(*tokens, end))) ++end;
   if (heading.empty() || !IsPauseAt(*tokens, end)) return;
-  // Whose sides they are, and what lies there: "surrounded by forest", "has fields", "with fields".
+  // The words before tell whose sides they are, and what lies there: "surrounded by forest", "has
+  // fields", "with fields".
   const std::size_t begin = SentenceBegin(*tokens, at);
   std::size_t with = at;
   while (with > begin && !IsOneOf(WordAt(*tokens, with), {"by", "with", "has"})) --with;

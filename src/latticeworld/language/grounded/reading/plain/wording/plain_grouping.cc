@@ -75,6 +75,7 @@ void TurnTogether(std::vector<Token>* tokens, std::size_t at) {
       !IsOneOf(WordAt(*tokens, at - 1), {"please", "and", "to", "should", "then"})) {
     return;
   }
+  // "all the houses"
   std::size_t next = at + 1;
   bool all = false;
   while (IsOneOf(WordAt(*tokens, next), {"all", "every", "the", "of"})) {
@@ -85,6 +86,7 @@ void TurnTogether(std::vector<Token>* tokens, std::size_t at) {
   if (match.word == nullptr || !match.plural) return;
   const std::size_t noun = next;
   next += match.tokens;
+  // "together", "in one tight group"
   bool together = false;
   if (WordAt(*tokens, next) == "together") {
     together = true;
@@ -100,6 +102,7 @@ void TurnTogether(std::vector<Token>* tokens, std::size_t at) {
     }
   }
   if (!together) return;
+  // They are clustered, and if all are in one place, only there.
   const std::size_t place = PlaceStart(*tokens, next);
   std::vector<std::string_view> said = {"are", "clustered"};
   if (place != 0 && all) said.insert(said.end(), {"and", "only"});

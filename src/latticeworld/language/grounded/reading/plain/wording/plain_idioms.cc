@@ -18,6 +18,7 @@ namespace {
 // house.
 bool TurnAdverb(std::vector<Token>* tokens, std::size_t at) {
   const std::string word(WordAt(*tokens, at));
+  // "is all on the left"
   if (word == "all" && at > 0 && IsOneOf(WordAt(*tokens, at - 1), {"is", "are", "lies"}) &&
       IsOneOf(WordAt(*tokens, at + 1), {"on", "in", "at", "to"})) {
     PlaceCursor cursor(*tokens, at + (WordAt(*tokens, at + 2) == "the" ? 3 : 2));
@@ -25,6 +26,7 @@ bool TurnAdverb(std::vector<Token>* tokens, std::size_t at) {
     EraseTokens(tokens, at, 1);
     return true;
   }
+  // "a lake inside"
   if (word == "inside" && at > 0 && at + 1 < tokens->size()) {
     bool after_thing = false;
     for (std::size_t i = at; i-- > 0 && i + 3 >= at;) {
@@ -36,6 +38,7 @@ bool TurnAdverb(std::vector<Token>* tokens, std::size_t at) {
     InsertTokens(tokens, at + 1, {WordLike("it", (*tokens)[at])});
     return true;
   }
+  // "Wherever it is not road, it is forest"
   if (word == "wherever" && IsOneOf(WordAt(*tokens, at + 1), {"it", "there"}) &&
       WordAt(*tokens, at + 2) == "is" && IsOneOf(WordAt(*tokens, at + 3), {"no", "not"})) {
     const std::size_t end = PauseAfter(*tokens, at);
@@ -43,6 +46,7 @@ bool TurnAdverb(std::vector<Token>* tokens, std::size_t at) {
     EraseTokens(tokens, at, end + 1 - at);
     return true;
   }
+  // "No houses, except one"
   if (word == "no") {
     const ClassWordMatch noun = MatchClassWord(*tokens, at + 1);
     std::size_t next = at + 1 + noun.tokens;

@@ -254,7 +254,7 @@ void TurnNoneNearIt(std::vector<Token>* tokens, std::size_t at) {
     // A sentence of its own goes away with the stop, comma or "and" behind it.
     if (end < tokens->size()) ++end;
   } else if (IsMark(*tokens, end) && mark) {
-    // Between commas: one is left before the next thing.
+    // If it stands between commas, one is left before the next thing.
     const bool thing = PhraseEnd(*tokens, end + 1) > end + 1 ||
                        IsOneOf(WordAt(*tokens, end + 1), {"and", "but", "with"});
     if (!thing) ++end;

@@ -37,6 +37,7 @@ std::vector<std::vector<Token>> ThingsIn(const std::vector<Token>& tokens, std::
 void TurnLinks(std::vector<Token>* tokens) {
   for (std::size_t at = 2; at + 2 < tokens->size(); ++at) {
     if (!IsOneOf(WordAt(*tokens, at), {"connected", "joined", "linked"})) continue;
+    // "connected to each other by"
     std::size_t next = at + 1;
     while (IsOneOf(WordAt(*tokens, next),
                    {"up", "together", "to", "each", "other", "one", "another", "with"})) {
@@ -44,6 +45,7 @@ void TurnLinks(std::vector<Token>* tokens) {
     }
     if (WordAt(*tokens, next) != "by") continue;
     ++next;
+    // A kind of line must end the sentence.
     std::size_t noun = next;
     while (noun < next + 4 && !IsPauseAt(*tokens, noun) &&
            MatchClassWord(*tokens, noun).word == nullptr) {
@@ -53,6 +55,7 @@ void TurnLinks(std::vector<Token>* tokens) {
     if (!line.is_line()) continue;
     const std::size_t end = noun + line.tokens;
     if (!IsStopAt(*tokens, end)) continue;
+    // The sentence must name two things or more before.
     std::size_t first = at;
     while (first > 0 && IsOneOf(WordAt(*tokens, first - 1), {"all", "and", "both"})) --first;
     if (first == 0 || !IsMark(*tokens, first - 1)) continue;
@@ -61,6 +64,7 @@ void TurnLinks(std::vector<Token>* tokens) {
     while (begin > 0 && !IsStopAt(*tokens, begin - 1)) --begin;
     const std::vector<std::vector<Token>> things = ThingsIn(*tokens, begin, first);
     if (things.size() < 2) continue;
+    // A sentence says that the lines connect them.
     const Token beside = (*tokens)[at];
     const std::vector<Token> links = TokensBetween(*tokens, next, next + end - next);
     std::vector<Token> turned = {{TokenKind::kStop, ".", beside.begin, beside.begin}};
@@ -95,6 +99,7 @@ void TurnMoods(std::vector<Token>* tokens) {
                                        "becoming", "growing", "turning"})) {
       continue;
     }
+    // "it gets", "the land is becoming", "more"
     std::size_t first = at;
     if (first > 0 && WordAt(*tokens, first - 1) == "is") --first;
     const std::string_view before = first > 0 ? WordAt(*tokens, first - 1) : std::string_view();
@@ -108,11 +113,13 @@ void TurnMoods(std::vector<Token>* tokens) {
     } else if (first == 0 || !IsPauseAt(*tokens, first - 1)) {
       continue;
     }
+    // "towards the north"
     if (!IsOneOf(WordAt(*tokens, word + 1), {"towards", "toward", "to", "in"})) continue;
     Heading heading;
     std::size_t end = TakeHeading(*tokens, word + 2, &heading);
     if (end == 0) continue;
     if (IsFlank(WordAt(*tokens, end)) || IsOneOf(WordAt(*tokens, end), {"edge", "corner"})) ++end;
+    // A word that is known for its land becomes that land.
     const std::string_view said = WordAt(*tokens, word);
     const Token beside = (*tokens)[word];
     const std::string_view land = LandOf(said);
@@ -124,6 +131,7 @@ void TurnMoods(std::vector<Token>* tokens) {
         MatchSense(*tokens, word).tokens > 0 || MatchSize(*tokens, word).tokens > 0) {
       continue;
     }
+    // Any other word is left alone between stops: it says nothing that is known.
     const Token stop{TokenKind::kStop, ".", beside.begin, beside.begin};
     EraseTokens(tokens, first, end - first);
     if (first > 0 && IsOneOf(WordAt(*tokens, first - 1), {"and", "but"})) {

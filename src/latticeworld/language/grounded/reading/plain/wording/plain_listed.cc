@@ -121,6 +121,7 @@ Counted CountOf(const std::vector<Token>& tokens, std::size_t before, const Clas
 // "Exactly four meadows ... A house inside every meadow": four houses inside the meadows.
 void TurnInsideEvery(std::vector<Token>* tokens, std::size_t at) {
   if (!IsOneOf(WordAt(*tokens, at), {"every", "each"}) || at < 3) return;
+  // "A house inside every meadow" is a whole sentence.
   const ClassWordMatch match = MatchClassWord(*tokens, at + 1);
   const std::size_t end = at + 1 + match.tokens;
   const std::size_t begin = SentenceBegin(*tokens, at);
@@ -128,6 +129,7 @@ void TurnInsideEvery(std::vector<Token>* tokens, std::size_t at) {
       !IsOneOf(WordAt(*tokens, begin), {"a", "an", "one"})) {
     return;
   }
+  // One thing that can be counted stands first.
   std::size_t noun = begin + 1;
   for (int more = 0; more < 2 && MatchClassWord(*tokens, noun).word == nullptr; ++more) ++noun;
   const ClassWordMatch one = MatchClassWord(*tokens, noun);
@@ -136,6 +138,7 @@ void TurnInsideEvery(std::vector<Token>* tokens, std::size_t at) {
       one.word->shape == WordShape::kMass || one.is_line()) {
     return;
   }
+  // It lies in, near or by each of the others.
   if (IsOneOf(WordAt(*tokens, in), {"is", "lies", "stands"})) {
     (*tokens)[in].text = WordAt(*tokens, in) == "is" ? "are" : "lie";
     ++in;
@@ -144,6 +147,7 @@ void TurnInsideEvery(std::vector<Token>* tokens, std::size_t at) {
   if (!IsOneOf(WordAt(*tokens, in), {"inside", "in", "within", "near", "beside", "by"}) && !next_to)
     return;
   if (in + (next_to ? 2 : 1) != at) return;
+  // Those must have been counted; there are as many things as they are.
   const Counted counted = CountOf(*tokens, begin, match.word);
   if (counted.number.empty()) return;
   const auto like = [](const std::vector<Token>& words, const Token& beside) {

@@ -128,6 +128,7 @@ void TurnSharedOwners(std::vector<Token>* tokens) {
 void TurnSplitHalves(std::vector<Token>* tokens) {
   for (std::size_t at = 0; at + 8 < tokens->size(); ++at) {
     if (WordAt(*tokens, at) != "the") continue;
+    // "the southern half is split between"
     Heading half;
     const std::size_t noun = TakeHeading(*tokens, at, &half);
     if (noun == 0 || half.IsDiagonal() || WordAt(*tokens, noun) != "half" ||
@@ -136,6 +137,8 @@ void TurnSplitHalves(std::vector<Token>* tokens) {
         !IsOneOf(WordAt(*tokens, noun + 3), {"between", "into"})) {
       continue;
     }
+    // Both parts follow, each with the side of the half that it is on: together they name a
+    // quarter.
     std::vector<Token> turned;
     std::size_t next = noun + 4;
     const Token beside = (*tokens)[at];

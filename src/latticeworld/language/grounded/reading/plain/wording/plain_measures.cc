@@ -146,6 +146,7 @@ void TurnDiagonalCross(std::vector<Token>* tokens, std::size_t at) {
 // "All the houses are in the north", "seven lakes, every one of them in the west", "the houses are
 // all on the left": only there.
 void TurnAllIn(std::vector<Token>* tokens, std::size_t at) {
+  // Whether a place begins there; where the words of being end.
   const auto in_place = [&](std::size_t i) {
     if (!IsOneOf(WordAt(*tokens, i), {"in", "on", "at"})) return false;
     PlaceCursor cursor(*tokens, i + 1 + (WordAt(*tokens, i + 1) == "the" ? 1 : 0));
@@ -159,6 +160,7 @@ void TurnAllIn(std::vector<Token>* tokens, std::size_t at) {
     }
     return i;
   };
+  // "every one of them in the west", "all the houses are in the north"
   if (IsOneOf(WordAt(*tokens, at), {"all", "every", "each"})) {
     std::size_t next = at + 1;
     if (WordAt(*tokens, next) == "one") ++next;
@@ -182,6 +184,7 @@ void TurnAllIn(std::vector<Token>* tokens, std::size_t at) {
     EraseTokens(tokens, at, next - at);
     return;
   }
+  // "are all on the left"
   if (IsOneOf(WordAt(*tokens, at), {"are", "must", "should"}) && at > 0) {
     const std::size_t end = be_end(at);
     bool all = false;

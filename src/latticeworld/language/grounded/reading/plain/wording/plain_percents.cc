@@ -100,6 +100,7 @@ Covering TakeShareFirst(const std::vector<Token>& tokens, std::size_t at) {
 Covering TakeNounFirst(const std::vector<Token>& tokens, std::size_t at) {
   Covering found;
   std::size_t next = at;
+  // A noun stands first, with or without "the amount of" before it.
   const std::size_t amount = next + (WordAt(tokens, next) == "the" ? 1 : 0);
   if (IsOneOf(WordAt(tokens, amount), {"amount", "share", "proportion", "percentage", "coverage",
                                        "fraction", "portion", "area", "extent"}) &&
@@ -113,6 +114,7 @@ Covering TakeNounFirst(const std::vector<Token>& tokens, std::size_t at) {
   if (found.noun_end == next) return {};
   next = found.noun_end;
   if (found.needed && IsMark(tokens, next)) ++next;
+  // Its verb follows, denied or not.
   bool refused = false;
   const std::size_t verb = next;
   for (; !IsPauseAt(tokens, next); ++next) {
@@ -128,6 +130,7 @@ Covering TakeNounFirst(const std::vector<Token>& tokens, std::size_t at) {
     }
   }
   found.verb = next > verb;
+  // A comparison gives the bound; a denial turns it round.
   if (WordAt(tokens, next) == "exceed" && refused) {
     found.bound = "at most";
     ++next;
@@ -143,6 +146,7 @@ Covering TakeNounFirst(const std::vector<Token>& tokens, std::size_t at) {
   } else if (refused) {
     return {};
   }
+  // The share ends it, with or without "of the map".
   found.needed = found.needed || refused;
   found.share_begin = next;
   found.share_end = NumberEnd(tokens, next);

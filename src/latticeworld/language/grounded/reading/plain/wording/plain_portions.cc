@@ -58,6 +58,7 @@ bool TakePortion(const std::vector<Token>& tokens, std::size_t at, Portion* port
   if (!MayBegin(tokens, at)) return false;
   *portion = Portion();
   portion->first = at;
+  // "the other two", "the last", "the first one"; "the second"; "three"
   std::size_t next = at;
   const bool the = WordAt(tokens, next) == "the";
   if (the) ++next;
@@ -90,6 +91,7 @@ bool TakePortion(const std::vector<Token>& tokens, std::size_t at, Portion* port
   } else {
     return false;
   }
+  // "of them" may follow, and then what is said of the portion.
   if (WordAt(tokens, next) == "of" &&
       IsOneOf(WordAt(tokens, next + 1), {"them", "these", "those", "which"})) {
     next += 2;

@@ -280,6 +280,7 @@ void TurnFiller(std::vector<Token>* tokens, std::size_t at) {
 // "Everything except the lake is forest", "aside from a lake it is all forest": everything is
 // forest except for the lake. "Surround everything with forest": forest at the edges.
 void TurnEverythingExcept(std::vector<Token>* tokens, std::size_t at) {
+  // "Surround everything with"
   if (WordAt(*tokens, at) == "surround" && WordAt(*tokens, at + 1) == "everything" &&
       IsOneOf(WordAt(*tokens, at + 2), {"with", "by"})) {
     const std::size_t end = PauseAfter(*tokens, at + 3);
@@ -290,6 +291,7 @@ void TurnEverythingExcept(std::vector<Token>* tokens, std::size_t at) {
     return;
   }
   if (at > 0 && !IsStopAt(*tokens, at - 1)) return;
+  // "Everything except", "aside from"
   std::size_t thing = at;
   const bool everything = IsOneOf(WordAt(*tokens, at), {"everything", "all"});
   if (everything) {
@@ -302,6 +304,7 @@ void TurnEverythingExcept(std::vector<Token>* tokens, std::size_t at) {
     return;
   }
   if (!IsOneOf(WordAt(*tokens, thing), {"the", "a", "an", "one"})) return;
+  // The exception ends at the verb, or before the "it" of the second form.
   std::size_t is = thing;
   while (!IsPauseAt(*tokens, is) && !IsOneOf(WordAt(*tokens, is), {"is", "should", "must"})) ++is;
   if (IsPauseAt(*tokens, is)) return;
@@ -312,6 +315,7 @@ void TurnEverythingExcept(std::vector<Token>* tokens, std::size_t at) {
   while (IsOneOf(WordAt(*tokens, what), {"be", "all", "just", "only"})) ++what;
   const std::size_t end = PauseAfter(*tokens, what);
   if (MatchClassWord(*tokens, what).tokens == 0) return;
+  // Everything is that, except for the exception.
   const Token beside = (*tokens)[at];
   std::vector<Token> said = {WordLike("everything", beside), WordLike("is", beside)};
   for (const Token& token : TokensBetween(*tokens, what, end)) said.push_back(token);

@@ -154,7 +154,7 @@ void TurnEveryOther(std::vector<Token>* tokens, std::size_t at) {
     return;
   }
   if (!IsOneOf(WordAt(*tokens, next), {"side", "sides"}) || !IsPauseAt(*tokens, next + 1)) return;
-  // Around what the sentence is about: the first thing in it.
+  // It lies around what the sentence is about: the first thing in it.
   std::size_t begin = SentenceBegin(*tokens, at);
   while (begin < at && MatchClassWord(*tokens, begin).tokens == 0) ++begin;
   const std::size_t length = MatchClassWord(*tokens, begin).tokens;

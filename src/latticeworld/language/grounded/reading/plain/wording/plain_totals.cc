@@ -121,6 +121,7 @@ void TurnRoadsTo(std::vector<Token>* tokens, std::size_t at) {
                ? SideWord(WordAt(*tokens, i + 2))
                : std::string_view();
   };
+  // "Three roads: one to the north, ..."
   if (IsMark(*tokens, at) && (*tokens)[at].text == ":") {
     bool roads = false;
     for (std::size_t i = at; i-- > 0 && !IsStopAt(*tokens, i);)
@@ -133,6 +134,7 @@ void TurnRoadsTo(std::vector<Token>* tokens, std::size_t at) {
     EraseTokens(tokens, at, 1);
     return;
   }
+  // "The village has a road to the north and one to the east"
   if (WordAt(*tokens, at) != "has" || WordAt(*tokens, at + 1) != "a" || at == 0) return;
   const ClassWordMatch line = MatchClassWord(*tokens, at + 2);
   const std::size_t first = at + 2 + line.tokens;
@@ -141,6 +143,7 @@ void TurnRoadsTo(std::vector<Token>* tokens, std::size_t at) {
       !IsOneOf(WordAt(*tokens, first + 4), {"one", "another"})) {
     return;
   }
+  // Each road gets a sentence.
   const std::string other(to_side(first + 5));
   const std::vector<NamedThing> named = NamedBefore(*tokens, at);
   if (other.empty() || named.empty() || named.front().end != at) return;

@@ -7,7 +7,7 @@
 namespace latticeworld {
 namespace {
 
-// In this order: each pass reads what those before it have left.
+// The passes run in this order: each reads what those before it have left.
 constexpr void (*kPasses[])(std::vector<Token>* tokens) = {
     TurnDecimals,     TurnManners,     TurnLabels,
     TurnNumbered,     TurnListed,      TurnPlaces,
