@@ -6,8 +6,9 @@
 
 namespace latticeworld {
 
-// The directories that this program has synced so far, in order: linked with this, a test sees every
-// call of fsync. A file keeps its name through a loss of power once its directory is among them.
+// The directories that this program has synced so far, in order: linked with this, a test sees
+// every call of fsync. A file keeps its name through a loss of power once its directory is among
+// them.
 std::vector<std::filesystem::path> SyncedDirectories();
 
 }  // namespace latticeworld

@@ -70,8 +70,8 @@ extern "C" {
 
 int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*),
                    void* argument) noexcept {
-  static auto* const next = Next<int(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)>(
-      "pthread_create");
+  static auto* const next =
+      Next<int(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)>("pthread_create");
   return Now().refuse_threads != 0 ? EAGAIN : next(thread, attributes, start, argument);
 }
 

@@ -84,7 +84,7 @@ std::string NamesIn(const std::string& path) {
 int Sync(int file) {
   const char* root = std::getenv("LATTICEWORLD_DURABLE_ROOT");
   const char* kept = std::getenv("LATTICEWORLD_DURABLE_KEPT");
-  struct stat info{};
+  struct stat info {};
   if (fstat(file, &info) != 0) return -1;
   char path[4096];
   const std::string link = "/proc/self/fd/" + std::to_string(file);

@@ -49,9 +49,9 @@ using FieldNames = std::vector<std::pair<std::string_view, std::string_view>>;
 // Gives violations the pointers that their readers know. One that is not among the names stays.
 inline void Rename(const FieldNames& names, std::vector<Violation>* violations) {
   for (Violation& violation : *violations) {
-    const auto known =
-        std::find_if(names.begin(), names.end(),
-                     [&violation](const auto& name) { return name.first == violation.pointer; });
+    const auto known = std::find_if(names.begin(), names.end(), [&violation](const auto& name) {
+      return name.first == violation.pointer;
+    });
     if (known != names.end()) violation.pointer = known->second;
   }
 }

@@ -17,8 +17,9 @@ struct BagStamp {
   std::optional<ros::Time> stamp;  // when what it tells was; nullopt: it does not say
 };
 
-// Returns, of a message that begins with a std_msgs/Header, its number and stamp; of tf those of the
-// first transform; of the clock its time. A stamp of 0 says nothing, nor does a number of 0 in tf.
+// Returns, of a message that begins with a std_msgs/Header, its number and stamp; of tf those of
+// the first transform; of the clock its time. A stamp of 0 says nothing, nor does a number of 0 in
+// tf.
 BagStamp StampOf(const BagMessage& message);
 
 }  // namespace latticeworld

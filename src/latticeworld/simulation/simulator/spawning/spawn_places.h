@@ -19,9 +19,9 @@ std::string TextOf(WorldPoint place);
 // fall. Errors: see Simulator::Spawn.
 Result<WorldPoint> PlaceFor(const SpawnRequest& request, const Species& species,
                             const RunningWorld& world, RandomStream* random);
-// Returns where a scene's agent begins: at its start. A scene is made for its categories' own bodies;
-// one that is larger and does not fit there begins near it, the same in every episode, or at its
-// start all the same where there is room for it nowhere.
+// Returns where a scene's agent begins: at its start. A scene is made for its categories' own
+// bodies; one that is larger and does not fit there begins near it, the same in every episode, or
+// at its start all the same where there is room for it nowhere.
 WorldPoint PlaceToBegin(const AgentStart& start, const Species& species, const RunningWorld& world);
 // Returns where an agent that died can come back: at its start, or near it, drawn from its own
 // random stream. None: something is in the way everywhere that was tried.
