@@ -10,7 +10,7 @@
 #include "latticeworld/layout/class_letters.h"
 #include "latticeworld/terrain/components.h"
 #include "latticeworld/terrain/lattice.h"
-#include "latticeworld/terrain/ways/least_cost_ways.h"
+#include "latticeworld/terrain/least_cost_ways.h"
 
 namespace latticeworld::internal {
 namespace {

@@ -9,6 +9,7 @@ namespace latticeworld::internal {
 namespace {
 
 constexpr double kWidth_m = 4.0;
+constexpr double kLeastWidth_m = 1.5;
 constexpr double kOfSaid = 0.8;  // of a said slope: above which ground is dear
 
 const ReliefTie* ClimbOf(const ReliefWish& wish) {
@@ -34,10 +35,14 @@ std::vector<ClimbingWay> ClimbingWays(const std::vector<ReliefWish>& wishes,
     if (top.row < 0) continue;
     ClimbingWay way;
     if (climb->slope_deg) way.slope = std::tan(*climb->slope_deg * M_PI / 180.0);
-    const double dear = way.slope ? kOfSaid * *way.slope : max_slope;
+    WayFinder::Rule rule;
+    rule.max_slope = way.slope ? kOfSaid * *way.slope : max_slope;
+    rule.wide_bends = way.slope.has_value();
     const auto from = finder.HasRoad() ? WayFinder::From::kRoad : WayFinder::From::kEdge;
-    way.street.line = finder.LineTo(top, from, dear);
-    way.street.width_m = kWidth_m;
+    way.street.line = finder.LineTo(top, from, rule);
+    // Legs of bends lie a step apart.
+    way.street.width_m =
+        way.slope ? std::clamp(0.5 * finder.step_m(), kLeastWidth_m, kWidth_m) : kWidth_m;
     if (way.street.line.size() >= 2) ways.push_back(std::move(way));
   }
   return ways;

@@ -9,7 +9,7 @@
 #include "latticeworld/geomorphology/distance.h"
 #include "latticeworld/layout/class_letters.h"
 #include "latticeworld/terrain/cover.h"
-#include "latticeworld/terrain/ways/least_cost_ways.h"
+#include "latticeworld/terrain/least_cost_ways.h"
 #include "latticeworld/terrain/ways/street_growth.h"
 
 namespace latticeworld::internal {

@@ -1,4 +1,4 @@
-#include "latticeworld/terrain/ways/least_cost_ways.h"
+#include "latticeworld/terrain/least_cost_ways.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,5 +1,5 @@
-#ifndef LATTICEWORLD_TERRAIN_WAYS_LEAST_COST_WAYS_H_
-#define LATTICEWORLD_TERRAIN_WAYS_LEAST_COST_WAYS_H_
+#ifndef LATTICEWORLD_TERRAIN_LEAST_COST_WAYS_H_
+#define LATTICEWORLD_TERRAIN_LEAST_COST_WAYS_H_
 
 #include <cstdint>
 #include <vector>
@@ -28,4 +28,4 @@ class LeastCostWays {
 
 }  // namespace latticeworld::internal
 
-#endif  // LATTICEWORLD_TERRAIN_WAYS_LEAST_COST_WAYS_H_
+#endif  // LATTICEWORLD_TERRAIN_LEAST_COST_WAYS_H_
