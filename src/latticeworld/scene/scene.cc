@@ -57,6 +57,22 @@ void GiveOwnNames(Scene* scene, std::vector<std::string>* warnings) {
   }
 }
 
+// Nothing grows or lies in the decks of bridges that lead over dry ground, which are those over
+// gorges.
+void KeepDecksClear(Placement* placement) {
+  constexpr double kHigh_m = 4.0;  // above the ground: bridges over water lie lower
+  const Terrain& terrain = placement->terrain;
+  for (const Bridge& bridge : terrain.bridges) {
+    const WorldPoint middle = PlaceOn(bridge, 0.5 * bridge.length_m()).point;
+    const bool dry = terrain.WaterDepthAt(middle) <= 0.0;
+    if (!dry || bridge.deck_z_m - terrain.ground.HeightAt(middle) < kHigh_m) continue;
+    const double radius_m = 0.5 * bridge.width_m;
+    for (double along_m = 0.0; along_m <= bridge.length_m(); along_m += radius_m) {
+      placement->solids.Add(PlaceOn(bridge, along_m).point, radius_m);
+    }
+  }
+}
+
 }  // namespace
 
 Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& progress) {
@@ -91,6 +107,7 @@ Result<SceneAnswer> BuildScene(const SceneRequest& request, const Progress& prog
     return progress.CheckCancelled();
   };
   PlaceBuildings(&placement);
+  KeepDecksClear(&placement);
   LW_RETURN_IF_ERROR(step());
   if (!request.things.empty()) {
     PlacedThings placed = PlaceThings(request.things, &placement);

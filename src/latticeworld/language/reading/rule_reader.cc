@@ -4,6 +4,7 @@
 #include "latticeworld/language/grounded/environment/environment_parser.h"
 #include "latticeworld/language/grounded/reading/layout_parser.h"
 #include "latticeworld/language/reading/instruction_reader.h"
+#include "latticeworld/language/reading/relief/way_slopes.h"
 #include "latticeworld/language/reading/sentences_of_claims.h"
 #include "latticeworld/language/reading/text_warnings.h"
 #include "latticeworld/language/reading/things/beside_things.h"
@@ -46,7 +47,8 @@ class RuleReader final : public InstructionReader {
  private:
   static Result<LayoutReading> ReadLand(const LayoutRequest& request) {
     LayoutReading reading;
-    reading.plan = ParseLayoutInstruction(request.instruction, request.vocabulary);
+    reading.plan = ParseLayoutInstruction(WithoutWaySlopes(request.instruction, request.vocabulary),
+                                          request.vocabulary);
     WarnOfText(request.instruction, SentenceKind::kLayout, &reading.plan.warnings);
     reading.sentences = SentencesOf(reading.plan.claims, request.vocabulary);
     reading.coverage = CoverageOf(request.instruction, reading.sentences, SentenceKind::kLayout,

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "latticeworld/geomorphology/distance.h"
 #include "latticeworld/layout/class_letters.h"
 #include "latticeworld/terrain/forms/relief_measures.h"
 #include "latticeworld/terrain/least_cost_ways.h"
@@ -17,6 +18,7 @@ constexpr double kOver_m = 20.0;         // of a way: what its slope is measured
 constexpr double kSlopeRoom_deg = 0.5;   // above what is said
 constexpr double kLeastSlope = 0.6;      // of what is said: else it is another way
 constexpr double kEven_m = 3.0;          // of a course of cells, on either side
+constexpr float kToMiddle = 4.0f;        // that a course is drawn to the middle of its way
 constexpr double kLeastClearance = 0.5;  // of a gorge's height, below a deck
 constexpr double kUnbroken = 0.25;       // of a gorge's depth: how much its floor may rise below
 constexpr double kOnRoad_m = 4.0;        // from a deck's end to the next road
@@ -155,8 +157,9 @@ void MeasureWaySlope(const ReliefWish& wish, const ReliefTie& tie, WorldPoint to
   std::vector<CellIndex> course;
   if (end.row >= 0) {
     Grid<float> cost(road.rows(), road.cols(), std::numeric_limits<float>::infinity());
+    const Grid<float> to_side = DistanceTo(false, road);
     for (std::size_t i = 0; i < cost.size(); ++i) {
-      if (road.data()[i] != 0) cost.data()[i] = 1.0f;
+      if (road.data()[i] != 0) cost.data()[i] = 1.0f + kToMiddle / to_side.data()[i];
     }
     const LeastCostWays ways(cost, RoadHeads(terrain, road));
     if (ways.Reaches(end)) course = ways.WayTo(end);

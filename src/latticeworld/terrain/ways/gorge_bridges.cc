@@ -285,12 +285,9 @@ class Planner {
     const CellIndex goal = finder.CellAt(before);
     Street way;
     way.width_m = kWayWidth_m;
-    if (finder.HasRoad()) {
-      way.line = finder.LineTo(goal, WayFinder::From::kRoad, ground_.max_slope);
-    }
-    if (way.line.empty()) {
-      way.line = finder.LineTo(goal, WayFinder::From::kEdge, ground_.max_slope);
-    }
+    const WayFinder::Rule rule = {ground_.max_slope, true};
+    if (finder.HasRoad()) way.line = finder.LineTo(goal, WayFinder::From::kRoad, rule);
+    if (way.line.empty()) way.line = finder.LineTo(goal, WayFinder::From::kEdge, rule);
     if (way.line.empty()) return;
     way.line.back() = before;
     way.line.push_back(end);

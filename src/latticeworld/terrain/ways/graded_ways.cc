@@ -14,7 +14,6 @@ namespace {
 // Of a said slope: what sampling and smoothing add is left.
 constexpr double kOfSaid = 0.92;
 constexpr double kStep_cells = 0.5;      // between places of a way, of the lattice
-constexpr double kSmoothing_m = 6.0;     // of its course up and down, on either side
 constexpr double kShoulder_cells = 0.8;  // of the lattice, beside its half width
 
 // The places of a line, so far apart, its ends among them.
@@ -37,46 +36,53 @@ double Between(const std::vector<WorldPoint>& places, std::size_t i) {
   return std::hypot(places[i].x_m - places[i - 1].x_m, places[i].y_m - places[i - 1].y_m);
 }
 
-// The middle between the lowest and the highest course that rises and falls with the slope at most
-// and bounds the heights from above and below (roads.cc), and which begins where it has to.
+// How much a way may rise from each place before to the place [m]: less in narrow bends, where the
+// inner side is shorter than the middle.
+std::vector<double> RisesOf(const std::vector<WorldPoint>& places, double slope) {
+  constexpr std::size_t kReach = 6;       // places on either side that tell a bend
+  constexpr double kNarrow_m = 12.0;      // of a radius
+  constexpr double kLeastOfSlope = 0.35;  // in the narrowest
+  std::vector<double> rises_m(places.size(), 0.0);
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const WorldPoint before = places[i - std::min(i, kReach)], here = places[i];
+    const WorldPoint after = places[std::min(i + kReach, places.size() - 1)];
+    const double turn_rad =
+        std::abs(std::remainder(std::atan2(after.y_m - here.y_m, after.x_m - here.x_m) -
+                                    std::atan2(here.y_m - before.y_m, here.x_m - before.x_m),
+                                2.0 * M_PI));
+    const double length_m = 0.5 * (std::hypot(here.x_m - before.x_m, here.y_m - before.y_m) +
+                                   std::hypot(after.x_m - here.x_m, after.y_m - here.y_m));
+    const double radius_m = length_m / std::max(turn_rad, 1e-6);
+    const bool ends = i < kReach || i + kReach >= places.size();
+    const double share = ends ? 1.0 : std::clamp(radius_m / kNarrow_m, kLeastOfSlope, 1.0);
+    rises_m[i] = share * slope * Between(places, i);
+  }
+  return rises_m;
+}
+
+// The middle between the lowest and the highest course that rises and falls so much at most and
+// bounds the heights from above and below (roads.cc), and which begins where it has to.
 std::vector<double> Graded(const std::vector<WorldPoint>& places, std::vector<double> height_m,
                            double slope) {
   const std::size_t n = places.size();
+  const std::vector<double> rises_m = RisesOf(places, slope);
   const double begin_m = height_m.front();
-  std::vector<double> along_m(n, 0.0);
-  for (std::size_t i = 1; i < n; ++i) along_m[i] = along_m[i - 1] + Between(places, i);
+  double reach_m = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    height_m[i] =
-        std::clamp(height_m[i], begin_m - slope * along_m[i], begin_m + slope * along_m[i]);
+    reach_m += rises_m[i];
+    height_m[i] = std::clamp(height_m[i], begin_m - reach_m, begin_m + reach_m);
   }
   std::vector<double> upper = height_m, lower = height_m;
   for (std::size_t i = 1; i < n; ++i) {
-    lower[i] = std::min(lower[i], lower[i - 1] + slope * Between(places, i));
-    upper[i] = std::max(upper[i], upper[i - 1] - slope * Between(places, i));
+    lower[i] = std::min(lower[i], lower[i - 1] + rises_m[i]);
+    upper[i] = std::max(upper[i], upper[i - 1] - rises_m[i]);
   }
   for (std::size_t i = n - 1; i > 0; --i) {
-    lower[i - 1] = std::min(lower[i - 1], lower[i] + slope * Between(places, i));
-    upper[i - 1] = std::max(upper[i - 1], upper[i] - slope * Between(places, i));
+    lower[i - 1] = std::min(lower[i - 1], lower[i] + rises_m[i]);
+    upper[i - 1] = std::max(upper[i - 1], upper[i] - rises_m[i]);
   }
   for (std::size_t i = 0; i < n; ++i) height_m[i] = 0.5 * (lower[i] + upper[i]);
-  // A mean of its surroundings keeps the slope.
-  std::vector<double> smooth_m(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double reach_m = std::min({kSmoothing_m, along_m[i], along_m[n - 1] - along_m[i]});
-    double sum = 0.0;
-    int count = 0;
-    for (std::size_t k = i; along_m[i] - along_m[k] <= reach_m; --k) {
-      sum += height_m[k];
-      ++count;
-      if (k == 0) break;
-    }
-    for (std::size_t k = i + 1; k < n && along_m[k] - along_m[i] <= reach_m; ++k) {
-      sum += height_m[k];
-      ++count;
-    }
-    smooth_m[i] = sum / count;
-  }
-  return smooth_m;
+  return height_m;
 }
 
 // Lays the heights of a way onto the cells that it covers, each that of the nearest place.
@@ -130,6 +136,8 @@ void GradeWays(const GridGeometry& lattice, const std::vector<ClimbingWay>& ways
   const Grid<float> before_m = *land_m;
   LayInto(mask, built_m, static_cast<float>(embankment_slope * cell_m), land_m, share);
   for (std::size_t i = 0; i < mask.size(); ++i) {
+    // Where legs lie close beside each other, the land between them is as steep as it has to be.
+    if (mask.data()[i] != 0) land_m->data()[i] = built_m.data()[i];
     if (road.data()[i] != 0) land_m->data()[i] = before_m.data()[i];
   }
 }

@@ -21,6 +21,7 @@ constexpr int kReach = 5;        // steps that a move goes at most
 constexpr float kDear = 120.0f;  // of what is too steep
 constexpr int kDirections = 16;
 constexpr float kTurn = 9.0f;  // of turning back, as a way of so many steps
+constexpr int kWideTurn = 5;   // directions that a way with wide bends turns by at once
 
 struct Move {
   int rows, cols;
@@ -52,9 +53,14 @@ Grid<unsigned char> Coarse(const Grid<unsigned char>& mask) {
   return coarse;
 }
 
-float TurnCost(int from, int to) {
+// Directions between two.
+int Apart(int from, int to) {
   const int apart = std::abs(from - to);
-  const float half_turns = std::min(apart, kDirections - apart) / (0.5f * kDirections);
+  return std::min(apart, kDirections - apart);
+}
+
+float TurnCost(int from, int to) {
+  const float half_turns = Apart(from, to) / (0.5f * kDirections);
   return kTurn * half_turns * half_turns;
 }
 
@@ -76,7 +82,9 @@ std::vector<WorldPoint> Rounded(std::vector<WorldPoint> line) {
 }  // namespace
 
 WayFinder::WayFinder(const GridGeometry& lattice, const WayGround& ground)
-    : geometry_(GridGeometry::FromCells(lattice.rows() / kCoarser, lattice.size_m())),
+    : lattice_(lattice),
+      roads_(ground.road),
+      geometry_(GridGeometry::FromCells(lattice.rows() / kCoarser, lattice.size_m())),
       height_m_(Resample(ground.height_m, geometry_.rows(), geometry_.cols())),
       road_(Coarse(ground.road)),
       blocked_(Coarse(ground.blocked)) {}
@@ -108,7 +116,9 @@ CellIndex WayFinder::PassOf(const ReliefPiece& ridge) const {
 }
 
 // States are cells and the direction in which they are left: bends cost, so that legs are long.
-std::vector<CellIndex> WayFinder::WayTo(CellIndex goal, From from, float max_slope) const {
+std::vector<CellIndex> WayFinder::WayTo(CellIndex goal, From from, const Rule& rule) const {
+  const auto max_slope = static_cast<float>(rule.max_slope);
+  const int most_turn = rule.wide_bends ? kWideTurn : kDirections;
   using Entry = std::pair<float, std::int32_t>;
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const std::vector<Move> moves = AllMoves();
@@ -137,6 +147,7 @@ std::vector<CellIndex> WayFinder::WayTo(CellIndex goal, From from, float max_slo
     for (const Move& move : moves) {
       const CellIndex to = {cell.row + move.rows, cell.col + move.cols};
       if (!height_m_.Contains(to) || blocked_[to] != 0) continue;
+      if (cell != goal && Apart(state % kDirections, move.direction) > most_turn) continue;
       const float reached = cost + CostOf(cell, to, move.length, max_slope) +
                             (cell == goal ? 0.0f : TurnCost(state % kDirections, move.direction));
       const std::int32_t next = (to.row * cols + to.col) * kDirections + move.direction;
@@ -149,12 +160,37 @@ std::vector<CellIndex> WayFinder::WayTo(CellIndex goal, From from, float max_slo
   return {};
 }
 
-std::vector<WorldPoint> WayFinder::LineTo(CellIndex goal, From from, double max_slope) const {
+std::vector<WorldPoint> WayFinder::LineTo(CellIndex goal, From from, const Rule& rule) const {
   std::vector<WorldPoint> line;
-  const std::vector<CellIndex> way = WayTo(goal, from, static_cast<float>(max_slope));
+  const std::vector<CellIndex> way = WayTo(goal, from, rule);
   if (from == From::kEdge && !way.empty()) line.push_back(BorderBeside(way.front()));
   for (const CellIndex cell : way) line.push_back(geometry_.CenterOf(cell));
-  return line.size() < 2 ? std::vector<WorldPoint>() : Rounded(std::move(line));
+  if (line.size() < 2) return {};
+  line = Rounded(std::move(line));
+  if (from == From::kRoad && rule.wide_bends) JoinRoad(&line);
+  return line;
+}
+
+void WayFinder::JoinRoad(std::vector<WorldPoint>* line) const {
+  constexpr double kInto_cells = 2.0;
+  const WorldPoint from = line->front();
+  const CellIndex at = lattice_.CellAt(from);
+  double least_m = std::numeric_limits<double>::infinity();
+  WorldPoint nearest = from;
+  for (int r = at.row - 2 * kCoarser; r <= at.row + 2 * kCoarser; ++r) {
+    for (int c = at.col - 2 * kCoarser; c <= at.col + 2 * kCoarser; ++c) {
+      if (!roads_.Contains({r, c}) || roads_(r, c) == 0) continue;
+      const WorldPoint road = lattice_.CenterOf({r, c});
+      const double off_m = std::hypot(road.x_m - from.x_m, road.y_m - from.y_m);
+      if (off_m >= least_m) continue;
+      least_m = off_m;
+      nearest = road;
+    }
+  }
+  if (std::isinf(least_m) || least_m <= lattice_.resolution_m()) return;
+  const double on = kInto_cells * lattice_.resolution_m() / least_m;
+  line->insert(line->begin(), {nearest.x_m + on * (nearest.x_m - from.x_m),
+                               nearest.y_m + on * (nearest.y_m - from.y_m)});
 }
 
 bool WayFinder::IsOnTop(const ReliefPiece& piece, CellIndex cell) const {

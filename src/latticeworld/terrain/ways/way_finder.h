@@ -21,6 +21,7 @@ struct WayGround {
 // are found on a coarser lattice.
 class WayFinder {
  public:
+  // ground: outlives the finder.
   WayFinder(const GridGeometry& lattice, const WayGround& ground);
 
   bool HasRoad() const;
@@ -30,21 +31,31 @@ class WayFinder {
   CellIndex PassOf(const ReliefPiece& ridge) const;
 
   enum class From { kRoad, kEdge };
+  // How a way is laid.
+  struct Rule {
+    double max_slope = 0.0;   // above which ground is dear [m/m]
+    bool wide_bends = false;  // legs of bends lie a step apart, and the way begins within its road
+  };
   // The centre line of a way from a road, or from the world's edge, to the place; empty where none
-  // leads there. max_slope: above which ground is dear [m/m].
-  std::vector<WorldPoint> LineTo(CellIndex goal, From from, double max_slope) const;
+  // leads there.
+  std::vector<WorldPoint> LineTo(CellIndex goal, From from, const Rule& rule) const;
 
   CellIndex CellAt(WorldPoint at) const { return geometry_.CellAt(at); }
+  double step_m() const { return geometry_.resolution_m(); }
 
  private:
   bool IsOnTop(const ReliefPiece& piece, CellIndex cell) const;
   bool IsAtEdge(CellIndex cell) const;
   float CostOf(CellIndex from, CellIndex to, float length, float max_slope) const;
-  std::vector<CellIndex> WayTo(CellIndex goal, From from, float max_slope) const;
+  std::vector<CellIndex> WayTo(CellIndex goal, From from, const Rule& rule) const;
+  // Lengthens a line that begins near a road so that it begins in it.
+  void JoinRoad(std::vector<WorldPoint>* line) const;
   // The place of the world's border beside a cell at its edge.
   WorldPoint BorderBeside(CellIndex cell) const;
 
-  GridGeometry geometry_;
+  GridGeometry lattice_;
+  const Grid<unsigned char>& roads_;  // on the lattice
+  GridGeometry geometry_;             // of the coarser one, as all that follows
   Grid<float> height_m_;
   Grid<unsigned char> road_;
   Grid<unsigned char> blocked_;
