@@ -3,6 +3,7 @@
 
 #include "fuzz/support/ros_message.h"
 #include "generation/test_world.h"
+#include "latticeworld/scene/props/standing_props.h"
 #include "latticeworld_ros/conversion/agent_conversion.h"
 #include "latticeworld_ros/conversion/journal_conversion.h"
 #include "latticeworld_ros/conversion/request_conversion.h"

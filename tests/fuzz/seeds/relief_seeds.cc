@@ -33,11 +33,11 @@ std::string Encoded(const char* extension, int type, const std::vector<int>& opt
   return std::string(bytes.begin(), bytes.end());
 }
 
-std::string GeoTiff(GDALDataType type, const char* creation) {
+std::string GeoTiff(GDALDataType type, const std::vector<const char*>& creation) {
   constexpr char kName[] = "/vsimem/seed.tif";
   constexpr int kCells = 24;
   CPLStringList options;
-  if (*creation != '\0') options.AddString(creation);
+  for (const char* option : creation) options.AddString(option);
   GDALDatasetH file =
       GDALCreate(GDALGetDriverByName("GTiff"), kName, kCells, kCells, 1, type, options.List());
   double transform[6] = {500000, 10, 0, 4400000, 0, -10};
@@ -150,9 +150,9 @@ void ReliefSeeds(const TakeSeed& take) {
   take("pgm", "plain", Encoded(".pgm", CV_8UC1, {cv::IMWRITE_PXM_BINARY, 0}));
   take("pgm", "wide", Encoded(".pgm", CV_16UC1, {cv::IMWRITE_PXM_BINARY, 1}));
   GDALAllRegister();
-  take("geotiff", "float", GeoTiff(GDT_Float32, ""));
-  take("geotiff", "whole_packed", GeoTiff(GDT_Int16, "COMPRESS=DEFLATE"));
-  take("geotiff", "tiled", GeoTiff(GDT_UInt16, "TILED=YES"));
+  take("geotiff", "float", GeoTiff(GDT_Float32, {}));
+  take("geotiff", "whole_packed", GeoTiff(GDT_Int16, {"COMPRESS=DEFLATE"}));
+  take("geotiff", "tiled", GeoTiff(GDT_UInt16, {"TILED=YES", "BLOCKXSIZE=16", "BLOCKYSIZE=16"}));
   take("ascii_grid", "metres", AsciiGrid("xllcorner 500000\nyllcorner 4400000\ncellsize 10\n"));
   take("ascii_grid", "degrees", AsciiGrid("xllcenter 11.5\nyllcenter 47.25\ncellsize 0.001\n"));
   take("hgt", "hills", "N40W106.hgt\n" + std::string("\x03\xe8\x03\xea\x80\0\x03\xf0\x04\0", 10));
