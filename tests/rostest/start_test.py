@@ -132,7 +132,7 @@ class StartTest(unittest.TestCase):
         with Server(most_message_bytes=limit) as server:
             world = World()
             with Collector("world/height_map", GridMap) as maps:
-                world.generate(size=128.0)
+                world.generate(size=256.0)
                 self.assertGreater(maps.wait_for(lambda m: True).info.resolution, 0.5)
             get_world_bundle = service("get_world_bundle", srv.GetWorldBundle)
             refused = get_world_bundle(files=True).status

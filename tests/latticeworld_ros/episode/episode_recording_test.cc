@@ -170,6 +170,7 @@ TEST_F(EpisodeRecordingTest, WhatIsOlderThanTheEpisodeIsAtItsBeginningWithItsSta
 }
 
 TEST_F(EpisodeRecordingTest, WhatWasLostOnTheWayIsCounted) {
+  ros::Time::init();  // a loss is told, now and then
   for (const std::uint32_t number : {1, 2, 6}) {
     nav_msgs::Odometry odometry;
     odometry.header.seq = number;
