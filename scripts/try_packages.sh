@@ -21,8 +21,8 @@ trap tidy EXIT
 
 say() { echo "== $*"; }
 inside() { LC_ALL=C DEBIAN_FRONTEND=noninteractive chroot "$bare" "$@"; }
-install() {  # says what apt-get said where that fails
-  inside apt-get install --yes --quiet=2 --no-install-recommends -o Dpkg::Use-Pty=0 "$@" \
+install() {  # names and patterns of files in there; says what apt-get said where that fails
+  inside sh -c "apt-get install --yes --quiet=2 --no-install-recommends -o Dpkg::Use-Pty=0 $*" \
     >"$bare/tmp/install.log" 2>&1 || { tail -n 20 "$bare/tmp/install.log" >&2; exit 1; }
 }
 # Every file but what package managers and time leave on their own.
@@ -58,7 +58,7 @@ cp -r "$packages" "$bare/packages"
 cp -r "$root/tests/packaging/out_of_tree" "$bare/out_of_tree"
 
 say "install what runs"
-install /packages/ros-latticeworld_*.deb /packages/ros-latticeworld-msgs_*.deb
+install '/packages/ros-latticeworld_*.deb' '/packages/ros-latticeworld-msgs_*.deb'
 inside dpkg-query --show 'ros-latticeworld*'
 
 say "the main job: words to a world, over ROS"
@@ -77,7 +77,7 @@ echo "from start to world: $seconds s"
 [ "$seconds" -le "$most_s" ] || { echo "that is more than $most_s s" >&2; exit 1; }
 
 say "install what builds, and build a package of somebody else"
-install /packages/liblatticeworld-dev_*.deb catkin cmake g++ libroscpp-dev make
+install '/packages/liblatticeworld-dev_*.deb' catkin cmake g++ libroscpp-dev make
 inside sh -c 'cmake -S /out_of_tree -B /tmp/out_of_tree && cmake --build /tmp/out_of_tree' \
   >"$bare/tmp/build.log" 2>&1 || { tail -n 40 "$bare/tmp/build.log" >&2; exit 1; }
 inside find /tmp/out_of_tree -name words_to_message -type f -exec {} \; | grep '^world-'

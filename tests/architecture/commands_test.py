@@ -29,17 +29,17 @@ def pages():
 
 def commands_of(text):
     """The commands of a page: lines of its blocks, without what stands behind a #, and what stands in
-    back quotes within a line. A command of several lines is one."""
-    blocks, fenced, found = [], False, []
+    back quotes within its prose. A command of several lines is one."""
+    blocks, prose, fenced = [], [], False
     for line in text.splitlines():
         if line.lstrip().startswith("```"):
             fenced = not fenced
-        elif fenced or line.startswith("    "):
-            blocks.append(line.strip())
         else:
-            found += re.findall(r"`([^`]+)`", line)
+            (blocks if fenced or line.startswith("    ") else prose).append(line.strip())
     joined = "\n".join(blocks).replace("\\\n", " ")
-    found += [re.sub(r"^\$ ", "", line) for line in joined.splitlines()]
+    found = [re.sub(r"^\$ ", "", line) for line in joined.splitlines()]
+    for paragraph in "\n".join(prose).split("\n\n"):
+        found += re.findall(r"`([^`]+)`", paragraph.replace("\n", " "))
     return [re.split(r"\s#\s", command)[0] for command in found]
 
 
@@ -167,9 +167,8 @@ class CommandsTest(unittest.TestCase):
             self.assertEqual(missing, reader.missing_in(command), command)
 
     def test_commands_are_read_of_blocks_and_of_lines(self):
-        text = "a `b --c` d\n```console\n$ e \\\n  f # g\n```\n\n    h\n"
-        self.assertEqual(["b --c", "e  f", "h"], [" ".join(command.split("\n")).strip()
-                                                  for command in commands_of(text)])
+        text = "a `b\n--c` d\n```console\n$ e \\\n  f # g\n```\n\n    h\n"
+        self.assertEqual(["e  f", "h", "b --c"], commands_of(text))
 
 
 if __name__ == "__main__":
