@@ -17,6 +17,7 @@ import filled_up
 import left_running
 import let_nobody_in
 from ground import Ground
+from ledger import BrokenPromise, Ledger
 
 PARTS = {"cut_off": (cut_off.run, 0.4), "filled_up": (filled_up.run, 0.25),
          "left_running": (left_running.run, 0.2), "let_nobody_in": (let_nobody_in.run, 0.15)}
@@ -43,7 +44,11 @@ def run(ground, given):
         call, share = PARTS[name]
         end = time.monotonic() + 60.0 * given.minutes * share / shares
         print(f"{name} ...", flush=True)
-        ledgers.append(call(ground, end, random.Random(f"{given.seed} {name}")))
+        try:
+            ledgers.append(call(ground, end, random.Random(f"{given.seed} {name}")))
+        except BrokenPromise as broken:  # before a round began
+            ledgers.append(Ledger(name))
+            ledgers[-1].broken.append(str(broken))
         print(ledgers[-1].markdown(), flush=True)
     return ledgers
 

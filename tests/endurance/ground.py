@@ -18,7 +18,7 @@ from std_srvs.srv import Trigger
 from latticeworld import srv
 from ledger import promise
 
-DEADLINE_S = 120.0  # for what must happen; far beyond what it takes
+DEADLINE_S = 300.0  # for what must happen; far beyond what it takes
 MARK = "LATTICEWORLD_ENDURANCE"  # variable by which the processes of a round are known
 SERVICES = {
     "generate_world": srv.GenerateWorld, "save_world": srv.SaveWorld, "load_world": srv.LoadWorld,
@@ -103,7 +103,7 @@ class Program:
         """SIGKILL; then no process that it started may be left."""
         self.stop(signal.SIGKILL)
         try:
-            wait_until(lambda: not marked_processes(self.mark), "all its processes have ended", 30)
+            wait_until(lambda: not marked_processes(self.mark), "all its processes have ended")
         finally:
             self.end_all()
 
@@ -163,9 +163,12 @@ class Ground:
         return self.folder / f"{self._count:04d}-{name}.log"
 
     def node(self, name, environment=None, limits=None, **parameters):
-        """Starts a node with private parameters."""
-        given = [f"_{key}:={value}" for key, value in parameters.items()]
-        return Program([self.programs / name, *given], self.log(name), environment, limits)
+        """Starts a node with these private parameters and no others."""
+        if rospy.has_param(f"/{name}"):
+            rospy.delete_param(f"/{name}")
+        for key, value in parameters.items():
+            rospy.set_param(f"/{name}/{key}", value if isinstance(value, (list, int)) else str(value))
+        return Program([self.programs / name], self.log(name), environment, limits)
 
     def command(self, *arguments, environment=None, limits=None):
         """Starts the command line `latticeworld`."""

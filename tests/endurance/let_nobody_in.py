@@ -295,7 +295,7 @@ def attack_round(attack, honest_at, programs, before, name, ledger):
     for program in programs:
         promise(program.runs(), f"a node ended under {name}: {program.last_words()}")
     wait_until(lambda: all(_descriptors(program) <= before[program.pid] + 8
-                           for program in programs), f"the connections of {name} are let go", 60)
+                           for program in programs), f"the connections of {name} are let go")
     worst = max(honest.waits_ms)
     ledger.row(name, outcome, len(honest.waits_ms), f"{statistics.median(honest.waits_ms):.0f}",
                f"{worst:.0f}")
@@ -315,7 +315,7 @@ def run(ground, end, random):
     visuals = folder / "visuals"
     visuals.mkdir()
     with ground.world_server(worlds_directory=folder / "worlds",
-                             visual_directories=f"['{visuals}']") as server, \
+                             visual_directories=[str(visuals)]) as server, \
             ground.node("world_viewer", {"LATTICEWORLD_VIEWER_TOKEN": TOKEN}, port=0,
                         require_token=True) as viewer:
         at = address_of(rospy.wait_for_message("/viewer/address", String, DEADLINE_S).data)
