@@ -16,7 +16,7 @@ import cut_off
 import filled_up
 import left_running
 import let_nobody_in
-from ground import Ground
+from ground import Ground, own_mounts
 from ledger import BrokenPromise, Ledger
 
 PARTS = {"cut_off": (cut_off.run, 0.4), "filled_up": (filled_up.run, 0.25),
@@ -62,6 +62,7 @@ def report(given, ledgers, seconds):
 
 def main():
     given = arguments()
+    own_mounts()
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="latticeworld_endurance_") as folder:
         libraries = {path.stem.removeprefix("lib"): path for path in given.libraries.glob("*.so")}

@@ -1,6 +1,8 @@
 """The ground that an endurance run stands on: a folder, a ROS master, and programs as users start
 them. What is started here is ended here, by its process number."""
 
+import ctypes
+import logging
 import os
 import pathlib
 import shutil
@@ -18,6 +20,8 @@ from std_srvs.srv import Trigger
 from latticeworld import srv
 from ledger import promise
 
+C_LIBRARY = ctypes.CDLL(None)
+PR_SET_PDEATHSIG, CLONE_NEWNS = 1, 0x20000
 DEADLINE_S = 300.0  # for what must happen; far beyond what it takes
 MARK = "LATTICEWORLD_ENDURANCE"  # variable by which the processes of a round are known
 SERVICES = {
@@ -31,6 +35,12 @@ SERVICES = {
 SMALL_WORLD = {"layout_instruction": "A lake in the east, forest in the north.",
                "environment_instruction": "Two sheep graze, a wheeled robot waits in the center.",
                "size": 64.0}
+
+
+def own_mounts():
+    """What is mounted from now on only this process and its programs see, and it ends with them."""
+    if C_LIBRARY.unshare(CLONE_NEWNS) == 0:
+        subprocess.run(["mount", "--make-rprivate", "/"], check=False)
 
 
 def wait_until(condition, what, deadline_s=DEADLINE_S):
@@ -61,10 +71,16 @@ class Program:
     def __init__(self, command, log, environment=None, limits=None):
         self.mark = uuid.uuid4().hex
         self.log = log
+
+        def before():
+            C_LIBRARY.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # it does not outlive the run
+            if limits:
+                limits()
+
         with open(log, "ab") as said:
             self.process = subprocess.Popen(
                 list(map(str, command)), stdout=said, stderr=subprocess.STDOUT,
-                env={**os.environ, **(environment or {}), MARK: self.mark}, preexec_fn=limits)
+                env={**os.environ, **(environment or {}), MARK: self.mark}, preexec_fn=before)
         self.pid = self.process.pid
 
     def __enter__(self):
@@ -130,10 +146,15 @@ class Ground:
             self.port = taken.getsockname()[1]
         home = self.folder / "home"
         home.mkdir()
-        os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{self.port}/", ROS_IP="127.0.0.1",
-                          HOME=str(home), ROS_HOME=str(home), ROS_LOG_DIR=str(home / "log"))
+        for name in ("ROS_NAMESPACE", "ROS_HOSTNAME", "ROSCONSOLE_CONFIG_FILE", "PYENV_VERSION"):
+            os.environ.pop(name, None)
+        os.environ.update(
+            PATH="/usr/bin:" + os.environ.get("PATH", ""), ROS_IP="127.0.0.1",
+            ROS_MASTER_URI=f"http://127.0.0.1:{self.port}/", HOME=str(home), ROS_HOME=str(home),
+            ROS_LOG_DIR=str(home / "log"))
         self.start_master()
         rospy.init_node("endurance", disable_signals=True, disable_rosout=True)
+        logging.getLogger("rosout").setLevel(logging.ERROR)  # services that are not there yet
         return self
 
     def __exit__(self, *_):
