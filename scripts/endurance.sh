@@ -17,13 +17,12 @@ devel=${LATTICEWORLD_BUILD_DIR:-$root}/devel
 "$root/scripts/install_dependencies.sh" world tests
 "$root/scripts/build.sh" --only endurance_programs -DLATTICEWORLD_BUILD_TESTS=ON
 
-# File systems of a few MiB are mounted in a mount namespace of its own, which ends with it.
+# It mounts file systems of a few MiB, which only it sees: who is not root may do so in a user
+# namespace, where there are such.
 apart=()
-if unshare --mount true 2>/dev/null; then
-  apart=(unshare --mount)
-elif unshare --user --map-root-user --mount true 2>/dev/null; then
-  apart=(unshare --user --map-root-user --mount)
+if [ "$(id -u)" -ne 0 ] && unshare --user --map-root-user true 2>/dev/null; then
+  apart=(unshare --user --map-root-user)
 fi
-exec "${apart[@]}" "$devel/env.sh" /usr/bin/python3 "$root/tests/endurance/endurance.py" \
+exec "${apart[@]}" "$devel/env.sh" /usr/bin/python3 -B "$root/tests/endurance/endurance.py" \
   --programs "$devel/lib/latticeworld" --libraries "$build/tests/endurance" \
   --report "$build/endurance.md" "$@"

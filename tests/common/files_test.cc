@@ -185,7 +185,9 @@ TEST_F(FilesTest, ReadFileBelowStaysBelowWhileADirectoryIsSwapped) {
   });
   for (int i = 0; i < 3000; ++i) {
     const auto read = ReadFileBelow(directory_ / "allowed/inner/file", allowed, 9);
-    if (read.ok()) EXPECT_EQ(*read, "open");
+    if (read.ok()) {
+      EXPECT_EQ(*read, "open");
+    }
   }
   stop = true;
   swapper.join();

@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "common/refused_threads.h"
+
 namespace latticeworld {
 namespace {
 
@@ -23,6 +25,17 @@ TEST(ParallelTest, VisitsEveryIndexOnce) {
       });
       for (const auto& times : visits) EXPECT_EQ(times, 1) << count << " by " << threads;
     }
+  }
+}
+
+TEST(ParallelTest, WhereNoMoreThreadsCanBeHadThoseThatThereAreDoAll) {
+  for (const int left : {0, 1, 3}) {
+    const RefusedThreads refused(left);
+    std::vector<std::atomic<int>> visits(50);
+    ParallelFor(50, 8, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) ++visits[i];
+    });
+    for (const auto& times : visits) EXPECT_EQ(times, 1) << left << " threads";
   }
 }
 

@@ -11,6 +11,8 @@
 #include <thread>
 #include <vector>
 
+#include "common/refused_threads.h"
+
 namespace latticeworld {
 namespace {
 
@@ -23,6 +25,17 @@ TEST(WorkCrewTest, DoesEveryPartOnceAtEveryCall) {
       crew.Run(parts, [&](int part) { ++times[static_cast<std::size_t>(part)]; });
       for (const auto& each : times) ASSERT_EQ(each, 1) << parts << " by " << threads;
     }
+  }
+}
+
+TEST(WorkCrewTest, WhereNoMoreThreadsCanBeHadThoseThatThereAreDoAll) {
+  for (const int left : {0, 1}) {
+    const RefusedThreads refused(left);
+    WorkCrew crew(4);
+    EXPECT_EQ(crew.threads(), left + 1);
+    std::vector<std::atomic<int>> times(100);
+    crew.Run(100, [&](int part) { ++times[static_cast<std::size_t>(part)]; });
+    for (const auto& each : times) ASSERT_EQ(each, 1);
   }
 }
 

@@ -280,7 +280,8 @@ def kill_round(ground, victim, random):
 def power_round(ground, victim, random):
     """The same with the synced state kept; both ends of what may be left are checked."""
     folder, kept = ground.new_folder("power"), ground.new_folder("kept")
-    (folder / "worlds").mkdir()
+    for name in ("worlds", "out", "set"):  # where the programs write: there before, and synced
+        (folder / name).mkdir()
     durable.seal(folder, kept)
     facts = victim.run(ground, folder, random,
                        durable.environment(ground.libraries["power_loss"], folder, kept))

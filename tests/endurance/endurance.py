@@ -16,7 +16,8 @@ import cut_off
 import filled_up
 import left_running
 import let_nobody_in
-from ground import Ground
+from ground import Ground, own_mounts
+from ledger import BrokenPromise, Ledger
 
 PARTS = {"cut_off": (cut_off.run, 0.4), "filled_up": (filled_up.run, 0.25),
          "left_running": (left_running.run, 0.2), "let_nobody_in": (let_nobody_in.run, 0.15)}
@@ -43,7 +44,11 @@ def run(ground, given):
         call, share = PARTS[name]
         end = time.monotonic() + 60.0 * given.minutes * share / shares
         print(f"{name} ...", flush=True)
-        ledgers.append(call(ground, end, random.Random(f"{given.seed} {name}")))
+        try:
+            ledgers.append(call(ground, end, random.Random(f"{given.seed} {name}")))
+        except BrokenPromise as broken:  # before a round began
+            ledgers.append(Ledger(name))
+            ledgers[-1].broken.append(str(broken))
         print(ledgers[-1].markdown(), flush=True)
     return ledgers
 
@@ -57,6 +62,7 @@ def report(given, ledgers, seconds):
 
 def main():
     given = arguments()
+    own_mounts()
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="latticeworld_endurance_") as folder:
         libraries = {path.stem.removeprefix("lib"): path for path in given.libraries.glob("*.so")}

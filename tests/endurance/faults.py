@@ -6,6 +6,7 @@ import resource
 import signal
 import struct
 import subprocess
+import threading
 
 from ledger import promise
 
@@ -53,6 +54,7 @@ class Fault:
 
     needs_mount = False
     may_end_nodes = False  # no program is promised to live through it
+    for_commands = True  # it means something to a program that starts under it
 
     def __init__(self, name):
         self.name = name
@@ -151,6 +153,8 @@ class Preloaded(Fault):
 class Gone(Fault):
     """The folder of results is moved away; as_file: and a file has its name."""
 
+    for_commands = False
+
     def __init__(self, name, as_file=False):
         super().__init__(name)
         self.as_file = as_file
@@ -175,11 +179,18 @@ class Gone(Fault):
 
 
 class Stopped(Fault):
-    """The processes stand still, as when a machine sleeps; they go on while they are asked."""
+    """The processes stand still, as when a machine sleeps, and go on while they are asked."""
+
+    for_commands = False
+    REST_S = 3.0
 
     def put(self, place, programs):
         for program in programs:
             os.kill(program.pid, signal.SIGSTOP)
+        threading.Timer(self.REST_S, self._go_on, [programs]).start()
+
+    @staticmethod
+    def _go_on(programs):
         for program in programs:
             os.kill(program.pid, signal.SIGCONT)
 
@@ -198,7 +209,7 @@ def all_faults():
         FullDisk("disk full"), NoInodes("no inodes left"), ReadOnly("disk read-only"),
         Limit("files of 20 kB at most", resource.RLIMIT_FSIZE, 20000, lambda pid: 20000),
         Limit("no more descriptors", resource.RLIMIT_NOFILE, 12, _open_descriptors),
-        Limit("8 MiB more memory", resource.RLIMIT_AS, 96 << 20,
+        Limit("8 MiB more memory", resource.RLIMIT_AS, 256 << 20,
               lambda pid: _memory_bytes(pid) + (8 << 20)),
         Preloaded("no more threads", refuse_threads=1),
         Preloaded("writing fails (EIO)", write_error=1),
@@ -206,4 +217,4 @@ def all_faults():
         Preloaded("clock set back a day", clock_shift_s=-DAY_S),
         Preloaded("clock set forward a day", clock_shift_s=DAY_S),
         Gone("folder gone"), Gone("a file in the folder's place", as_file=True),
-        Stopped("stopped and continued"), Fault("none")]
+        Stopped("stopped for 3 s")]

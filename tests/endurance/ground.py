@@ -1,6 +1,8 @@
 """The ground that an endurance run stands on: a folder, a ROS master, and programs as users start
 them. What is started here is ended here, by its process number."""
 
+import ctypes
+import logging
 import os
 import pathlib
 import shutil
@@ -18,7 +20,9 @@ from std_srvs.srv import Trigger
 from latticeworld import srv
 from ledger import promise
 
-DEADLINE_S = 120.0  # for what must happen; far beyond what it takes
+C_LIBRARY = ctypes.CDLL(None)
+PR_SET_PDEATHSIG, CLONE_NEWNS = 1, 0x20000
+DEADLINE_S = 300.0  # for what must happen; far beyond what it takes
 MARK = "LATTICEWORLD_ENDURANCE"  # variable by which the processes of a round are known
 SERVICES = {
     "generate_world": srv.GenerateWorld, "save_world": srv.SaveWorld, "load_world": srv.LoadWorld,
@@ -31,6 +35,12 @@ SERVICES = {
 SMALL_WORLD = {"layout_instruction": "A lake in the east, forest in the north.",
                "environment_instruction": "Two sheep graze, a wheeled robot waits in the center.",
                "size": 64.0}
+
+
+def own_mounts():
+    """What is mounted from now on only this process and its programs see, and it ends with them."""
+    if C_LIBRARY.unshare(CLONE_NEWNS) == 0:
+        subprocess.run(["mount", "--make-rprivate", "/"], check=False)
 
 
 def wait_until(condition, what, deadline_s=DEADLINE_S):
@@ -61,10 +71,16 @@ class Program:
     def __init__(self, command, log, environment=None, limits=None):
         self.mark = uuid.uuid4().hex
         self.log = log
+
+        def before():
+            C_LIBRARY.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # it does not outlive the run
+            if limits:
+                limits()
+
         with open(log, "ab") as said:
             self.process = subprocess.Popen(
                 list(map(str, command)), stdout=said, stderr=subprocess.STDOUT,
-                env={**os.environ, **(environment or {}), MARK: self.mark}, preexec_fn=limits)
+                env={**os.environ, **(environment or {}), MARK: self.mark}, preexec_fn=before)
         self.pid = self.process.pid
 
     def __enter__(self):
@@ -103,7 +119,7 @@ class Program:
         """SIGKILL; then no process that it started may be left."""
         self.stop(signal.SIGKILL)
         try:
-            wait_until(lambda: not marked_processes(self.mark), "all its processes have ended", 30)
+            wait_until(lambda: not marked_processes(self.mark), "all its processes have ended")
         finally:
             self.end_all()
 
@@ -130,10 +146,15 @@ class Ground:
             self.port = taken.getsockname()[1]
         home = self.folder / "home"
         home.mkdir()
-        os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{self.port}/", ROS_IP="127.0.0.1",
-                          HOME=str(home), ROS_HOME=str(home), ROS_LOG_DIR=str(home / "log"))
+        for name in ("ROS_NAMESPACE", "ROS_HOSTNAME", "ROSCONSOLE_CONFIG_FILE", "PYENV_VERSION"):
+            os.environ.pop(name, None)
+        os.environ.update(
+            PATH="/usr/bin:" + os.environ.get("PATH", ""), ROS_IP="127.0.0.1",
+            ROS_MASTER_URI=f"http://127.0.0.1:{self.port}/", HOME=str(home), ROS_HOME=str(home),
+            ROS_LOG_DIR=str(home / "log"))
         self.start_master()
         rospy.init_node("endurance", disable_signals=True, disable_rosout=True)
+        logging.getLogger("rosout").setLevel(logging.ERROR)  # services that are not there yet
         return self
 
     def __exit__(self, *_):
@@ -163,9 +184,12 @@ class Ground:
         return self.folder / f"{self._count:04d}-{name}.log"
 
     def node(self, name, environment=None, limits=None, **parameters):
-        """Starts a node with private parameters."""
-        given = [f"_{key}:={value}" for key, value in parameters.items()]
-        return Program([self.programs / name, *given], self.log(name), environment, limits)
+        """Starts a node with these private parameters and no others."""
+        if rospy.has_param(f"/{name}"):
+            rospy.delete_param(f"/{name}")
+        for key, value in parameters.items():
+            rospy.set_param(f"/{name}/{key}", value if isinstance(value, (list, int)) else str(value))
+        return Program([self.programs / name], self.log(name), environment, limits)
 
     def command(self, *arguments, environment=None, limits=None):
         """Starts the command line `latticeworld`."""

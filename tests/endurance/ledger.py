@@ -40,6 +40,7 @@ class Ledger:
         self.count(name)
         try:
             call()
+            print(f"kept    {self.title}: {name}", flush=True)
             return True
         except BrokenPromise as broken:
             self.broken.append(f"{name}: {broken}")

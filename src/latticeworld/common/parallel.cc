@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -17,10 +18,15 @@ void ParallelFor(int count, int threads, const std::function<void(int begin, int
   };
   std::vector<std::thread> others;
   others.reserve(parts - 1);
-  for (int part = 1; part < parts; ++part) {
-    others.emplace_back([&, part] { body(begin_of(part), begin_of(part + 1)); });
+  int part = 1;
+  try {
+    for (; part < parts; ++part) {
+      others.emplace_back([&, part] { body(begin_of(part), begin_of(part + 1)); });
+    }
+  } catch (const std::system_error&) {  // no more threads can be had: the rest is done here
   }
   body(begin_of(0), begin_of(1));
+  for (; part < parts; ++part) body(begin_of(part), begin_of(part + 1));
   for (std::thread& other : others) other.join();
 }
 

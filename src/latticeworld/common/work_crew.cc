@@ -1,6 +1,7 @@
 #include "latticeworld/common/work_crew.h"
 
 #include <algorithm>
+#include <system_error>
 
 #include "latticeworld/common/check.h"
 
@@ -25,7 +26,10 @@ bool HasWork(std::uint64_t ticket) { return NextOf(ticket) < PartsOf(ticket); }
 WorkCrew::WorkCrew(int threads) {
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const int wanted = threads > 0 ? threads : cores;
-  for (int i = 1; i < wanted; ++i) others_.emplace_back([this] { Help(); });
+  try {
+    for (int i = 1; i < wanted; ++i) others_.emplace_back([this] { Help(); });
+  } catch (const std::system_error&) {  // no more threads can be had: those that there are do all
+  }
 }
 
 WorkCrew::~WorkCrew() {

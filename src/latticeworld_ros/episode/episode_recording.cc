@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
+#include <system_error>
 
 #include "latticeworld/simulation/journaled_simulator.h"
 #include "latticeworld_ros/episode/bag_message.h"
@@ -64,17 +66,22 @@ Status EpisodeRecording::Begin(latticeworld_msgs::EpisodeStart start,
   part_time_ = last_time_ = std::max(start_.header.stamp, ros::TIME_MIN);
   for (const JournalMessage& entry : start_.journal) journal_bytes_ += entry.call.size();
   last_call_ = start_.calls;
-  const Status opened = OpenPart();
+  Status opened = OpenPart();
+  if (opened.ok()) {
+    try {
+      thread_ = std::thread([this] { Run(); });
+    } catch (const std::system_error& error) {
+      opened = ResourceExhausted(std::string("no thread can be had to write it: ") + error.what());
+    }
+  }
   if (!opened.ok()) {
     // Nothing is left of an episode that could not begin.
     if (file_ != nullptr && ClosePart().ok()) {
       std::error_code ignored;
       std::filesystem::remove(progress().paths.back(), ignored);
     }
-    return opened;
   }
-  thread_ = std::thread([this] { Run(); });
-  return Status();
+  return opened;
 }
 
 Status EpisodeRecording::End(const std::string& reason, const GetWorldBundle::Response* last) {

@@ -2,6 +2,8 @@
 
 #include <boost/bind/bind.hpp>
 #include <exception>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include "latticeworld/generation/bundle/bundle.h"
@@ -184,8 +186,19 @@ void GenerationService::OnGoal(Action::GoalHandle goal) {
   goal.setAccepted();
   // A cancel that came before goal_id_ was set has found no goal to end.
   if (goal.getGoalStatus().status == actionlib_msgs::GoalStatus::PREEMPTING) slot_.Cancel();
-  goal_thread_ = std::thread(
-      [this, goal, moved = std::move(hold)]() mutable { RunGoal(goal, std::move(moved)); });
+  try {
+    goal_thread_ = std::thread(
+        [this, goal, moved = std::move(hold)]() mutable { RunGoal(goal, std::move(moved)); });
+  } catch (const std::system_error& error) {  // the slot is free again
+    {
+      const std::lock_guard<std::mutex> lock(goal_mutex_);
+      goal_id_.clear();
+    }
+    latticeworld_msgs::GenerateWorldTaskResult result;
+    result.status = ToStatusMessage(
+        ResourceExhausted(std::string("no thread can be had to make the world: ") + error.what()));
+    goal.setAborted(result, result.status.message);
+  }
 }
 
 void GenerationService::RunGoal(Action::GoalHandle goal,

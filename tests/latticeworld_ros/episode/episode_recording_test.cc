@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "common/refused_threads.h"
 #include "latticeworld_ros/episode/bag_message.h"
 
 namespace latticeworld {
@@ -103,6 +104,20 @@ TEST_F(EpisodeRecordingTest, TimeThatRunsBackwardEndsTheEpisodeWithItsReason) {
   ASSERT_EQ(Recorded<std_msgs::String>().size(), 1u);
   EXPECT_EQ(Recorded<std_msgs::String>()[0].data, "of the first");
   EXPECT_EQ(Recorded<rosgraph_msgs::Clock>().size(), 2u);
+}
+
+TEST_F(EpisodeRecordingTest, WhatNoThreadCanBeHadForIsRefusedAndLeavesNothing) {
+  EpisodeRecordingOptions options;
+  options.directory = folder_;
+  options.name = "b";
+  EpisodeRecording other(options);
+  EpisodeStart start;
+  start.header.stamp = ros::Time(kStart_s);
+  {
+    const RefusedThreads refused;
+    EXPECT_EQ(other.Begin(start, WorldFiles()).code(), StatusCode::kResourceExhausted);
+  }
+  for (const char* name : {"b.bag", "b.bag.active"}) EXPECT_FALSE(fs::exists(folder_ / name));
 }
 
 TEST_F(EpisodeRecordingTest, TimeThatStandsStillDoesNot) {

@@ -67,8 +67,11 @@ class PartsRun {
     const std::size_t wanted =
         job_.options.threads > 0 ? static_cast<std::size_t>(job_.options.threads) : cores;
     std::vector<std::thread> helpers;
-    for (std::size_t i = 1; i < std::min(wanted, missing_.size()); ++i)
-      helpers.emplace_back([this] { Work(); });
+    try {
+      for (std::size_t i = 1; i < std::min(wanted, missing_.size()); ++i)
+        helpers.emplace_back([this] { Work(); });
+    } catch (const std::system_error&) {  // no more threads can be had: those that there are do all
+    }
     Work();
     for (std::thread& helper : helpers) helper.join();
     return failure_;
