@@ -1,10 +1,16 @@
-// Preloaded before a test program, answers as network file systems do: renameat2 knows no flags
-// and fsync no directories (NFS, 9p, sshfs: EINVAL), and there are no locks (Lustre: ENOSYS).
+// Preloaded before a program, answers as network file systems do: renameat2 knows no flags and
+// fsync no directories (NFS, 9p, sshfs: EINVAL), and there are no locks (Lustre: ENOSYS; with
+// LOCKS=nfs in the environment as NFS without a lock service: ENOLCK). Who asks whether a process
+// lives goes on late, so that what others do meanwhile matters.
 
 #include <dlfcn.h>
+#include <signal.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <cstring>
 
 extern "C" {
 
@@ -30,8 +36,19 @@ int fsync(int file) {
 }
 
 int flock(int /*file*/, int /*operation*/) {
-  errno = ENOSYS;
+  const char* locks = std::getenv("LOCKS");
+  errno = locks != nullptr && std::strcmp(locks, "nfs") == 0 ? ENOLCK : ENOSYS;
   return -1;
+}
+
+int kill(pid_t process, int signal) {
+  using Call = int (*)(pid_t, int);
+  static const auto next = reinterpret_cast<Call>(dlsym(RTLD_NEXT, "kill"));
+  const int result = next(process, signal);
+  const int error = errno;
+  if (signal == 0) usleep(1000 * (getpid() % 4));
+  errno = error;
+  return result;
 }
 
 }  // extern "C"

@@ -17,6 +17,14 @@
 namespace latticeworld {
 namespace {
 
+constexpr std::size_t kMostOwnerBytes = 1024;
+
+// Whether an error of flock says that the file system has no locks: Lustre without the mount option
+// flock (ENOSYS), NFS without a lock service (ENOLCK), others (EOPNOTSUPP, EINVAL).
+bool HasNoLocks(int error) {
+  return error == ENOSYS || error == ENOLCK || error == EOPNOTSUPP || error == EINVAL;
+}
+
 std::string Reason(int error) { return std::generic_category().message(error); }
 
 std::string HostName() {
@@ -33,10 +41,28 @@ bool HasDied(const std::string& owner) {
   return process > 0 && ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
 }
 
+// Takes away the file of an owner that has died. Whoever does it holds "FILE.dead" meanwhile: of
+// two that have seen the same dead owner, the slower one would else take away what the other has
+// made in its place. Errors: as of Take.
+Status RemoveDead(const std::filesystem::path& file, const std::string& owner) {
+  const std::string claim = file.string() + ".dead";
+  const int fd = ::open(claim.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  if (fd < 0 && errno == EEXIST) {
+    return FailedPrecondition("another process is about to work on " + file.parent_path().string() +
+                              " (it holds " + file.filename().string() +
+                              ".dead; delete that file if no process works there)");
+  }
+  if (fd < 0) return PermissionDenied("cannot make " + claim + ": " + Reason(errno));
+  ::close(fd);
+  const auto now = ReadFile(file, kMostOwnerBytes);
+  if (now.ok() && *now == owner) ::unlink(file.c_str());
+  ::unlink(claim.c_str());
+  return Status();
+}
+
 // Makes the file that names this process, which is not to be there yet. Errors: as of Take.
 Status NameOwner(const std::filesystem::path& file) {
-  constexpr int kTries = 3;  // a dead owner's file is taken away and made anew
-  constexpr std::size_t kMostBytes = 1024;
+  constexpr int kTries = 3;  // each after an owner that has died, or has just let it go
   const std::string own = HostName() + " " + std::to_string(::getpid()) + "\n";
   for (int i = 0; i < kTries; ++i) {
     const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
@@ -48,14 +74,15 @@ Status NameOwner(const std::filesystem::path& file) {
     if (errno != EEXIST) {
       return PermissionDenied("cannot make " + file.string() + ": " + Reason(errno));
     }
-    const auto owner = ReadFile(file, kMostBytes);
+    const auto owner = ReadFile(file, kMostOwnerBytes);
+    if (owner.status().code() == StatusCode::kNotFound) continue;
     if (!owner.ok() || !HasDied(*owner)) {
       return FailedPrecondition("another process works on " + file.parent_path().string() + " (" +
                                 file.filename().string() +
                                 " says: " + Quote(owner.ok() ? *owner : owner.status().message()) +
                                 "; delete that file if the process has ended)");
     }
-    ::unlink(file.c_str());
+    LW_RETURN_IF_ERROR(RemoveDead(file, *owner));
   }
   return FailedPrecondition("other processes want to work on " + file.parent_path().string());
 }
@@ -71,7 +98,7 @@ Result<FolderLock> FolderLock::Take(const std::filesystem::path& file) {
     return FailedPrecondition("another process works on " + file.parent_path().string() +
                               " (it holds " + file.filename().string() + ")");
   }
-  if (errno != ENOSYS && errno != EOPNOTSUPP && errno != EINVAL) {
+  if (!HasNoLocks(errno)) {
     return Internal("cannot lock " + file.string() + ": " + Reason(errno));
   }
   const std::filesystem::path owner = file.string() + ".owner";

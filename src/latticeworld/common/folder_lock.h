@@ -8,9 +8,9 @@
 namespace latticeworld {
 
 // Held by the one process that works on a folder; a process that dies lets it go. Where the file
-// system knows no locks (Lustre without the mount option flock), a file beside it, "NAME.owner",
-// names host and process that hold it: one that died on the same host lets it go too, for another
-// host's the file has to be deleted.
+// system knows no locks (Lustre without the mount option flock, NFS without a lock service), a file
+// beside it, "NAME.owner", names host and process that hold it: one that died on the same host lets
+// it go too, for another host's the file has to be deleted.
 class FolderLock {
  public:
   // file: the lock, in the folder; made where it is not there, and left there. Errors:

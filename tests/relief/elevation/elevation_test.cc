@@ -550,6 +550,29 @@ TEST(ElevationTest, ReadsArcAsciiGridsInMetresAndInDegrees) {
                 {"no coordinate system", "middle"}, At(40.0, -105.0, Options(100, 1)));
 }
 
+TEST(ElevationTest, AnArcAsciiGridMayBeginWithAnyOfItsKeys) {
+  const std::string given[] = {"ncols 60", "NROWS 60",  "xllcorner 500",   "yllcorner 500", "DX 5",
+                               "dy\t5",    "nodata -1", "xllcenter 502.5", "yllcenter 500"};
+  const auto grid_of = [](std::vector<std::string> lines, std::size_t first) {
+    std::rotate(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(first), lines.end());
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    for (int i = 0; i < 60 * 60; ++i) text += std::to_string(459 + i % 60) + " ";
+    return text;
+  };
+  const std::vector<std::string> corners(given, given + 7);
+  std::vector<std::string> centers(given + 4, given + 9);
+  centers.insert(centers.end(), given, given + 2);
+  for (const auto& lines : {corners, centers}) {
+    for (std::size_t first = 0; first < lines.size(); ++first) {
+      SCOPED_TRACE(lines[first]);
+      ExpectLand(Read(grid_of(lines, first), Options(200, 5)), 200, 0.01,
+                 [](double east_m, double) { return 459 + 29.5 + east_m / 5.0; });
+    }
+  }
+  ExpectRefused("dxf drawing", {"\"dxf draw\"", "Arc/Info ASCII grid"});
+}
+
 TEST(ElevationTest, RefusesArcAsciiGridsThatAreNotWhole) {
   const std::string place = "xllcorner 0\nyllcorner 0\ncellsize 5\n";
   const std::string whole = WriteAscii(40, 40, place, [](double c, double) { return c; });

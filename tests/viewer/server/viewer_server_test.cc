@@ -130,6 +130,26 @@ TEST_F(ViewerServerTest, RequestsReachTheBackendAndAnswersTheirClient) {
   EXPECT_EQ(other.ReadType("reply").at("request"), "subscribe");  // the other heard no answer
 }
 
+TEST_F(ViewerServerTest, WhoComesThroughAProxyThatKeepsTheHostMayOnlyLook) {
+  Start();
+  for (const char* header :
+       {"X-Forwarded-For: 192.0.2.7\r\n", "x-forwarded-for: 127.0.0.1\r\n",
+        "Forwarded: for=192.0.2.7;proto=https\r\n", "Via: 1.1 proxy.example\r\n"}) {
+    SCOPED_TRACE(header);
+    PlainClient client = Connect();
+    ASSERT_EQ(client.Upgrade(header, "localhost").status, 101);
+    EXPECT_EQ(client.ReadType("hello").at("role"), "viewer");
+    client.SendText(R"({"type": "pause", "id": 1})");
+    const json answer = client.ReadType("reply");
+    EXPECT_EQ(answer.at("ok"), false);
+    EXPECT_EQ(answer.at("code"), "PERMISSION_DENIED");
+  }
+  EXPECT_EQ(backend().requests(), 0u);
+  PlainClient here = Connect();
+  ASSERT_EQ(here.Upgrade("", "localhost").status, 101);
+  EXPECT_EQ(here.ReadType("hello").at("role"), "controller");
+}
+
 TEST_F(ViewerServerTest, ABackendThatRefusesIsHeard) {
   Start();
   PlainClient client = Connect();

@@ -43,14 +43,14 @@ bool IsTiff(std::string_view bytes) {
          StartsWith(bytes, "II+\0"sv) || StartsWith(bytes, "MM\0+"sv);
 }
 
+// Whether the first word is a key of such a grid's header, whose keys have no order.
 bool IsArcAscii(std::string_view bytes) {
-  constexpr std::string_view kKeys[] = {"ncols",     "nrows",     "xllcorner", "yllcorner",
-                                        "xllcenter", "yllcenter", "cellsize",  "nodata_value"};
-  const std::string start = ToLowerAscii(bytes.substr(0, 16));
-  for (const std::string_view key : kKeys) {
-    if (StartsWith(start, key)) return true;
-  }
-  return false;
+  constexpr std::string_view kKeys[] = {"ncols",     "nrows",     "xllcorner",   "yllcorner",
+                                        "xllcenter", "yllcenter", "cellsize",    "dx",
+                                        "dy",        "nodata",    "nodata_value"};
+  const std::string_view start = bytes.substr(0, 16);
+  const std::string word = ToLowerAscii(start.substr(0, start.find_first_of(" \t\r\n")));
+  return std::find(std::begin(kKeys), std::end(kKeys), word) != std::end(kKeys);
 }
 
 // What a file that holds no elevation probably is.

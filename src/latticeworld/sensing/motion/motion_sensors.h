@@ -61,7 +61,7 @@ struct MagnetometerReading {
 struct WheelOdometryModel {
   double ticks_per_revolution = 0.0;  // of an encoder; 0: exact angles
   double a1 = 0.0, a2 = 0.0, a3 = 0.0, a4 = 0.0;
-  double slip = 0.03;  // standard deviation of the share of a way, and of a turn, that slipping
+  double slip = 0.06;  // standard deviation of the share of a way, and of a turn, that slipping
                        // wheels and slopes take, and of what goes sideways for it
   double skid_radpm = 0.08;  // standard deviation of the turn that wheels which skid lose a metre
                              // that they roll, against the way they turn
