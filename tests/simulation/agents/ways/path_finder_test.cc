@@ -47,6 +47,21 @@ bool IsClear(const Scene& scene, const SceneChanges& changes, const Species& spe
   return true;
 }
 
+// A place where the species can be, the first on growing rings around a point. False: none lies
+// within radius_m.
+bool FreePlaceNear(PathFinder* paths, const Species& species, WorldPoint near, double radius_m,
+                   WorldPoint* place) {
+  constexpr int kDirections = 16;
+  for (double ring_m = 0.0; ring_m <= radius_m; ring_m += 0.5) {
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2.0 * M_PI * i / kDirections;
+      *place = {near.x_m + ring_m * std::cos(angle), near.y_m + ring_m * std::sin(angle)};
+      if (paths->IsStraightFree(species, *place, *place)) return true;
+    }
+  }
+  return false;
+}
+
 TEST(PathFinderTest, OverOpenGroundItIsTheStraightWay) {
   const auto scene = TestScene().Build();
   PathFinder paths(*scene);
@@ -83,8 +98,8 @@ TEST(PathFinderTest, WaysThroughForestsTouchNothingAndAreNoDetours) {
     for (const char* name : {"goblin", "sheep", "robotic dog"}) {
       const Species& species = Of(name);
       WorldPoint from, to;
-      if (!paths.NearestFree(species, {random.Uniform(-28.0, 28.0), -28.0}, 8.0, &from) ||
-          !paths.NearestFree(species, {random.Uniform(-28.0, 28.0), 28.0}, 8.0, &to))
+      if (!FreePlaceNear(&paths, species, {random.Uniform(-28.0, 28.0), -28.0}, 8.0, &from) ||
+          !FreePlaceNear(&paths, species, {random.Uniform(-28.0, 28.0), 28.0}, 8.0, &to))
         continue;
       const FoundPath path = paths.Find(species, from, to, 100000);
       if (!path.complete) continue;
@@ -112,8 +127,8 @@ TEST(PathFinderTest, WhereItLeadsTheTraversabilityMapLetsTheBodyPass) {
     PathFinder paths(*scene);
     const Species& species = Of("robotic dog");
     WorldPoint from, to;
-    ASSERT_TRUE(paths.NearestFree(species, {-25.0, -25.0}, 10.0, &from));
-    ASSERT_TRUE(paths.NearestFree(species, {25.0, 25.0}, 10.0, &to));
+    ASSERT_TRUE(FreePlaceNear(&paths, species, {-25.0, -25.0}, 10.0, &from));
+    ASSERT_TRUE(FreePlaceNear(&paths, species, {25.0, 25.0}, 10.0, &to));
     const FoundPath path = paths.Find(species, from, to, 100000);
     RobotLimits limits;
     limits.radius_m = species.radius_m;
