@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "latticeworld/language/reading/relief/relief_words.h"
+#include "latticeworld/language/reading/relief/way_slopes.h"
 
 namespace latticeworld {
 namespace {
@@ -199,6 +200,18 @@ TEST(ReliefReadingTest, ASlopeOfAWayThatClimbsNothingIsTold) {
     told = told || warning.find("climbs nothing") != std::string::npos;
   }
   EXPECT_TRUE(told);
+}
+
+// Fifteen paths, where the number is read for the land's.
+TEST(ReliefReadingTest, TheNumberOfASlopeIsNoNumberOfWays) {
+  const LayoutReading reading = ByRules("A steep hill with a path of 15 degrees to its top.");
+  ASSERT_EQ(reading.plan.features.size(), 1u);
+  EXPECT_EQ(reading.plan.features[0].pieces, 0);
+  EXPECT_EQ(WithoutWaySlopes("A lake. A hill with a path of 15 degrees to its top. A farm.",
+                             Vocabulary::kSuburb),
+            "A lake. A hill with a path  to its top. A farm.");
+  EXPECT_EQ(WithoutWaySlopes("A hill of 15 degrees and a road.", Vocabulary::kSuburb),
+            "A hill of 15 degrees and a road.");
 }
 
 TEST(ReliefReadingTest, TwoSlopesOfOneWayAreToldAndTheLaterCounts) {
