@@ -135,7 +135,7 @@ class GivenAnnotator final : public Annotator {
 
 Result<std::vector<GivenInstruction>> ReadGivenInstructions(const std::filesystem::path& file) {
   LW_ASSIGN_OR_RETURN(const std::string text, ReadSourceFile(file));
-  const auto json = nlohmann::ordered_json::parse(text, nullptr, /*allow_exceptions=*/false);
+  const auto json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (!json.is_array() || json.empty()) {
     return InvalidArgument(file.string() + ": is no JSON array of instructions");
   }
