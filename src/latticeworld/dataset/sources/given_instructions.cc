@@ -19,7 +19,7 @@ namespace {
 constexpr int kMostAnswers = 1000;
 
 // The instruction of one entry; what is wrong with it goes to `violations`.
-GivenInstruction ReadEntry(const nlohmann::ordered_json& entry, std::size_t number,
+GivenInstruction ReadEntry(const nlohmann::json& entry, std::size_t number,
                            std::vector<Violation>* violations) {
   const std::string pointer = "/" + std::to_string(number);
   const auto text = [&](const char* key) -> std::string {
