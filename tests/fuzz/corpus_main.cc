@@ -95,6 +95,21 @@ void LimitMemory() {
 #endif
 }
 
+// On a stack of their own, for the usual one may have run out.
+void HandleFatalSignals() {
+  static char memory[1 << 16];
+  stack_t stack{};
+  stack.ss_sp = memory;
+  stack.ss_size = sizeof(memory);
+  sigaltstack(&stack, nullptr);
+  struct sigaction action {};
+  action.sa_handler = OnFatalSignal;
+  action.sa_flags = SA_ONSTACK;
+  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL, SIGTERM}) {
+    sigaction(signal, &action, nullptr);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -112,9 +127,7 @@ int main(int argc, char** argv) {
   for (const CorpusFile& file : corpus) inputs.push_back(file.bytes);
   finding_file = "finding-" + fs::path(argv[0]).filename().string();
   LimitMemory();
-  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL, SIGTERM}) {
-    std::signal(signal, OnFatalSignal);
-  }
+  HandleFatalSignals();
   for (const CorpusFile& file : corpus) {
     std::snprintf(what_runs, sizeof(what_runs), "%s", file.name.c_str());
     Run(file.bytes);

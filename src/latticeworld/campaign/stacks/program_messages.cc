@@ -86,6 +86,15 @@ std::string WhyOf(const Json& answer) {
                                                  : "it says no reason";
 }
 
+// Deeper values are left out: objects copy their members, by recursion, as they grow.
+Json ParseLine(const std::string& line) {
+  constexpr int kMostDepth = 8;
+  const auto is_kept = [](int depth, Json::parse_event_t, const Json&) {
+    return depth < kMostDepth;
+  };
+  return Json::parse(line, is_kept, /*allow_exceptions=*/false);
+}
+
 }  // namespace
 
 std::string EncodeBegin(const StackTask& task, const StackInput& start, double control_hz) {
@@ -116,7 +125,7 @@ std::string EncodeUpdate(const StackInput& input, bool scans) {
 }
 
 Status DecodeReady(const std::string& line) {
-  const Json answer = Json::parse(line, nullptr, /*allow_exceptions=*/false);
+  const Json answer = ParseLine(line);
   const auto state = answer.is_object() ? answer.find("state") : answer.end();
   if (answer.is_object() && state != answer.end()) {
     if (*state == "ready") return Status();
@@ -126,7 +135,7 @@ Status DecodeReady(const std::string& line) {
 }
 
 Result<StackOutput> DecodeOutput(const std::string& line) {
-  const Json answer = Json::parse(line, nullptr, /*allow_exceptions=*/false);
+  const Json answer = ParseLine(line);
   StackOutput output;
   const auto number = [&answer](const char* key, double* value) {
     const auto found = answer.find(key);

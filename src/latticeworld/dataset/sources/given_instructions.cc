@@ -19,7 +19,7 @@ namespace {
 constexpr int kMostAnswers = 1000;
 
 // The instruction of one entry; what is wrong with it goes to `violations`.
-GivenInstruction ReadEntry(const nlohmann::ordered_json& entry, std::size_t number,
+GivenInstruction ReadEntry(const nlohmann::json& entry, std::size_t number,
                            std::vector<Violation>* violations) {
   const std::string pointer = "/" + std::to_string(number);
   const auto text = [&](const char* key) -> std::string {
@@ -135,7 +135,7 @@ class GivenAnnotator final : public Annotator {
 
 Result<std::vector<GivenInstruction>> ReadGivenInstructions(const std::filesystem::path& file) {
   LW_ASSIGN_OR_RETURN(const std::string text, ReadSourceFile(file));
-  const auto json = nlohmann::ordered_json::parse(text, nullptr, /*allow_exceptions=*/false);
+  const auto json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (!json.is_array() || json.empty()) {
     return InvalidArgument(file.string() + ": is no JSON array of instructions");
   }

@@ -11,7 +11,8 @@
 namespace latticeworld {
 namespace {
 
-using Json = nlohmann::ordered_json;
+// Not ordered_json, which copies members, by recursion, as an object grows.
+using Json = nlohmann::json;
 
 constexpr std::size_t kMaxQuotedBytes = 600;
 
