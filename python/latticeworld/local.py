@@ -74,7 +74,7 @@ class LocalServer:
         return types.SimpleNamespace(info=info, data=cells[::-1].ravel())
 
     def footprint_radius(self, robot):
-        """Of the circle around base_link that holds the robot's body in plan [m]."""
+        """Radius of the circle around base_link that holds the robot's body in plan [m]."""
         return self.simulation.agent(robot)["radius_m"]
 
     def free_space(self, clearance_m):

@@ -112,9 +112,10 @@ class LockstepTest(ServerTest):
         self.assertGreater(observation.odom.position.x, 0.05)
         self.assertTrue(observation.alive)
 
-    def steep_place(self):
-        """A place where a robot can be spawned, and the slope there [rad]: of 10 to 25 degrees."""
-        points = [Point(x=float(x), y=float(y)) for x in range(-55, 56, 5) for y in range(-55, 56, 5)]
+    def spawn_on_a_slope(self):
+        """Spawns a robot, "climber", on a slope of 12 to 25 degrees; the slope there [rad]."""
+        places_m = range(-55, 56, 5)
+        points = [Point(x=float(x), y=float(y)) for x in places_m for y in places_m]
         samples = self.assert_ok(self.world.query_terrain(points=points)).samples
         for point, sample in zip(points, samples):
             if not math.radians(12.0) < sample.slope < math.radians(25.0):
@@ -132,7 +133,7 @@ class LockstepTest(ServerTest):
         with Collector("/tf", TFMessage) as transforms, \
                 Collector("climber/odom", Odometry) as odoms:
             transforms.wait_until_connected()
-            slope = self.steep_place()
+            slope = self.spawn_on_a_slope()
             odoms.wait_until_connected()
             answer = self.lockstep(observe=["climber"])
             message = transforms.wait_for(lambda m: m.transforms[0].header.stamp == answer.stamp)

@@ -108,8 +108,8 @@ class Server:
         return self._call("static_map").map
 
     def footprint_radius(self, robot):
-        """Of the circle around base_link that holds the body of a robot of the last lockstep call in
-        plan [m]."""
+        """Radius of the circle around base_link that holds the body of a robot in plan [m]; of one
+        that the last lockstep call observed."""
         return self._radii_m[self._species[robot]]
 
     def free_space(self, clearance_m):

@@ -10,8 +10,8 @@ class Task:
     """What users replace. One task serves one robot; it keeps what belongs to the episode."""
 
     def spaces(self, server):
-        """What the task adds to the robot's observation: {name: gymnasium space}. server: the world,
-        with size_m, world_id, footprint_radius(), occupancy() and free_space()."""
+        """What the task adds to the robot's observation: {name: gymnasium space}. server: the
+        world, with size_m, world_id, footprint_radius(), occupancy() and free_space()."""
         raise NotImplementedError
 
     def begin(self, view, rng, server):
