@@ -1,5 +1,6 @@
 """A world_server process that a rostest starts and ends itself."""
 
+import os
 import signal
 import subprocess
 import tempfile
@@ -14,13 +15,17 @@ WORLD_SERVER = roslib.packages.find_node("latticeworld", "world_server")[0]
 
 
 class Server:
-    """A world_server process of our own with these private parameters."""
+    """A world_server process of our own with these private parameters.
 
-    def __init__(self, **parameters):
+    environment: variables that it has besides this process's own.
+    """
+
+    def __init__(self, environment=None, /, **parameters):
         rospy.set_param("/world_server", parameters)
         self.output = tempfile.TemporaryFile(mode="w+")
         self.process = subprocess.Popen([WORLD_SERVER], stdout=self.output,
-                                        stderr=subprocess.STDOUT)
+                                        stderr=subprocess.STDOUT,
+                                        env={**os.environ, **(environment or {})})
 
     def __enter__(self):
         wait_until(lambda: rosservice.get_service_node("/generate_world") or
