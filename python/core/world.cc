@@ -1,12 +1,15 @@
 #include "world.h"
 
 #include <filesystem>
+#include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "errors.h"
 #include "interrupt.h"
+#include "latticeworld/common/enum_names.h"
 #include "latticeworld/common/files.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/environment/environment_config.h"
@@ -21,6 +24,8 @@ namespace latticeworld::python {
 namespace {
 
 using Path = std::filesystem::path;
+// Latitude and longitude, WGS 84 [deg].
+using LatitudeLongitude = std::pair<double, double>;
 
 // A grid's own memory, read only; `owner` lives as long as the array.
 template <typename T, typename Cell>
@@ -53,12 +58,34 @@ void ReadVisual(const std::optional<Path>& height_map, const std::optional<Path>
   }
 }
 
+// Which land of real elevation, and how its file is read.
+void ReadElevationOptions(const std::optional<LatitudeLongitude>& place, bool keep_altitude,
+                          const std::string& unit, GenerationRequest* request) {
+  const std::optional<ElevationUnit> known = FromName<ElevationUnit>(unit);
+  if (!known) {
+    Check(InvalidArgument("elevation_unit is " + Quote(unit) +
+                          "; legal are degrees, metres, or none to let the numbers decide"));
+  }
+  if ((place || keep_altitude || !unit.empty()) && request->visual_kind != VisualKind::kElevation) {
+    Check(
+        InvalidArgument("place, keep_altitude and elevation_unit are of an elevation; give its "
+                        "file as elevation"));
+  }
+  request->elevation.unit = *known;
+  request->elevation.keep_altitude = keep_altitude;
+  if (!place) return;
+  request->elevation.centered = false;
+  request->elevation.latitude_deg = place->first;
+  request->elevation.longitude_deg = place->second;
+}
+
 std::shared_ptr<PyWorld> Generate(
     const std::string& layout, const std::string& environment, std::uint64_t seed, double size_m,
     double resolution_m, const std::string& vocabulary, const std::optional<Path>& height_map,
     const std::optional<Path>& sketch, const std::optional<Path>& elevation,
     const std::optional<double>& height_scale_m, const std::optional<double>& height_offset_m,
-    nb::object progress) {
+    const std::optional<LatitudeLongitude>& place, bool keep_altitude,
+    const std::string& elevation_unit, nb::object progress) {
   GenerationRequest request;
   request.layout_instruction = layout;
   request.environment_instruction = environment;
@@ -69,6 +96,7 @@ std::shared_ptr<PyWorld> Generate(
   if (height_scale_m) request.height_map.height_scale_m = *height_scale_m;
   if (height_offset_m) request.height_map.height_offset_m = *height_offset_m;
   ReadVisual(height_map, sketch, elevation, &request);
+  ReadElevationOptions(place, keep_altitude, elevation_unit, &request);
   Interruptible interruptible(std::move(progress));
   Result<std::shared_ptr<const World>> world = WithoutLock(
       [&] { return MakeDefaultWorldGenerator().Generate(request, interruptible.progress()); });
@@ -90,6 +118,13 @@ double HeightAt(const PyWorld& world, double x_m, double y_m) {
                      std::to_string(world.scene().geometry().half_size_m()) + " m"));
   }
   return world.scene().terrain->ground.HeightAt(point);
+}
+
+// (latitude [deg], longitude [deg], altitude [m]), or None.
+nb::object PlaceOf(const PyWorld& world) {
+  const auto& geo = world.world().geo;
+  if (!geo) return nb::none();
+  return nb::make_tuple(geo->latitude_deg, geo->longitude_deg, geo->altitude_m);
 }
 
 nb::list AgentsOf(const PyWorld& world) {
@@ -154,10 +189,15 @@ void BindWorld(nb::module_& module) {
           nb::arg("vocabulary") = "", nb::arg("height_map").none() = nb::none(),
           nb::arg("sketch").none() = nb::none(), nb::arg("elevation").none() = nb::none(),
           nb::arg("height_scale_m").none() = nb::none(),
-          nb::arg("height_offset_m").none() = nb::none(), nb::arg("progress").none() = nb::none(),
+          nb::arg("height_offset_m").none() = nb::none(), nb::arg("place").none() = nb::none(),
+          nb::arg("keep_altitude") = false, nb::arg("elevation_unit") = "",
+          nb::arg("progress").none() = nb::none(),
           "A world from words, and from a picture of its relief where a file is given. "
-          "seed 0: one is drawn. progress: called with (stage, fraction); what it raises "
-          "ends the generation, as Ctrl-C does.")
+          "seed 0: one is drawn. place: of an elevation, the (latitude, longitude) [deg], WGS 84, "
+          "that becomes the middle; None: the middle of the data. keep_altitude: z is the height "
+          "in the data, else 0 is the lowest point. elevation_unit: of an ASCII grid's "
+          "coordinates, \"degrees\" or \"metres\"; \"\": judged by its numbers. progress: called "
+          "with (stage, fraction); what it raises ends the generation, as Ctrl-C does.")
       .def_static("load", &Load, nb::arg("path"), "A world from its bundle.")
       .def(
           "save",
@@ -185,6 +225,9 @@ void BindWorld(nb::module_& module) {
           [](const PyWorld& world) { return EncodeFidelity(world.world().fidelity); },
           "How well it matches the words.")
       .def_prop_ro("warnings", [](const PyWorld& world) { return world.world().warnings; })
+      .def_prop_ro("place", &PlaceOf,
+                   "Where its middle lies: (latitude [deg], longitude [deg], altitude of z = 0 "
+                   "[m]), WGS 84 and the datum of the data; None: nowhere on the earth.")
       .def_prop_ro("agents", &AgentsOf, "Where agents begin: a list of dicts.")
       .def_prop_ro(
           "heights",

@@ -113,6 +113,16 @@ TEST_F(FolderLockTest, NothingIsLeftButTheLockFile) {
   EXPECT_TRUE(fs::exists(folder_ / ".lock"));
 }
 
+TEST_F(FolderLockTest, KnowsItsFilesByTheirNames) {
+  const auto lock = FolderLock::Take(folder_ / ".lock");
+  ASSERT_TRUE(lock.ok()) << lock.status().ToString();
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
+    EXPECT_TRUE(FolderLock::Owns(".lock", entry.path().filename().string())) << entry.path();
+  }
+  EXPECT_FALSE(FolderLock::Owns(".lock", ".lockable"));
+  EXPECT_FALSE(FolderLock::Owns(".lock", "world.json"));
+}
+
 TEST_F(FolderLockTest, WhereNoFileCanBeMadeIsSaid) {
   const Status status = FolderLock::Take(folder_ / "nowhere/.lock").status();
   EXPECT_EQ(status.code(), StatusCode::kPermissionDenied);

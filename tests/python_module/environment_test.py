@@ -32,6 +32,11 @@ def test_pettingzoo_finds_nothing_wrong(worlds):
                     max_actions=20), num_cycles=60)
 
 
+def test_pettingzoo_finds_that_a_seed_says_all(worlds):
+    pettingzoo.test.parallel_seed_test(
+        lambda: lw.make_parallel(worlds[0], ["robot", "scout"], spawn=SPAWN), num_cycles=20)
+
+
 def test_the_robots_of_many_worlds_do_what_they_do_alone(worlds):
     options = dict(max_actions=5, state_hash=True)
     env = lw.make_vec(2, ["robot", "scout"], interface="pettingzoo", worlds=worlds, spawn=SPAWN,
@@ -117,3 +122,10 @@ def test_what_is_closed_says_so(world):
     env.close()
     with pytest.raises(lw.ServerError, match="closed"):
         env.step((0.0, 0.0))
+    env = lw.make_parallel(world, ["robot", "scout"], spawn=SPAWN)
+    env.reset(seed=1)
+    env.close()
+    with pytest.raises(lw.ServerError, match="closed"):
+        env.step({robot: (0.0, 0.0) for robot in env.agents})
+    with pytest.raises(lw.ServerError, match="closed"):
+        env.reset(seed=1)

@@ -93,6 +93,42 @@ def test_worlds_that_cannot_be_made_say_all_that_is_wrong():
         lw.World.generate("Hills.", height_map="/nowhere/missing.png")
 
 
+def survey(folder):
+    """A file of 20 m x 20 m at (10, 20), cells of 5 cm, from 459 m in the west to 462 m."""
+    file = folder / "survey.asc"
+    row = " ".join(f"{459.0 + 3.0 * column / 399:.3f}" for column in range(400)) + "\n"
+    file.write_text("ncols 400\nnrows 400\nxllcorner 10\nyllcorner 20\ncellsize 0.05\n" + 400 * row)
+    return file
+
+
+def test_elevation_is_read_as_it_is_said(tmp_path):
+    def generate(**options):
+        return lw.World.generate("Grassland.", elevation=survey(tmp_path), seed=1, size_m=16.0,
+                                 resolution_m=0.5, **options)
+
+    metres = generate(elevation_unit="metres")
+    assert metres.place is None
+    assert not any("taken for" in warning for warning in metres.warnings)
+    # 2.4 m over its 16 m; no more than roughness as degrees, for 16 m are nothing of 20 degrees.
+    rise_m = metres.heights[:, -1].mean() - metres.heights[:, 0].mean()
+    assert rise_m == pytest.approx(2.4, abs=0.3)
+    degrees = generate(elevation_unit="degrees")
+    assert degrees.place == pytest.approx((30.0, 20.0, 460.5), abs=0.5)
+    assert abs(degrees.heights[:, -1].mean() - degrees.heights[:, 0].mean()) < 0.3
+    assert any("taken for metres" in warning for warning in generate().warnings)
+
+    there = generate(elevation_unit="degrees", place=(31.5, 12.25), keep_altitude=True)
+    assert there.place == pytest.approx((31.5, 12.25, 0.0))
+    assert there.heights.mean() == pytest.approx(459.0 + 3.0 * 2.25 / 20.0, abs=0.2)
+    with pytest.raises(ValueError, match='elevation_unit is "feet"; legal are degrees, metres'):
+        generate(elevation_unit="feet")
+    with pytest.raises(ValueError, match="latitude"):
+        generate(elevation_unit="degrees", place=(91.0, 0.0))
+    for options in (dict(place=(30.0, 20.0)), dict(keep_altitude=True), dict(elevation_unit="metres")):
+        with pytest.raises(ValueError, match="of an elevation"):
+            lw.World.generate("Grassland.", **options)
+
+
 def test_what_a_listener_raises_ends_the_generation():
     class Enough(Exception):
         pass

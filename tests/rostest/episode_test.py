@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 
@@ -93,6 +94,7 @@ class EpisodeTest(ServerTest):
         self.assertIn("PROVEN", said)
         self.other_readers(bag)
         self.foreign_reader(bag)
+        self.foreign_writer(bag)
         self.tools(bag)
         with tempfile.TemporaryDirectory() as folder:
             altered = pathlib.Path(folder, "altered.bag")
@@ -193,6 +195,29 @@ class EpisodeTest(ServerTest):
             self.assertIn(call, found["calls"])
         for file in ("world.json", "terrain.bin", "assets.csv"):
             self.assertIn(file, found["files"])
+
+    def foreign_writer(self, bag):
+        """What rosbags writes with lz4 is whole, no rosbag of ROS reads it, and the command that is
+        told then makes a proven episode of it."""
+        python = os.environ.get("LATTICEWORLD_PYTHON")
+        if not python:
+            return
+        convert = str(pathlib.Path(python).with_name("rosbags-convert"))
+        with tempfile.TemporaryDirectory() as folder:
+            foreign = pathlib.Path(folder, "foreign.bag")
+            subprocess.run([convert, "--src", bag, "--dst", foreign, "--compress", "lz4"],
+                           check=True, timeout=TIMEOUT_S)
+            code, said = verify(foreign)
+            self.assertEqual(1, code, said)
+            self.assertNotIn("damaged", said)
+            told = re.search(r"rosbags-convert --src \S+ --dst \S+\.bag", said)
+            self.assertIsNotNone(told, said)
+            subprocess.run([convert, *told.group().split()[1:]], check=True, cwd=folder,
+                           timeout=TIMEOUT_S)
+            self.assertTrue(pathlib.Path(folder, "OTHER.bag").exists(), told.group())
+            code, said = verify(pathlib.Path(folder, "OTHER.bag"))
+            self.assertEqual(0, code, said)
+            self.assertIn("PROVEN", said)
 
     def tools(self, bag):
         """Summary, tables and a picture."""

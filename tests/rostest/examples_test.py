@@ -55,6 +55,19 @@ class ExamplesTest(ServerTest):
         self.assertEqual(rounds_of(first), rounds_of(shell(command, PYTHONPATH=paths)))
         self.assertFalse(self.world.get_world().paused)
 
+    @unittest.skipUnless(PYTHON, "Gymnasium is of PyPI: -DLATTICEWORLD_TEST_PYPI=ON")
+    def test_the_learning_clients_examples_run_as_programs(self):
+        paths = ":".join([str(ROOT / "clients/latticeworld_gym"), os.environ.get("PYTHONPATH", "")])
+        for command, told in (
+                ("random_policy.py --actions 40 --seed 2", r"^40 actions, \d+ a second, rewards -?\d"),
+                ("drive_to_goal.py --episodes 2 --seed 1",
+                 r"^episode 0: reached the goal, 0\.\d m from it at the end, rewards \d"
+                 r".*\nepisode 1: reached the goal")):
+            done = shell(f"'{PYTHON}' '{ROOT}/clients/examples/'{command}", PYTHONPATH=paths)
+            self.assertEqual(0, done.returncode, done.stdout)
+            self.assertRegex(done.stdout, re.compile(told, re.MULTILINE))
+            self.assertFalse(self.world.get_world().paused)
+
     def test_the_commands_of_the_start_page_work(self):
         page = (ROOT / "docs/start.md").read_text(encoding="utf-8")
         commands = [line for line in start_page.commands_of(page) if start_page.needs_ros(line)]

@@ -185,22 +185,33 @@ class LearningTest(ServerTest):
         first.reset(seed=1)
         first.step((0.5, 0.0))
         second.reset(seed=2)
-        with self.assertRaisesRegex(ServerError, "episode .* is over.*server of its own"):
+        with self.assertRaisesRegex(ServerError, "episode .* is over.*server and a process each"):
             first.step((0.5, 0.0))
         second.step((0.5, 0.0))
         first.reset(seed=1)  # its own again
         first.step((0.5, 0.0))
 
-    def test_another_world_between_episodes_is_looked_at_anew(self):
+    def test_goals_lie_on_the_dry_land_of_another_world_between_episodes(self):
         env = self.make(LatticeWorldEnv)
         env.reset(seed=1)
-        before = env.task._space
         self.addCleanup(self.world.generate, **WORLD)
         self.world.generate(layout="A lake fills the eastern half. Flat grassland in the west.",
-                            environment="A wheeled robot waits in the upper left.", size=128.0, seed=5)
-        env.reset(seed=1)
-        self.assertIsNot(before, env.task._space)
+                            environment="A wheeled robot waits in the center.", size=128.0, seed=5)
+        goals = []
+        for seed in range(30):
+            _, info = env.reset(seed=seed)
+            goals.append(Point(*env.task.goal, 0.0))
         self.assertEqual(128.0, env._server.size_m)
+        # The shore is within reach, so that goals drawn on the old map lie in the lake.
+        x, y = info["position_m"]
+        around = [Point(x + 9.0 * math.cos(angle), y + 9.0 * math.sin(angle), 0.0)
+                  for angle in numpy.linspace(0.0, 2.0 * math.pi, 24)]
+        self.assertGreater(sum(depth_m > 0.0 for depth_m in self.water_depths(around)), 4)
+        self.assertEqual([0.0] * 30, self.water_depths(goals))
+
+    def water_depths(self, points):
+        answer = self.assert_ok(self.world.query_terrain(points=points))
+        return [sample.water_depth for sample in answer.samples]
 
     def test_what_is_closed_says_so(self):
         env = self.make(LatticeWorldEnv)
@@ -208,6 +219,13 @@ class LearningTest(ServerTest):
         env.close()
         with self.assertRaisesRegex(ServerError, "closed"):
             env.step((0.0, 0.0))
+        env = self.make(LatticeWorldParallelEnv, ["robot", "scout"], spawn=SPAWN)
+        env.reset(seed=1)
+        env.close()
+        with self.assertRaisesRegex(ServerError, "closed"):
+            env.step({robot: (0.0, 0.0) for robot in env.agents})
+        with self.assertRaisesRegex(ServerError, "closed"):
+            env.reset(seed=1)
 
     def test_what_is_wrong_is_said(self):
         with self.assertRaisesRegex(ServerError, '(?s)nobody.*|no agent "nobody"'):

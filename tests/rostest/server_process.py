@@ -1,5 +1,6 @@
 """A world_server process that a rostest starts and ends itself."""
 
+import os
 import signal
 import subprocess
 import tempfile
@@ -16,13 +17,16 @@ WORLD_SERVER = roslib.packages.find_node("latticeworld", "world_server")[0]
 class Server:
     """A world_server process of our own with these private parameters.
 
-    before: what the process does before it becomes the server."""
+    before: what the process does before it becomes the server. environment: variables that it has
+    besides this process's own.
+    """
 
-    def __init__(self, *, before=None, **parameters):
+    def __init__(self, *, before=None, environment=None, **parameters):
         rospy.set_param("/world_server", parameters)
         self.output = tempfile.TemporaryFile(mode="w+")
         self.process = subprocess.Popen([WORLD_SERVER], stdout=self.output,
-                                        stderr=subprocess.STDOUT, preexec_fn=before)
+                                        stderr=subprocess.STDOUT, preexec_fn=before,
+                                        env={**os.environ, **(environment or {})})
 
     def __enter__(self):
         wait_until(lambda: rosservice.get_service_node("/generate_world") or

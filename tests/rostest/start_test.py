@@ -203,6 +203,20 @@ class StartTest(unittest.TestCase):
             self.assertTrue(all(value.value.startswith("/scout_") for value in status.values
                                 if value.key == "not delivered"), status)
 
+    def test_worlds_are_saved_on_network_file_systems(self):
+        for locks in ("lustre", "nfs"):
+            network = {"LD_PRELOAD": os.environ["LATTICEWORLD_NETWORK_FILE_SYSTEM"], "LOCKS": locks}
+            with tempfile.TemporaryDirectory() as folder:
+                with Server(environment=network, worlds_directory=folder):
+                    world = World()
+                    world.generate(layout="Grassland.", size=64.0)
+                    saved = world.save_world(name="kept")
+                    self.assertEqual(Status.OK, saved.status.code, saved.status.message)
+                    self.assertEqual(Status.ALREADY_EXISTS,
+                                     world.save_world(name="kept").status.code)
+                    self.assertEqual(Status.OK, world.load_world(name="kept").status.code)
+                self.assertEqual(["kept"], os.listdir(folder))
+
     def test_use_sim_time_is_set_only_where_it_is_unset(self):
         rospy.delete_param("/use_sim_time")
         with Server():

@@ -5,6 +5,7 @@ import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { Nodes, until } from './nodes.mjs';
+import { startPrefixProxy } from './prefix_proxy.mjs';
 
 const { chromium } = createRequire(join(process.env.LATTICEWORLD_NODE_MODULES, 'here.js'))('playwright-core');
 
@@ -23,7 +24,7 @@ function launch() {
   });
 }
 
-async function openPage(inBrowser) {
+async function openPage(inBrowser, address = nodes.address) {
   const opened = await inBrowser.newPage({ viewport: { width: 320, height: 240 } });
   opened.on('pageerror', (error) => complaints.push(String(error)));
   opened.on('console', (message) => {
@@ -32,9 +33,9 @@ async function openPage(inBrowser) {
   });
   opened.on('request', (request) => {
     const { protocol, host } = new URL(request.url());
-    if (!/^(data|blob):$/.test(protocol) && host !== new URL(nodes.address).host) complaints.push(`asked ${request.url()}`);
+    if (!/^(data|blob):$/.test(protocol) && host !== new URL(address).host) complaints.push(`asked ${request.url()}`);
   });
-  await opened.goto(nodes.address, { timeout: 120000, waitUntil: 'domcontentloaded' });
+  await opened.goto(address, { timeout: 120000, waitUntil: 'domcontentloaded' });
   return opened;
 }
 
@@ -148,13 +149,17 @@ test('the land is seen at night and in the rain', { timeout: 60000 }, async () =
   assert.ok(dark.contrast > 0.35 * day.contrast, `contrast ${dark.contrast}, by day ${day.contrast}`);
 });
 
-test('two browsers at once see the same agents', { timeout: 300000 }, async () => {
+test('two browsers at once see the same agents, one of them below the prefix of a proxy', { timeout: 300000 }, async () => {
   // Without a graphics card both share one processor: the first rests while the second loads.
   await page.evaluate(() => globalThis.latticeworld.slowDown(3600000));
+  const proxy = await startPrefixProxy(nodes.viewerPort);
   const otherBrowser = await launch();
   try {
-    const other = await openPage(otherBrowser);
-    await ready(other, ({ agents }) => agents.length === 3);
+    const other = await openPage(otherBrowser, proxy.address);
+    const { role } = await ready(other, ({ agents }) => agents.length === 3);
+    assert.equal(role, 'viewer');  // though all of it comes from the machine itself
+    for (const path of ['/world/', '/world/api/world.json', '/world/ws']) assert.ok(proxy.asked.includes(path), path);
+    assert.deepEqual(proxy.asked.filter((path) => !path.startsWith('/world/') && path !== '/favicon.ico'), []);
     await page.evaluate(() => globalThis.latticeworld.slowDown(200));
     await until('both show the same', async () => {
       const [first, second] = [await stateOf(page), await stateOf(other)];
@@ -165,6 +170,7 @@ test('two browsers at once see the same agents', { timeout: 300000 }, async () =
     });
   } finally {
     await otherBrowser.close();
+    await proxy.close();
     await page.evaluate(() => globalThis.latticeworld.slowDown(200));
   }
 });

@@ -17,6 +17,8 @@
 namespace latticeworld {
 namespace {
 
+constexpr char kOwner[] = ".owner";
+constexpr char kDead[] = ".dead";
 constexpr std::size_t kMostOwnerBytes = 1024;
 
 // Whether an error of flock says that the file system has no locks: Lustre without the mount option
@@ -45,12 +47,12 @@ bool HasDied(const std::string& owner) {
 // two that have seen the same dead owner, the slower one would else take away what the other has
 // made in its place. Errors: as of Take.
 Status RemoveDead(const std::filesystem::path& file, const std::string& owner) {
-  const std::string claim = file.string() + ".dead";
+  const std::string claim = file.string() + kDead;
   const int fd = ::open(claim.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
   if (fd < 0 && errno == EEXIST) {
     return FailedPrecondition("another process is about to work on " + file.parent_path().string() +
-                              " (it holds " + file.filename().string() +
-                              ".dead; delete that file if no process works there)");
+                              " (it holds " + file.filename().string() + kDead +
+                              "; delete that file if no process works there)");
   }
   if (fd < 0) return PermissionDenied("cannot make " + claim + ": " + Reason(errno));
   ::close(fd);
@@ -101,10 +103,14 @@ Result<FolderLock> FolderLock::Take(const std::filesystem::path& file) {
   if (!HasNoLocks(errno)) {
     return Internal("cannot lock " + file.string() + ": " + Reason(errno));
   }
-  const std::filesystem::path owner = file.string() + ".owner";
+  const std::filesystem::path owner = file.string() + kOwner;
   LW_RETURN_IF_ERROR(NameOwner(owner));
   lock.owner_ = owner;
   return lock;
+}
+
+bool FolderLock::Owns(const std::string& lock, const std::string& name) {
+  return name == lock || name == lock + kOwner || name == lock + kOwner + kDead;
 }
 
 FolderLock::FolderLock(FolderLock&& other) noexcept

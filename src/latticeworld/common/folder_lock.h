@@ -2,6 +2,7 @@
 #define LATTICEWORLD_COMMON_FOLDER_LOCK_H_
 
 #include <filesystem>
+#include <string>
 
 #include "latticeworld/common/result.h"
 
@@ -17,6 +18,8 @@ class FolderLock {
   // FAILED_PRECONDITION (another process holds it, which is named where that is known),
   // PERMISSION_DENIED (no file can be made).
   static Result<FolderLock> Take(const std::filesystem::path& file);
+  // Whether a file of that name in the folder is the lock called `lock`, or of those beside it.
+  static bool Owns(const std::string& lock, const std::string& name);
   FolderLock(FolderLock&& other) noexcept;
   FolderLock& operator=(FolderLock&&) = delete;
   ~FolderLock();

@@ -132,7 +132,8 @@ Result<SimulationLoop::Moment> SimulationLoop::Step(const StepCall& call) {
           "episode " + std::to_string(call.episode) + " is over and episode " +
           std::to_string(run_.episode()) +
           " runs: another client has reset the world, restored a snapshot or started another "
-          "world; each learning environment needs a server of its own"));
+          "world; learning environments that live at the same time run in process, or with a "
+          "server and a process each (docs/learning.md)"));
     } else if (job_) {
       promise->set_value(ResourceExhausted("another step call is not done yet"));
     } else {

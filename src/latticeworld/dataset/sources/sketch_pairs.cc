@@ -57,7 +57,7 @@ Status CheckFolder(const SketchPairOptions& options, const fs::path& out) {
   if (error) return FailedPrecondition(Quote(out.string()) + ": " + error.message());
   for (const fs::directory_entry& entry : entries) {
     const std::string name = entry.path().filename().string();
-    if (name == kLockName || name == kManifest + std::string(kUnfinished)) continue;
+    if (FolderLock::Owns(kLockName, name) || name == kManifest + std::string(kUnfinished)) continue;
     return FailedPrecondition(Quote(out.string()) + " holds " + Quote(name) +
                               " and no pairs.json; legal is an empty folder or one of pairs");
   }

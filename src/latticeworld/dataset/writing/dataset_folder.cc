@@ -30,7 +30,8 @@ Result<bool> IsUnused(const fs::path& root) {
   std::error_code error;
   for (fs::directory_iterator it(root, error), end; !error && it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();
-    if (name != kLockName && name != std::string(kOptionsName) + std::string(kUnfinished))
+    if (!FolderLock::Owns(kLockName, name) &&
+        name != std::string(kOptionsName) + std::string(kUnfinished))
       return false;
   }
   if (error) return PermissionDenied("cannot list " + root.string() + ": " + error.message());
