@@ -9,7 +9,7 @@
 namespace latticeworld::tools {
 
 // Writes a file that a command was asked for. What was there before stays until the new one is
-// whole. Errors are those of WriteFile, and those of RenameFile.
+// whole. Errors are those of WriteFile and RenameFile.
 Status ReplaceFile(const std::filesystem::path& path, const std::string& content);
 
 }  // namespace latticeworld::tools

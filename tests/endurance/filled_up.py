@@ -9,7 +9,7 @@ from std_msgs.msg import String
 
 from cut_off import hidden_in
 from faults import Place, all_faults
-from ground import DEADLINE_S, SMALL_WORLD, told
+from ground import DEADLINE_S, SMALL_WORLD, told, wait_until
 from ledger import BrokenPromise, Ledger, promise
 
 CAMPAIGN = """name: tiny
@@ -37,7 +37,7 @@ class Nodes:
         self._count = 0
         ground.must("generate_world", seed=1, **SMALL_WORLD)
         self.address = self._viewer_address()
-        self.view()
+        wait_until(lambda: self.view() == "done", "the page's world is there")
 
     def __enter__(self):
         return self

@@ -27,7 +27,8 @@ Result<std::string> ReadVisualFile(const std::string& path,
   if (!std::filesystem::path(path).is_absolute()) {
     for (const auto& directory : directories) {
       bytes = ReadFileBelow(directory / path, directories, kMaxVisualBytes);
-      if (bytes.ok()) break;
+      const StatusCode code = bytes.status().code();
+      if (code != StatusCode::kNotFound && code != StatusCode::kPermissionDenied) break;
     }
   }
   if (!bytes.ok()) return bytes.status().WithContext("visual_path");
