@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -56,7 +57,10 @@ TEST_F(LlamaTest, NoiseUnderTheGrammarIsALegalLayoutInOneTurn) {
     EXPECT_EQ(reply.finish_reason, "stop");
     EXPECT_EQ(reply.completion_tokens, 1055) << "one token a letter";
     EXPECT_GT(reply.prompt_tokens, 1000);
-    EXPECT_EQ(rows.size(), 32u) << "rows are reported as they arrive";
+    // Rows are reported as they arrive; of some that arrive together the last alone.
+    EXPECT_GT(rows.size(), 1u);
+    EXPECT_LE(rows.size(), 32u);
+    EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end()));
     EXPECT_EQ(rows.back(), 1.0);
   }
   EXPECT_EQ(server_->statistics().completion_tokens, 2110u);
