@@ -70,7 +70,7 @@ void ReadForNavigator(std::size_t choice, std::string_view bytes) {
     default:
       WithMessage<geometry_msgs::PoseStamped>(bytes, [](const auto& message) {
         static const tf2_ros::Buffer buffer;
-        (void)ReadGoal(message, buffer, "map");
+        (void)ReadGoal(message, buffer, "map", "goal");
       });
   }
 }
