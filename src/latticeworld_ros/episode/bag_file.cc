@@ -53,8 +53,9 @@ Result<std::unique_ptr<BagFile>> BagFile::Create(const fs::path& path, BagCompre
     fs::remove(file->active_path_, error);
     return room;
   }
-  auto bag = std::make_unique<rosbag::Bag>();
+  std::unique_ptr<rosbag::Bag> bag;
   try {
+    bag = std::make_unique<rosbag::Bag>();
     bag->open(file->active_path_.string(), rosbag::bagmode::Write);
     bag->setCompression(ToRosbag(compression));
     bag->setChunkThreshold(kChunkBytes);
