@@ -45,17 +45,28 @@ Result<std::unique_ptr<BagFile>> BagFile::Create(const fs::path& path, BagCompre
       return Status(StatusCode::kAlreadyExists, taken.string() + " exists");
     }
   }
+  // Before there is a bag, which writes as it is opened, and again as it dies.
+  Status room = WriteFile(file->active_path_, "");
+  if (room.ok()) room = file->reserve_.Open(file->active_path_);
+  if (room.ok()) room = file->reserve_.Ensure(file->IndexBytes());
+  if (!room.ok()) {
+    fs::remove(file->active_path_, error);
+    return room;
+  }
+  std::unique_ptr<rosbag::Bag> bag;
   try {
-    auto bag = std::make_unique<rosbag::Bag>();
+    bag = std::make_unique<rosbag::Bag>();
     bag->open(file->active_path_.string(), rosbag::bagmode::Write);
     bag->setCompression(ToRosbag(compression));
     bag->setChunkThreshold(kChunkBytes);
     file->bag_ = std::move(bag);
   } catch (const std::exception& caught) {  // rosbag's, pluginlib's
+    (void)bag.release();  // its destructor would write again, and end the process where that fails
+    fs::remove(file->active_path_, error);
     return PermissionDenied("cannot write " + file->active_path_.string() + ": " + caught.what());
   }
   const Status opened = file->reserve_.Open(file->active_path_);
-  const Status room = opened.ok() ? file->reserve_.Ensure(file->IndexBytes()) : opened;
+  room = opened.ok() ? file->reserve_.Ensure(file->IndexBytes()) : opened;
   if (!room.ok()) {
     (void)file->Finish();
     fs::remove(file->path_, error);

@@ -60,6 +60,20 @@ TEST_F(BagFileTest, AFinishedBagKeepsItsNameThroughALossOfPower) {
   EXPECT_EQ(SyncedDirectories().back(), fs::canonical(folder_));
 }
 
+// A disk that is full takes not even what a bag begins with.
+TEST_F(BagFileTest, WhereThereIsNoRoomForItsBeginningNothingIsLeft) {
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  rlimit limit = before;
+  limit.rlim_cur = 4000;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+  const Status refused = BagFile::Create(folder_ / "a.bag", BagCompression::kNone).status();
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted) << refused.ToString();
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
 TEST_F(BagFileTest, ABagHasItsNameOnceItIsWhole) {
   for (const auto& compression : EnumNames(BagCompression{})) {
     const fs::path path = folder_ / (std::string(compression.name) + ".bag");
