@@ -56,8 +56,8 @@ class BagFile {
   Status Write(const BagMessage& message, bool last = false);
   // Ends the chunk that is open, so that it can be read whatever happens. Errors: INTERNAL.
   Status Flush();
-  // Writes the index, waits for the disk and gives the file its name. Errors: INTERNAL, and those of
-  // RenameFile.
+  // Writes the index, waits for the disk and gives the file its name. Errors: INTERNAL, and those
+  // of RenameFile.
   Status Finish();
 
   const std::filesystem::path& path() const { return path_; }
