@@ -39,6 +39,14 @@ TEST(SentencesTest, WhatIsNoListOfThemIsRefused) {
   }
 }
 
+TEST(SentencesTest, AreFoundBesideListsInLists) {
+  const std::string deep = std::string(1000, '[') + std::string(1000, ']');
+  const auto sentences =
+      ReadSentences("{\"why\": " + deep + ", \"how\": 1, \"sentences\": [\"A lake\"]}");
+  ASSERT_TRUE(sentences.ok());
+  EXPECT_EQ(*sentences, Strings({"A lake"}));
+}
+
 TEST(SentencesTest, ThatNoInstructionCouldHoldAreRefused) {
   std::string many = "{\"sentences\": [\"x\"";
   for (int i = 0; i < 64; ++i) many += ", \"x\"";

@@ -27,11 +27,12 @@ Status NoSentences(std::string_view answer) {
 
 // The strings of an object, or false where it has none.
 bool ReadObject(std::string_view object, std::vector<std::string>* sentences) {
-  const Json json = Json::parse(object, nullptr, /*allow_exceptions=*/false);
+  // Not ordered_json, which copies members, by recursion, as an object grows.
+  const auto json = nlohmann::json::parse(object, nullptr, /*allow_exceptions=*/false);
   if (!json.is_object() || !json.contains("sentences") || !json["sentences"].is_array())
     return false;
   sentences->clear();
-  for (const Json& sentence : json["sentences"]) {
+  for (const nlohmann::json& sentence : json["sentences"]) {
     if (!sentence.is_string()) return false;
     std::string text(Trimmed(sentence.get_ref<const std::string&>()));
     if (text.empty()) continue;
