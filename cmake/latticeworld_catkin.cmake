@@ -114,7 +114,7 @@ add_service_files(FILES
 add_action_files(FILES GenerateWorldTask.action)
 generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs sensor_msgs std_msgs)
 
-catkin_package(CATKIN_DEPENDS message_runtime ${LATTICEWORLD_ROS_PACKAGES})
+catkin_package(CATKIN_DEPENDS message_runtime actionlib_msgs geometry_msgs sensor_msgs std_msgs)
 
 target_include_directories(latticeworld_messages SYSTEM INTERFACE
                            ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_INCLUDE_DESTINATION}

@@ -14,6 +14,9 @@ from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import LaserScan, PointCloud2, PointField
 
 BEGIN_S = 1.0  # simulated time 0 means "no time yet" to ROS
+# Messages of two topics come in any order: what the robot senses is told for so long before its
+# goal, which a stack refuses that has no odometry yet.
+SENSED_FIRST_S = 0.5
 ENDED = {GoalStatus.SUCCEEDED: "succeeded", GoalStatus.ABORTED: "aborted",
          GoalStatus.REJECTED: "rejected", GoalStatus.PREEMPTED: "preempted",
          GoalStatus.RECALLED: "recalled", GoalStatus.LOST: "lost"}
@@ -87,7 +90,7 @@ class Bridge:
         message.twist.twist.linear.x = now.speed_mps
         message.twist.twist.angular.z = now.turn_rate_radps
         self.odometry.publish(message)
-        if not self.is_sent:
+        if not self.is_sent and now.time_s >= SENSED_FIRST_S:
             self.send_goal(stamp)
 
     def send_goal(self, stamp):

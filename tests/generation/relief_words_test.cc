@@ -157,9 +157,8 @@ const std::vector<Word>& Words() {
        "A bridge over the gorge.",
        {"relief_form", "relief_bridge"},
        Vocabulary::kWild},
-      {"A road runs along the southern edge. A hill in the north. The hill is steep. A gorge in "
-       "the "
-       "center. A path of 15 degrees climbs the hill. A bridge is over the gorge.",
+      {"A road runs along the southern edge. A hill in the north. The hill is steep. A gorge from "
+       "the west to the east. A path of 15 degrees climbs the hill. A bridge is over the gorge.",
        "A steep hill with a path of 15 degrees to its top and a bridge over the gorge.",
        {"relief_form", "relief_road", "relief_road_slope", "relief_form", "relief_bridge"}},
       {"2 hills. A saddle is between the hills.",

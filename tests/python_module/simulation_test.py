@@ -66,11 +66,11 @@ def test_the_scan_sees_what_is_put_before_the_robot(world):
     simulation.step(20)
     x, y, _, yaw, *_ = simulation.view("robot")
     before = simulation.sectors("robot", 36, 20.0)
-    simulation.spawn_element("crate", x + 3.0 * math.cos(yaw), y + 3.0 * math.sin(yaw), yaw, "box")
+    simulation.spawn_element("crate", x + 2.0 * math.cos(yaw), y + 2.0 * math.sin(yaw), yaw, "box")
     simulation.step(10)
     after = simulation.sectors("robot", 36, 20.0)
     assert simulation.scan("robot").shape == (360,)
-    assert 1.5 < after[18] < 3.0 < before[18]
+    assert 1.0 < after[18] < 2.0 < before[18]
     assert simulation.scanner["beams"] == 360
 
 
