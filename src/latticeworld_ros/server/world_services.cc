@@ -52,6 +52,9 @@ void OnGet(SimulationLoop* loop, const CurrentWorld& current,
   response->environment = ToJson(world.environment);
   response->environment_schema = EnvironmentSchema(*world.scene->catalogue);
   response->species = SpeciesNames(*moment->species);
+  for (const std::string& name : response->species) {
+    response->species_radii.push_back(moment->species->Find(name)->radius_m);
+  }
   response->policies = PolicyNames();
   response->reading = ToReading(world);
   response->fidelity = ToClaimOutcomeMessages(world.fidelity.claims);
