@@ -1,5 +1,6 @@
 // The small map: layout or heights, agents, and where the camera is.
 
+import { addressOf } from '../protocol/addresses.js';
 import { byId } from './dom.js';
 
 const kAgentColors = ['#ffffff', '#4cc9f0', '#ff7b54', '#80ed99', '#ffd166', '#c77dff'];
@@ -25,7 +26,7 @@ export class Inset {
       const payload = world.description.payloads[kind];
       if (!payload) continue;
       this.pictures[kind] = new Image();
-      this.pictures[kind].src = payload.url;
+      this.pictures[kind].src = addressOf(payload.url);
     }
   }
 
