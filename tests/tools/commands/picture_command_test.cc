@@ -40,8 +40,9 @@ TEST_F(PictureCommandTest, UnusableViewsAreNamedAsTheyWereAskedFor) {
     EXPECT_NE(run.err.find(word), std::string::npos) << word << " | " << run.err;
   for (const char* word : {"rad", "eye_height", "position"})
     EXPECT_EQ(run.err.find(word), std::string::npos) << word << " | " << run.err;
-  const ProgramRun outside = RunProgram({"picture", PathOf("plain"), "--view", "close", "--at",
-                                         "40,0", "--eye", "0.01", "--width", "8"});
+  const ProgramRun outside =
+      RunProgram({"picture", PathOf("plain"), "--out", PathOf("p.png"), "--view", "close", "--at",
+                  "40,0", "--eye", "0.01", "--width", "8"});
   EXPECT_EQ(outside.exit_status, 2);
   for (const char* word : {"--width", "4096", "--at x", "--eye"})
     EXPECT_NE(outside.err.find(word), std::string::npos) << word << " | " << outside.err;
