@@ -51,7 +51,7 @@ Status ForEach(const rosbag::Bag& bag, const Use& use) {
 
 // Why a bag cannot be read. what: as rosbag or the reading of a message says it.
 Status Unreadable(const std::string& bag, const char* what) {
-  if (!HasForeignLz4Frame(bag)) return DataLoss(bag + " is damaged: " + what);
+  if (!HasForeignLz4Frame(bag)) return DataLoss(bag + " is no rosbag, or damaged: " + what);
   return FailedPrecondition(
       bag +
       " is compressed in LZ4 frames that rosbag cannot read, as the PyPI package rosbags "
