@@ -107,7 +107,12 @@ void MasterWatch::Look() {
   MasterReport report;
   report.descriptors = CountDescriptors();
   const std::optional<MasterState> state = AskMaster();
-  if (!state) return;
+  if (!state) {
+    // Asking takes a descriptor itself: that there is none has to be told all the same.
+    const std::lock_guard<std::mutex> lock(mutex_);
+    report_.descriptors = report.descriptors;
+    return;
+  }
   const std::string node = ros::this_node::getName();
   report.topics = CountTopics(*state, node);
   // roscpp searches a list for each topic that is asked for.
