@@ -1,16 +1,14 @@
 """A client of world_viewer over bare sockets, and a world_viewer process that a test starts itself."""
 
-import base64
 import http.client
 import json
 import os
+import pathlib
 import signal
-import socket
-import struct
 import subprocess
+import sys
 import tempfile
 import time
-import urllib.parse
 
 import roslib.packages
 import rospy
@@ -18,8 +16,10 @@ from std_msgs.msg import String
 
 from world_client import TIMEOUT_S
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "endurance"))
+from web_client import WebSocket, address_of  # noqa: E402
+
 WORLD_VIEWER = roslib.packages.find_node("latticeworld", "world_viewer")[0]
-TEXT, BINARY, CLOSE, PING, PONG = 1, 2, 8, 9, 10
 
 
 class Viewer:
@@ -42,8 +42,7 @@ class Viewer:
     def address(self):
         """Host and port, once it listens."""
         url = rospy.wait_for_message("/viewer/address", String, timeout=TIMEOUT_S).data
-        parts = urllib.parse.urlparse(url)
-        return parts.hostname, parts.port
+        return address_of(url)
 
     def get(self, path):
         """Status and body of a GET."""
@@ -68,66 +67,12 @@ class Viewer:
         return self.output.read()
 
 
-class Socket:
-    """A WebSocket (RFC 6455) to a viewer."""
+class Socket(WebSocket):
+    """A WebSocket to a viewer, which takes it."""
 
     def __init__(self, viewer):
-        host, port = viewer.address()
-        self._socket = socket.create_connection((host, port), timeout=TIMEOUT_S)
-        key = base64.b64encode(os.urandom(16)).decode()
-        self._socket.sendall((
-            f"GET /ws HTTP/1.1\r\nHost: {host}:{port}\r\nUpgrade: websocket\r\n"
-            f"Connection: Upgrade\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: {key}\r\n"
-            f"Origin: http://{host}:{port}\r\n\r\n").encode())
-        self._buffer = b""
-        while b"\r\n\r\n" not in self._buffer:
-            self._fill()
-        head, self._buffer = self._buffer.split(b"\r\n\r\n", 1)
-        assert b" 101 " in head.split(b"\r\n")[0], head
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self._socket.close()
-
-    def _fill(self):
-        data = self._socket.recv(1 << 16)
-        if not data:
-            raise ConnectionError("the viewer ended the connection")
-        self._buffer += data
-
-    def _take(self, count):
-        while len(self._buffer) < count:
-            self._fill()
-        data, self._buffer = self._buffer[:count], self._buffer[count:]
-        return data
-
-    def _send_frame(self, opcode, payload):
-        length = (bytes([0x80 | len(payload)]) if len(payload) < 126 else
-                  bytes([0x80 | 126]) + struct.pack(">H", len(payload)))
-        self._socket.sendall(bytes([0x80 | opcode]) + length + b"\0\0\0\0" + payload)
-
-    def send(self, **request):
-        self._send_frame(TEXT, json.dumps(request).encode())
-
-    def receive(self):
-        """The next message: a dict, or bytes."""
-        while True:
-            opcode, length = self._take(2)
-            if length == 126:
-                length, = struct.unpack(">H", self._take(2))
-            elif length == 127:
-                length, = struct.unpack(">Q", self._take(8))
-            payload = self._take(length)
-            if opcode & 15 == PING:
-                self._send_frame(PONG, payload)
-            elif opcode & 15 == TEXT:
-                return json.loads(payload)
-            elif opcode & 15 == BINARY:
-                return payload
-            elif opcode & 15 == CLOSE:
-                raise ConnectionError("the viewer said good-bye")
+        super().__init__(*viewer.address())
+        assert self.status == 101, self.status
 
     def wait_for(self, wanted, what):
         """The next message for which wanted is true."""
