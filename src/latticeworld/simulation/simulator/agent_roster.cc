@@ -57,8 +57,13 @@ void AgentRoster::BeginStep(double world_size_m) {
 }
 
 void AgentRoster::Restore(const std::map<AgentId, Agent>& agents) {
-  Clear();
+  // Assigned over what is there, whose memory is taken again: a restore runs many times a second
+  // where planners try commands out.
   agents_ = agents;
+  ids_.clear();
+  agent_of_body_.clear();
+  in_step_.clear();
+  places_ = AgentGrid();
   for (const auto& [id, agent] : agents_) {
     ids_[agent.name] = id;
     agent_of_body_[agent.body] = id;

@@ -35,6 +35,7 @@ void AddFeedback(const dJointFeedback& feedback, Digest* digest) {
 BodyState OdeBody::Save() const {
   BodyState state;
   state.control = control_;
+  state.parts.reserve(parts_.all().size());
   for (const dBodyID part : parts_.all()) state.parts.push_back(StateOf(part));
   parts_.ForEachFeedback(
       [&state](dJointFeedback* feedback) { state.feedback.push_back(*feedback); });
