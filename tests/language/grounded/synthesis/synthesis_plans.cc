@@ -1,219 +1,43 @@
 #include "language/grounded/synthesis/synthesis_plans.h"
 
-#include <ostream>
 #include <utility>
+
+#include "language/grounded/synthesis/plan_writer.h"
 
 namespace latticeworld {
 namespace {
 
 using Kind = ClaimKind;
-using Form = FeatureForm;
 using Tie = RelationKind;
 
 constexpr double kUnsaid = Claim::kUnsaid;
 
-Zone At(const std::string& name) { return FindZone(name).value(); }
-
-Claim Says(Kind kind, char subject, const std::string& zone = "anywhere", double least = kUnsaid,
-           double most = kUnsaid) {
-  Claim claim;
-  claim.kind = kind;
-  claim.subject = subject;
-  claim.zone = At(zone);
-  claim.least = least;
-  claim.most = most;
-  return claim;
-}
-
-Claim Ties(Kind kind, char subject, char object, char second = '\0') {
-  Claim claim;
-  claim.kind = kind;
-  claim.subject = subject;
-  claim.object = object;
-  claim.second_object = second;
-  return claim;
-}
-
-Claim Gap(Kind kind, char subject, char object, double least, double most) {
-  Claim claim = Ties(kind, subject, object);
-  claim.least = least;
-  claim.most = most;
-  return claim;
-}
-
-Claim Toward(char subject, char object, int east, int south) {
-  Claim claim = Ties(Kind::kDirection, subject, object);
-  claim.heading = {east, south};
-  return claim;
-}
-
-Claim Runs(char subject, const std::string& from, const std::string& to) {
-  Claim claim;
-  claim.kind = Kind::kCourse;
-  claim.subject = subject;
-  claim.from = At(from);
-  claim.to = At(to);
-  return claim;
-}
-
-Claim Order(const std::string& sequence, int east, int south) {
-  Claim claim;
-  claim.kind = Kind::kOrder;
-  claim.sequence = sequence;
-  claim.subject = sequence.front();
-  claim.heading = {east, south};
-  return claim;
-}
-
-Claim Rest(char subject, const std::string& others) {
-  Claim claim;
-  claim.kind = Kind::kRest;
-  claim.subject = subject;
-  claim.sequence = others;
-  return claim;
-}
-
-Claim Shaped(char subject, ClaimShape shape) {
-  Claim claim;
-  claim.kind = Kind::kShape;
-  claim.subject = subject;
-  claim.shape = shape;
-  return claim;
-}
-
-class Writer {
- public:
-  explicit Writer(char background, Vocabulary vocabulary = Vocabulary::kSuburb) {
-    plan_.vocabulary = vocabulary;
-    plan_.background = background;
-  }
-
-  Writer& Feature(char letter, Form form, std::vector<std::string> zones = {}) {
-    PlannedFeature feature;
-    feature.letter = letter;
-    feature.form = form;
-    for (const std::string& zone : zones) feature.zones.push_back(At(zone));
-    if (letter == 'B' && form == Form::kPatch) feature.cells = 14;
-    plan_.features.push_back(std::move(feature));
-    return *this;
-  }
-  Writer& Spread(char letter, std::vector<std::string> zones = {}) {
-    return Feature(letter, Form::kSpread, std::move(zones));
-  }
-  Writer& Patch(char letter, std::vector<std::string> zones = {}) {
-    return Feature(letter, Form::kPatch, std::move(zones));
-  }
-  Writer& Line(char letter, const std::string& from = "", const std::string& to = "") {
-    Feature(letter, Form::kLine);
-    if (!from.empty()) Last().from = Waypoint{At(from), -1};
-    if (!to.empty()) Last().to = Waypoint{At(to), -1};
-    return *this;
-  }
-  Writer& In(const std::string& zone) {
-    Last().zones.push_back(At(zone));
-    return *this;
-  }
-  Writer& Pieces(int pieces, int cells) {
-    Last().pieces = pieces;
-    Last().cells = cells;
-    return *this;
-  }
-  Writer& Cells(int cells) {
-    Last().cells = cells;
-    return *this;
-  }
-  Writer& Share(double share) {
-    Last().share = share;
-    return *this;
-  }
-  Writer& Dominant() {
-    Last().dominant = true;
-    return *this;
-  }
-  Writer& FillsRest() {
-    Last().fills_rest = true;
-    return *this;
-  }
-  Writer& Scattered() {
-    Last().texture = Texture::kScattered;
-    return *this;
-  }
-  Writer& Shape(ClaimShape shape) {
-    Last().shape = shape;
-    return *this;
-  }
-  Writer& Meander(double meander) {
-    Last().meander = meander;
-    return *this;
-  }
-  Writer& Wide() {
-    Last().wide = true;
-    return *this;
-  }
-  Writer& ToFeature(int feature) {
-    Last().to = Waypoint{Zone(), feature};
-    return *this;
-  }
-  Writer& FromFeature(int feature) {
-    Last().from = Waypoint{Zone(), feature};
-    return *this;
-  }
-  Writer& Relate(Tie kind, int subject, int object, int second = -1) {
-    PlannedRelation relation;
-    relation.kind = kind;
-    relation.subject = subject;
-    relation.object = object;
-    relation.second_object = second;
-    plan_.relations.push_back(relation);
-    return *this;
-  }
-  Writer& Head(int subject, int object, int east, int south) {
-    Relate(Tie::kDirection, subject, object);
-    plan_.relations.back().heading = {east, south};
-    return *this;
-  }
-  Writer& Without(char letter, const std::string& zone = "anywhere") {
-    plan_.absences.push_back({letter, At(zone), ""});
-    plan_.claims.push_back(Says(Kind::kAbsent, letter, zone));
-    return *this;
-  }
-  Writer& Claims(std::vector<Claim> claims) {
-    for (Claim& claim : claims) plan_.claims.push_back(std::move(claim));
-    return *this;
-  }
-  NamedPlan As(const std::string& name) { return {name, plan_}; }
-
- private:
-  PlannedFeature& Last() { return plan_.features.back(); }
-  LayoutPlan plan_;
-};
-
 // Each kind of thing, place, amount and shape by itself.
 std::vector<NamedPlan> Single() {
   return {
-      Writer('G').Spread('F').Claims({Says(Kind::kPresent, 'F')}).As("forest"),
-      Writer('G')
+      PlanWriter('G').Spread('F').Claims({Says(Kind::kPresent, 'F')}).As("forest"),
+      PlanWriter('G')
           .Spread('F', {"northern third"})
           .Claims({Says(Kind::kPresent, 'F', "northern third", 0.2)})
           .As("forest in the north"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F', {"northern half"})
           .Dominant()
           .Claims({Says(Kind::kDominant, 'F', "northern half"),
                    Says(Kind::kAmount, 'F', "northern half", 0.5)})
           .As("the northern half is forest"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('W', {"upper left"})
           .Claims(
               {Says(Kind::kPresent, 'W', "upper left"), Says(Kind::kCount, 'W', "anywhere", 1, 1)})
           .As("a single lake in the north-west"),
-      Writer('F')
+      PlanWriter('F')
           .Spread('F')
           .Dominant()
           .Patch('W', {"center"})
           .Claims({Says(Kind::kDominant, 'F'), Says(Kind::kPresent, 'W', "center")})
           .As("mostly forest with a lake in the centre"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F')
           .Share(0.5)
           .Spread('A')
@@ -221,48 +45,48 @@ std::vector<NamedPlan> Single() {
           .Claims({Says(Kind::kAmount, 'F', "anywhere", 0.4, 0.6),
                    Says(Kind::kAmount, 'A', "anywhere", 0.4, 0.6)})
           .As("half forest half fields"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('A')
           .Share(0.25)
           .Claims({Says(Kind::kAmount, 'A', "anywhere", 0.17, 0.33)})
           .As("a quarter is fields"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('W')
           .Cells(110)
           .Claims({Says(Kind::kAmount, 'W', "anywhere", 0.08)})
           .As("a vast lake"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('W')
           .Pieces(3, 25)
           .Claims({Says(Kind::kCount, 'W', "anywhere", 3, 3)})
           .As("three lakes"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('W')
           .Pieces(5, 8)
           .Claims({Says(Kind::kCount, 'W', "anywhere", 5, 5)})
           .As("five ponds"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('W', {"western half"})
           .Pieces(7, 6)
           .Claims({Says(Kind::kCount, 'W', "western half", 7, 7)})
           .As("seven ponds in the west"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('W')
           .Patch('W')
           .Claims({Says(Kind::kCount, 'W', "anywhere", 2, 2)})
           .As("a lake and a lake"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('B')
           .Cells(3)
           .Scattered()
           .Claims({Says(Kind::kScattered, 'B')})
           .As("scattered houses"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F', {"southern half"})
           .Scattered()
           .Claims({Says(Kind::kScattered, 'F', "southern half")})
           .As("scattered trees in the south"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F', {"north-west corner", "north-east corner", "south-west corner",
                         "south-east corner"})
           .Claims({Says(Kind::kPresent, 'F', "north-west corner"),
@@ -270,76 +94,76 @@ std::vector<NamedPlan> Single() {
                    Says(Kind::kPresent, 'F', "south-west corner"),
                    Says(Kind::kPresent, 'F', "south-east corner")})
           .As("woods in the four corners"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F', {"edges"})
           .Claims({Says(Kind::kLocated, 'F', "edges"), Says(Kind::kPresent, 'F', "edges", 0.2)})
           .As("forest along the edges"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('W')
           .Shape(ClaimShape::kRound)
           .Claims({Shaped('W', ClaimShape::kRound)})
           .As("a round lake"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('W')
           .Shape(ClaimShape::kElongated)
           .Claims({Shaped('W', ClaimShape::kElongated)})
           .As("a long lake"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('W')
           .Shape(ClaimShape::kBent)
           .Claims({Shaped('W', ClaimShape::kBent)})
           .As("a crescent lake"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('W')
           .Shape(ClaimShape::kRing)
           .Claims({Shaped('W', ClaimShape::kRing)})
           .As("a ring of water"),
-      Writer('G')
+      PlanWriter('G')
           .Line('R')
           .Shape(ClaimShape::kStraight)
           .Meander(0.0)
           .Claims({Shaped('R', ClaimShape::kStraight)})
           .As("a straight road"),
-      Writer('G')
+      PlanWriter('G')
           .Line('W')
           .Shape(ClaimShape::kWinding)
           .Meander(2.0)
           .Claims({Shaped('W', ClaimShape::kWinding)})
           .As("a winding river"),
-      Writer('G')
+      PlanWriter('G')
           .Line('R')
           .Shape(ClaimShape::kGridded)
           .Claims({Shaped('R', ClaimShape::kGridded)})
           .As("a grid of streets"),
-      Writer('G')
+      PlanWriter('G')
           .Line('R')
           .Shape(ClaimShape::kRing)
           .Claims({Shaped('R', ClaimShape::kRing)})
           .As("a ring road"),
-      Writer('G')
+      PlanWriter('G')
           .Line('R')
           .Shape(ClaimShape::kBent)
           .Claims({Shaped('R', ClaimShape::kBent)})
           .As("a bent road"),
-      Writer('G')
+      PlanWriter('G')
           .Line('W', "northern edge", "southern edge")
           .Claims({Runs('W', "northern edge", "southern edge")})
           .As("a river from north to south"),
-      Writer('G')
+      PlanWriter('G')
           .Line('R', "north-west corner", "south-east corner")
           .Claims({Runs('R', "north-west corner", "south-east corner")})
           .As("a road from corner to corner"),
-      Writer('G')
+      PlanWriter('G')
           .Line('W', "western edge", "northern edge")
           .Wide()
           .Claims({Runs('W', "western edge", "northern edge")})
           .As("a wide river from west to north"),
-      Writer('G')
+      PlanWriter('G')
           .Line('R')
           .In("southern edge")
           .Claims({Says(Kind::kAlong, 'R', "southern edge")})
           .As("a road along the southern edge"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F')
           .Without('W')
           .Without('B', "eastern third")
@@ -351,173 +175,173 @@ std::vector<NamedPlan> Single() {
 // Each relation by itself.
 std::vector<NamedPlan> Related() {
   return {
-      Writer('G')
+      PlanWriter('G')
           .Patch('B')
           .Patch('W')
           .Relate(Tie::kAdjacent, 0, 1)
           .Claims({Gap(Kind::kAdjacent, 'B', 'W', kUnsaid, 2)})
           .As("a village at the lake"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('B')
           .Spread('F', {"eastern third"})
           .Relate(Tie::kNear, 0, 1)
           .Claims({Gap(Kind::kAdjacent, 'B', 'F', kUnsaid, 4),
                    Says(Kind::kPresent, 'F', "eastern third", 0.2)})
           .As("a village near the eastern forest"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('B')
           .Line('W', "northern edge", "southern edge")
           .Relate(Tie::kAdjacent, 0, 1)
           .Claims({Gap(Kind::kAdjacent, 'B', 'W', kUnsaid, 2),
                    Runs('W', "northern edge", "southern edge"), Says(Kind::kPresent, 'B')})
           .As("a village by the river"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('B')
           .Patch('W', {"center"})
           .Relate(Tie::kApart, 0, 1)
           .Claims({Gap(Kind::kApart, 'B', 'W', 6, kUnsaid), Says(Kind::kPresent, 'W', "center")})
           .As("a village far from the lake"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F')
           .Patch('W')
           .Relate(Tie::kSurrounds, 0, 1)
           .Claims({Ties(Kind::kSurrounds, 'F', 'W')})
           .As("a lake surrounded by forest"),
-      Writer('A')
+      PlanWriter('A')
           .Patch('B')
           .Patch('W')
           .Relate(Tie::kSurrounds, 0, 1)
           .Claims({Ties(Kind::kSurrounds, 'B', 'W')})
           .As("houses around a lake"),
-      Writer('F')
+      PlanWriter('F')
           .Line('R')
           .Patch('W')
           .Relate(Tie::kSurrounds, 0, 1)
           .Claims({Ties(Kind::kSurrounds, 'R', 'W')})
           .As("a road around the lake"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('F')
           .Cells(7)
           .Patch('W')
           .Relate(Tie::kWithin, 0, 1)
           .Claims({Ties(Kind::kWithin, 'F', 'W'), Says(Kind::kCount, 'W', "anywhere", 1, 1)})
           .As("a wooded island in a lake"),
-      Writer('F')
+      PlanWriter('F')
           .Spread('F')
           .Dominant()
           .Patch('G')
           .Relate(Tie::kWithin, 1, 0)
           .Claims({Says(Kind::kDominant, 'F'), Ties(Kind::kWithin, 'G', 'F')})
           .As("a clearing in the forest"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F')
           .Patch('B')
           .Relate(Tie::kWithin, 1, 0)
           .Claims({Ties(Kind::kWithin, 'B', 'F')})
           .As("a village in a wood"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('A')
           .Line('W', "northern edge", "southern edge")
           .Relate(Tie::kBothSides, 0, 1)
           .Claims({Ties(Kind::kBothSides, 'A', 'W'), Runs('W', "northern edge", "southern edge")})
           .As("fields on both sides of the river"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('B')
           .Cells(6)
           .Line('R', "western edge", "eastern edge")
           .Relate(Tie::kBothSides, 0, 1)
           .Claims({Ties(Kind::kBothSides, 'B', 'R'), Runs('R', "western edge", "eastern edge")})
           .As("houses on either side of the road"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('B')
           .Patch('W')
           .Spread('F')
           .Relate(Tie::kBetween, 0, 1, 2)
           .Claims({Ties(Kind::kBetween, 'B', 'W', 'F')})
           .As("a village between lake and forest"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('B')
           .Patch('W')
           .Pieces(2, 30)
           .Relate(Tie::kBetween, 0, 1, 1)
           .Claims({Ties(Kind::kBetween, 'B', 'W', 'W'), Says(Kind::kCount, 'W', "anywhere", 2, 2)})
           .As("a village between two lakes"),
-      Writer('G')
+      PlanWriter('G')
           .Line('W')
           .Spread('F')
           .Spread('A')
           .Relate(Tie::kBetween, 0, 1, 2)
           .Claims({Ties(Kind::kBetween, 'W', 'F', 'A')})
           .As("a river between forest and fields"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('B')
           .Patch('W')
           .Head(0, 1, 0, -1)
           .Claims({Toward('B', 'W', 0, -1)})
           .As("a village north of the lake"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F')
           .Patch('B', {"lower left"})
           .Head(0, 1, 1, -1)
           .Claims({Toward('F', 'B', 1, -1), Says(Kind::kPresent, 'B', "lower left")})
           .As("forest north-east of the town in the south-west"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F')
           .Spread('A')
           .Relate(Tie::kMoreThan, 0, 1)
           .Claims({Ties(Kind::kMoreThan, 'F', 'A'), Says(Kind::kPresent, 'A')})
           .As("more forest than fields"),
-      Writer('G')
+      PlanWriter('G')
           .Line('R')
           .Line('W', "northern edge", "southern edge")
           .Relate(Tie::kAlong, 0, 1)
           .Claims({Ties(Kind::kAlong, 'R', 'W'), Runs('W', "northern edge", "southern edge")})
           .As("a road along the river"),
-      Writer('G')
+      PlanWriter('G')
           .Line('R')
           .Patch('W', {"center"})
           .Relate(Tie::kAlong, 0, 1)
           .Claims({Gap(Kind::kAdjacent, 'R', 'W', kUnsaid, 2)})
           .As("a road along the shore"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F')
           .Line('W', "western edge", "eastern edge")
           .Relate(Tie::kAlong, 0, 1)
           .Claims({Ties(Kind::kAlong, 'F', 'W'), Runs('W', "western edge", "eastern edge")})
           .As("forest along the river"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('B')
           .Cells(4)
           .Line('R', "western edge", "eastern edge")
           .Relate(Tie::kAlong, 0, 1)
           .Claims({Ties(Kind::kAlong, 'B', 'R'), Runs('R', "western edge", "eastern edge")})
           .As("houses along the road"),
-      Writer('G')
+      PlanWriter('G')
           .Line('R')
           .Spread('F')
           .Relate(Tie::kThrough, 0, 1)
           .Claims({Ties(Kind::kThrough, 'R', 'F')})
           .As("a road through the forest"),
-      Writer('G')
+      PlanWriter('G')
           .Line('W')
           .Patch('B')
           .Cells(30)
           .Relate(Tie::kThrough, 0, 1)
           .Claims({Ties(Kind::kThrough, 'W', 'B')})
           .As("a river through the town"),
-      Writer('G')
+      PlanWriter('G')
           .Line('R')
           .Line('W')
           .Relate(Tie::kCrosses, 0, 1)
           .Claims({Ties(Kind::kCrosses, 'R', 'W'), Says(Kind::kCount, 'W', "anywhere", 1, 1)})
           .As("a road crosses a river"),
-      Writer('G')
+      PlanWriter('G')
           .Line('R')
           .Line('W', "western edge", "eastern edge")
           .Relate(Tie::kParallel, 0, 1)
           .Claims({Ties(Kind::kParallel, 'R', 'W'), Runs('W', "western edge", "eastern edge")})
           .As("a road parallel to the river"),
-      Writer('G')
+      PlanWriter('G')
           .Line('R')
           .Patch('B', {"upper left"})
           .Patch('W', {"lower right"})
@@ -525,26 +349,26 @@ std::vector<NamedPlan> Related() {
           .Claims({Ties(Kind::kConnects, 'R', 'B', 'W'), Says(Kind::kPresent, 'B', "upper left"),
                    Says(Kind::kPresent, 'W', "lower right")})
           .As("a road connects village and lake"),
-      Writer('G')
+      PlanWriter('G')
           .Line('R')
           .Patch('B')
           .Pieces(2, 12)
           .Relate(Tie::kConnects, 0, 1, 1)
           .Claims({Ties(Kind::kConnects, 'R', 'B', 'B'), Says(Kind::kCount, 'B', "anywhere", 2, 2)})
           .As("a road connects two villages"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('W', {"lower"})
           .Line('W', "northern edge")
           .ToFeature(0)
           .Claims({Says(Kind::kPresent, 'W', "lower"), Runs('W', "northern edge", "lower")})
           .As("a river into the lake"),
-      Writer('F')
+      PlanWriter('F')
           .Patch('B', {"center"})
           .Line('R', "western edge")
           .ToFeature(0)
           .Claims({Says(Kind::kPresent, 'B', "center"), Gap(Kind::kAdjacent, 'R', 'B', kUnsaid, 2)})
           .As("a road to the village"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F', {"northern third"})
           .Spread('A', {"middle rows"})
           .Patch('W', {"southern third"})
@@ -556,7 +380,7 @@ std::vector<NamedPlan> Related() {
 // Several things at once.
 std::vector<NamedPlan> Combined() {
   return {
-      Writer('G')
+      PlanWriter('G')
           .Line('W', "northern edge", "southern edge")
           .Spread('F', {"upper left"})
           .Spread('A', {"eastern third"})
@@ -569,7 +393,7 @@ std::vector<NamedPlan> Combined() {
                    Says(Kind::kPresent, 'A', "eastern third", 0.2),
                    Says(Kind::kPresent, 'B', "center"), Ties(Kind::kBetween, 'W', 'F', 'A')})
           .As("the river between forest and farmland, a road, a village"),
-      Writer('A')
+      PlanWriter('A')
           .Spread('A')
           .FillsRest()
           .Spread('F')
@@ -578,7 +402,7 @@ std::vector<NamedPlan> Combined() {
           .Claims({Says(Kind::kPresent, 'W', "center"), Ties(Kind::kSurrounds, 'F', 'W'),
                    Rest('A', "FW"), Says(Kind::kDominant, 'A')})
           .As("a lake surrounded by forest, the rest farmland"),
-      Writer('A')
+      PlanWriter('A')
           .Spread('A')
           .Dominant()
           .Line('W', "north-west corner", "south-east corner")
@@ -594,7 +418,7 @@ std::vector<NamedPlan> Combined() {
                    Says(Kind::kCount, 'B', "anywhere", 2, 2), Ties(Kind::kConnects, 'R', 'B', 'B'),
                    Ties(Kind::kCrosses, 'R', 'W')})
           .As("two villages across a river, joined by a road"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('W', {"north-western quarter"})
           .Patch('B')
           .Spread('F')
@@ -607,7 +431,7 @@ std::vector<NamedPlan> Combined() {
                    Gap(Kind::kAdjacent, 'B', 'W', kUnsaid, 4),
                    Gap(Kind::kAdjacent, 'R', 'B', kUnsaid, 2)})
           .As("a village south of the lake, near it, in a wood, with a road"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F', {"western half"})
           .Dominant()
           .Spread('A', {"eastern half"})
@@ -622,7 +446,7 @@ std::vector<NamedPlan> Combined() {
                    Runs('W', "northern edge", "southern edge"),
                    Says(Kind::kCount, 'B', "anywhere", 3, 3)})
           .As("forest west, fields east, a river between, three hamlets"),
-      Writer('B', Vocabulary::kWild)
+      PlanWriter('B', Vocabulary::kWild)
           .Spread('S', {"northern third"})
           .Spread('R', {"middle rows"})
           .Spread('F', {"southern third"})
@@ -632,7 +456,7 @@ std::vector<NamedPlan> Combined() {
                    Says(Kind::kDominant, 'F', "southern third"),
                    Says(Kind::kPresent, 'W', "lower right")})
           .As("snow, rock, forest from north to south and a lake"),
-      Writer('R', Vocabulary::kWild)
+      PlanWriter('R', Vocabulary::kWild)
           .Spread('R')
           .Dominant()
           .Spread('S', {"north-east corner"})
@@ -645,7 +469,7 @@ std::vector<NamedPlan> Combined() {
                    Runs('W', "north-east corner", "southern edge"),
                    Shaped('W', ClaimShape::kWinding), Ties(Kind::kAlong, 'F', 'W')})
           .As("a winding river out of the snow, woods along it"),
-      Writer('G')
+      PlanWriter('G')
           .Patch('W')
           .Cells(90)
           .Patch('F')
@@ -661,7 +485,7 @@ std::vector<NamedPlan> Combined() {
                    Gap(Kind::kAdjacent, 'R', 'B', kUnsaid, 2),
                    Says(Kind::kCount, 'W', "anywhere", 1, 1)})
           .As("a large lake with an island, a farm on its shore, a road to it"),
-      Writer('G')
+      PlanWriter('G')
           .Spread('F')
           .Share(0.3)
           .Spread('A')
