@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstring>
+#include <fstream>
 #include <string>
+#include <vector>
 
 #include "language/local/tiny_model.h"
 #include "latticeworld/common/random.h"
@@ -84,6 +88,35 @@ TEST(GgufFileTest, ReadsOrRefusesAFileWithAnyBytesChanged) {
     if (!status.ok()) EXPECT_EQ(status.code(), StatusCode::kDataLoss) << status.ToString();
   }
   EXPECT_GT(refused, 100);
+}
+
+// The pages of files that this process holds [kB].
+int FilePages_kB() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.rfind("RssFile:", 0) == 0) return std::stoi(line.substr(8));
+  }
+  return -1;
+}
+
+TEST(LlamaModelTest, IsNotHeldTwiceAsItIsRead) {
+  TinyModel large = Smallest();
+  large.width = 512;
+  large.hidden = 4096;
+  const ModelFile file(TinyGguf(large));
+  const auto opened = GgufFile::Open(file.path());
+  ASSERT_TRUE(opened.ok());
+  const int before_kB = FilePages_kB();
+  ASSERT_GT(before_kB, 0);
+  const auto model = ReadLlamaModel(*opened);
+  ASSERT_TRUE(model.ok()) << model.status().ToString();
+  // Three of its tensors have 8 MB each.
+  EXPECT_LT(FilePages_kB() - before_kB, 4096);
+  std::vector<float> row(512);
+  const GgufTensor tensor = opened->Tensor("blk.0.ffn_gate.weight", 4096, 512).value();
+  model->layers[0].gate.Row(7, row.data());
+  EXPECT_EQ(std::memcmp(tensor.data + std::size_t{7} * 512 * 4, row.data(), 512 * 4), 0)
+      << "the file is read again";
 }
 
 TEST(LlamaModelTest, NamesEachKeyAndTensorThatIsMissing) {

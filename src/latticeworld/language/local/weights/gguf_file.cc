@@ -203,4 +203,14 @@ Result<GgufTensor> GgufFile::Tensor(std::string_view name, std::size_t rows,
   return tensor;
 }
 
+void GgufFile::Release(const GgufTensor& tensor) const {
+  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  const auto begin = static_cast<std::size_t>(tensor.data - begin_);
+  const std::size_t end = begin + tensor.rows * RowBytes(tensor.type, tensor.columns);
+  // Pages at its ends hold what lies beside it.
+  const std::size_t first = (begin + page - 1) / page * page;
+  const std::size_t last = end / page * page;
+  if (first < last) ::madvise(const_cast<std::byte*>(begin_) + first, last - first, MADV_DONTNEED);
+}
+
 }  // namespace latticeworld

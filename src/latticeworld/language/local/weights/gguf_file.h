@@ -63,6 +63,9 @@ class GgufFile {
   // Errors: DATA_LOSS where there is none of that name and shape, saying what
   // there is.
   Result<GgufTensor> Tensor(std::string_view name, std::size_t rows, std::size_t columns) const;
+  // Gives the memory of a tensor back to the system, for one that was copied: else a model would be
+  // held twice as it is read. Whoever looks at it again reads the file again.
+  void Release(const GgufTensor& tensor) const;
 
  private:
   GgufFile(const std::byte* begin, std::size_t size) : begin_(begin), size_(size) {}

@@ -12,7 +12,9 @@ WeightMatrix WeightReader::Matrix(const std::string& name, std::size_t rows, std
     return WeightMatrix();
   }
   read_.insert(name);
-  return WeightMatrix(*tensor);
+  WeightMatrix matrix(*tensor);
+  file_->Release(*tensor);
+  return matrix;
 }
 
 std::vector<float> WeightReader::Vector(const std::string& name, std::size_t size) {
