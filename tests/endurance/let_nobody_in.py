@@ -231,9 +231,10 @@ def _instead_of(name, make):
 
 
 def _grown_terrain(bundle):
-    """What begins as packed terrain goes on as 200 MB of nothing, packed into some 200 kB."""
-    head = (bundle / "terrain.bin").read_bytes()[:64]
-    forge(bundle, "terrain.bin", head + zlib.compress(bytes(200 << 20), 9))
+    """What begins as packed terrain goes on as 200 MB of nothing, packed into less than 1 MB."""
+    packer = zlib.compressobj(1)
+    grown = b"".join(packer.compress(bytes(1 << 20)) for _ in range(200)) + packer.flush()
+    forge(bundle, "terrain.bin", (bundle / "terrain.bin").read_bytes()[:64] + grown)
 
 
 # What may be wrong with a bundle that a stranger has made.
@@ -246,8 +247,8 @@ HOSTILE_BUNDLES = {
         lambda manifest: [file.update(bytes=(1 << 64) - 1) for file in manifest["files"]]),
     "a size without bounds": _change_manifest(
         lambda manifest: manifest["request"].update(size_m=1e300)),
-    "a million files": _change_manifest(
-        lambda manifest: manifest.update(files=manifest["files"] * 50000)),
+    "30,000 files": _change_manifest(
+        lambda manifest: manifest.update(files=manifest["files"] * 2000)),
     "a link to what has no end": _instead_of(
         "layout.txt", lambda path: path.symlink_to("/dev/zero")),
     "a link to itself": _instead_of("layout.txt", lambda path: path.symlink_to(path)),
