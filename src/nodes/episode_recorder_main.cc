@@ -8,10 +8,14 @@
 #include <cstdlib>
 #include <exception>
 #include <memory>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "latticeworld_ros/episode/episode_recorder.h"
 #include "latticeworld_ros/episode/episode_recorder_options.h"
+#include "latticeworld_ros/node/master_watch.h"
 #include "latticeworld_ros/node/node_start.h"
 
 int main(int argc, char** argv) {
@@ -36,10 +40,17 @@ int main(int argc, char** argv) {
     // For what roscpp itself asks: the clock, and the status that is latched.
     ros::AsyncSpinner spinner(1);
     spinner.start();
+    latticeworld::MasterWatch master;
+    std::vector<std::string> services;
+    for (const char* name : {"start_episode", "stop_episode", "list_episodes"}) {
+      services.push_back(node.resolveName(name));
+    }
+    master.Start(std::move(services));
     ROS_INFO("ready: call start_episode");
     while (asked_to_end == 0 && ros::ok()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
+    master.Stop();
     recorder.reset();
     ros::shutdown();
   } catch (const std::exception& error) {

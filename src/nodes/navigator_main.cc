@@ -12,6 +12,7 @@
 
 #include "latticeworld_ros/navigator/navigator_node.h"
 #include "latticeworld_ros/navigator/navigator_node_options.h"
+#include "latticeworld_ros/node/master_watch.h"
 #include "latticeworld_ros/node/node_start.h"
 
 int main(int argc, char** argv) {
@@ -37,9 +38,12 @@ int main(int argc, char** argv) {
     }
     ROS_INFO_STREAM("ready: goals of " << options->robot << " go to "
                                        << ros::names::resolve(options->robot + "/move_base"));
+    latticeworld::MasterWatch master;
+    master.Start({});
     while (asked_to_end == 0 && ros::ok()) {
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
     }
+    master.Stop();
     navigator->reset();
     ros::shutdown();
   } catch (const std::exception& error) {

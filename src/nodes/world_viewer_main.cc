@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "latticeworld_ros/node/master_watch.h"
 #include "latticeworld_ros/node/node_start.h"
 #include "latticeworld_ros/node/shutdown_guard.h"
 #include "latticeworld_ros/viewer/viewer_node.h"
@@ -37,10 +38,13 @@ int main(int argc, char** argv) {
     // What roscpp itself asks for, on its own queue: the clock.
     ros::AsyncSpinner spinner(1);
     spinner.start();
+    latticeworld::MasterWatch master;
+    master.Start({});
     ROS_INFO_STREAM("the world is at " << (*viewer)->address());
     while (!ros::isShuttingDown()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
     const latticeworld::ShutdownGuard guard(std::chrono::milliseconds(1500));
     ros::waitForShutdown();
+    master.Stop();
     (*viewer).reset();
   } catch (const std::exception& error) {
     ROS_FATAL_STREAM("world_viewer: " << error.what());

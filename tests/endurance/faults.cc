@@ -1,9 +1,10 @@
 // Preloaded before a program, lets a test make the system fail while the program runs: the first
 // bytes of the file that LATTICEWORLD_FAULTS names are read as `Faults` at every call. What is
-// written counts where it lies below LATTICEWORLD_FAULTS_BELOW.
+// written or read counts where it lies below LATTICEWORLD_FAULTS_BELOW.
 
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <netdb.h>
 #include <pthread.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -22,10 +23,13 @@ namespace {
 
 // As faults.py packs it.
 struct Faults {
-  std::int32_t refuse_threads;  // 1: pthread_create gives EAGAIN
-  std::int32_t clock_shift_s;   // added to the wall clock
-  std::int32_t write_delay_us;  // before each write and sync
-  std::int32_t write_error;     // 1: each write and sync gives EIO
+  std::int32_t refuse_threads;    // 1: pthread_create gives EAGAIN
+  std::int32_t refuse_processes;  // 1: fork gives EAGAIN
+  std::int32_t clock_shift_s;     // added to the wall clock
+  std::int32_t write_delay_us;    // before each write and sync
+  std::int32_t write_error;       // what each write and sync gives (errno); 0: nothing
+  std::int32_t read_error;        // what each read gives (errno); 0: nothing
+  std::int32_t names_hang;  // 1: names of hosts are looked up until this is 0; numbers are not
 };
 
 const volatile Faults& Now() {
@@ -46,21 +50,27 @@ Call* Next(const char* name) {
   return reinterpret_cast<Call*>(dlsym(RTLD_NEXT, name));
 }
 
-// Whether the call on this file is to fail.
-bool FailsToWrite(int file) {
-  const volatile Faults& faults = Now();
-  if (faults.write_delay_us == 0 && faults.write_error == 0) return false;
+// Whether this file is one whose calls are to fail.
+bool IsBelow(int file) {
   const char* below = std::getenv("LATTICEWORLD_FAULTS_BELOW");
   char path[4096];
   const std::string link = "/proc/self/fd/" + std::to_string(file);
   const ssize_t size = readlink(link.c_str(), path, sizeof(path));
-  if (below == nullptr || size < static_cast<ssize_t>(std::strlen(below)) ||
-      std::strncmp(path, below, std::strlen(below)) != 0) {
-    return false;
-  }
+  return below != nullptr && size >= static_cast<ssize_t>(std::strlen(below)) &&
+         std::strncmp(path, below, std::strlen(below)) == 0;
+}
+
+bool FailsToWrite(int file) {
+  const volatile Faults& faults = Now();
+  if ((faults.write_delay_us == 0 && faults.write_error == 0) || !IsBelow(file)) return false;
   if (faults.write_delay_us > 0) usleep(static_cast<useconds_t>(faults.write_delay_us));
-  if (faults.write_error == 0) return false;
-  errno = EIO;
+  if (faults.write_error != 0) errno = faults.write_error;
+  return faults.write_error != 0;
+}
+
+bool FailsToRead(int file) {
+  if (Now().read_error == 0 || !IsBelow(file)) return false;
+  errno = Now().read_error;
   return true;
 }
 
@@ -87,6 +97,32 @@ int gettimeofday(timeval* time, void* zone) noexcept {
   const int result = next(time, zone);
   if (result == 0) time->tv_sec += Now().clock_shift_s;
   return result;
+}
+
+pid_t fork() noexcept {
+  static auto* const next = Next<pid_t()>("fork");
+  if (Now().refuse_processes == 0) return next();
+  errno = EAGAIN;
+  return -1;
+}
+
+int getaddrinfo(const char* name, const char* service, const addrinfo* hints, addrinfo** found) {
+  static auto* const next =
+      Next<int(const char*, const char*, const addrinfo*, addrinfo**)>("getaddrinfo");
+  const bool is_name =
+      name != nullptr && std::strspn(name, "0123456789abcdefABCDEF.:") < std::strlen(name);
+  while (is_name && Now().names_hang != 0) usleep(10000);
+  return next(name, service, hints, found);
+}
+
+ssize_t read(int file, void* data, size_t size) {
+  static auto* const next = Next<ssize_t(int, void*, size_t)>("read");
+  return FailsToRead(file) ? -1 : next(file, data, size);
+}
+
+size_t fread(void* data, size_t size, size_t count, FILE* file) {
+  static auto* const next = Next<size_t(void*, size_t, size_t, FILE*)>("fread");
+  return FailsToRead(fileno(file)) ? 0 : next(data, size, count, file);
 }
 
 ssize_t write(int file, const void* data, size_t size) {

@@ -1,7 +1,9 @@
 """Faults of the system that programs run on: each is put upon a place and processes, and lifted."""
 
+import errno
 import mmap
 import os
+import pathlib
 import resource
 import signal
 import struct
@@ -11,7 +13,9 @@ import threading
 from ledger import promise
 
 DAY_S = 86400
-FIELDS = ("refuse_threads", "clock_shift_s", "write_delay_us", "write_error")  # as in faults.cc
+FIELDS = ("refuse_threads", "refuse_processes", "clock_shift_s", "write_delay_us", "write_error",
+          "read_error", "names_hang")  # as in faults.cc
+GROUPS = pathlib.Path("/sys/fs/cgroup")
 
 
 class Place:
@@ -46,21 +50,26 @@ class Place:
 
     def set(self, **fields):
         """What the preloaded library does from now on; fields that are not named: nothing."""
-        self._memory[:] = struct.pack("4i", *(fields.get(name, 0) for name in FIELDS))
+        self._memory[:] = struct.pack(f"{len(FIELDS)}i", *(fields.get(name, 0) for name in FIELDS))
 
 
 class Fault:
-    """One fault. needs_mount: it takes a file system of its own."""
+    """One fault."""
 
-    needs_mount = False
     may_end_nodes = False  # no program is promised to live through it
-    for_commands = True  # it means something to a program that starts under it
 
     def __init__(self, name):
         self.name = name
 
+    def missing(self, place):
+        """What this system lacks for it; empty: nothing."""
+        return "" if place.is_mounted else "nothing may be mounted here"
+
     def put(self, place, programs):
         """Upon a place and programs that run."""
+
+    def upon(self, program):
+        """Upon a command that has just started under it."""
 
     def lift(self, place, programs):
         """Puts things right again."""
@@ -70,8 +79,6 @@ class Fault:
 
 
 class FullDisk(Fault):
-    needs_mount = True
-
     def put(self, place, programs):
         with open(place.folder / "filler", "wb", buffering=0) as filler:
             try:
@@ -85,8 +92,6 @@ class FullDisk(Fault):
 
 
 class NoInodes(Fault):
-    needs_mount = True
-
     def put(self, place, programs):
         (place.folder / "fillers").mkdir()
         for number in range(10000):
@@ -103,8 +108,6 @@ class NoInodes(Fault):
 
 
 class ReadOnly(Fault):
-    needs_mount = True
-
     def put(self, place, programs):
         place.remount("ro")
 
@@ -114,6 +117,9 @@ class ReadOnly(Fault):
 
 class Limit(Fault):
     """A limit of the system; of: how much a process that runs may have, by its number."""
+
+    def missing(self, place):
+        return ""
 
     def __init__(self, name, kind, at_start, of):
         super().__init__(name)
@@ -143,6 +149,9 @@ class Preloaded(Fault):
         super().__init__(name)
         self.fields = fields
 
+    def missing(self, place):
+        return ""
+
     def put(self, place, programs):
         place.set(**self.fields)
 
@@ -151,16 +160,17 @@ class Preloaded(Fault):
 
 
 class Gone(Fault):
-    """The folder of results is moved away; as_file: and a file has its name."""
-
-    for_commands = False
+    """The folders of results are moved away; as_file: and a file has their names."""
 
     def __init__(self, name, as_file=False):
         super().__init__(name)
         self.as_file = as_file
 
+    def missing(self, place):
+        return ""
+
     def put(self, place, programs):
-        for path in self._folders(place):
+        for path in [path for path in place.folder.iterdir() if path.is_dir()]:
             path.rename(path.with_suffix(".gone"))
             if self.as_file:
                 path.write_text("a file", encoding="utf-8")
@@ -170,29 +180,62 @@ class Gone(Fault):
             path = gone.with_suffix("")
             if path.is_file():
                 path.unlink()
-            if not path.exists():
+            if not path.exists():  # else it was made anew
                 gone.rename(path)
-
-    @staticmethod
-    def _folders(place):
-        return [path for path in place.folder.iterdir() if path.is_dir()]
 
 
 class Stopped(Fault):
     """The processes stand still, as when a machine sleeps, and go on while they are asked."""
 
-    for_commands = False
     REST_S = 3.0
+
+    def missing(self, place):
+        return ""
 
     def put(self, place, programs):
         for program in programs:
-            os.kill(program.pid, signal.SIGSTOP)
-        threading.Timer(self.REST_S, self._go_on, [programs]).start()
+            self.upon(program)
 
-    @staticmethod
-    def _go_on(programs):
-        for program in programs:
-            os.kill(program.pid, signal.SIGCONT)
+    def upon(self, program):
+        os.kill(program.pid, signal.SIGSTOP)
+        threading.Timer(self.REST_S, os.kill, [program.pid, signal.SIGCONT]).start()
+
+
+class MemoryGroup(Fault):
+    """A control group (cgroup) whose processes may have only so much more memory together; the
+    system ends one that takes more."""
+
+    may_end_nodes = True
+    MORE_BYTES = 8 << 20
+    AT_START_BYTES = 24 << 20
+
+    def __init__(self, name):
+        super().__init__(name)
+        first = (GROUPS / "memory" / "memory.limit_in_bytes").exists()  # version 1
+        self.above = GROUPS / "memory" if first else GROUPS
+        self.limit = "memory.limit_in_bytes" if first else "memory.max"
+        self.group = self.above / f"latticeworld_{os.getpid()}"
+
+    def missing(self, place):
+        try:
+            self.group.mkdir(exist_ok=True)
+            return "" if (self.group / self.limit).exists() else "control groups have no memory"
+        except OSError as error:
+            return f"no control group may be made: {error.strerror}"
+
+    def put(self, place, programs):
+        (self.group / self.limit).write_text(str(self.MORE_BYTES if programs else
+                                                 self.AT_START_BYTES), encoding="ascii")
+        for program in programs:  # what they have counts as the group's that it was charged to
+            (self.group / "cgroup.procs").write_text(str(program.pid), encoding="ascii")
+
+    def limits(self):
+        (self.group / "cgroup.procs").write_text(str(os.getpid()), encoding="ascii")
+
+    def lift(self, place, programs):
+        for pid in (self.group / "cgroup.procs").read_text(encoding="ascii").split():
+            (self.above / "cgroup.procs").write_text(pid, encoding="ascii")
+        self.group.rmdir()
 
 
 def _open_descriptors(pid):
@@ -209,12 +252,17 @@ def all_faults():
         FullDisk("disk full"), NoInodes("no inodes left"), ReadOnly("disk read-only"),
         Limit("files of 20 kB at most", resource.RLIMIT_FSIZE, 20000, lambda pid: 20000),
         Limit("no more descriptors", resource.RLIMIT_NOFILE, 12, _open_descriptors),
-        Limit("8 MiB more memory", resource.RLIMIT_AS, 256 << 20,
+        Limit("8 MiB more memory", resource.RLIMIT_AS, 280 << 20,
               lambda pid: _memory_bytes(pid) + (8 << 20)),
         Preloaded("no more threads", refuse_threads=1),
-        Preloaded("writing fails (EIO)", write_error=1),
+        MemoryGroup("control group with 8 MiB more memory"),
+        Preloaded("no more processes", refuse_processes=1),
+        Preloaded("quota used up (EDQUOT)", write_error=errno.EDQUOT),
+        Preloaded("writing fails (EIO)", write_error=errno.EIO),
+        Preloaded("reading fails (EIO)", read_error=errno.EIO),
         Preloaded("slow disk, 20 ms a write", write_delay_us=20000),
         Preloaded("clock set back a day", clock_shift_s=-DAY_S),
         Preloaded("clock set forward a day", clock_shift_s=DAY_S),
-        Gone("folder gone"), Gone("a file in the folder's place", as_file=True),
+        Preloaded("looking up names hangs", names_hang=1), Gone("folder gone"),
+        Gone("a file in the folder's place", as_file=True),
         Stopped("stopped for 3 s")]

@@ -31,7 +31,10 @@ SERVICES = {
     "save_snapshot": srv.SaveSnapshot, "restore_snapshot": srv.RestoreSnapshot,
     "set_real_time_factor": srv.SetRealTimeFactor, "pause": Trigger, "unpause": Trigger,
     "start_episode": srv.StartEpisode, "stop_episode": srv.StopEpisode,
-    "list_episodes": srv.ListEpisodes}
+    "list_episodes": srv.ListEpisodes, "get_world_bundle": srv.GetWorldBundle,
+    "spawn_element": srv.SpawnElement, "remove_element": srv.RemoveElement,
+    "open_gate": srv.OpenGate, "set_policy": srv.SetPolicy, "set_weather": srv.SetWeather,
+    "query_terrain": srv.QueryTerrain, "query_things": srv.QueryThings, "lockstep": srv.Lockstep}
 SMALL_WORLD = {"layout_instruction": "A lake in the east, forest in the north.",
                "environment_instruction": "Two sheep graze, a wheeled robot waits in the center.",
                "size": 64.0}
@@ -116,12 +119,14 @@ class Program:
                     f"{self.last_words()}")
 
     def kill(self):
-        """SIGKILL; then no process that it started may be left."""
+        """SIGKILL; then no process that it started may be left. Whether it was running."""
+        ran = self.runs()
         self.stop(signal.SIGKILL)
         try:
             wait_until(lambda: not marked_processes(self.mark), "all its processes have ended")
         finally:
             self.end_all()
+        return ran
 
     def end_all(self):
         for pid in marked_processes(self.mark):
@@ -134,9 +139,12 @@ class Program:
 class Ground:
     """Folder, master and programs of a run. A context."""
 
+    last_failure = ""  # of a call without an answer, as rospy tells it
+
     def __init__(self, folder, programs, libraries):
         self.folder = folder
         self.programs, self.libraries = programs, libraries
+        self.wanted = ("",)  # only rounds whose name begins with one of these
         self._count = 0
         self._master = None
 
@@ -188,13 +196,17 @@ class Ground:
         if rospy.has_param(f"/{name}"):
             rospy.delete_param(f"/{name}")
         for key, value in parameters.items():
-            rospy.set_param(f"/{name}/{key}", value if isinstance(value, (list, int)) else str(value))
+            rospy.set_param(f"/{name}/{key}", value if isinstance(value, (list, int, float)) else
+                          str(value))
         return Program([self.programs / name], self.log(name), environment, limits)
+
+    def program(self, *command, environment=None, limits=None):
+        return Program(command, self.log(pathlib.Path(command[0]).name), environment, limits)
 
     def command(self, *arguments, environment=None, limits=None):
         """Starts the command line `latticeworld`."""
-        return Program([self.programs / "latticeworld", *arguments], self.log(arguments[0]),
-                       environment, limits)
+        return self.program(self.programs / "latticeworld", *arguments, environment=environment,
+                            limits=limits)
 
     def tool(self, name, *arguments):
         """Runs a program to its end; exit status and all that it says."""
@@ -238,7 +250,8 @@ class Ground:
         def ask():
             try:
                 answer.append(rospy.ServiceProxy(service, SERVICES[service])(**request))
-            except (rospy.ServiceException, rospy.ROSException, OSError):
+            except (rospy.ServiceException, rospy.ROSException, OSError) as error:
+                Ground.last_failure = str(error)
                 answer.append(None)
 
         thread = threading.Thread(target=ask, daemon=True)
@@ -263,7 +276,7 @@ def brief(request):
 def told(answer):
     """What a service's response says, in one line."""
     if answer is None:
-        return "no answer"
+        return f"no answer: {Ground.last_failure}"
     if hasattr(answer, "success"):
         return "done" if answer.success else answer.message
     return "done" if answer.status.code == 0 else f"{answer.status.code}: {answer.status.message}"

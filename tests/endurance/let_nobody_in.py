@@ -1,23 +1,28 @@
-"""Let nobody in: hostile clients of the page and of ROS ports; do honest ones go on being served?"""
+"""Let nobody in: hostile clients of the page and of ROS ports, and worlds that strangers have made;
+do honest clients go on being served?"""
 
+import hashlib
+import json
 import os
 import pathlib
 import resource
-import statistics
+import shutil
 import struct
 import threading
 import time
 import urllib.parse
 import xmlrpc.client
+import zlib
 
 import rosgraph
 import rospy
 from std_msgs.msg import String
 
 from ground import DEADLINE_S, SMALL_WORLD, wait_until
-from ledger import Ledger, promise
+from ledger import notes, promise, table
 from web_client import WebSocket, address_of, connect, get, status_of
 
+TITLE = "Let nobody in"
 TOKEN = "a-token-that-nobody-guesses"
 MOST_CONNECTIONS = 1000
 PATHS_OUT = ("/../../../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd", "/./",
@@ -192,17 +197,81 @@ class Attacks:
 
     def all(self):
         return {"oversized requests": self.oversized, "half requests": self.half,
-                "garbage": self.garbage, "slow senders": self.slow, "wrong origin": self.wrong_origin,
+                "garbage": self.garbage, "slow senders": self.slow,
+                "wrong origin": self.wrong_origin,
                 "wrong token": self.wrong_token, "paths that leave": self.paths,
                 "WebSocket frames out of order": self.frames, "floods": self.flood,
                 "1,000 connections": self.crowd}
 
 
-class RosAttacks:
-    """What is done to the ROS ports of world_server."""
+def forge(bundle, name, content):
+    """Gives a bundle's file other content, and the manifest what it says of it."""
+    (bundle / name).write_bytes(content)
+    manifest = json.loads((bundle / "world.json").read_text(encoding="utf-8"))
+    for file in manifest["files"]:
+        if file["name"] == name:
+            file.update(bytes=len(content), sha256=hashlib.sha256(content).hexdigest())
+    (bundle / "world.json").write_text(json.dumps(manifest), encoding="utf-8")
 
-    def __init__(self, ground, visuals, random):
-        self.ground, self.visuals, self.random = ground, visuals, random
+
+def _change_manifest(change):
+    def apply(bundle):
+        manifest = json.loads((bundle / "world.json").read_text(encoding="utf-8"))
+        change(manifest)
+        (bundle / "world.json").write_text(json.dumps(manifest), encoding="utf-8")
+    return apply
+
+
+def _instead_of(name, make):
+    """Another kind of file in a bundle's file's place."""
+    def apply(bundle):
+        (bundle / name).unlink()
+        make(bundle / name)
+    return apply
+
+
+def _grown_terrain(bundle):
+    """What begins as packed terrain goes on as 200 MB of nothing, packed into less than 1 MB."""
+    packer = zlib.compressobj(1)
+    grown = b"".join(packer.compress(bytes(1 << 20)) for _ in range(200)) + packer.flush()
+    forge(bundle, "terrain.bin", (bundle / "terrain.bin").read_bytes()[:64] + grown)
+
+
+# What may be wrong with a bundle that a stranger has made.
+HOSTILE_BUNDLES = {
+    "a name that leaves": _change_manifest(
+        lambda manifest: manifest["files"][0].update(name="../good/layout.txt")),
+    "an absolute name": _change_manifest(
+        lambda manifest: manifest["files"][0].update(name="/etc/passwd")),
+    "huge sizes": _change_manifest(
+        lambda manifest: [file.update(bytes=(1 << 64) - 1) for file in manifest["files"]]),
+    "a size without bounds": _change_manifest(
+        lambda manifest: manifest["request"].update(size_m=1e300)),
+    "30,000 files": _change_manifest(
+        lambda manifest: manifest.update(files=manifest["files"] * 2000)),
+    "a link to what has no end": _instead_of(
+        "layout.txt", lambda path: path.symlink_to("/dev/zero")),
+    "a link to itself": _instead_of("layout.txt", lambda path: path.symlink_to(path)),
+    "a link that leaves": _instead_of("layout.txt", lambda path: path.symlink_to("/etc/passwd")),
+    "a pipe": _instead_of("terrain.bin", os.mkfifo),
+    "a folder": _instead_of("world.json", os.mkdir),
+    "terrain that grows": _grown_terrain,
+    "lists in lists": lambda bundle: forge(bundle, "agents.json", b"[" * (1 << 20)),
+}
+MOST_GROWTH_MB = 100.0  # of the server's resident memory under hostile bundles
+
+
+def resident_mb(pid):
+    with open(f"/proc/{pid}/status", encoding="ascii") as file:
+        return int(next(line for line in file if line.startswith("VmHWM")).split()[1]) / 1000.0
+
+
+class RosAttacks:
+    """What is done to the ROS ports of world_server, and to the folder of its worlds."""
+
+    def __init__(self, ground, server, folder, random):
+        self.ground, self.server, self.random = ground, server, random
+        self.visuals, self.worlds = folder / "visuals", folder / "worlds"
         master = rosgraph.Master(rospy.get_name())
         service = urllib.parse.urlparse(master.lookupService("/get_world"))
         node = urllib.parse.urlparse(master.lookupNode("/world_server"))
@@ -243,6 +312,26 @@ class RosAttacks:
         for connection in crowd:
             connection.close()
         return "400 connections"
+
+    def bundles(self):
+        """Each is refused by load_world with words; list_worlds goes on listing the others."""
+        if not (self.worlds / "good").exists():
+            self.ground.must("save_world", name="good")
+        before_mb = resident_mb(self.server.pid)
+        for number, (what, spoil) in enumerate(HOSTILE_BUNDLES.items()):
+            bundle = self.worlds / f"bad{number}"
+            shutil.copytree(self.worlds / "good", bundle)
+            spoil(bundle)
+            answer = self.ground.call("load_world", name=bundle.name)
+            promise(answer is not None and answer.status.code != 0,
+                    f"a bundle with {what} got {answer and answer.status}")
+            listed = [world.name for world in self.ground.must("list_worlds").worlds]
+            promise("good" in listed, f"beside a bundle with {what} only {listed} are listed")
+            shutil.rmtree(bundle)
+        grown_mb = resident_mb(self.server.pid) - before_mb
+        promise(grown_mb < MOST_GROWTH_MB, f"hostile bundles took {grown_mb:.0f} MB")
+        self.ground.must("load_world", name="good")
+        return f"{len(HOSTILE_BUNDLES)} kinds, each refused"
 
     def visual_paths(self):
         """Files outside by every name, also while a folder is swapped for a link."""
@@ -285,29 +374,11 @@ class RosAttacks:
         return {"garbage at ROS ports": self.garbage, "lengths at ROS ports": self.lengths,
                 "calls of the node's own interface": self.calls,
                 "400 connections to ROS ports": self.crowd,
+                "hostile bundles": self.bundles,
                 "visual_path that leaves": self.visual_paths}
 
 
-class Waits:
-    """What came of each kind of attack, and how long honest clients waited meanwhile."""
-
-    def __init__(self):
-        self.of = {}  # attack -> [outcome, rounds, waits in ms]
-
-    def add(self, name, outcome, waits_ms):
-        entry = self.of.setdefault(name, [outcome, 0, []])
-        entry[1] += 1
-        entry[2] += waits_ms
-
-    def tell(self, ledger):
-        ledger.table("attack", "rounds", "what comes of it", "answers to an honest client",
-                     "its median wait [ms]", "longest [ms]")
-        for name, (outcome, rounds, waits_ms) in sorted(self.of.items()):
-            ledger.row(name, rounds, outcome, len(waits_ms), f"{statistics.median(waits_ms):.0f}",
-                       f"{max(waits_ms):.0f}")
-
-
-def attack_round(attack, honest_at, programs, before, name, waits):
+def attack_round(attack, honest_at, programs, before, name, ledger):
     """One attack while an honest client looks; afterwards all is as before."""
     with Honest(*honest_at) as honest:
         outcome = attack()
@@ -315,17 +386,16 @@ def attack_round(attack, honest_at, programs, before, name, waits):
         promise(program.runs(), f"a node ended under {name}: {program.last_words()}")
     wait_until(lambda: all(_descriptors(program) <= before[program.pid] + 8
                            for program in programs), f"the connections of {name} are let go")
-    waits.add(name, outcome, honest.waits_ms)
+    ledger.note("attack", attack=name, outcome=outcome,
+                waits_ms=[round(wait, 1) for wait in honest.waits_ms])
 
 
 def _descriptors(program):
     return len(os.listdir(f"/proc/{program.pid}/fd"))
 
 
-def run(ground, end, random):
-    """Attacks in random order until `end` [s, monotonic], at least one; the ledger."""
-    ledger = Ledger("Let nobody in")
-    waits = Waits()
+def run(ground, end, random, ledger):
+    """Attacks in random order until `end` [s, monotonic], at least one of each."""
     resource.setrlimit(resource.RLIMIT_NOFILE, (resource.getrlimit(resource.RLIMIT_NOFILE)[1],) * 2)
     folder = pathlib.Path(ground.new_folder("attacks"))
     visuals = folder / "visuals"
@@ -337,15 +407,29 @@ def run(ground, end, random):
         at = address_of(rospy.wait_for_message("/viewer/address", String, DEADLINE_S).data)
         ground.must("generate_world", seed=1, **SMALL_WORLD)
         attacks = list({**Attacks(*at, random).all(),
-                        **RosAttacks(ground, visuals, random).all()}.items())
+                        **RosAttacks(ground, server, folder, random).all()}.items())
         before = {}
         while True:
             random.shuffle(attacks)
             for name, attack in attacks:
                 for program in (server, viewer):
                     before.setdefault(program.pid, _descriptors(program))
-                ledger.watch(name, lambda: attack_round(attack, at, (server, viewer), before, name,
-                                                        waits))
+                ledger.watch(name, lambda name=name, attack=attack: attack_round(
+                    attack, at, (server, viewer), before, name, ledger))
                 if time.monotonic() > end:
-                    waits.tell(ledger)
-                    return ledger
+                    return
+
+
+def tables(events):
+    """What came of each attack, and how long the honest client waited meanwhile."""
+    rounds = {}
+    for event in notes(events, "attack"):
+        rounds.setdefault(event["attack"], []).append(event)
+    rows = []
+    for name, some in sorted(rounds.items()):
+        waits_ms = sorted(wait for event in some for wait in event["waits_ms"])
+        rows.append([name, len(some), some[-1]["outcome"], len(waits_ms),
+                     *(f"{waits_ms[min(len(waits_ms) - 1, int(share * len(waits_ms)))]:.0f}"
+                       for share in (0.5, 0.95, 1.0))])
+    return table(["attack", "rounds", "what comes of it", "answers to an honest client",
+                  "its median wait [ms]", "95 of 100 [ms]", "longest [ms]"], rows)

@@ -1,10 +1,11 @@
 """What a run needs to go on as if it had never been interrupted."""
 
-import os
 import random
 
 import numpy
 import torch
+
+from .whole_files import whole_file
 
 
 def save_checkpoint(path, model, optimizer, **rest):
@@ -18,12 +19,8 @@ def save_checkpoint(path, model, optimizer, **rest):
         "python_random": random.getstate(),
         "rest": rest,
     }
-    unfinished = f"{path}.unfinished"
-    with open(unfinished, "wb") as file:
+    with whole_file(path, "wb") as file:
         torch.save(state, file)
-        file.flush()
-        os.fsync(file.fileno())
-    os.replace(unfinished, path)
 
 
 def read_checkpoint(path):

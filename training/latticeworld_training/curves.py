@@ -4,6 +4,8 @@ import csv
 import math
 import os
 
+from .whole_files import whole_file
+
 COLORS = [(31, 119, 180), (214, 39, 40), (44, 160, 44), (148, 103, 189)]
 
 
@@ -26,16 +28,19 @@ class LossCurve:
         """Reads what an interrupted run measured up to a step, and forgets what came after."""
         self.rows = []
         if os.path.exists(self.path):
-            with open(self.path, newline="", encoding="utf-8") as file:
-                for row in csv.DictReader(file):
-                    if int(row["step"]) <= step:
-                        self.rows.append({name: float(value) for name, value in row.items() if value})
+            with open(self.path, newline="", encoding="utf-8", errors="replace") as file:
+                whole = [line for line in file if line.endswith("\n")]  # the last one may be half
+            for row in csv.DictReader(whole):
+                if int(row["step"]) <= step:
+                    self.rows.append({name: float(value) for name, value in row.items() if value})
         self._write()
 
     def add(self, step, **values):
         self.rows.append({"step": step, **values})
         with open(self.path, "a", newline="", encoding="utf-8") as file:
             self._writer(file).writerow(self._texts(self.rows[-1]))
+            file.flush()
+            os.fsync(file.fileno())
 
     def _texts(self, row):
         texts = {name: f"{row[name]:.6g}" for name in self.columns if name in row}
@@ -46,7 +51,7 @@ class LossCurve:
         return csv.DictWriter(file, self.columns)
 
     def _write(self):
-        with open(self.path, "w", newline="", encoding="utf-8") as file:
+        with whole_file(self.path) as file:
             self._writer(file).writeheader()
             for row in self.rows:
                 self._writer(file).writerow(self._texts(row))

@@ -27,6 +27,7 @@ from torch.nn import functional
 
 from . import small_language
 from .reader_examples import add_lesson_arguments, batches_of, chosen_examples, paths_of, read_examples
+from .whole_files import whole_file
 
 SYMBOLS = re.compile(r"\d|[A-Za-z]+(?:-[A-Za-z]+)*|\S")
 PAD, BEGIN, END, GLUE = range(4)  # GLUE: the next symbol follows without a blank
@@ -204,7 +205,8 @@ def train(given):
                 print(f"{worked():.1f} min, epoch {epoch}, step {step}: {recent / counted:.4f}", flush=True)
                 recent, counted, told = 0.0, 0, time.monotonic()
         epoch += 1
-    torch.save({"weights": model.state_dict(), "names": names, "layers": given.layers}, os.path.join(given.out, "reader.pt"))
+    with whole_file(os.path.join(given.out, "reader.pt"), "wb") as file:
+        torch.save({"weights": model.state_dict(), "names": names, "layers": given.layers}, file)
     print(f"{epoch} epochs, {step} steps", flush=True)
     if given.left_out:
         print(f"left-out authors {nats_a_text(model, tokenizer, place, read_examples(given.left_out)):.2f} nats a text", flush=True)

@@ -1,9 +1,10 @@
 """Writes GGUF files, version 3, and reads those in f32, f16, q4_1 and q8_0 (https://github.com/ggml-org/ggml/blob/master/docs/gguf.md)."""
 
-import os
 import struct
 
 import numpy
+
+from .whole_files import whole_file
 
 ALIGNMENT = 32
 # The format's numbers of the kinds of values and of tensors.
@@ -76,11 +77,9 @@ class GgufWriter:
         head = b"GGUF" + struct.pack("<IQQ", 3, len(self._infos), len(self._entries))
         head += b"".join(self._entries) + b"".join(self._infos)
         head += b"\0" * (-len(head) % ALIGNMENT)
-        unfinished = f"{path}.unfinished"
-        with open(unfinished, "wb") as file:
+        with whole_file(path, "wb") as file:
             file.write(head)
             file.write(self._data)
-        os.replace(unfinished, path)
 
 
 def _values(raw, kind, count):

@@ -21,6 +21,7 @@ from .export_gguf import tensor_name
 from .gguf import read_gguf
 from .llama import Llama, LlamaSizes
 from .tokenizer import Tokenizer
+from .whole_files import whole_file
 
 NEW_WEIGHT = 0.02  # standard deviation
 
@@ -110,7 +111,7 @@ def main(arguments=None):
     os.makedirs(given.out, exist_ok=True)
     tokens = Tokenizer(metadata["tokenizer.ggml.tokens"], metadata["tokenizer.ggml.scores"])
     tokens.save(os.path.join(given.out, "tokenizer.json"))
-    with open(os.path.join(given.out, "model.json"), "w", encoding="utf-8") as file:
+    with whole_file(os.path.join(given.out, "model.json")) as file:
         json.dump(dataclasses.asdict(model.sizes), file, indent=2)
     save_checkpoint(os.path.join(given.out, "checkpoint.pt"), model, torch.optim.AdamW(model.parameters()))
     print(f"{given.out}: {sum(weight.numel() for weight in model.parameters())} weights in {model.sizes.layers} layers")

@@ -19,6 +19,7 @@ from .curves import LossCurve
 from .sketch_network import (Discriminators, Generator, SketchNetworkOptions, adversarial_loss, discriminator_loss,
                              feature_loss, land_loss)
 from .sketch_pairs import SketchPairs
+from .whole_files import whole_file
 
 
 @dataclass
@@ -88,7 +89,7 @@ def fit(pairs, small_pairs, directory, network=None, options=None, device=None, 
         step, before_s = rest["step"], rest["seconds"]
         say(f"goes on at step {step}")
     curve.keep_until(step)
-    with open(os.path.join(directory, "network.json"), "w", encoding="utf-8") as file:
+    with whole_file(os.path.join(directory, "network.json")) as file:
         json.dump(network.as_dict(), file, indent=1)
 
     kept = max(len(pairs) - options.check_pairs, 1)

@@ -16,6 +16,8 @@ import itertools
 import json
 import re
 
+from .whole_files import whole_file
+
 SPACE = "\u2581"  # how SentencePiece spells a space
 UNKNOWN, BEGIN, TURN_BEGIN, TURN_END = range(4)
 CONTROLS = ["<unk>", "<s>", "<|im_start|>", "<|im_end|>"]
@@ -117,7 +119,7 @@ class Tokenizer:
         return tokens
 
     def save(self, path):
-        with open(path, "w", encoding="utf-8") as file:
+        with whole_file(path) as file:
             json.dump({"pieces": self.pieces, "scores": self.scores}, file)
 
     @staticmethod

@@ -22,6 +22,7 @@ from .fitting import FitOptions, fit
 from .llama import Llama, LlamaSizes
 from .optimizers import OPTIMIZERS
 from .tokenizer import Tokenizer, train_tokenizer
+from .whole_files import whole_file
 
 
 def add_fields(parser, options):
@@ -81,7 +82,7 @@ def main(arguments=None):
     model = Llama(sizes)
     if given.begin_with:
         model.load_state_dict(read_checkpoint(os.path.join(given.begin_with, "checkpoint.pt"))["model"])
-    with open(os.path.join(given.out, "model.json"), "w", encoding="utf-8") as file:
+    with whole_file(os.path.join(given.out, "model.json")) as file:
         json.dump(dataclasses.asdict(sizes), file, indent=2)
     unseen = read_conversations(given.validation)
     draws = random.Random(given.seed)

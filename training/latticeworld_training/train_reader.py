@@ -21,6 +21,7 @@ from . import adapters, llama
 from .base_model import read_base
 from .reader_examples import (END, PROMPT, add_lesson_arguments, answer_of, batches_of, chosen_examples, paths_of,
                               read_examples)
+from .whole_files import whole_file
 
 TOKENS_AT_ONCE = 3072
 SAVED_EVERY_S = 300.0  # of the processors' time; what is interrupted begins its epoch anew
@@ -125,8 +126,8 @@ def read_lesson(tokenizer, given):
 def save(path, model, optimizer, **rest):
     state = {"adapters": {n: w for n, w in model.state_dict().items() if n.endswith((".a", ".b"))},
              "optimizer": optimizer.state_dict(), **rest}
-    torch.save(state, path + ".unfinished")
-    os.replace(path + ".unfinished", path)
+    with whole_file(path, "wb") as file:
+        torch.save(state, file)
 
 
 def main(arguments=None):
@@ -154,7 +155,7 @@ def main(arguments=None):
 
     lesson = read_lesson(tokenizer, given)
     print(f"{sum(w.numel() for w in trained)} weights, {lesson}", flush=True)
-    with open(os.path.join(given.out, "settings.json"), "w", encoding="utf-8") as file:
+    with whole_file(os.path.join(given.out, "settings.json")) as file:
         json.dump({**vars(given), "examples": len(lesson.encoded)}, file, indent=2)
 
     path = os.path.join(given.out, "adapter.pt")

@@ -2,6 +2,7 @@
 
 #include <ros/master.h>
 
+#include <boost/thread/exceptions.hpp>
 #include <chrono>
 #include <ctime>
 #include <optional>
@@ -195,6 +196,17 @@ Status EpisodeRecorder::ResetWorld(std::uint64_t seed) const {
   return Call("reset_world", &service);
 }
 
+Result<std::unique_ptr<EpisodeRecorder::Running>> EpisodeRecorder::Hear(
+    const EpisodeRecordingOptions& options, const TopicFilter& filter) const {
+  const std::vector<std::string> always = {"/clock", options.topics.journal,
+                                           options.topics.state_hash};
+  try {
+    return std::make_unique<Running>(options, node_, filter, always);
+  } catch (const boost::thread_resource_error& error) {
+    return ResourceExhausted(std::string("no thread can be had to hear topics: ") + error.what());
+  }
+}
+
 Status EpisodeRecorder::Start(const StartEpisode::Request& request,
                               StartEpisode::Response* response) {
   const std::lock_guard<std::mutex> lifecycle(lifecycle_);
@@ -211,9 +223,7 @@ Status EpisodeRecorder::Start(const StartEpisode::Request& request,
   }
   LW_RETURN_IF_ERROR(WaitForService(kBundleService));
   // Heard first, asked for then: what happens between the two is known twice, not lost.
-  auto running = std::make_unique<Running>(
-      options, node_, read.filter,
-      std::vector<std::string>{"/clock", options.topics.journal, options.topics.state_hash});
+  LW_ASSIGN_OR_RETURN(auto running, Hear(options, read.filter));
   running->listener.Discover();
   WaitForConnections(running->listener);
   if (!request.keep_state) LW_RETURN_IF_ERROR(ResetWorld(request.seed));

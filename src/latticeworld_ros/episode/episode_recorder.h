@@ -47,6 +47,9 @@ class EpisodeRecorder {
 
   // What a request says, with the name of the episode. Errors: INVALID_ARGUMENT, ALREADY_EXISTS.
   Result<EpisodeRequest> Read(const latticeworld_msgs::StartEpisode::Request& request) const;
+  // What hears the topics of an episode and gathers its messages. Errors: RESOURCE_EXHAUSTED.
+  Result<std::unique_ptr<Running>> Hear(const EpisodeRecordingOptions& options,
+                                        const TopicFilter& filter) const;
   // The state from which the episode goes on. Errors: UNAVAILABLE, those of world_server.
   Result<latticeworld_msgs::GetWorldBundle::Response> AskForWorld(bool files) const;
   Status ResetWorld(std::uint64_t seed) const;

@@ -14,6 +14,16 @@ bool Contains(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// Those of a node's topics under which it is not listed.
+Names WithoutNode(const MasterState::Nodes& listed, const std::string& node, const Names& topics) {
+  Names missing;
+  for (const std::string& topic : topics) {
+    const auto found = listed.find(topic);
+    if (found == listed.end() || !Contains(found->second, node)) missing.push_back(topic);
+  }
+  return missing;
+}
+
 // Nodes of a topic other than this one.
 std::size_t OthersOf(const MasterState::Nodes& nodes, const std::string& topic,
                      const std::string& node) {
@@ -58,6 +68,12 @@ ServiceStanding StandingOf(const MasterState& state, const std::string& node,
     }
   }
   return standing;
+}
+
+UnknownTopics UnknownTo(const MasterState& state, const std::string& node, const Names& advertised,
+                        const Names& subscribed) {
+  return {WithoutNode(state.publishers, node, advertised),
+          WithoutNode(state.subscribers, node, subscribed)};
 }
 
 Names TopicsNotDelivered(const MasterState& state, const std::string& node,

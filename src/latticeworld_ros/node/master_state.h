@@ -32,6 +32,15 @@ struct ServiceStanding {
 ServiceStanding StandingOf(const MasterState& state, const std::string& node,
                            const std::vector<std::string>& services);
 
+// Topics of a node of which the master does not know that it has them, as one that was started
+// anew.
+struct UnknownTopics {
+  std::vector<std::string> advertised, subscribed;
+};
+UnknownTopics UnknownTo(const MasterState& state, const std::string& node,
+                        const std::vector<std::string>& advertised,
+                        const std::vector<std::string>& subscribed);
+
 // Topics of a node that have more nodes at their other end than the node has connections for.
 // Nodes that died without a word count, for the master knows them still. sent, heard: connections
 // of a topic that the node publishes or subscribes to.

@@ -5,12 +5,15 @@
 #include <ros/init.h>
 #include <ros/master.h>
 #include <ros/network.h>
+#include <ros/publication.h>
 #include <ros/this_node.h>
 #include <ros/topic_manager.h>
 #include <ros/xmlrpc_manager.h>
+#include <xmlrpcpp/XmlRpcClient.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -62,6 +65,53 @@ void Announce(const std::string& service) {
   (void)ros::master::execute("unregisterService", leave, response, payload, false);
 }
 
+// Calls the master with this node's name, a topic, further arguments and this node's address.
+bool TellMaster(const char* call, std::vector<std::string> arguments,
+                XmlRpc::XmlRpcValue* answer = nullptr) {
+  XmlRpc::XmlRpcValue sent, response, payload;
+  arguments.insert(arguments.begin(), ros::this_node::getName());
+  arguments.push_back(ros::XMLRPCManager::instance()->getServerURI());
+  for (std::size_t i = 0; i < arguments.size(); ++i) sent[static_cast<int>(i)] = arguments[i];
+  const bool done = ros::master::execute(call, sent, response, payload, false);
+  if (answer != nullptr) *answer = payload;
+  return done;
+}
+
+void AnnouncePublisher(const std::string& topic) {
+  const ros::TopicManagerPtr topics = ros::TopicManager::instance();
+  const ros::PublicationPtr publication = topics->lookupPublication(topic);
+  if (publication == nullptr || ros::isShuttingDown()) return;
+  if (!TellMaster("registerPublisher", {topic, publication->getDataType()})) return;
+  // It was given up meanwhile.
+  if (topics->lookupPublication(topic) == nullptr) TellMaster("unregisterPublisher", {topic});
+}
+
+// Has the master send what it learns of a topic's publishers, and gives roscpp those that it knows,
+// as the master itself would.
+void AnnounceSubscriber(const std::string& topic) {
+  XmlRpc::XmlRpcValue publishers;
+  if (ros::isShuttingDown() || !TellMaster("registerSubscriber", {topic, "*"}, &publishers)) return;
+  std::vector<std::string> subscribed;
+  ros::TopicManager::instance()->getSubscribedTopics(subscribed);
+  if (std::find(subscribed.begin(), subscribed.end(), topic) == subscribed.end()) {
+    TellMaster("unregisterSubscriber", {topic});  // it was given up meanwhile
+    return;
+  }
+  if (publishers.getType() != XmlRpc::XmlRpcValue::TypeArray || publishers.size() == 0) return;
+  const ros::XMLRPCManagerPtr manager = ros::XMLRPCManager::instance();
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::network::splitURI(manager->getServerURI(), host, port)) return;
+  XmlRpc::XmlRpcClient* self = manager->getXMLRPCClient(host, static_cast<int>(port), "/");
+  if (self == nullptr) return;
+  XmlRpc::XmlRpcValue arguments, response;
+  arguments[0] = "/master";
+  arguments[1] = topic;
+  arguments[2] = publishers;
+  (void)self->execute("publisherUpdate", arguments, response);
+  manager->releaseXMLRPCClient(self);
+}
+
 std::vector<std::string> InBoth(std::vector<std::string> a, std::vector<std::string> b) {
   std::sort(a.begin(), a.end());
   std::sort(b.begin(), b.end());
@@ -106,6 +156,10 @@ void MasterWatch::Run() {
 void MasterWatch::Look() {
   MasterReport report;
   report.descriptors = CountDescriptors();
+  // Before the master is asked: what is new since then it need not know yet.
+  std::vector<std::string> advertised, subscribed;
+  ros::TopicManager::instance()->getAdvertisedTopics(advertised);
+  ros::TopicManager::instance()->getSubscribedTopics(subscribed);
   const std::optional<MasterState> state = AskMaster();
   if (!state) {
     // Asking takes a descriptor itself: that there is none has to be told all the same.
@@ -135,6 +189,7 @@ void MasterWatch::Look() {
   unsure_ = std::move(missing);
   ServiceStanding standing = StandingOf(*state, node, services_);
   for (const std::string& service : standing.gone) Announce(service);
+  AnnounceTopics(UnknownTo(*state, node, advertised, subscribed));
   const auto killed =
       std::partition(standing.taken.begin(), standing.taken.end(),
                      [](const ServiceStanding::Taken& taken) { return !WasKilled(taken.node); });
@@ -144,6 +199,16 @@ void MasterWatch::Look() {
   report.services = std::move(standing.taken);
   const std::lock_guard<std::mutex> lock(mutex_);
   report_ = std::move(report);
+}
+
+void MasterWatch::AnnounceTopics(UnknownTopics unknown) {
+  if (!unknown.advertised.empty()) {
+    ROS_INFO_STREAM("the master does not know " << unknown.advertised.size()
+                                                << " topics of this node; they are announced");
+  }
+  for (const std::string& topic : unknown.advertised) AnnouncePublisher(topic);
+  for (const std::string& topic : InBoth(unknown.subscribed, unheard_)) AnnounceSubscriber(topic);
+  unheard_ = std::move(unknown.subscribed);
 }
 
 void MasterWatch::WarnOfTaken(const std::vector<ServiceStanding::Taken>& taken) {

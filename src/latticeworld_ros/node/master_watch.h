@@ -24,7 +24,9 @@ struct MasterReport {
 // Asks the master every few seconds, on a thread of its own, for that takes milliseconds and more,
 // what became of this node's services and topics. A service that another node has taken and then
 // given up, or that it has no more because it was killed, is announced again; while the other one
-// has it, it stays there.
+// has it, it stays there. A master that was started anew knows nobody: services and topics are
+// announced again, what this node listens to only at the next look, once others have announced what
+// they publish, for roscpp ends connections to publishers that the master does not name.
 class MasterWatch {
  public:
   MasterWatch() = default;
@@ -41,12 +43,14 @@ class MasterWatch {
  private:
   void Run();
   void Look();
+  void AnnounceTopics(UnknownTopics unknown);
   void WarnOfTaken(const std::vector<ServiceStanding::Taken>& taken);
 
   std::vector<std::string> services_;
   // Only the thread touches these.
-  std::vector<std::string> told_;    // taken services of which a warning was written
-  std::vector<std::string> unsure_;  // topics not delivered at the last look
+  std::vector<std::string> told_;     // taken services of which a warning was written
+  std::vector<std::string> unsure_;   // topics not delivered at the last look
+  std::vector<std::string> unheard_;  // subscribed topics that the master did not know then
   bool short_told_ = false;
 
   mutable std::mutex mutex_;

@@ -163,9 +163,9 @@ Result<WorldMessages> BuildWorldMessages(const World& world, const WorldServerOp
                                          const Progress& progress, std::vector<StageTime>* stages) {
   WorldMessages messages;
   double octomap_s = 0.0;
-  // The octomaps are the longest of them: they get a thread of their own. It tells nobody how far
-  // it is, for the other thread reports, but it hears a cancel.
-  std::future<Status> octomaps = std::async(std::launch::async, [&] {
+  // The octomaps are the longest of them: they get a thread of their own, where one can be had. It
+  // tells nobody how far it is, for the other thread reports, but it hears a cancel.
+  std::future<Status> octomaps = std::async(std::launch::async | std::launch::deferred, [&] {
     const Stopwatch watch;
     const Status status = BuildOctomaps(*world.scene, options, {}, kEveryCore, progress, &messages);
     octomap_s = watch.seconds();

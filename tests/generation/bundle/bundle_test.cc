@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "common/refused_threads.h"
 #include "generation/test_world.h"
 #include "latticeworld/common/digest.h"
 #include "latticeworld/common/files.h"
@@ -90,6 +91,19 @@ TEST_F(BundleTest, IsTheSameBytesWhenSavedAgain) {
   for (const std::string& name : FilesBelow(bundle_)) {
     EXPECT_EQ(*ReadFile(bundle_ / name, kMaxBytes),
               *ReadFile(directory_.path() / "again" / name, kMaxBytes))
+        << name;
+  }
+}
+
+TEST_F(BundleTest, IsTheSameBytesWhereNoMoreThreadsCanBeHad) {
+  {
+    const RefusedThreads refused;
+    const Status saved = SaveBundle(*world_, directory_.path() / "alone");
+    ASSERT_TRUE(saved.ok()) << saved.ToString();
+  }
+  for (const std::string& name : FilesBelow(bundle_)) {
+    EXPECT_EQ(*ReadFile(bundle_ / name, kMaxBytes),
+              *ReadFile(directory_.path() / "alone" / name, kMaxBytes))
         << name;
   }
 }

@@ -48,6 +48,16 @@ TEST(MasterStateTest, AServiceIsTakenByAnotherNodeOrGone) {
   EXPECT_EQ(standing.gone, (Names{"/octomap_full"}));
 }
 
+TEST(MasterStateTest, TopicsOfANodeThatAreNotListedWithItAreUnknown) {
+  const UnknownTopics unknown = UnknownTo(TwoNodes(), "/world_server", {"/clock", "/agents"},
+                                          {"/robot/cmd_vel", "/robot/strike"});
+  EXPECT_EQ(unknown.advertised, (Names{"/agents"}));
+  EXPECT_EQ(unknown.subscribed, (Names{"/robot/strike"}));
+  const UnknownTopics anew = UnknownTo(MasterState(), "/world_server", {"/clock"}, {"/tf"});
+  EXPECT_EQ(anew.advertised, (Names{"/clock"}));
+  EXPECT_EQ(anew.subscribed, (Names{"/tf"}));
+}
+
 TEST(MasterStateTest, ATopicIsNotDeliveredWhereConnectionsAreFewerThanNodesThatWantIt) {
   const auto told = [](std::size_t sent, std::size_t heard) {
     return TopicsNotDelivered(

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "common/refused_threads.h"
 #include "latticeworld/generation/world_generator.h"
 
 namespace latticeworld {
@@ -35,6 +36,19 @@ std::vector<double> Corners(const visualization_msgs::MarkerArray& array) {
     for (const geometry_msgs::Point& point : marker.points) heights_m.push_back(point.z);
   }
   return heights_m;
+}
+
+TEST(WorldMessagesTest, AreTheSameWhereNoMoreThreadsCanBeHad) {
+  const auto world = SmallForest();
+  const WorldServerOptions options;
+  std::vector<StageTime> stages;
+  const WorldMessages beside = BuildWorldMessages(*world, options, Progress(), &stages).value();
+  const RefusedThreads refused;
+  const auto alone = BuildWorldMessages(*world, options, Progress(), &stages);
+  ASSERT_TRUE(alone.ok()) << alone.status().ToString();
+  EXPECT_EQ(alone->octomap_full->data, beside.octomap_full->data);
+  EXPECT_EQ(alone->octomap_binary->data, beside.octomap_binary->data);
+  EXPECT_EQ(alone->map->data, beside.map->data);
 }
 
 TEST(WorldMessagesTest, ATreeThatFallsMakesNewMapsAndLeavesTheRestAsItIs) {

@@ -116,9 +116,10 @@ Status AddFiles(const World& world, BundleWriter* writer, Manifest* manifest) {
   const Scene& scene = *world.scene;
   manifest->octree_resolution_m =
       std::max(scene.geometry().resolution_m(), scene.geometry().size_m() / kMaxOctreeColumns);
-  // The octree takes as long as all the rest, so it is built beside it.
+  // The octree takes as long as all the rest, so it is built beside it; after it, where no more
+  // threads can be had.
   Progress octree_progress;
-  auto octree = std::async(std::launch::async, [&] {
+  auto octree = std::async(std::launch::async | std::launch::deferred, [&] {
     return EncodeOctree(scene, manifest->octree_resolution_m, octree_progress);
   });
   const auto add_others = [&]() -> Status {
