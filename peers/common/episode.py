@@ -49,8 +49,32 @@ def episode():
     return bag
 
 
+def bag_as_mcap(bag, path):
+    """(path, messages): a bag's messages in an MCAP file of the profile ros1, as they are."""
+    from mcap.writer import Writer
+    from rosbags.rosbag1 import Reader
+    count = 0
+    with Reader(bag) as reader, open(path, "wb") as file:
+        writer = Writer(file)
+        writer.start(profile="ros1", library="peers")
+        channels = {}
+        for c in reader.connections:
+            schema = writer.register_schema(c.msgtype.replace("/msg/", "/"), "ros1msg",
+                                            c.msgdef.data.encode())
+            channels[c.id] = writer.register_channel(c.topic, "ros1", schema)
+        for connection, stamp, data in reader.messages():
+            writer.add_message(channels[connection.id], stamp, data, stamp)
+            count += 1
+        writer.finish()
+    return path, count
+
+
 def ros_says(command):
     """What a program of ROS prints."""
     text = f"source {SETUP} && {command}"
     return subprocess.run(["bash", "-c", text], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True, check=False).stdout
+
+
+if __name__ == "__main__":
+    print(episode())
