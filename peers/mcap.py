@@ -5,32 +5,22 @@ import hashlib
 import importlib.metadata
 
 from mcap.reader import make_reader
-from mcap.writer import Writer
 from mcap_ros1.decoder import DecoderFactory
 from rosbags.rosbag1 import Reader
 
-from episode import episode
+from episode import bag_as_mcap, episode
 from peer import FOLDER, Peer
 
 
 def main():
     peer = Peer("mcap", importlib.metadata.version("mcap"),
                 "an episode's bag, by rosbags, with the profile `ros1`")
-    path = FOLDER / "episode.mcap"
-    given, count = hashlib.sha256(), 0
-    with Reader(episode()) as reader, open(path, "wb") as file:
-        writer = Writer(file)
-        writer.start(profile="ros1", library="peers")
-        channels = {}
-        for c in reader.connections:
-            schema = writer.register_schema(c.msgtype.replace("/msg/", "/"), "ros1msg",
-                                            c.msgdef.data.encode())
-            channels[c.id] = writer.register_channel(c.topic, "ros1", schema)
-        for connection, stamp, data in reader.messages():
-            writer.add_message(channels[connection.id], stamp, data, stamp)
+    bag = episode()
+    path, count = bag_as_mcap(bag, FOLDER / "episode.mcap")
+    given = hashlib.sha256()
+    with Reader(bag) as reader:
+        for _, stamp, data in reader.messages():
             given.update(stamp.to_bytes(8, "little") + data)
-            count += 1
-        writer.finish()
     kept, decoded, topics = hashlib.sha256(), 0, set()
     with open(path, "rb") as file:
         reader = make_reader(file, decoder_factories=[DecoderFactory()])

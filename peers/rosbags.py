@@ -7,8 +7,9 @@ import re
 
 from rosbags.rosbag1 import Reader, Writer
 
-from episode import episode, ros_says
+from episode import episode
 from peer import FOLDER, Peer, run
+from ros import ros_says
 
 
 def main():
@@ -31,8 +32,9 @@ def main():
     peer.check("messages", said and int(said[-1]) == count and times == sorted(times),
                f"{count} of {said[-1] if said else '?'} of {topics} topics, in order of time")
     for name, path in (("replay of the bag", bag), ("replay of what it wrote", written)):
-        proof = re.search(r"(PROVEN|FAILED|DIVERGED).*", ros_says(f"rosrun latticeworld replay_episode {path}"))
-        peer.check(name, proof and proof.group(1) == "PROVEN", proof.group(0) if proof else "nothing")
+        said = ros_says(f"rosrun latticeworld replay_episode {path}")
+        proof = re.search(r"(PROVEN|NO PROOF|DIFFERS).*", said)
+        peer.check(name, proof and proof.group(1) == "PROVEN", proof.group(0) if proof else said)
     peer.finish()
 
 

@@ -40,8 +40,8 @@ def peers():
 
 def listed(path, kind):
     """The packages that a peer's head names: "# pypi: trimesh==5.2.0 numpy==2.4.6"."""
-    found = re.search(rf"^(?:#|//) {kind}: (.*)$", path.read_text(), re.MULTILINE)
-    return found.group(1).split() if found else []
+    lines = re.findall(rf"^(?:#|//) {kind}: (.*)$", path.read_text(), re.MULTILINE)
+    return [word for line in lines for word in line.split()]
 
 
 def elevation(path):
@@ -64,7 +64,40 @@ def make_world(program, folder):
                         "--out", folder / "world"], stdout=log, stderr=log, check=True)
 
 
-def installed(path, folder):
+def python_environment(path, folder):
+    """The interpreter of a virtual environment in the folder, which sees the system's packages where
+    the peer's head says "# site: system"."""
+    system = ["--system-site-packages"] if listed(path, "site") else []
+    subprocess.run(["/usr/bin/python3", "-m", "venv", *system, folder], check=True)
+    return folder / "bin/python"
+
+
+def install(python, packages):
+    subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check",
+                    *packages], check=True)
+
+
+def packages_of(python):
+    return subprocess.run([python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"],
+                          check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
+
+
+def shared(path, worlds):
+    """Where the large packages are that several peers share ("# shared: torch==2.15.0"): they are
+    installed once, beside the worlds. None: the peer has none."""
+    packages = listed(path, "shared")
+    if not packages:
+        return None
+    folder = worlds / ("shared-" + "-".join(packages))
+    if not folder.exists():
+        making = folder.with_name(folder.name + ".part")
+        shutil.rmtree(making, ignore_errors=True)
+        install(python_environment(path, making), packages)
+        making.rename(folder)
+    return packages_of(folder / "bin/python")
+
+
+def installed(path, folder, worlds, wheel):
     """The command that runs a peer, with its packages in the folder."""
     for package in listed(path, "debian"):
         subprocess.run(["dpkg-query", "-W", package], check=True, stdout=subprocess.DEVNULL)
@@ -74,21 +107,27 @@ def installed(path, folder):
         subprocess.run(["npm", "install", "--silent", "--no-audit", "--no-fund", "--prefix",
                         folder, *listed(path, "npm")], check=True, stdout=subprocess.DEVNULL)
         return ["node", folder / path.name]
-    subprocess.run(["/usr/bin/python3", "-m", "venv", folder / "python"], check=True)
+    python = python_environment(path, folder / "python")
+    found = [shared(path, worlds)] if listed(path, "shared") else []
+    if listed(path, "module") and wheel.is_dir():
+        found.append(str(wheel))
+    if found:
+        (pathlib.Path(packages_of(python)) / "peers.pth").write_text("\n".join(found) + "\n")
     packages = listed(path, "pypi")
+    if listed(path, "module") and not wheel.is_dir():
+        packages.append(str(wheel))
     if packages:
-        subprocess.run([folder / "python/bin/pip", "install", "--quiet",
-                        "--disable-pip-version-check", *packages], check=True)
+        install(python, packages)
     # -P: or else peers/trimesh.py would be what it imports as trimesh.
-    return [folder / "python/bin/python", "-P", path]
+    return [python, "-P", path]
 
 
-def run_peer(path, program, worlds):
+def run_peer(path, program, worlds, wheel):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         result = folder / "result.json"
         try:
-            command = installed(path, folder)
+            command = installed(path, folder, worlds, wheel)
         except subprocess.CalledProcessError as error:
             print(f"{path.stem}: cannot be installed: {error}")
             return None
@@ -134,6 +173,10 @@ def main():
     parser.add_argument("names", nargs="*", metavar="NAME", help="of " + ", ".join(peers()))
     parser.add_argument("--program", type=pathlib.Path,
                         default=HERE.parent / "devel/lib/latticeworld/latticeworld")
+    parser.add_argument("--wheel", type=pathlib.Path, default=HERE.parent / "build/python_module",
+                        help="the module latticeworld for Python: a wheel of "
+                        "scripts/build_wheel.sh, or a folder that holds the module "
+                        "[build/python_module]")
     parser.add_argument("--worlds", type=pathlib.Path,
                         help="a folder that keeps the world and its exports for the next run")
     arguments = parser.parse_args()
@@ -149,7 +192,7 @@ def main():
             make_world(program, worlds)
         for peer in arguments.names or peers():
             print(f"== {peer}", flush=True)
-            result = run_peer(peers()[peer], program, worlds)
+            result = run_peer(peers()[peer], program, worlds, arguments.wheel.resolve())
             if result:
                 write_report({result["name"]: row_of(result)})
             if not result or not all(ok for _, ok, _ in result["checks"]):

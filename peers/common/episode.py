@@ -1,27 +1,9 @@
-"""A recorded episode of a robot that is driven for some seconds, in Debian's ROS."""
+"""A recorded episode of a robot that is driven for some seconds."""
 
-import os
-import subprocess
 import time
 
-from peer import PROGRAM, WORLDS
-
-PORT = "11377"
-SETUP = os.path.join(os.path.dirname(PROGRAM), "..", "..", "setup.bash")
-
-
-def ros(command, **options):
-    text = f"source {SETUP} && export ROS_MASTER_URI=http://127.0.0.1:{PORT} && exec {command}"
-    return subprocess.Popen(["bash", "-c", text], stdout=subprocess.DEVNULL,
-                            stderr=subprocess.DEVNULL, **options)
-
-
-def call(command, tries=60):
-    for _ in range(tries):
-        if ros(command).wait() == 0:
-            return
-        time.sleep(1)
-    raise SystemExit(f"no answer: {command}")
+from peer import WORLDS
+from ros import Launch, call, ros
 
 
 def episode():
@@ -29,28 +11,38 @@ def episode():
     bag = WORLDS / "patrol.bag"
     if bag.exists():
         return bag
-    home = WORLDS / "ros"
-    launch = ros(f"roslaunch -p {PORT} latticeworld episode.launch size:=64 seed:=4 "
-                 "generate:='Flat grassland, a wood in the north.' "
-                 "environment:='A wheeled robot waits in the center, two sheep graze.'",
-                 env={**os.environ, "HOME": str(home), "ROS_HOME": str(home)})
-    try:
+    with Launch("episode.launch", size=64, seed=4, generate="Flat grassland, a wood in the north.",
+                environment="A wheeled robot waits in the center, two sheep graze."):
         call("rosservice call /start_episode '{name: patrol, seed: 4}'")
         drive = ros("rostopic pub -r 10 /robot/cmd_vel geometry_msgs/Twist "
                     "'{linear: {x: 1.0}, angular: {z: 0.3}}'")
         time.sleep(6)
         drive.terminate()
         call("rosservice call /stop_episode", tries=3)
-    finally:
-        launch.terminate()
-        launch.wait()
-    found = next(home.rglob("patrol.bag"))
+    found = next((WORLDS / "ros").rglob("patrol.bag"))
     found.rename(bag)
     return bag
 
 
-def ros_says(command):
-    """What a program of ROS prints."""
-    text = f"source {SETUP} && {command}"
-    return subprocess.run(["bash", "-c", text], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          text=True, check=False).stdout
+def bag_as_mcap(bag, path):
+    """(path, messages): a bag's messages in an MCAP file of the profile ros1, as they are."""
+    from mcap.writer import Writer
+    from rosbags.rosbag1 import Reader
+    count = 0
+    with Reader(bag) as reader, open(path, "wb") as file:
+        writer = Writer(file)
+        writer.start(profile="ros1", library="peers")
+        channels = {}
+        for c in reader.connections:
+            schema = writer.register_schema(c.msgtype.replace("/msg/", "/"), "ros1msg",
+                                            c.msgdef.data.encode())
+            channels[c.id] = writer.register_channel(c.topic, "ros1", schema)
+        for connection, stamp, data in reader.messages():
+            writer.add_message(channels[connection.id], stamp, data, stamp)
+            count += 1
+        writer.finish()
+    return path, count
+
+
+if __name__ == "__main__":
+    print(episode())

@@ -29,6 +29,15 @@ export function exported(form, name, ...options) {
   return file;
 }
 
+// The bag of a recorded episode, and how many messages rosbag counts in it.
+export function episode() {
+  const python = (...words) => execFileSync('/usr/bin/python3', words, {encoding: 'utf8'}).trim();
+  const file = python(path.join(process.env.PYTHONPATH, 'episode.py'));
+  const count = python('-c', 'import rosbag, sys; print(rosbag.Bag(sys.argv[1]).get_message_count())',
+                       file);
+  return {file, count: Number(count)};
+}
+
 // How many things assets.csv has.
 export function assetCount() {
   const text = fs.readFileSync(path.join(WORLDS, 'world', 'assets.csv'), 'utf8');

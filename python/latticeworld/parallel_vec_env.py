@@ -18,6 +18,7 @@ class LatticeWorldParallelVecEnv(ParallelEnv):
     """
 
     metadata = {"render_modes": [], "name": "latticeworld_worlds_v0"}
+    render_mode = None  # PettingZoo's conversions warn where it is missing
 
     def __init__(self, batch):
         self.batch = batch

@@ -26,6 +26,7 @@ namespace {
 using latticeworld::Divergence;
 using latticeworld::EpisodeReader;
 using latticeworld::Progress;
+using latticeworld::RecordedSteps;
 using latticeworld::ReplayReport;
 using latticeworld::Result;
 using latticeworld::Status;
@@ -56,13 +57,16 @@ void Print(const Divergence& divergence) {
   }
 }
 
-Result<ReplayReport> VerifyOrFail(const EpisodeReader& reader, const Progress& progress) {
+// steps: gets those that are recorded.
+Result<ReplayReport> VerifyOrFail(const EpisodeReader& reader, const Progress& progress,
+                                  RecordedSteps* steps) {
   LW_ASSIGN_OR_RETURN(const auto world, reader.ReadWorld());
   LW_ASSIGN_OR_RETURN(const auto options,
                       latticeworld::DecodeSimulatorOptions(reader.start().options));
   std::vector<std::string> warnings;
   LW_ASSIGN_OR_RETURN(const auto plan, reader.ReadPlan(&warnings));
   for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";
+  *steps = plan.steps;
   return latticeworld::Replay(world->scene, options, plan, progress);
 }
 
@@ -73,7 +77,8 @@ int Verify(const EpisodeReader& reader) {
     if (Progress* one = to_cancel.load()) one->Cancel();
   });
   const auto begin = std::chrono::steady_clock::now();
-  const Result<ReplayReport> report = VerifyOrFail(reader, progress);
+  RecordedSteps steps;
+  const Result<ReplayReport> report = VerifyOrFail(reader, progress, &steps);
   to_cancel = nullptr;
   if (!report.ok()) return Fail(report.status());
   const double seconds =
@@ -88,9 +93,8 @@ int Verify(const EpisodeReader& reader) {
     Print(*report->divergence);
     return kFailure;
   }
-  std::cout << "PROVEN: " << report->hashes << " of " << report->hashes
-            << " recorded states are the same, bit for bit\n";
-  return 0;
+  std::cout << latticeworld::ProofText(*report, steps) << "\n";
+  return latticeworld::IsProven(*report, steps) ? 0 : kFailure;
 }
 
 int Play(const EpisodeReader& reader, double rate, int argc, char** argv) {

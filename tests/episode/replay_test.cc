@@ -232,6 +232,43 @@ TEST(ReplayTest, ASnapshotOfBeforeTheBeginningCannotBeRestored) {
   EXPECT_NE(report->divergence->failure.find("snapshot 1"), std::string::npos);
 }
 
+TEST(ReplayTest, WhatIsProvenReachesToTheLastHash) {
+  Recording recording;
+  recording.Drive(0.7, 30);
+  ReplayPlan plan = recording.Plan();
+  plan.steps = {0, 0, 50};
+  const auto report = ReplayHere(plan);
+  ASSERT_TRUE(report.ok()) << report.status().ToString();
+  EXPECT_TRUE(IsProven(*report, plan.steps));
+  EXPECT_EQ(ProofText(*report, plan.steps),
+            "PROVEN: 2 of 2 recorded states are the same, bit for bit; the last of them is after "
+            "30 of 50 recorded steps");
+  plan.calls.push_back({plan.calls.back().number + 1, 40, plan.calls.back().call});
+  const std::string text = ProofText(*ReplayHere(plan), plan.steps);
+  EXPECT_NE(text.find("; calls after it: 1"), std::string::npos) << text;
+}
+
+TEST(ReplayTest, TheHashOfTheBeginningAloneProvesNothing) {
+  Recording recording;
+  recording.Steps(30);
+  ReplayPlan plan = recording.Plan();
+  plan.hashes.resize(1);
+  plan.steps = {0, 0, 30};
+  const auto report = ReplayHere(plan);
+  ASSERT_TRUE(report.ok()) << report.status().ToString();
+  EXPECT_FALSE(IsProven(*report, plan.steps));
+  const std::string text = ProofText(*report, plan.steps);
+  EXPECT_EQ(text.rfind("NO PROOF", 0), 0u) << text;
+  EXPECT_NE(text.find("the 30 recorded steps"), std::string::npos) << text;
+}
+
+TEST(ReplayTest, TheHashOfTheBeginningProvesAnEpisodeOfNoSteps) {
+  const RecordedSteps none;
+  const auto report = ReplayHere(Recording().Plan());
+  ASSERT_TRUE(report.ok()) << report.status().ToString();
+  EXPECT_TRUE(IsProven(*report, none));
+}
+
 TEST(ReplayTest, ACancelEndsIt) {
   Recording recording;
   recording.Steps(1000);

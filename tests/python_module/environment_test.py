@@ -32,6 +32,17 @@ def test_pettingzoo_finds_nothing_wrong(worlds):
                     max_actions=20), num_cycles=60)
 
 
+def test_pettingzoo_takes_them_turn_by_turn_without_a_warning(worlds):
+    for env in (lw.make_parallel(worlds[0], ["robot"]),
+                lw.make_vec(2, interface="pettingzoo", worlds=worlds)):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            turns = pettingzoo.utils.parallel_to_aec(env)
+        turns.reset(seed=1)
+        assert turns.agents == env.agents
+        turns.close()
+
+
 def test_pettingzoo_finds_that_a_seed_says_all(worlds):
     pettingzoo.test.parallel_seed_test(
         lambda: lw.make_parallel(worlds[0], ["robot", "scout"], spawn=SPAWN), num_cycles=20)

@@ -19,6 +19,7 @@ class LatticeWorldParallelEnv(ParallelEnv):
     """
 
     metadata = {"render_modes": [], "name": "latticeworld_v0"}
+    render_mode = None  # PettingZoo's conversions warn where it is missing
 
     def __init__(self, robots, spawn=None, task=None, server=None, **options):
         episode_options = EpisodeOptions(**options)

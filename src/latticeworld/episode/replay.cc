@@ -51,7 +51,6 @@ class Run {
         last_step_(plan.hashes.empty() ? step_ : plan.hashes.back().step) {}
 
   Result<ReplayReport> Go() {
-    std::optional<RecordedHash> agreed;
     for (const RecordedHash& hash : plan_.hashes) {
       if (hash.calls < plan_.beginning.number || hash.step < plan_.beginning.step) {
         ++report_.skipped;
@@ -61,11 +60,11 @@ class Run {
       LW_RETURN_IF_ERROR(Reach(hash, &failure));
       const std::string state_hash = failure.empty() ? simulator_->StateHash() : std::string();
       if (state_hash != hash.state_hash) {
-        report_.divergence = Divergence{hash, state_hash, failure, agreed};
+        report_.divergence = Divergence{hash, state_hash, failure, report_.agreed};
         break;
       }
       ++report_.hashes;
-      agreed = hash;
+      report_.agreed = hash;
     }
     report_.calls_after = plan_.calls.size() - next_call_;
     return report_;
@@ -123,6 +122,32 @@ Result<ReplayReport> Replay(std::shared_ptr<const Scene> scene, const SimulatorO
   } catch (const std::exception& error) {
     return Internal(std::string("the simulation failed: ") + error.what());
   }
+}
+
+bool IsProven(const ReplayReport& report, const RecordedSteps& steps) {
+  if (report.divergence || !report.agreed) return false;
+  const bool beyond_beginning =
+      report.agreed->step > steps.first || report.agreed->calls > steps.first_call;
+  const bool more_is_recorded = steps.last > steps.first || report.calls_after != 0;
+  return beyond_beginning || !more_is_recorded;
+}
+
+std::string ProofText(const ReplayReport& report, const RecordedSteps& steps) {
+  const std::uint64_t recorded = steps.last - steps.first;
+  if (!IsProven(report, steps)) {
+    return "NO PROOF: no hash of a state after the beginning can be compared; nothing shows what "
+           "the " +
+           std::to_string(recorded) + " recorded steps did";
+  }
+  std::string text = "PROVEN: " + std::to_string(report.hashes) + " of " +
+                     std::to_string(report.hashes) +
+                     " recorded states are the same, bit for bit; the last of them is after " +
+                     std::to_string(report.agreed->step - steps.first) + " of " +
+                     std::to_string(recorded) + " recorded steps";
+  if (report.calls_after != 0) {
+    text += "; calls after it: " + std::to_string(report.calls_after);
+  }
+  return text;
 }
 
 }  // namespace latticeworld

@@ -21,11 +21,19 @@ struct RecordedHash {
   std::string state_hash;   // Simulator::StateHash
 };
 
+// The steps of an episode, as far as anything in its record tells of them.
+struct RecordedSteps {
+  std::uint64_t first = 0;       // steps that were done when the episode began
+  std::uint64_t first_call = 0;  // number of the last call before it
+  std::uint64_t last = 0;
+};
+
 // All that a simulation came of, and what it is compared with.
 struct ReplayPlan {
   JournalBeginning beginning;
   std::vector<JournalEntry> calls;   // after the beginning, in order
   std::vector<RecordedHash> hashes;  // in order
+  RecordedSteps steps;
 };
 
 // Says where a simulation went another way than the recorded one.
@@ -42,6 +50,7 @@ struct ReplayReport {
   std::uint64_t hashes = 0;   // that agreed
   std::uint64_t skipped = 0;  // hashes of before the beginning, which nothing can be compared with
   std::uint64_t calls_after = 0;         // calls after the last hash: nothing shows what they did
+  std::optional<RecordedHash> agreed;    // the last hash that agreed
   std::optional<Divergence> divergence;  // none: every hash agreed
 };
 
@@ -51,6 +60,14 @@ struct ReplayReport {
 // failed).
 Result<ReplayReport> Replay(std::shared_ptr<const Scene> scene, const SimulatorOptions& options,
                             const ReplayPlan& plan, const Progress& progress);
+
+// Whether hashes that agree show anything of the episode. The hash of its beginning alone does not
+// where more is recorded than the beginning.
+bool IsProven(const ReplayReport& report, const RecordedSteps& steps);
+
+// What is proven and how far it reaches, or that nothing is, in one line without its end. report:
+// without a divergence.
+std::string ProofText(const ReplayReport& report, const RecordedSteps& steps);
 
 }  // namespace latticeworld
 

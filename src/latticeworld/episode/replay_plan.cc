@@ -87,6 +87,7 @@ Result<ReplayPlan> MakeReplayPlan(RecordedSimulation recorded, std::vector<std::
   }
   ReplayPlan plan;
   plan.beginning = best.beginning;
+  plan.steps = recorded.steps;
   plan.calls.assign(recorded.calls.begin() + static_cast<std::ptrdiff_t>(best.begin),
                     recorded.calls.begin() + static_cast<std::ptrdiff_t>(best.end));
   for (const RecordedHash& hash : recorded.hashes) {

@@ -14,6 +14,7 @@ struct RecordedSimulation {
   JournalBeginning beginning;
   std::vector<JournalEntry> calls;
   std::vector<RecordedHash> hashes;
+  RecordedSteps steps;
 };
 
 // The part of it that can be simulated again and is compared with most hashes: all of it where no

@@ -3,6 +3,7 @@
 #include <rosbag/view.h>
 #include <sensor_msgs/JointState.h>
 
+#include <algorithm>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -158,8 +159,13 @@ Result<ReplayPlan> EpisodeReader::ReadPlan(std::vector<std::string>* warnings) c
   RecordedSimulation recorded;
   recorded.beginning = {start_.beginning_seed, start_.beginning_number, start_.beginning_step};
   recorded.hashes.push_back({start_.step, start_.calls, start_.state_hash});
-  const auto add_call = [&recorded](const JournalMessage& message) -> Status {
+  recorded.steps = {start_.step, start_.calls, start_.step};
+  const auto reach = [&recorded](std::uint64_t step) {
+    recorded.steps.last = std::max(recorded.steps.last, step);
+  };
+  const auto add_call = [&](const JournalMessage& message) -> Status {
     LW_ASSIGN_OR_RETURN(JournalEntry entry, ToJournalEntry(message));
+    reach(entry.step);
     recorded.calls.push_back(std::move(entry));
     return Status();
   };
@@ -173,8 +179,15 @@ Result<ReplayPlan> EpisodeReader::ReadPlan(std::vector<std::string>* warnings) c
             return legal.ok();
           });
       if (!status.ok() || !legal.ok()) return status.ok() ? legal : status;
-      return ForEach<StateHash>(*bag, [&](const StateHash& message, const auto&) {
-        if (message.run == start_.run) recorded.hashes.push_back(ToRecordedHash(message));
+      status = ForEach<StateHash>(*bag, [&](const StateHash& message, const auto&) {
+        if (message.run != start_.run) return true;
+        recorded.hashes.push_back(ToRecordedHash(message));
+        reach(message.step);
+        return true;
+      });
+      if (!status.ok()) return status;
+      return ForEach<AgentStates>(*bag, [&](const AgentStates& message, const auto&) {
+        if (message.world_id == start_.world_id) reach(message.step);
         return true;
       });
     });
