@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "latticeworld/scene/scene.h"
 
 namespace latticeworld {
@@ -18,16 +20,40 @@ TEST(ChosenAssetsTest, WhoHasTooManyThingsIsToldWhatHelpsAndNothingElse) {
   EXPECT_EQ(without.ToString().find("plants"), std::string::npos);
 }
 
-TEST(AssetNamesTest, SingleThingsKeepTheirNamesAndTheRestHaveNumbers) {
+TEST(PartNamesTest, SingleThingsKeepTheirNamesAndTheRestHaveNumbers) {
   Scene scene;
   scene.assets.resize(4);
   scene.things = {{"old_well", "well", 0, 2, {0.0, 0.0}, 0.0},
                   {"ground", "bench", 1, 1, {0.0, 0.0}, 0.0},
                   {"box", "crate", 2, -1, {0.0, 0.0}, 0.0}};
-  const AssetNames names(scene);
+  const PartNames names(scene);
   EXPECT_EQ(names.Of(2), "old_well");
   EXPECT_EQ(names.Of(1), "asset_1");  // files have a ground already
   EXPECT_EQ(names.Of(0), "asset_0");
+}
+
+TEST(PartNamesTest, NoTwoPartsHaveOneNameWhateverThingsAreCalled) {
+  Scene scene;
+  scene.assets.resize(4);
+  for (const char* name :
+       {"ground", "element_ground", "asset_1", "road_bridge_1", "world", "box"}) {
+    Prop prop;
+    prop.name = name;
+    scene.props.push_back(prop);
+  }
+  scene.things = {{"box", "well", 0, 0, {0.0, 0.0}, 0.0},
+                  {"well", "well", 0, 2, {0.0, 0.0}, 0.0},
+                  {"well_solid", "well", 0, 3, {0.0, 0.0}, 0.0}};
+  const PartNames names(scene);
+  std::set<std::string> used = {"ground", "water", "road_bridge_1", "world"};
+  for (const Prop& prop : scene.props) EXPECT_TRUE(used.insert(names.Of(prop)).second) << prop.name;
+  for (std::uint32_t asset = 0; asset < scene.assets.size(); ++asset) {
+    EXPECT_TRUE(used.insert(names.Of(asset)).second) << asset;
+    EXPECT_TRUE(used.insert(names.Of(asset) + "_solid").second) << asset;
+  }
+  EXPECT_EQ(names.Of(scene.props.back()), "box");
+  EXPECT_TRUE(used.insert(names.Unlike("box")).second);
+  EXPECT_EQ(names.Unlike("oak"), "oak");
 }
 
 }  // namespace

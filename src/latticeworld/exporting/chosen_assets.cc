@@ -38,25 +38,42 @@ void AddShades(const Scene& scene, const LookGroup& whole, std::vector<LookGroup
   }
 }
 
-// Whether files have a part of that name already, or may have.
+// Whether files have a part of that name already, or may have. A format's own names are among them.
 bool IsTaken(std::string_view name) {
-  constexpr std::string_view kNames[] = {"ground", "water", "sun", "sky", "link", "default"};
-  return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames) ||
-         name.substr(0, 6) == "asset_" || name.substr(0, 4) == "map_";
+  constexpr std::string_view kNames[] = {"ground", "water", "sun",    "sky",
+                                         "link",   "world", "default"};
+  constexpr std::string_view kBegins[] = {"asset_", "element_", "map_", "road_bridge_"};
+  constexpr std::string_view kSolid = "_solid";  // what asset X bumps into is "X_solid"
+  const bool begins = std::any_of(std::begin(kBegins), std::end(kBegins), [&](auto begin) {
+    return name.substr(0, begin.size()) == begin;
+  });
+  return begins || std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames) ||
+         (name.size() >= kSolid.size() && name.substr(name.size() - kSolid.size()) == kSolid);
 }
 
 }  // namespace
 
-AssetNames::AssetNames(const Scene& scene) {
+PartNames::PartNames(const Scene& scene) {
+  for (const Prop& prop : scene.props) props_.insert(Of(prop));
+  std::set<std::string> used = props_;
   for (const SceneThing& thing : scene.things) {
-    if (thing.asset < 0 || IsTaken(thing.name)) continue;
+    if (thing.asset < 0 || IsTaken(thing.name) || !used.insert(thing.name).second) continue;
     things_.emplace(static_cast<std::uint32_t>(thing.asset), thing.name);
   }
 }
 
-std::string AssetNames::Of(std::uint32_t asset) const {
+std::string PartNames::Of(std::uint32_t asset) const {
   const auto found = things_.find(asset);
   return found == things_.end() ? "asset_" + std::to_string(asset) : found->second;
+}
+
+std::string PartNames::Of(const Prop& prop) const {
+  return IsTaken(prop.name) ? "element_" + prop.name : prop.name;
+}
+
+std::string PartNames::Unlike(std::string name) const {
+  while (props_.count(name) > 0) name += "_";
+  return name;
 }
 
 bool IsSmallPlant(AssetKind kind) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 
 namespace latticeworld {
 
+struct Prop;
 struct Scene;
 
 bool IsSmallPlant(AssetKind kind);  // grass, reed, flowers, crops
@@ -21,15 +23,20 @@ bool IsSmallPlant(AssetKind kind);  // grass, reed, flowers, crops
 std::vector<std::uint32_t> ChooseAssets(const Scene& scene, const ExportRegion& region,
                                         bool small_plants);
 
-// What exports call assets: single things by their names, where no other part of a file has that
-// name, the rest "asset_<number>".
-class AssetNames {
+// What exports call assets and props, each by a name that no other part of a file has, whatever
+// their names in the world are: single things and props by those, where nothing else has or may
+// have them, other assets "asset_<number>", other props "element_<name>".
+class PartNames {
  public:
-  explicit AssetNames(const Scene& scene);
+  explicit PartNames(const Scene& scene);
   std::string Of(std::uint32_t asset) const;
+  std::string Of(const Prop& prop) const;
+  // The name, or where a prop has it, one like it that none has.
+  std::string Unlike(std::string name) const;
 
  private:
   std::map<std::uint32_t, std::string> things_;
+  std::set<std::string> props_;
 };
 
 // INVALID_ARGUMENT that says what helps. things: "things"; small_plants: whether there are some.

@@ -13,6 +13,11 @@ namespace {
 constexpr char kWhat[] = "topics of an episode";
 constexpr std::size_t kMaxPatterns = 64;
 constexpr std::size_t kMaxPatternLength = 256;
+constexpr std::size_t kMostRepeats = 100;  // of a part of a pattern, by {n}
+// libstdc++ tries the ways to match a name one after the other, of which there may be very many,
+// unless it is told to go through them together; references back are then no part of the language.
+constexpr auto kLanguage =
+    std::regex::ECMAScript | std::regex::optimize | std::regex_constants::__polynomial;
 // Deep enough for what comes while a thread waits its turn.
 constexpr std::uint32_t kQueue = 10000;
 
@@ -28,6 +33,23 @@ const std::vector<std::string>& UsualPatterns() {
       ".*/(cmd_vel|joint_command|strike|odom|ground_truth|joint_states)"};
   return patterns;
 }
+// How often the braces of a pattern repeat the same part at most, one within the other; where that
+// is more than kMostRepeats, one more than kMostRepeats.
+std::size_t RepeatsOf(const std::string& pattern) {
+  std::size_t repeats = 1, number = 0, largest = 0;
+  for (const char c : pattern) {
+    if (c >= '0' && c <= '9') {
+      number = std::min(10 * number + static_cast<std::size_t>(c - '0'), kMostRepeats + 1);
+      largest = std::max(largest, number);
+      continue;
+    }
+    number = 0;
+    if (c == '{') largest = 0;
+    if (c == '}') repeats = std::min(repeats * std::max<std::size_t>(1, largest), kMostRepeats + 1);
+  }
+  return repeats;
+}
+
 constexpr char kSensorPattern[] =
     ".*/(scan|points|imu|fix|magnetic_field|wheel_odom|bumper|camera/.*)";
 
@@ -56,8 +78,12 @@ Result<TopicFilter> TopicFilter::Create(const std::vector<std::string>& patterns
       refuse("too_long", "longer than " + std::to_string(kMaxPatternLength) + " characters");
       continue;
     }
+    if (RepeatsOf(pattern) > kMostRepeats) {
+      refuse("too_many", "repeating a part more than " + std::to_string(kMostRepeats) + " times");
+      continue;
+    }
     try {
-      filter.expressions_.emplace_back(pattern, std::regex::ECMAScript | std::regex::optimize);
+      filter.expressions_.emplace_back(pattern, kLanguage);
     } catch (const std::regex_error& error) {
       refuse("bad_pattern", std::string("no regular expression: ") + error.what());
     }
@@ -67,13 +93,8 @@ Result<TopicFilter> TopicFilter::Create(const std::vector<std::string>& patterns
 }
 
 bool TopicFilter::Matches(const std::string& topic) const {
-  return std::any_of(expressions_.begin(), expressions_.end(), [&topic](const std::regex& one) {
-    try {
-      return std::regex_match(topic, one);
-    } catch (const std::regex_error&) {  // too costly for this name
-      return false;
-    }
-  });
+  return std::any_of(expressions_.begin(), expressions_.end(),
+                     [&topic](const std::regex& one) { return std::regex_match(topic, one); });
 }
 
 EpisodeListener::EpisodeListener(ros::NodeHandle node, TopicFilter filter,

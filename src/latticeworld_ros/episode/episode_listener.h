@@ -19,8 +19,9 @@ namespace latticeworld {
 // Which topics an episode holds.
 class TopicFilter {
  public:
-  // patterns: regular expressions (ECMAScript) of whole names; empty: the usual ones. sensors:
-  // those of sensors too. Errors: INVALID_ARGUMENT with every violation: "topics[2]".
+  // patterns: regular expressions (ECMAScript without references back) of whole names; empty: the
+  // usual ones. sensors: those of sensors too. Errors: INVALID_ARGUMENT with every violation:
+  // "topics[2]".
   static Result<TopicFilter> Create(const std::vector<std::string>& patterns, bool sensors);
   bool Matches(const std::string& topic) const;
   const std::vector<std::string>& patterns() const { return patterns_; }

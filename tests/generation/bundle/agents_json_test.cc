@@ -87,6 +87,7 @@ TEST(AgentsJsonTest, NamesWhatIsWrong) {
       {Replaced(good, "\"x_m\": 7.1", "\"x_m\": 16.1"), "x_m is 16.1"},
       {Replaced(good, "\"x_m\": 7.1", "\"x_m\": \"7.1\""), "x_m is"},
       {Replaced(good, "\"x_m\": 7.1", "\"x_m\": 1e999"), "1e999"},
+      {Replaced(good, "\"heading_rad\": 1.0", "\"heading_rad\": 1e300"), "heading_rad is 1e+300"},
       {Replaced(good, "\"x_m\"", "\"X_m\""), "x_m is missing"},
       {Replaced(good, "\"team\"", "\"extra\": 1, \"team\""), "is unknown"},
       {Replaced(good, "\"controllable\": false", "\"controllable\": 0"), "true or false"},

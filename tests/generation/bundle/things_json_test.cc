@@ -54,6 +54,12 @@ TEST(ThingsJsonTest, TheFileOfABundleIsReadBackAndDamageIsSeen) {
   EXPECT_EQ(read->things[0].asset, 3);
   EXPECT_EQ(read->things[0].position.x_m, 1.5);
   EXPECT_FALSE(DecodeThings(EncodeThings(file), geometry, 2).ok());
+  ThingsFile twice = file;
+  twice.things.push_back(file.things[0]);
+  EXPECT_FALSE(DecodeThings(EncodeThings(twice), geometry, 10).ok());
+  ThingsFile turned = file;
+  turned.things[0].yaw_rad = 1e300;
+  EXPECT_FALSE(DecodeThings(EncodeThings(turned), geometry, 10).ok());
 }
 
 }  // namespace

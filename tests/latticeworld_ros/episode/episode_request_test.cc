@@ -57,5 +57,16 @@ TEST(EpisodeRequestTest, EveryViolationIsToldAtOnce) {
   }
 }
 
+// What is repeated is written out as the pattern is read. References back are no part of the
+// language, in which the ways to match a name are gone through together.
+TEST(EpisodeRequestTest, PatternsThatRepeatTooOftenOrReferBackAreRefused) {
+  Request request;
+  request.topics = {"/camera_[0-9]{2}", "/(ab{11}){11}", "/a{1,101}", "/(a)b\\1"};
+  const Status status = ReadEpisodeRequest(request, "lz4").status();
+  std::vector<std::string> fields;
+  for (const Violation& violation : status.violations()) fields.push_back(violation.pointer);
+  EXPECT_EQ(fields, (std::vector<std::string>{"topics[1]", "topics[2]", "topics[3]"}));
+}
+
 }  // namespace
 }  // namespace latticeworld

@@ -37,7 +37,8 @@ void AddMjcfCollision(const Asset& asset, Collision form, const Eigen::Vector3d&
   world->Leaf("geom", attributes);
 }
 
-void AddMjcfProp(const Prop& prop, const Eigen::Vector3d& place_m, MjcfText* world) {
+void AddMjcfProp(const Prop& prop, const std::string& name, const Eigen::Vector3d& place_m,
+                 MjcfText* world) {
   const bool moves = prop.kind == PropKind::kCrate || prop.kind == PropKind::kLooseStone;
   const bool ball = prop.kind == PropKind::kLooseStone;
   const Eigen::Vector3d& size = prop.size_m;
@@ -49,7 +50,7 @@ void AddMjcfProp(const Prop& prop, const Eigen::Vector3d& place_m, MjcfText* wor
   const MjcfAttributes place = {{"pos", MjcfNumbers(middle_m)}, {"quat", MjcfYaw(prop.yaw_rad)}};
   MjcfAttributes geom = {
       {"class", "element"},
-      {"name", prop.name},
+      {"name", name},
       {"type", ball ? "sphere" : "box"},
       {"size", ball ? MjcfNumbers({0.5 * size.x()}) : MjcfNumbers(0.5 * size)},
       {"rgba", ball ? "0.55 0.52 0.49 1" : "0.6 0.45 0.28 1"},
@@ -59,10 +60,10 @@ void AddMjcfProp(const Prop& prop, const Eigen::Vector3d& place_m, MjcfText* wor
     world->Leaf("geom", geom);
     return;
   }
-  MjcfAttributes body = {{"name", prop.name}};
+  MjcfAttributes body = {{"name", name}};
   body.insert(body.end(), place.begin(), place.end());
   world->Open("body", body);
-  world->Leaf("freejoint", {{"name", prop.name}});
+  world->Leaf("freejoint", {{"name", name}});
   geom.emplace_back("mass", MjcfNumbers({prop.mass_kg}));
   world->Leaf("geom", geom);
   world->Close("body");

@@ -19,9 +19,10 @@ struct Prop;
 void AddMjcfCollision(const Asset& asset, Collision form, const Eigen::Vector3d& base_m,
                       const std::string& name, MjcfText* world);
 
-// A prop at a place: crates and loose stones are bodies that can be moved, others are geoms of
-// the world.
-void AddMjcfProp(const Prop& prop, const Eigen::Vector3d& place_m, MjcfText* world);
+// A prop, of that name, at a place: crates and loose stones are bodies that can be moved, others
+// are geoms of the world.
+void AddMjcfProp(const Prop& prop, const std::string& name, const Eigen::Vector3d& place_m,
+                 MjcfText* world);
 
 // The parts of a bridge of a road as geoms of the world. origin_m: the world's in the frame map.
 void AddMjcfBridge(const Bridge& bridge, const std::vector<BridgePart>& parts,

@@ -344,7 +344,8 @@ class MjcfBuilder {
   void AddProps() {
     for (const Prop& prop : scene_.props) {
       if (region_.Holds(prop.position)) {
-        AddMjcfProp(prop, Local(prop.position.x_m, prop.position.y_m, prop.z_m), &body_);
+        AddMjcfProp(prop, names_.Of(prop), Local(prop.position.x_m, prop.position.y_m, prop.z_m),
+                    &body_);
       }
     }
   }
@@ -373,7 +374,7 @@ class MjcfBuilder {
   }
 
   const Scene& scene_;
-  const AssetNames names_;
+  const PartNames names_;
   const std::optional<GeoOrigin>& origin_;
   const MjcfOptions& options_;
   const Progress& progress_;

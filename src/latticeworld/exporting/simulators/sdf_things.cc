@@ -37,7 +37,8 @@ void AddSdfCollision(const Asset& asset, Collision form, const Eigen::Vector3d& 
   world->Close("collision");
 }
 
-void AddSdfProp(const Prop& prop, const Eigen::Vector3d& place_m, SdfText* world) {
+void AddSdfProp(const Prop& prop, const std::string& name, const Eigen::Vector3d& place_m,
+                SdfText* world) {
   const bool moves = prop.kind == PropKind::kCrate || prop.kind == PropKind::kLooseStone;
   const bool ball = prop.kind == PropKind::kLooseStone;
   const Eigen::Vector3d& size = prop.size_m;
@@ -45,7 +46,7 @@ void AddSdfProp(const Prop& prop, const Eigen::Vector3d& place_m, SdfText* world
   // A gate's origin is at its hinge, others' in the middle; a ball rests on its lowest point.
   const Eigen::Vector3d center(prop.kind == PropKind::kGate ? 0.5 * size.x() : 0.0, 0.0,
                                0.5 * size.z());
-  world->Open("model", prop.name);
+  world->Open("model", name);
   if (!moves) world->Leaf("static", "true");
   world->Pose(place_m, prop.yaw_rad);
   world->Open("link", "link");

@@ -19,8 +19,10 @@ struct Prop;
 void AddSdfCollision(const Asset& asset, Collision form, const Eigen::Vector3d& base_m,
                      const std::string& name, SdfText* world);
 
-// A <model> of a prop at a place: crates and loose stones can be moved, others are static.
-void AddSdfProp(const Prop& prop, const Eigen::Vector3d& place_m, SdfText* world);
+// A <model> of a prop, of that name, at a place: crates and loose stones can be moved, others are
+// static.
+void AddSdfProp(const Prop& prop, const std::string& name, const Eigen::Vector3d& place_m,
+                SdfText* world);
 
 // A static <model> of a bridge of a road. origin_m: the world's in the frame map.
 void AddSdfBridge(const Bridge& bridge, const std::vector<BridgePart>& parts,

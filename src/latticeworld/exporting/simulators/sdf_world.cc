@@ -249,7 +249,8 @@ class SdfBuilder {
     const auto& variants = scene_.catalogue->season_variants(TypeOf(example.kind));
     const Mesh mesh = BuildMesh(model, variants[example.season_variant].foliage, options_.detail,
                                 MeshVariationOf(example));
-    const std::string name = internal::PlainName(group.name) + "_" + std::to_string(number);
+    const std::string name =
+        names_.Unlike(internal::PlainName(group.name) + "_" + std::to_string(number));
     AddFile("meshes/" + name + ".obj", ToObj(mesh, name + ".mtl"));
     AddFile("meshes/" + name + ".mtl", ToMtl(MeanColors(scene_, group.members)));
     world->Open("model", name);
@@ -280,7 +281,8 @@ class SdfBuilder {
   void AddProps(SdfText* world) {
     for (const Prop& prop : scene_.props) {
       if (region_.Holds(prop.position)) {
-        AddSdfProp(prop, Local(prop.position.x_m, prop.position.y_m, prop.z_m), world);
+        AddSdfProp(prop, names_.Of(prop), Local(prop.position.x_m, prop.position.y_m, prop.z_m),
+                   world);
       }
     }
   }
@@ -296,7 +298,7 @@ class SdfBuilder {
   }
 
   const Scene& scene_;
-  const AssetNames names_;
+  const PartNames names_;
   const std::optional<GeoOrigin>& origin_;
   const SdfOptions& options_;
   const Progress& progress_;

@@ -297,7 +297,7 @@ class UsdBuilder {
   }
 
   const Scene& scene_;
-  const AssetNames names_;
+  const PartNames names_;
   const std::optional<GeoOrigin>& origin_;
   const UsdOptions& options_;
   const Progress& progress_;

@@ -13,6 +13,7 @@ namespace {
 namespace jf = json_fields;
 
 constexpr double kMaxHeightAboveGround_m = 10000.0;
+constexpr double kMostHeading_rad = 1000.0;
 constexpr std::size_t kMaxBytes = 1 << 20;  // kMaxAgentStarts agents take a third of it
 
 jf::Json Encode(const AgentStart& agent) {
@@ -49,7 +50,7 @@ AgentStart Decode(const jf::Json& json, const GridGeometry& geometry) {
   agent.position.y_m = jf::Number(json, "y_m", -half_m, half_m);
   agent.height_above_ground_m =
       jf::Number(json, "height_above_ground_m", -kMaxHeightAboveGround_m, kMaxHeightAboveGround_m);
-  agent.heading_rad = jf::Number(json, "heading_rad");
+  agent.heading_rad = jf::Number(json, "heading_rad", -kMostHeading_rad, kMostHeading_rad);
   return agent;
 }
 

@@ -1,5 +1,6 @@
 #include "latticeworld/generation/bundle/manifest.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,6 +15,13 @@ using jf::Json;
 
 constexpr std::string_view kDigestKey = "\"manifest_sha256\": \"";
 constexpr std::size_t kDigestDigits = 64;
+
+constexpr double kHighest_m = 1e6;  // over the ellipsoid
+// Beyond every weather, so that no computation with it can overflow.
+constexpr double kMostRain_mmph = 1e4;
+constexpr double kMostWind_mps = 1e3;
+constexpr double kDeepestSnow_m = 100.0;
+constexpr double kMostRise_m = 1e4;
 
 Json Encode(const ElevationOptions& elevation) {
   return {{"centered", elevation.centered},
@@ -47,7 +55,7 @@ std::optional<GeoOrigin> DecodeGeo(const Json& json) {
   jf::ExpectKeys(json, {"latitude_deg", "longitude_deg", "altitude_m"});
   return GeoOrigin{jf::Number(json, "latitude_deg", -90.0, 90.0),
                    jf::Number(json, "longitude_deg", -180.0, 180.0),
-                   jf::Number(json, "altitude_m")};
+                   jf::Number(json, "altitude_m", -kHighest_m, kHighest_m)};
 }
 
 Json Encode(const GenerationRequest& request) {
@@ -110,10 +118,14 @@ Json Encode(const Eigen::Vector3d& vector) {
   return Json::array({vector.x(), vector.y(), vector.z()});
 }
 
-Eigen::Vector3d DecodeVector(const Json& object, const char* key) {
+// highest: the greatest magnitude of a component.
+Eigen::Vector3d DecodeVector(const Json& object, const char* key, double highest) {
   const Json& json = jf::Array(object, key);
-  if (json.size() != 3 || !json[0].is_number() || !json[1].is_number() || !json[2].is_number()) {
-    jf::Fail(key, json, "three numbers");
+  const auto legal = [&](const Json& value) {
+    return value.is_number() && std::abs(value.get<double>()) <= highest;
+  };
+  if (json.size() != 3 || !std::all_of(json.begin(), json.end(), legal)) {
+    jf::Fail(key, json, "three numbers of at most " + FormatDouble(highest));
   }
   return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
 }
@@ -152,21 +164,21 @@ Atmosphere DecodeAtmosphere(const Json& json) {
   atmosphere.intensity = jf::Number(json, "intensity", 0.0, 1.0);
   // Air that nothing can be seen through is no air to see by: everything divides by this.
   atmosphere.visibility_m = jf::Number(json, "visibility_m", 1.0);
-  atmosphere.rain_mmph = jf::Number(json, "rain_mmph", 0.0);
-  atmosphere.snowfall_mmph = jf::Number(json, "snowfall_mmph", 0.0);
+  atmosphere.rain_mmph = jf::Number(json, "rain_mmph", 0.0, kMostRain_mmph);
+  atmosphere.snowfall_mmph = jf::Number(json, "snowfall_mmph", 0.0, kMostRain_mmph);
   atmosphere.cloud_cover = jf::Number(json, "cloud_cover", 0.0, 1.0);
-  atmosphere.wind_mps = DecodeVector(json, "wind_mps");
-  atmosphere.gust_mps = jf::Number(json, "gust_mps", 0.0);
+  atmosphere.wind_mps = DecodeVector(json, "wind_mps", kMostWind_mps);
+  atmosphere.gust_mps = jf::Number(json, "gust_mps", 0.0, kMostWind_mps);
   atmosphere.hour = jf::Number(json, "hour", 0.0, 24.0);
   atmosphere.day_of_year = jf::Number(json, "day_of_year", 1.0, 366.0);
   atmosphere.latitude_deg = jf::Number(json, "latitude_deg", -90.0, 90.0);
   atmosphere.direct_light = jf::Number(json, "direct_light", 0.0, 1.0);
   atmosphere.diffuse_light = jf::Number(json, "diffuse_light", 0.0, 1.0);
   atmosphere.ground_wetness = jf::Number(json, "ground_wetness", 0.0, 1.0);
-  atmosphere.snow_depth_m = jf::Number(json, "snow_depth_m", 0.0);
+  atmosphere.snow_depth_m = jf::Number(json, "snow_depth_m", 0.0, kDeepestSnow_m);
   atmosphere.blown_sand = jf::Number(json, "blown_sand", 0.0, 1.0);
-  atmosphere.water_rise_m = jf::Number(json, "water_rise_m");
-  atmosphere.sun_direction = DecodeVector(json, "sun_direction");
+  atmosphere.water_rise_m = jf::Number(json, "water_rise_m", -kMostRise_m, kMostRise_m);
+  atmosphere.sun_direction = DecodeVector(json, "sun_direction", 2.0);
   if (!(std::abs(atmosphere.sun_direction.norm() - 1.0) < 1e-6)) {
     jf::Fail("sun_direction", json["sun_direction"], "a unit vector");
   }

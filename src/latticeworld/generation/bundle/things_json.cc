@@ -22,6 +22,7 @@ using jf::Json;
 
 constexpr std::size_t kMostBytes = 1u << 20;
 constexpr double kFarthest_m = 80.0;
+constexpr double kMostYaw_rad = 1000.0;
 
 // Reads the wishes one by one and finds every fault on the way.
 class ThingReader {
@@ -245,7 +246,7 @@ SceneThing Decode(const Json& json, const GridGeometry& geometry, std::size_t as
   const double half_m = geometry.half_size_m();
   thing.position = {jf::Number(json, "x_m", -half_m, half_m),
                     jf::Number(json, "y_m", -half_m, half_m)};
-  thing.yaw_rad = jf::Number(json, "yaw_rad");
+  thing.yaw_rad = jf::Number(json, "yaw_rad", -kMostYaw_rad, kMostYaw_rad);
   return thing;
 }
 
@@ -279,8 +280,12 @@ Result<ThingsFile> DecodeThings(std::string_view content, const GridGeometry& ge
     jf::ExpectKeys(json, {"request", "things"});
     ThingsFile file;
     file.request = jf::Text(json, "request");
-    for (const Json& thing : jf::Array(json, "things")) {
-      file.things.push_back(Decode(thing, geometry, assets));
+    std::set<std::string> names;
+    for (const Json& entry : jf::Array(json, "things")) {
+      file.things.push_back(Decode(entry, geometry, assets));
+      if (!names.insert(file.things.back().name).second) {
+        jf::Fail("name", entry["name"], "a name that no thing before it has");
+      }
     }
     return file;
   } catch (const std::exception& error) {  // JSON

@@ -19,7 +19,7 @@ constexpr std::size_t kMostNodes = 1'000'000;
 class GrammarBuilder {
  public:
   static Result<Grammar> Build(const std::map<std::string, Expression>& rules) {
-    GrammarBuilder builder(rules);
+    GrammarBuilder builder;
     if (rules.count("root") == 0) return InvalidArgument("grammar: there is no rule 'root'");
     // Calls name rules that may follow, so each has its first node before any
     // has the others.
@@ -37,8 +37,6 @@ class GrammarBuilder {
  private:
   using NodeId = Grammar::NodeId;
   using Kind = Grammar::Node::Kind;
-
-  explicit GrammarBuilder(const std::map<std::string, Expression>& rules) : rules_(rules) {}
 
   NodeId Add(Grammar::Node node) {
     if (grammar_.nodes_.size() >= kMostNodes) {
@@ -108,7 +106,6 @@ class GrammarBuilder {
     return begin;
   }
 
-  const std::map<std::string, Expression>& rules_;
   std::map<std::string, NodeId> begins_;
   Grammar grammar_;
   Status status_;
