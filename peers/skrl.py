@@ -19,7 +19,8 @@ STEPS, ROLLOUT, LONGEST, COUNT = 192, 32, 10, 4
 
 def settings(seed):
     parts = ", ".join(f"OBSERVATIONS['{name}']" for name in ("goal", "scan", "velocity"))
-    layers = [{"name": "net", "input": f"concatenate([{parts}])", "layers": [32, 32], "activations": "elu"}]
+    layers = [{"name": "net", "input": f"concatenate([{parts}])", "layers": [32, 32],
+               "activations": "elu"}]
     return {
         "seed": seed,
         "models": {"separate": True,
@@ -67,7 +68,8 @@ def learn(world, seed, mode="SameStep", first=True):
 def main():
     torch.set_num_threads(1)
     peer = Peer("skrl", importlib.metadata.version("skrl"), "`make_vec`",
-                "networks that put the parts of the observation together (`concatenate([...])`); `set_seed` before `wrap_env`, whose environment the Runner's seed does not reach; "
+                "networks that put the parts of the observation together (`concatenate([...])`); "
+                "`set_seed` before `wrap_env`, whose environment the Runner's seed does not reach; "
                 "`make_vec(..., autoreset_mode=\"SameStep\")`: it learns from the step in which "
                 "Gymnasium's `NextStep` only resets, as if its action had been carried out")
     world = lw.World.load(str(meadow()))
