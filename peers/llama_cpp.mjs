@@ -80,20 +80,17 @@ function checkTemplate(peer, model, name, kind) {
   const template = model.fileInfo.metadata.tokenizer.chat_template;
   const user = conversations(kind)[0].find(({role}) => role === 'user').content;
   const wanted = JSON.stringify(turn(model, `user\n${user}`));
-  const laidOut = (options, ...before) => {
+  const laidOut = (...before) => {
     const wrapper = new JinjaTemplateChatWrapper(
-        {template, functionCallMessageTemplate: 'noJinja', ...options});
+        {template, functionCallMessageTemplate: 'noJinja'});
     const {contextText} = wrapper.generateContextState({chatHistory: [
       ...before, {type: 'user', text: user}, {type: 'model', response: []}]});
     return JSON.stringify([...contextText.tokenize(model.tokenizer)]) === wanted;
   };
-  const system = {type: 'system', text: 'You draw maps.'};
-  const found = [laidOut({}), laidOut({}, system),
-                 laidOut({convertUnsupportedSystemMessagesToUserMessages: false}, system)];
+  const found = [laidOut(), laidOut({type: 'system', text: 'You draw maps.'})];
   const words = found.map((same) => same ? 'as in training' : 'otherwise');
   peer.check(`${name}, the template in the file`, found[0] && !found[1],
-             `${words[0]}; with a system message ${words[1]} (it is put into the user's turn), with ` +
-             `convertUnsupportedSystemMessagesToUserMessages: false ${words[2]}`);
+             `${words[0]}; with a system message ${words[1]} (it is put into the user's turn)`);
 }
 
 async function drawUnderGrammar(peer, llama, model) {

@@ -58,8 +58,9 @@ def check_classes(peer, folder):
     layer = QgsRasterLayer(str(folder / "classes.tif"), "classes")
     table = layer.dataProvider().colorTable(1)
     names = [item.label for item in table if item.label]
-    peer.check("classes", True, f"drawn as {layer.renderer().type()}, colours in the file: "
-               f"{len(table)}; names in the legend: {', '.join(names) or 'none'}")
+    peer.check("classes", "water bed" in names and len(names) == 9,
+               f"drawn as {layer.renderer().type()}, colours in the file: {len(table)}; names in "
+               f"the legend: {', '.join(names) or 'none'}")
     water = QgsRasterLayer(str(folder / "water.tif"), "water")
     provider = water.dataProvider()
     peer.check("dry cells of water.tif", provider.sourceHasNoDataValue(1),

@@ -22,11 +22,11 @@ ENVIRONMENT = "A sunny summer noon. A wheeled robot waits in the center, three s
 LIMIT_S = 600
 HEAD = """# Programs of others, fed with worlds
 
-What programs of others make of worlds, episodes, data and models, run by `scripts/peers.sh` (outside
-CI: it installs each peer in a folder of its own). "off" is what differs from `--to heights` at a
-thousand places, as root of the mean square and at most; "mirrored" is what it would be with west
-and east, or north and south, exchanged. A row has the date of its run. What was guessed beforehand,
-and what became of it: [guesses](guesses.md).
+What programs of others make of worlds, episodes, data and models, run by `scripts/peers.sh`
+(outside CI: it installs each peer in a folder of its own). "off" is what differs from `--to
+heights` at a thousand places, as root of the mean square and at most; "mirrored" is what it would
+be with west and east, or north and south, exchanged. A row has the date of its run. What was
+guessed beforehand, and what became of it: [guesses](guesses.md).
 
 | peer | version | date | fed | came out | what a user must do |
 | --- | --- | --- | --- | --- | --- |

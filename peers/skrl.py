@@ -6,8 +6,8 @@
 import importlib.metadata
 
 import torch
-from gymnasium.wrappers.vector import FlattenObservation
 from skrl.envs.wrappers.torch import wrap_env
+from skrl.utils import set_seed
 from skrl.utils.runner.torch import Runner
 
 import latticeworld as lw
@@ -18,7 +18,9 @@ STEPS, ROLLOUT, LONGEST, COUNT = 192, 32, 10, 4
 
 
 def settings(seed):
-    layers = [{"name": "net", "input": "OBSERVATIONS", "layers": [32, 32], "activations": "elu"}]
+    parts = ", ".join(f"OBSERVATIONS['{name}']" for name in ("goal", "scan", "velocity"))
+    layers = [{"name": "net", "input": f"concatenate([{parts}])", "layers": [32, 32],
+               "activations": "elu"}]
     return {
         "seed": seed,
         "models": {"separate": True,
@@ -50,11 +52,13 @@ class Watched:
         return found
 
 
-def learn(world, seed, mode="SameStep"):
+def learn(world, seed, mode="SameStep", first=True):
+    """first: the seed is set before the environment is wrapped."""
+    if first:
+        set_seed(seed)
     env = lw.make_vec(COUNT, worlds=[world], max_actions=LONGEST, autoreset_mode=mode)
     watched = Watched(env)
-    flat = FlattenObservation(env)
-    runner = Runner(wrap_env(flat, wrapper="gymnasium", verbose=False), settings(seed))
+    runner = Runner(wrap_env(env, wrapper="gymnasium", verbose=False), settings(seed))
     runner.run("train")
     weights = torch.nn.utils.parameters_to_vector(runner.agent.policy.parameters()).detach()
     env.close()
@@ -64,7 +68,9 @@ def learn(world, seed, mode="SameStep"):
 def main():
     torch.set_num_threads(1)
     peer = Peer("skrl", importlib.metadata.version("skrl"), "`make_vec`",
-                "`FlattenObservation`; `make_vec(..., autoreset_mode=\"SameStep\")`: it learns from the step in which "
+                "networks that put the parts of the observation together (`concatenate([...])`); "
+                "`set_seed` before `wrap_env`, whose environment the Runner's seed does not reach; "
+                "`make_vec(..., autoreset_mode=\"SameStep\")`: it learns from the step in which "
                 "Gymnasium's `NextStep` only resets, as if its action had been carried out")
     world = lw.World.load(str(meadow()))
     first, same_step = learn(world, 1)
@@ -73,7 +79,11 @@ def main():
     peer.check(f"PPO, {STEPS} steps of {COUNT} worlds", bool(torch.isfinite(first).all()),
                f"{first.numel()} weights of the policy, all finite")
     peer.check("the same seed", torch.equal(first, again) and not torch.equal(first, other),
-               "the same weights, bit for bit")
+               "the same weights, bit for bit, after `set_seed` before `wrap_env`")
+    set_seed(7)
+    late, _ = learn(world, 1, first=False)
+    peer.check("the seed of the Runner's configuration alone", not torch.equal(first, late),
+               "other weights: the environment keeps the seed of before")
     _, next_step = learn(world, 1, "NextStep")
     peer.check("steps without effect after an episode's end",
                same_step.idle == 0 and next_step.idle == next_step.after > 0,

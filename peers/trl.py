@@ -61,7 +61,7 @@ def attempt(peer, name, wanted, make):
 def marked_alone(prepared, tokenizer):
     """Whether the tokens that count are the assistant's words and the mark that ends them."""
     row = prepared.train_dataset[0]
-    counted = [token for token, counts in zip(row["input_ids"], row["assistant_masks"]) if counts]
+    counted = [token for token, label in zip(row["input_ids"], row["labels"]) if label != -100]
     answer = load(data_set("layout"))[0]["messages"][-1]["content"]
     return tokenizer.decode(counted).replace("<|im_end|>", "").strip() == answer.strip()
 
@@ -90,9 +90,13 @@ def main():
     tokenizer.chat_template = MARKED
     lengths = [len(tokenizer.apply_chat_template(row["messages"], return_dict=True)["input_ids"])
                for row in rows]
-    peer.check("whole prompts with the system message", True,
-               f"{min(lengths)} to {max(lengths)} tokens; `max_length` is "
-               f"{trl.SFTConfig(output_dir='.', use_cpu=True, bf16=False).max_length} unless it is said")
+    limit = trl.SFTConfig(output_dir=".", use_cpu=True, bf16=False).max_length
+    kept = trainer(rows, tokenizer, assistant_only_loss=True).train_dataset
+    cut = sum(3 not in row["input_ids"][-2:] for row in kept)
+    peer.check("whole prompts with the system message",
+               cut == sum(length > limit for length in lengths) + rows.num_rows - kept.num_rows,
+               f"{min(lengths)} to {max(lengths)} tokens; `max_length` is {limit} unless it is said, "
+               f"and cuts the end off {cut} of {rows.num_rows} answers without a word")
     short = load(data_set("layout")).select_columns(["messages"])
     prepared = trainer(short, tokenizer, assistant_only_loss=True, max_length=4096)
     peer.check("`assistant_only_loss` with marked answers", marked_alone(prepared, tokenizer),

@@ -3,6 +3,7 @@
 #include <embree3/rtcore.h>
 #include <ode/ode.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>

@@ -16,6 +16,7 @@ def episode():
         call("rosservice call /start_episode '{name: patrol, seed: 4}'")
         drive = ros("rostopic pub -r 10 /robot/cmd_vel geometry_msgs/Twist "
                     "'{linear: {x: 1.0}, angular: {z: 0.3}}'")
+        call("rostopic echo -n 1 /robot/cmd_vel")  # the first command is there
         time.sleep(6)
         drive.terminate()
         call("rosservice call /stop_episode", tries=3)

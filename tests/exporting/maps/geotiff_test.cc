@@ -7,7 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <memory>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "generation/test_world.h"
 #include "latticeworld/mapping/traversability.h"
@@ -22,10 +25,9 @@ class Raster {
   Raster(const std::vector<ExportFile>& files, const std::string& name) {
     GDALAllRegister();
     for (const ExportFile& file : files) {
-      if (file.name == name) bytes_ = file.content;
+      if (file.name == name) bytes_ = Put(kPath, file.content);
+      if (file.name == name + ".aux.xml") beside_ = Put(kBeside, file.content);
     }
-    VSIFCloseL(
-        VSIFileFromMemBuffer(kPath, reinterpret_cast<GByte*>(bytes_.data()), bytes_.size(), FALSE));
     dataset_ = GDALOpen(kPath, GA_ReadOnly);
     EXPECT_NE(dataset_, nullptr) << name;
     GDALGetGeoTransform(dataset_, transform_);
@@ -33,7 +35,10 @@ class Raster {
   ~Raster() {
     GDALClose(dataset_);
     VSIUnlink(kPath);
+    VSIUnlink(kBeside);
   }
+  Raster(const Raster&) = delete;
+  Raster& operator=(const Raster&) = delete;
 
   int cols() const { return GDALGetRasterXSize(dataset_); }
   int rows() const { return GDALGetRasterYSize(dataset_); }
@@ -48,6 +53,18 @@ class Raster {
     EXPECT_EQ(has, 1);
     return value;
   }
+  // How a map names a value.
+  std::string NameOf(int value) const {
+    char** names = GDALGetRasterCategoryNames(GDALGetRasterBand(dataset_, 1));
+    return names == nullptr ? "" : names[value];
+  }
+  // Red, green and blue of a value as one number; -1: it has no colour.
+  int ColorOf(int value) const {
+    const GDALColorTableH table = GDALGetRasterColorTable(GDALGetRasterBand(dataset_, 1));
+    GDALColorEntry color;
+    if (table == nullptr || !GDALGetColorEntryAsRGB(table, value, &color)) return -1;
+    return color.c1 << 16 | color.c2 << 8 | color.c3;
+  }
   // Of the pixel that covers a place.
   float At(WorldPoint point) const {
     float value = 0.0f;
@@ -61,7 +78,17 @@ class Raster {
 
  private:
   static constexpr char kPath[] = "/vsimem/geotiff_test.tif";
-  std::string bytes_;
+  static constexpr char kBeside[] = "/vsimem/geotiff_test.tif.aux.xml";
+
+  // A file in memory, which lasts as long as its bytes.
+  static std::unique_ptr<std::string> Put(const char* path, const std::string& content) {
+    auto bytes = std::make_unique<std::string>(content);
+    VSIFCloseL(
+        VSIFileFromMemBuffer(path, reinterpret_cast<GByte*>(bytes->data()), bytes->size(), FALSE));
+    return bytes;
+  }
+
+  std::unique_ptr<std::string> bytes_, beside_;
   GDALDatasetH dataset_ = nullptr;
   double transform_[6] = {};
 };
@@ -117,8 +144,13 @@ TEST_F(GeoTiffTest, EveryLayerNamesAValueForNoDataThatNoCellHas) {
 // Whitebox Workflows 2.0.6 reads compressed files with a predictor (GDAL's 2 or 3) as if they had
 // none, and gives noise for heights without a word (findings/whitebox-ignores-predictors.sh).
 TEST_F(GeoTiffTest, NoLayerIsStoredWithAPredictor) {
-  for (const ExportFile& file : Make(std::nullopt))
+  int layers = 0;
+  for (const ExportFile& file : Make(std::nullopt)) {
+    if (file.name.substr(file.name.size() - 4) != ".tif") continue;
+    ++layers;
     EXPECT_LE(TagOf(file.content, 317), 1) << file.name;  // 1: none
+  }
+  EXPECT_EQ(layers, 4);
 }
 
 TEST_F(GeoTiffTest, LayersAreThoseOfTheWorldAtEveryPlace) {
@@ -165,6 +197,19 @@ TEST_F(GeoTiffTest, LayersAreThoseOfTheWorldAtEveryPlace) {
     EXPECT_EQ(free.At(geometry.CenterOf({row, row})), traversability(row, row));
 }
 
+TEST_F(GeoTiffTest, ClassesHaveNamesAndColoursThatDiffer) {
+  const Raster classes(Make(std::nullopt), "classes.tif");
+  std::set<int> colors;
+  for (const auto& entry : EnumNames(SurfaceClass())) {
+    const int value = static_cast<int>(entry.value);
+    EXPECT_EQ(classes.NameOf(value), entry.name);
+    colors.insert(classes.ColorOf(value));
+  }
+  EXPECT_EQ(colors.size(), static_cast<std::size_t>(kSurfaceClassCount));
+  EXPECT_EQ(colors.count(-1), 0u);
+  EXPECT_EQ(colors.count(0), 0u);
+}
+
 TEST_F(GeoTiffTest, TheProjectionIsAroundTheOriginOrLocal) {
   EXPECT_NE(Raster(Make(GeoOrigin{47.25, 8.5, 0.0}), "elevation.tif").projection().find("47.25"),
             std::string::npos);
@@ -184,7 +229,7 @@ TEST_F(GeoTiffTest, ARegionHoldsTheCellsWhoseCentresAreInIt) {
 
 TEST_F(GeoTiffTest, TheSameWorldGivesTheSameBytes) {
   const auto once = Make(GeoOrigin{1.0, 2.0, 3.0}), again = Make(GeoOrigin{1.0, 2.0, 3.0});
-  ASSERT_EQ(once.size(), 4u);
+  ASSERT_EQ(once.size(), 5u);
   for (std::size_t i = 0; i < once.size(); ++i) EXPECT_EQ(once[i].content, again[i].content);
 }
 

@@ -25,6 +25,31 @@ constexpr char kStage[] = "geotiff";
 constexpr double kNoHeight_m = -9999.0, kNoTraversability = -1.0;
 constexpr double kNoClass = 255.0;
 
+// How maps show a class of the ground: red, green, blue.
+GDALColorEntry MapColor(SurfaceClass surface) {
+  switch (surface) {
+    case SurfaceClass::kGrass:
+      return {134, 170, 92, 255};
+    case SurfaceClass::kForestFloor:
+      return {62, 104, 58, 255};
+    case SurfaceClass::kFarmland:
+      return {214, 190, 110, 255};
+    case SurfaceClass::kBarren:
+      return {196, 176, 148, 255};
+    case SurfaceClass::kRoad:
+      return {96, 96, 100, 255};
+    case SurfaceClass::kBuilding:
+      return {178, 84, 70, 255};
+    case SurfaceClass::kRock:
+      return {134, 128, 120, 255};
+    case SurfaceClass::kSnow:
+      return {240, 244, 250, 255};
+    case SurfaceClass::kWaterBed:
+      return {78, 128, 186, 255};
+  }
+  return {};
+}
+
 // One file that GDAL writes in memory.
 class TiffFile {
  public:
@@ -34,6 +59,7 @@ class TiffFile {
   ~TiffFile() {
     if (dataset_ != nullptr) GDALClose(dataset_);
     VSIUnlink(name_.c_str());
+    VSIUnlink((name_ + kBeside).c_str());
   }
   TiffFile(const TiffFile&) = delete;
   TiffFile& operator=(const TiffFile&) = delete;
@@ -75,16 +101,44 @@ class TiffFile {
     return Status();
   }
 
+  // The bytes of the file, which is closed.
   Result<std::string> Take() {
     GDALClose(dataset_);
     dataset_ = nullptr;
+    return BytesOf(name_);
+  }
+  // The bytes of a file beside this one, once this one is taken: classes as maps show them, by name
+  // and colour. GDAL keeps there what is set of a file that it may only read, so that the TIFF
+  // stays one of numbers, which every reader knows; a palette within it would have 256 entries.
+  Result<std::string> ClassesBeside() {
+    dataset_ = GDALOpen(name_.c_str(), GA_ReadOnly);
+    if (dataset_ == nullptr) return Failed("read");
+    const GDALColorTableH colors = GDALCreateColorTable(GPI_RGB);
+    char** names = nullptr;
+    for (const auto& entry : EnumNames(SurfaceClass())) {
+      const GDALColorEntry color = MapColor(entry.value);
+      GDALSetColorEntry(colors, static_cast<int>(entry.value), &color);
+      names = CSLAddString(names, std::string(entry.name).c_str());
+    }
+    GDALSetRasterColorTable(band(), colors);
+    GDALSetRasterColorInterpretation(band(), GCI_PaletteIndex);
+    GDALSetRasterCategoryNames(band(), names);
+    GDALDestroyColorTable(colors);
+    CSLDestroy(names);
+    GDALClose(dataset_);
+    dataset_ = nullptr;
+    return BytesOf(name_ + kBeside);
+  }
+
+  static constexpr char kBeside[] = ".aux.xml";
+
+ private:
+  Result<std::string> BytesOf(const std::string& name) const {
     vsi_l_offset length = 0;
-    const GByte* bytes = VSIGetMemFileBuffer(name_.c_str(), &length, FALSE);
+    const GByte* bytes = VSIGetMemFileBuffer(name.c_str(), &length, FALSE);
     if (bytes == nullptr) return Failed("write");
     return std::string(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(length));
   }
-
- private:
   GDALRasterBandH band() const { return GDALGetRasterBand(dataset_, 1); }
   Status Failed(const char* what) const {
     return Internal(std::string("cannot ") + what + " the GeoTIFF" + errors_.Last(name_));
@@ -102,15 +156,21 @@ struct Frame {
   double west_m, north_m, cell_m;
 };
 
+// classes: gets the file of ClassesBeside, where it is asked for.
 template <typename T, typename Describe>
 Result<ExportFile> Layer(const char* name, const Grid<T>& values, GDALDataType type,
-                         const Frame& frame, const Describe& describe) {
+                         const Frame& frame, const Describe& describe,
+                         ExportFile* classes = nullptr) {
   TiffFile file;
   LW_RETURN_IF_ERROR(file.Create(frame.cells.cols(), frame.cells.rows(), type));
   LW_RETURN_IF_ERROR(file.Place(frame.wkt, frame.west_m, frame.north_m, frame.cell_m));
   describe(&file);
   LW_RETURN_IF_ERROR(file.Write(values, frame.cells, type));
   LW_ASSIGN_OR_RETURN(std::string bytes, file.Take());
+  if (classes != nullptr) {
+    classes->name = std::string(name) + TiffFile::kBeside;
+    LW_ASSIGN_OR_RETURN(classes->content, file.ClassesBeside());
+  }
   return ExportFile{name, std::move(bytes)};
 }
 
@@ -164,15 +224,18 @@ Result<std::vector<ExportFile>> GeoTiffFiles(const Scene& scene,
   Grid<std::uint8_t> classes(geometry.rows(), geometry.cols());
   std::transform(terrain.surface.begin(), terrain.surface.end(), classes.begin(),
                  [](SurfaceClass surface) { return static_cast<std::uint8_t>(surface); });
-  LW_ASSIGN_OR_RETURN(
-      ExportFile surface, Layer("classes.tif", classes, GDT_Byte, frame, [](TiffFile* file) {
-        file->SetNoData(kNoClass);
-        for (const auto& entry : EnumNames(SurfaceClass())) {
-          const std::string key = "CLASS_" + std::to_string(static_cast<int>(entry.value));
-          file->Describe(key.c_str(), std::string(entry.name));
-        }
-      }));
+  const auto describe_classes = [](TiffFile* file) {
+    file->SetNoData(kNoClass);
+    for (const auto& entry : EnumNames(SurfaceClass())) {
+      const std::string key = "CLASS_" + std::to_string(static_cast<int>(entry.value));
+      file->Describe(key.c_str(), std::string(entry.name));
+    }
+  };
+  ExportFile names;
+  LW_ASSIGN_OR_RETURN(ExportFile surface,
+                      Layer("classes.tif", classes, GDT_Byte, frame, describe_classes, &names));
   files.push_back(std::move(surface));
+  files.push_back(std::move(names));
   LW_RETURN_IF_ERROR(advance(0.75));
   LW_ASSIGN_OR_RETURN(
       ExportFile traversability,

@@ -23,7 +23,8 @@ struct GeoTiffOptions {
 // north up, deflated: "elevation.tif" (float32, z of the frame map [m]; metadata ZERO_ALTITUDE_M
 // tells the altitude of z = 0 where the world lies on the earth), "water.tif" (float32, the water's
 // surface [m], NaN: dry), "classes.tif" (uint8, SurfaceClass; its names in the metadata
-// CLASS_<number>), "traversability.tif" (float32, BuildTraversability of usual RobotLimits).
+// CLASS_<number>; names and colours, as GDAL and QGIS look for them, in "classes.tif.aux.xml"),
+// "traversability.tif" (float32, BuildTraversability of usual RobotLimits).
 // Reports the stage "geotiff". Errors: INVALID_ARGUMENT (region), CANCELLED, INTERNAL (GDAL, in its
 // words).
 Result<std::vector<ExportFile>> GeoTiffFiles(const Scene& scene,
