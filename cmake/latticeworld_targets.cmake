@@ -1,17 +1,34 @@
 set(LATTICEWORLD_CORE_DIR ${PROJECT_SOURCE_DIR}/src/latticeworld)
 
-# latticeworld_library(<room> SOURCES ... [PUBLIC targets] [PRIVATE targets])
+set(LATTICEWORLD_WARNINGS -Wall -Wextra -Wshadow)
+# Errno and traps hinder vectorising; no value changes without them. Never -ffast-math: NaN means
+# dry, infinity what is not there.
+set(LATTICEWORLD_GRID_LOOPS -O3 -fno-math-errno -fno-trapping-math)
+
+# latticeworld_library(<room> [HEADERS set] [GRID_LOOPS] SOURCES ... [PUBLIC targets]
+#                      [PRIVATE targets])
 # One static library a room, latticeworld_<room>, whose headers are included from src/. Those of the
 # core are installed for other programs, as latticeworld::<room> (cmake/latticeworld_packages.cmake).
+# HEADERS says which precompiled headers its sources have: standard (where it is not given), eigen,
+# ros (cmake/precompiled). GRID_LOOPS has its loops over whole grids vectorised.
 function(latticeworld_library room)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "GRID_LOOPS" "HEADERS" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target latticeworld_${room})
   add_library(${target} STATIC ${ARG_SOURCES})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
   target_compile_features(${target} PUBLIC cxx_std_17)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow)
+  target_compile_options(${target} PRIVATE ${LATTICEWORLD_WARNINGS})
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${room})
+  set(headers ${ARG_HEADERS})
+  if(NOT headers)
+    set(headers standard)
+  endif()
+  if(ARG_GRID_LOOPS)
+    target_compile_options(${target} PRIVATE ${LATTICEWORLD_GRID_LOOPS})
+    string(APPEND headers _grid_loops)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM latticeworld_precompiled_${headers})
   cmake_path(IS_PREFIX LATTICEWORLD_CORE_DIR ${CMAKE_CURRENT_SOURCE_DIR} is_core)
   if(is_core)
     install(TARGETS ${target} EXPORT latticeworld_core

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Shows that the Debian packages work on a bare Debian 12 and leave nothing behind: makes one in a
 # folder of its own (debootstrap), installs all three there, makes a world over ROS in less than a
-# minute, builds a package of somebody else against them (tests/packaging/out_of_tree), and removes
-# them. Ends with 1 where any of it is not so.
+# minute, asks for the viewer's page as Containerfile has it served, builds a package of somebody
+# else against them (tests/packaging/out_of_tree), and removes them. Ends with 1 where any of it is
+# not so.
 # Needs root, debootstrap and Debian's packages. Usage: scripts/try_packages.sh FOLDER_OF_PACKAGES
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -24,6 +25,10 @@ inside() { LC_ALL=C DEBIAN_FRONTEND=noninteractive chroot "$bare" "$@"; }
 install() {  # names and patterns of files in there; says what apt-get said where that fails
   inside sh -c "apt-get install --yes --quiet=2 --no-install-recommends -o Dpkg::Use-Pty=0 $*" \
     >"$bare/tmp/install.log" 2>&1 || { tail -n 20 "$bare/tmp/install.log" >&2; exit 1; }
+}
+with_ros() {  # a script for bash in there, with a ROS master's address of its own
+  inside env HOME=/tmp ROS_HOME=/tmp/ros ROS_IP=127.0.0.1 ROS_MASTER_URI=http://127.0.0.1:11399 \
+    timeout 600 bash -c "$1"
 }
 # Every file but what package managers and time leave on their own.
 files() {
@@ -62,8 +67,7 @@ install '/packages/ros-latticeworld_*.deb' '/packages/ros-latticeworld-msgs_*.de
 inside dpkg-query --show 'ros-latticeworld*'
 
 say "the main job: words to a world, over ROS"
-inside env HOME=/tmp ROS_HOME=/tmp/ros ROS_IP=127.0.0.1 ROS_MASTER_URI=http://127.0.0.1:11399 \
-  timeout 300 bash -c '
+with_ros '
   begin=$(date +%s)
   roslaunch --port 11399 latticeworld world.launch >/tmp/launch.log 2>&1 &
   launch=$!
@@ -75,6 +79,20 @@ inside env HOME=/tmp ROS_HOME=/tmp/ros ROS_IP=127.0.0.1 ROS_MASTER_URI=http://12
 seconds=$(cat "$bare/tmp/seconds")
 echo "from start to world: $seconds s"
 [ "$seconds" -le "$most_s" ] || { echo "that is more than $most_s s" >&2; exit 1; }
+
+say "the page, as Containerfile has it served"
+with_ros '
+  roslaunch --port 11399 latticeworld viewer.launch port:=0 >/tmp/viewer.log 2>&1 &
+  launch=$!
+  until address=$(rostopic echo -n 1 /viewer/address 2>/dev/null); do
+    kill -0 $launch || { cat /tmp/viewer.log; exit 1; }
+  done
+  python3 - "$address" <<END
+import re, sys, urllib.request
+page = urllib.request.urlopen(re.search("http://[^ \"]+", sys.argv[1]).group())
+print("page:", page.status, len(page.read()), "bytes")
+END
+  kill -INT $launch; wait $launch || true'
 
 say "install what builds, and build a package of somebody else"
 install '/packages/liblatticeworld-dev_*.deb' catkin cmake g++ libroscpp-dev make

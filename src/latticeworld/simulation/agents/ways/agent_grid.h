@@ -48,8 +48,9 @@ void AgentGrid::ForEachNear(WorldPoint point, double radius_m, Visit&& visit) co
   const int x_low = CellOf(point.x_m - radius_m), x_high = CellOf(point.x_m + radius_m);
   const int y_low = CellOf(point.y_m - radius_m), y_high = CellOf(point.y_m + radius_m);
   for (int y = y_low; y <= y_high; ++y) {
+    const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(cells_);
     for (int x = x_low; x <= x_high; ++x) {
-      const auto cell = static_cast<std::size_t>(y * cells_ + x);
+      const std::size_t cell = row + static_cast<std::size_t>(x);
       for (std::uint32_t i = cell_begin_[cell]; i < cell_begin_[cell + 1]; ++i) {
         const double dx = entries_[i].place.x_m - point.x_m;
         const double dy = entries_[i].place.y_m - point.y_m;
