@@ -48,7 +48,7 @@ fetched_once() {
   [[ " ${groups[*]} " != *" $1 "* ]] || [ -e "$build/$2" ] || echo "the build fetches once: $3"
 }
 fetched_once page web/installed "17 MB from npm, of which the page is made"
-fetched_once python python_tools/installed "20 MB from PyPI, for the module for Python"
+fetched_once python python_tools/installed "50 MB from PyPI, for the module for Python"
 "$root/scripts/install_dependencies.sh" "${groups[@]}"
 log=$build/configure.log
 mkdir -p "$build"

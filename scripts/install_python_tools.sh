@@ -11,7 +11,7 @@ python=${2:-python3}
 if cmp -s "$requirements" "$directory/installed" && [ -x "$directory/bin/python" ]; then
   exit 0
 fi
-echo "fetching what python/requirements.txt names from PyPI (20 MB)"
+echo "fetching what python/requirements.txt names from PyPI (50 MB)"
 "$python" -m venv --clear "$directory"
 "$directory/bin/python" -m pip install --quiet --disable-pip-version-check -r "$requirements"
 cp "$requirements" "$directory/installed"
