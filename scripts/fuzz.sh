@@ -5,14 +5,19 @@
 # Usage: scripts/fuzz.sh [TARGET|all] [SECONDS]     each target for so long (10)
 #        scripts/fuzz.sh --minimise TARGET          puts what was found into the target's corpus, as
 #                                                   few and small inputs as reach the same edges
+#        scripts/fuzz.sh --coverage TARGET          how much of each of our files the corpus and what
+#                                                   was found reach: functions and edges, those into
+#                                                   the sanitizers' own reports among them
 # LATTICEWORLD_FUZZ_BUILD_DIR names another build folder than build-fuzz. Inputs that reached new
 # edges are kept there below found/, those that ended a target below findings/: the exit status is
 # 1 then. A finding is run again by giving its file to build-fuzz/tests/fuzz/fuzz_TARGET.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${LATTICEWORLD_FUZZ_BUILD_DIR:-$root/build-fuzz}
-minimise=false
-[ "${1:-}" = --minimise ] && { minimise=true; shift; }
+task=fuzz
+case "${1:-}" in
+  --minimise | --coverage) task=${1#--}; shift ;;
+esac
 target=${1:-all}
 seconds=${2:-10}
 export UBSAN_OPTIONS=print_stacktrace=1${UBSAN_OPTIONS:+:$UBSAN_OPTIONS}
@@ -43,7 +48,7 @@ run() {
     -artifact_prefix="$build/findings/$name/" "$@" >"$build/findings/$name/log" 2>&1
 }
 
-if $minimise; then
+if [ "$task" = minimise ]; then
   for name in "${targets[@]}"; do
     corpus=$root/tests/fuzz/corpus/$name
     smaller=$(mktemp -d)
@@ -55,6 +60,29 @@ if $minimise; then
     done
     rm -rf "$smaller"
     echo "$name: $(find "$corpus" -type f | wc -l) inputs, $(du -sb "$corpus" | cut -f1) bytes"
+  done
+  exit 0
+fi
+
+if [ "$task" = coverage ]; then
+  for name in "${targets[@]}"; do
+    run "$name" -runs=0 -print_coverage=1 "$build/found/$name" "$root/tests/fuzz/corpus/$name"
+    awk -v root="$root/src/" -v name="$name" '
+      /COVERED_FUNC: / && (at = index($0, " " root)) {
+        file = substr($0, at + 1 + length(root))
+        sub(/:.*/, "", file)
+        match($0, /edges: [0-9]+\/[0-9]+/)
+        split(substr($0, RSTART + 7, RLENGTH - 7), edges, "/")
+        ++functions[file]
+        reached_functions[file] += edges[1] > 0
+        reached[file] += edges[1]
+        of[file] += edges[2]
+      }
+      END {
+        for (file in of)
+          printf "%s %s: functions %d of %d, edges %d of %d\n", name, file,
+                 reached_functions[file], functions[file], reached[file], of[file]
+      }' "$build/findings/$name/log" | sort
   done
   exit 0
 fi

@@ -1,5 +1,5 @@
-// Requests of world_server's services, and messages of its robots' topics, serialized, through our
-// conversions.
+// Requests of world_server's services and of episodes, and messages of its robots' topics,
+// serialized, through our conversions.
 
 #include "fuzz/support/ros_message.h"
 #include "generation/test_world.h"
@@ -10,6 +10,7 @@
 #include "latticeworld_ros/conversion/scene_conversion.h"
 #include "latticeworld_ros/conversion/weather_conversion.h"
 #include "latticeworld_ros/conversion/world_conversion.h"
+#include "latticeworld_ros/episode/episode_request.h"
 #include "latticeworld_ros/server/bundle_name.h"
 #include "latticeworld_ros/server/lockstep_request.h"
 #include "latticeworld_ros/server/thing_query.h"
@@ -89,16 +90,22 @@ void ReadWorldRequest(std::size_t choice, std::string_view bytes) {
       WithMessage<msgs::LoadWorld::Request>(
           bytes, [](const auto& message) { (void)CheckBundleName(message.name); });
       break;
-    default:
+    case 7:
       WithMessage<msgs::JournalEntry>(bytes,
                                       [](const auto& message) { (void)ToJournalEntry(message); });
+      break;
+    default:
+      WithMessage<msgs::StartEpisode::Request>(bytes, [](const auto& message) {
+        const auto request = ReadEpisodeRequest(message, "lz4");
+        if (request.ok()) (void)request->filter.Matches("/robot/camera/image_raw");
+      });
   }
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr std::size_t kAgentRequests = 5, kWorldRequests = 8;
+  constexpr std::size_t kAgentRequests = 5, kWorldRequests = 9;
   std::string_view bytes = fuzz::TextOf(data, size);
   const std::size_t choice = fuzz::TakeChoice(&bytes, kAgentRequests + kWorldRequests);
   if (choice < kAgentRequests) {

@@ -125,6 +125,19 @@ TEST_F(SdfWorldTest, UnusableOptionsAreRefused) {
   EXPECT_EQ(status.violations().size(), 3u);
 }
 
+TEST_F(SdfWorldTest, AnElementIsNotCalledAsAnotherModel) {
+  Scene scene = scene_;
+  scene.props.front().name = "ground";
+  SdfOptions options;
+  options.heightmap_vertices = 17;
+  options.texture_px = 16;
+  const auto files = SdfFiles(scene, "lake", std::nullopt, options, Progress());
+  ASSERT_TRUE(files.ok()) << files.status().ToString();
+  EXPECT_EQ(files->front().name, "world.sdf");
+  EXPECT_EQ(Count(files->front().content, "<model name=\"ground\">"), 1);
+  EXPECT_EQ(Count(files->front().content, "<model name=\"element_ground\">"), 1);
+}
+
 TEST_F(SdfWorldTest, NamesAndTextsAreNoMarkup) {
   SdfText text;
   text.Open("model", "a\"b");

@@ -82,6 +82,10 @@ void WorldRequestSeeds(const TakeSeed& take) {
   msgs::JournalEntry entry;
   entry.call = EncodeCall(StrikeCall{"robot"});
   take("ros_requests", "journal_entry", Serialized('m', entry));
+  msgs::StartEpisode::Request episode;
+  episode.name = "first";
+  episode.topics = {"/robot/(scan|points)", "/camera_[0-9]{2}/.*"};
+  take("ros_requests", "start_episode", Serialized('n', episode));
 }
 
 // Of the target viewer_messages, in the order of its choices.

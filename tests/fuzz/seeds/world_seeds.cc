@@ -7,9 +7,13 @@
 #include "generation/test_world.h"
 #include "latticeworld/campaign/trial_result.h"
 #include "latticeworld/episode/journal_json.h"
+#include "latticeworld/generation/bundle/agents_json.h"
+#include "latticeworld/generation/bundle/assets_csv.h"
 #include "latticeworld/generation/bundle/bridges_json.h"
 #include "latticeworld/generation/bundle/bundle.h"
+#include "latticeworld/generation/bundle/props_json.h"
 #include "latticeworld/generation/bundle/terrain_file.h"
+#include "latticeworld/generation/bundle/things_json.h"
 #include "latticeworld/navigation/tasks_json.h"
 
 namespace latticeworld::fuzz {
@@ -35,6 +39,27 @@ void BundleSeeds(const TakeSeed& take) {
   Bridge bridge;
   bridge.line = {{-10.0, 0.0}, {10.0, 0.0}};
   take("bundle_json", "bridges.json", "c" + EncodeBridges({bridge}));
+}
+
+// A byte of options, and the files that world_glb and world_sdf take, as the test world has them.
+void ExportSeeds(const TakeSeed& take) {
+  const auto world = MakeTestWorld();
+  const Scene& scene = *world->scene;
+  Bridge bridge;
+  bridge.line = {{-10.0, 0.0}, {10.0, 0.0}};
+  bridge.supports_m = {0.0, 20.0};
+  const ThingsFile things = {"[]", {{"well_1", "well", 0, 3, {1.5, -2.0}, 0.25}}};
+  const auto assets = EncodeAssets(scene.assets, *scene.catalogue);
+  std::string files;
+  for (const std::string& file :
+       {EncodeAgents(scene.agents), EncodeProps(scene.props), EncodeBridges({bridge}),
+        assets.ok() ? *assets : std::string(), EncodeThings(things)}) {
+    files += file + std::string(1, '\0');
+  }
+  for (const char* target : {"world_glb", "world_sdf"}) {
+    take(target, "instances", " " + files);
+    take(target, "expanded", "\x22" + files);
+  }
 }
 
 // Level ground of 32 x 32 cells: elevation, water, surface and one class, not packed.
@@ -94,6 +119,7 @@ void CampaignSeeds(const TakeSeed& take) {
 
 void WorldSeeds(const TakeSeed& take) {
   BundleSeeds(take);
+  ExportSeeds(take);
   TerrainSeeds(take);
   JournalSeeds(take);
   CampaignSeeds(take);
