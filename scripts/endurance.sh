@@ -6,7 +6,7 @@
 #   --only PART     cut_off, filled_up, left_running, let_nobody_in [these four], or races: mixed
 #                   calls in programs that are built with ThreadSanitizer, in build-races/ or in
 #                   $LATTICEWORLD_RACES_BUILD_DIR; alone, for all programs are of one build
-#   --round NAME    of the first three only what begins so, as "disk full" or "training" [all]
+#   --round NAME    only rounds whose name begins so, as "disk full" or "training" [all]
 #   --seed N        of the moments and of the order [1]
 #   --ledger FILE   every round is appended to it as it ends, and the tables are of all that is in
 #                   it: runs can be broken off, go on, and go on side by side

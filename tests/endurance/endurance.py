@@ -36,7 +36,7 @@ def arguments():
     parser.add_argument("--only", choices=PARTS, action="append",
                         help="a part [all but races, for which programs have to be built]")
     parser.add_argument("--round", action="append",
-                        help="of cut_off, filled_up and left_running only what begins so [all]")
+                        help="only rounds and phases whose name begins so [all]; not of races")
     parser.add_argument("--seed", type=int, default=1, help="of the moments and of the order [1]")
     parser.add_argument("--ledger", type=pathlib.Path,
                         help="file that every round is appended to; the tables are of all in it")

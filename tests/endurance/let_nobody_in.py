@@ -204,22 +204,24 @@ class Attacks:
                 "1,000 connections": self.crowd}
 
 
-def forge(bundle, name, content):
-    """Gives a bundle's file other content, and the manifest what it says of it."""
-    (bundle / name).write_bytes(content)
-    manifest = json.loads((bundle / "world.json").read_text(encoding="utf-8"))
-    for file in manifest["files"]:
-        if file["name"] == name:
-            file.update(bytes=len(content), sha256=hashlib.sha256(content).hexdigest())
-    (bundle / "world.json").write_text(json.dumps(manifest), encoding="utf-8")
-
-
-def _change_manifest(change):
+def change_manifest(change):
+    """Of a bundle, with the digest that it then has to carry."""
     def apply(bundle):
         manifest = json.loads((bundle / "world.json").read_text(encoding="utf-8"))
         change(manifest)
+        manifest["manifest_sha256"] = "0" * 64
+        text = json.dumps(manifest)
+        manifest["manifest_sha256"] = hashlib.sha256(text.encode()).hexdigest()
         (bundle / "world.json").write_text(json.dumps(manifest), encoding="utf-8")
     return apply
+
+
+def forge(bundle, name, content):
+    """Gives a bundle's file other content, and the manifest what it says of it."""
+    (bundle / name).write_bytes(content)
+    told_of = {"bytes": len(content), "sha256": hashlib.sha256(content).hexdigest()}
+    change_manifest(lambda manifest: [file.update(told_of) for file in manifest["files"]
+                                      if file["name"] == name])(bundle)
 
 
 def _instead_of(name, make):
@@ -239,15 +241,15 @@ def _grown_terrain(bundle):
 
 # What may be wrong with a bundle that a stranger has made.
 HOSTILE_BUNDLES = {
-    "a name that leaves": _change_manifest(
+    "a name that leaves": change_manifest(
         lambda manifest: manifest["files"][0].update(name="../good/layout.txt")),
-    "an absolute name": _change_manifest(
+    "an absolute name": change_manifest(
         lambda manifest: manifest["files"][0].update(name="/etc/passwd")),
-    "huge sizes": _change_manifest(
+    "huge sizes": change_manifest(
         lambda manifest: [file.update(bytes=(1 << 64) - 1) for file in manifest["files"]]),
-    "a size without bounds": _change_manifest(
+    "a size without bounds": change_manifest(
         lambda manifest: manifest["request"].update(size_m=1e300)),
-    "30,000 files": _change_manifest(
+    "30,000 files": change_manifest(
         lambda manifest: manifest.update(files=manifest["files"] * 2000)),
     "a link to what has no end": _instead_of(
         "layout.txt", lambda path: path.symlink_to("/dev/zero")),
@@ -408,6 +410,7 @@ def run(ground, end, random, ledger):
         ground.must("generate_world", seed=1, **SMALL_WORLD)
         attacks = list({**Attacks(*at, random).all(),
                         **RosAttacks(ground, server, folder, random).all()}.items())
+        attacks = [each for each in attacks if each[0].startswith(ground.wanted)]
         before = {}
         while True:
             random.shuffle(attacks)
