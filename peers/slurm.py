@@ -46,18 +46,18 @@ class Campaign:
     def wait_until_running(self):
         self.cluster.wait("running tasks", lambda: "RUNNING" in self.states())
 
-    def wait_until_over(self):
-        self.cluster.wait("end of the jobs", lambda: self.cluster.tell("sinfo", "-h") and
-                          not self.cluster.tell("squeue", "-h"))
-
     def restarts(self):
         said = self.cluster.tell("scontrol", "show", "job", self.id)
         return [line.split("Restarts=")[1].split()[0] for line in said.splitlines()
                 if "Restarts=" in line]
 
-    def same_as(self, plain):
-        return all((self.out / name).exists() and
+    def compared(self, plain):
+        """(whether the files are those of a plain run, that or what the jobs said)."""
+        same = all((self.out / name).exists() and
                    (self.out / name).read_bytes() == (plain / name).read_bytes() for name in FILES)
+        said = " / ".join(path.read_text()[-200:] for path in
+                          sorted(self.cluster.folder.glob("slurm-*"))[-4:])
+        return same, "the bytes of the plain run" if same else f"other files: {said}"
 
 
 def check_requeue(peer, cluster, plain):
@@ -68,14 +68,14 @@ def check_requeue(peer, cluster, plain):
     cluster.wait("tasks in the queue", lambda: set(campaign.states()) == {"PENDING"})
     for task in range(int(SHARDS)):
         cluster.tell("scontrol", "update", f"JobId={campaign.id}_{task}", "StartTime=now")
-    campaign.wait_until_over()
-    peer.check("requeue while it runs", campaign.same_as(plain),
-               f"restarts {campaign.restarts()}, the bytes of the plain run")
+    cluster.wait_for_jobs()
+    same, words = campaign.compared(plain)
+    peer.check("requeue while it runs", same, f"restarts {campaign.restarts()}, {words}")
 
 
 def check_time_limit(peer, cluster, plain):
     campaign = Campaign(cluster, "limited", slow_s=600, options=("--time=00:00:01",))
-    campaign.wait_until_over()
+    cluster.wait_for_jobs()
     cut = not (campaign.out / "trials").exists() or not list((campaign.out / "trials").iterdir())
     said = "".join(path.read_text() for path in cluster.folder.glob(f"slurm-{campaign.id}_*"))
     merged = "".join(path.read_text() for path in cluster.folder.glob("slurm-*")
@@ -84,8 +84,8 @@ def check_time_limit(peer, cluster, plain):
     peer.check("time limit", cut and "TIME LIMIT" in said and not (campaign.out / "report.html").exists(),
                f"cut off; the merge then says: {refusal.replace(str(FOLDER), '...')[:160]}")
     again = Campaign(cluster, "limited")
-    again.wait_until_over()
-    peer.check("handed in again", again.same_as(plain), "the bytes of the plain run")
+    cluster.wait_for_jobs()
+    peer.check("handed in again", *again.compared(plain))
 
 
 def check_node_failure(peer, cluster, plain):
@@ -97,9 +97,9 @@ def check_node_failure(peer, cluster, plain):
     cluster.tell("scontrol", "update", f"NodeName={node}", "State=RESUME")
     for task in range(int(SHARDS)):
         cluster.tell("scontrol", "update", f"JobId={campaign.id}_{task}", "StartTime=now")
-    campaign.wait_until_over()
-    peer.check("node that fails", campaign.same_as(plain),
-               f"restarts {campaign.restarts()}, the bytes of the plain run")
+    cluster.wait_for_jobs()
+    same, words = campaign.compared(plain)
+    peer.check("node that fails", same, f"restarts {campaign.restarts()}, {words}")
 
 
 def main():
@@ -113,8 +113,8 @@ def main():
     cluster = cluster_test().Cluster(FOLDER / "cluster")
     try:
         campaign = Campaign(cluster, "array")
-        campaign.wait_until_over()
-        peer.check("array and merge", campaign.same_as(plain), "the bytes of the plain run")
+        cluster.wait_for_jobs()
+        peer.check("array and merge", *campaign.compared(plain))
         check_requeue(peer, cluster, plain)
         check_time_limit(peer, cluster, plain)
         check_node_failure(peer, cluster, plain)

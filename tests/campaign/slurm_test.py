@@ -98,6 +98,10 @@ class Cluster:
                              env=self.environment, cwd=self.folder)
         return run.stdout if run.returncode == 0 else ""
 
+    def wait_for_jobs(self):
+        """Until none is left. squeue says its heading where the controller has answered."""
+        self.wait("end of the jobs", lambda: self.tell("squeue", "-o", "%i").split() == ["JOBID"])
+
     def wait(self, what, is_there):
         end = time.monotonic() + LONGEST_S
         while not is_there():
@@ -147,8 +151,7 @@ class SlurmTest(unittest.TestCase):
         self.cluster = Cluster(self.folder / "cluster")
         submitted = self.cluster.tell("sbatch", "--parsable", str(job))
         self.assertTrue(submitted.strip(), self.cluster.logs())
-        self.cluster.wait("end of the jobs", lambda: self.cluster.tell("sinfo", "-h") and
-                          not self.cluster.tell("squeue", "-h"))
+        self.cluster.wait_for_jobs()
         said = "\n".join(path.read_text() for path in (self.folder / "cluster").glob("slurm-*"))
         self.assertTrue((out / "report.html").exists(), said)
         for name in ("trials.csv", "summary.json"):
