@@ -28,7 +28,9 @@ function(latticeworld_library room)
     target_compile_options(${target} PRIVATE ${LATTICEWORLD_GRID_LOOPS})
     string(APPEND headers _grid_loops)
   endif()
-  target_precompile_headers(${target} REUSE_FROM latticeworld_precompiled_${headers})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # tried with no other
+    target_precompile_headers(${target} REUSE_FROM latticeworld_precompiled_${headers})
+  endif()
   cmake_path(IS_PREFIX LATTICEWORLD_CORE_DIR ${CMAKE_CURRENT_SOURCE_DIR} is_core)
   if(is_core)
     install(TARGETS ${target} EXPORT latticeworld_core
