@@ -260,7 +260,7 @@ HOSTILE_BUNDLES = {
     "terrain that grows": _grown_terrain,
     "lists in lists": lambda bundle: forge(bundle, "agents.json", b"[" * (1 << 20)),
 }
-MOST_GROWTH_MB = 100.0  # of the server's resident memory under hostile bundles
+MOST_GROWTH_MB = 250.0  # of the server at its most under hostile bundles; 150 are the 30,000 files
 
 
 def resident_mb(pid):
