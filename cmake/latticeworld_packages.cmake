@@ -44,7 +44,7 @@ set(CPACK_DEBIAN_MESSAGES_PACKAGE_CONTROL_EXTRA
     ${PROJECT_SOURCE_DIR}/cmake/debian/postinst ${PROJECT_SOURCE_DIR}/cmake/debian/prerm)
 set(CPACK_DEBIAN_MESSAGES_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_MESSAGES_PACKAGE_DEPENDS
-    "libroscpp-core-dev, python3:any, python3-actionlib-msgs, python3-genpy, python3-geometry-msgs, python3-sensor-msgs, python3-std-msgs, ros-actionlib-msgs, ros-geometry-msgs, ros-message-runtime, ros-sensor-msgs, ros-std-msgs")
+    "libactionlib-msgs-dev, libgeometry-msgs-dev, libroscpp-core-dev, libsensor-msgs-dev, libstd-msgs-dev, python3:any, python3-actionlib-msgs, python3-genpy, python3-geometry-msgs, python3-sensor-msgs, python3-std-msgs, ros-actionlib-msgs, ros-geometry-msgs, ros-message-runtime, ros-sensor-msgs, ros-std-msgs")
 set(CPACK_COMPONENT_MESSAGES_DESCRIPTION
     "messages, services and actions of LatticeWorld\n What programs need that talk to its nodes over ROS 1, in C++, Python and Lisp.")
 

@@ -188,6 +188,8 @@ TEST_F(FaultTableTest, Time) {
 TEST_F(FaultTableTest, Content) {
   CheckAll({
       {"garbage", StatusCode::kInternal, "does not speak HTTP", 1},
+      {"no_status", StatusCode::kInternal, "does not speak HTTP: \"its first line has no status\"",
+       1},
       {"garbage_body", StatusCode::kDataLoss, "no chat completion", 1},
       {"garbage_event", StatusCode::kDataLoss, "\"not JSON\"", 1},
       {"bad_utf8", StatusCode::kDataLoss, "\\xff\\xfe", 1},

@@ -147,6 +147,7 @@ SCENARIOS = {
         head(200, "text/event-stream", "Transfer-Encoding: chunked") + b"zz\r\nwhat\r\n"),
     # Faults of what is said.
     "garbage": lambda c, n, r: c.sendall(bytes(range(128, 256)) * 4 + b"\r\n\r\n"),
+    "no_status": lambda c, n, r: c.sendall(b"HTTP/200 \r\nContent-Type:\n\r\n a\n]}"),
     "garbage_body": lambda c, n, r: c.sendall(whole(200, bytes(range(1, 256)))),
     "garbage_event": lambda c, n, r: c.sendall(STREAM_HEAD + b"data: not JSON\n\n"),
     "bad_utf8": lambda c, n, r: c.sendall(

@@ -164,7 +164,10 @@ HttpEnd Drive(CURL* easy, CURLM* multi, Received* received, HttpHandler* handler
     int left = 0;
     while (const CURLMsg* message = curl_multi_info_read(multi, &left)) {
       if (message->msg != CURLMSG_DONE) continue;
-      return received->too_large ? HttpEnd::kTooLarge : EndOf(message->data.result);
+      if (received->too_large) return HttpEnd::kTooLarge;
+      const HttpEnd end = EndOf(message->data.result);
+      // libcurl lets a first line pass that has no status: "HTTP/200 ".
+      return end == HttpEnd::kComplete && status == 0 ? HttpEnd::kNotHttp : end;
     }
     curl_multi_poll(multi, nullptr, 0, kLongestPollMs, nullptr);
   }
@@ -188,7 +191,8 @@ HttpResult Exchange(const HttpRequest& request, HttpHandler* handler) {
   curl_multi_add_handle(multi.get(), easy.get());
   const HttpEnd end = Drive(easy.get(), multi.get(), &received, handler);
   curl_multi_remove_handle(multi.get(), easy.get());
-  return {end, std::move(received.head), error};
+  const bool no_status = end == HttpEnd::kNotHttp && *error == '\0';
+  return {end, std::move(received.head), no_status ? "its first line has no status" : error};
 }
 
 }  // namespace latticeworld
