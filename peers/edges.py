@@ -55,7 +55,7 @@ def main():
     versions = [run("dpkg-query", "-W", "-f", "${Version}", name).stdout.split(":")[-1].split("+")[0]
                 for name in ("libode-dev", "libembree-dev", "libopencv-dnn-dev")]
     peer = Peer("ODE, Embree, OpenCV's networks", ", ".join(versions),
-                "height fields, rays, networks at their edges (`peers/common/edges.cc`)",
+                "height fields, rays, networks at their edges (`peers/edges.py`)",
                 "nothing: LatticeWorld asks none of them with NaN, and begins rays off surfaces")
     network("float", "f4", False)
     network("half", "f2", False)
