@@ -57,7 +57,8 @@ for name, env in (("make_vec", gymnasium.make_vec("Walk-v0", num_envs=2, vectori
         "memory": {"class": "RandomMemory", "memory_size": -1},
         "agent": {"class": "PPO", "rollouts": STEPS, "learning_epochs": 1, "mini_batches": 1,
                   "experiment": {"write_interval": 0, "checkpoint_interval": 0}},
-        "trainer": {"class": "SequentialTrainer", "timesteps": STEPS, "disable_progressbar": True}})
+        "trainer": {"class": "SequentialTrainer", "timesteps": STEPS, "headless": True,
+                    "disable_progressbar": True}})
     runner.run("train")
     rewards = numpy.asarray(runner.agent.memory.get_tensor_by_name("rewards"))
     ended = numpy.asarray(runner.agent.memory.get_tensor_by_name("terminated"))

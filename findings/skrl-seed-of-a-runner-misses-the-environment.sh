@@ -56,7 +56,8 @@ def given(seed):
         "memory": {"class": "RandomMemory", "memory_size": -1},
         "agent": {"class": "PPO", "rollouts": 4, "learning_epochs": 1, "mini_batches": 1,
                   "experiment": {"write_interval": 0, "checkpoint_interval": 0}},
-        "trainer": {"class": "SequentialTrainer", "timesteps": 2, "disable_progressbar": True}}).run("train")
+        "trainer": {"class": "SequentialTrainer", "timesteps": 2, "headless": True,
+                    "disable_progressbar": True}}).run("train")
     return env.given
 
 

@@ -52,6 +52,6 @@ class Launch:
 
     def python(self, program):
         """What a Python program says that uses clients/latticeworld_gym."""
-        call("rostopic echo -n 1 /world/info")  # a world runs
+        call("rosservice call /static_map")  # refused until a world runs
         path = f"PYTHONPATH={CLIENTS / 'latticeworld_gym'}:$PYTHONPATH"
         return ros_says(f"env {path} {sys.executable} -P {program}")

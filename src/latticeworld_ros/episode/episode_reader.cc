@@ -32,11 +32,11 @@ std::string TypeName() {
   return ros::message_traits::DataType<Message>::value();
 }
 
-// Every message of a type, whatever its topic; `use` answers whether to go on. Errors:
-// FAILED_PRECONDITION where the bag knows the type by another definition.
+// Every message of a type from a time on, whatever its topic; `use` answers whether to go on.
+// Errors: FAILED_PRECONDITION where the bag knows the type by another definition.
 template <typename Message, typename Use>
-Status ForEach(const rosbag::Bag& bag, const Use& use) {
-  rosbag::View view(bag, rosbag::TypeQuery(TypeName<Message>()));
+Status ForEach(const rosbag::Bag& bag, const Use& use, const ros::Time& from = ros::TIME_MIN) {
+  rosbag::View view(bag, rosbag::TypeQuery(TypeName<Message>()), from);
   for (const rosbag::MessageInstance& instance : view) {
     const auto message = instance.instantiate<Message>();
     if (message == nullptr) {
@@ -48,6 +48,13 @@ Status ForEach(const rosbag::Bag& bag, const Use& use) {
     if (!use(*message, instance)) break;
   }
   return Status();
+}
+
+// When the last message of a type was recorded, by the bag's index alone.
+template <typename Message>
+ros::Time LastTime(const rosbag::Bag& bag) {
+  rosbag::View view(bag, rosbag::TypeQuery(TypeName<Message>()));
+  return view.size() == 0 ? ros::TIME_MAX : view.getEndTime();
 }
 
 // Why a bag cannot be read. what: as rosbag or the reading of a message says it.
@@ -186,10 +193,11 @@ Result<ReplayPlan> EpisodeReader::ReadPlan(std::vector<std::string>* warnings) c
         return true;
       });
       if (!status.ok()) return status;
-      return ForEach<AgentStates>(*bag, [&](const AgentStates& message, const auto&) {
+      const auto add_steps = [&](const AgentStates& message, const auto&) {
         if (message.world_id == start_.world_id) reach(message.step);
         return true;
-      });
+      };
+      return ForEach<AgentStates>(*bag, add_steps, LastTime<AgentStates>(*bag));
     });
     LW_RETURN_IF_ERROR(read);
   }
