@@ -9,10 +9,15 @@
 
 namespace latticeworld {
 
+int CoreCount() {
+  // Asking takes as long as tracing a hundred rays: it reads a file.
+  static const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  return cores;
+}
+
 void ParallelFor(int count, int threads, const std::function<void(int begin, int end)>& body) {
   if (count <= 0) return;
-  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const int parts = std::min(count, threads > 0 ? threads : cores);
+  const int parts = std::min(count, threads > 0 ? threads : CoreCount());
   const auto begin_of = [&](int part) {
     return static_cast<int>(static_cast<std::int64_t>(part) * count / parts);
   };

@@ -5,6 +5,9 @@
 
 namespace latticeworld {
 
+// How many threads the machine can run at once, at least 1, as it was when first asked.
+int CoreCount();
+
 // Calls body(begin, end) on the parts of [0, count), several threads at once, and returns when all
 // are done. threads: how many at most; 0: as many as the machine has cores. Where the parts begin
 // and end depends on the number of threads: a body whose result depends on that is a bug, since

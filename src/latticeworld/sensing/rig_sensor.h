@@ -27,13 +27,14 @@ class SensorClock {
   double rate_hz_;
 };
 
-// One step as a robot's sensors have it.
+// One step as a robot's sensors have it. Steps of several robots run at the same time.
 struct RigStep {
   RigWorld* shared = nullptr;
   const SensedAgent* agent = nullptr;
   std::uint32_t agent_index = 0;        // in the world's list
   const SensedAgent* before = nullptr;  // the agent one step before; null: this is a beginning
   double step_s = 0.0;
+  int threads = 1;  // that trace the rays of one sensor
 };
 
 // A sensor of a robot, which is told of every step.

@@ -11,6 +11,7 @@ void RigWorld::BeginStep(const SensedWorld& world, std::vector<Eigen::Vector3d> 
 }
 
 Result<const SensorScene*> RigWorld::Rays() {
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (!rays_) {
     SensorSceneOptions options;
     options.threads = options_.threads;
@@ -25,6 +26,7 @@ Result<const SensorScene*> RigWorld::Rays() {
 }
 
 const LidarSurfaces& RigWorld::surfaces() {
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (!surfaces_) surfaces_.emplace(scene_);
   if (!surfaces_are_of_step_) surfaces_->SetWeather(world_->atmosphere);
   surfaces_are_of_step_ = true;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -15,7 +16,8 @@
 namespace latticeworld {
 
 // What the sensors of all robots share: the world of the step, and the rays' scene, which is made
-// when somebody wants the first ray and follows the world in steps in which somebody wants one.
+// when somebody wants the first ray and follows the world in steps in which somebody wants one. All
+// but BeginStep may be called by several threads at a time.
 class RigWorld {
  public:
   RigWorld(std::shared_ptr<const Scene> scene, SensorRigOptions options)
@@ -39,6 +41,7 @@ class RigWorld {
   SensorRigOptions options_;
   const SensedWorld* world_ = nullptr;
   std::vector<Eigen::Vector3d> eyes_m_;
+  std::mutex mutex_;  // for what is made when it is first asked for
   bool rays_are_of_step_ = false, surfaces_are_of_step_ = false;
   std::optional<SensorScene> rays_;
   std::optional<LidarSurfaces> surfaces_;

@@ -1,10 +1,14 @@
 #include "latticeworld/sensing/sensor_rig.h"
 
 #include <algorithm>
+#include <exception>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "latticeworld/common/parallel.h"
+#include "latticeworld/common/work_crew.h"
 #include "latticeworld/sensing/rig_sensor.h"
 #include "latticeworld/sensing/rig_world.h"
 
@@ -30,6 +34,34 @@ struct Robot {
   std::optional<SensedAgent> before;  // as the last step had it
 };
 
+// A robot's part of a step: what is wanted of its sensors, and what they gave.
+struct RobotStep {
+  const std::string* name = nullptr;
+  Robot* robot = nullptr;
+  RigStep step;
+  std::vector<SensorWish> wishes;  // by sensor
+  std::vector<SensorFrame> frames;
+  Status status;
+  std::exception_ptr thrown;
+
+  bool is_wanted() const {
+    return std::any_of(wishes.begin(), wishes.end(),
+                       [](const SensorWish& wish) { return wish.any; });
+  }
+  // Throws nothing, for it runs on any thread.
+  void Run() noexcept {
+    try {
+      std::vector<MountedSensor>& sensors = robot->sensors;
+      for (std::size_t i = 0; i < sensors.size() && status.ok(); ++i) {
+        status = sensors[i].sensor->Step(step, wishes[i], &frames);
+      }
+      if (!sensors.empty()) robot->before = *step.agent;
+    } catch (...) {  // memory that ended
+      thrown = std::current_exception();
+    }
+  }
+};
+
 class SensorRigImpl final : public SensorRig {
  public:
   SensorRigImpl(std::shared_ptr<const Scene> scene, const SensorRigOptions& options,
@@ -43,22 +75,17 @@ class SensorRigImpl final : public SensorRig {
     const std::map<std::string, std::uint32_t> indices = Meet(world);
     shared_.BeginStep(world, EyesIn(world, indices));
 
+    std::vector<RobotStep> steps = StepsIn(world, step_s, indices, wanted);
+    RunAll(&steps);
+
     std::vector<SensorFrame> frames;
-    for (auto& [name, robot] : robots_) {
-      RigStep step;
-      step.shared = &shared_;
-      step.agent_index = indices.at(name);
-      step.agent = &world.agents[step.agent_index];
-      step.before = robot.before ? &*robot.before : nullptr;
-      step.step_s = step_s;
-      for (MountedSensor& mounted : robot.sensors) {
-        const Status status = mounted.sensor->Step(step, wanted(name, *mounted.spec), &frames);
-        if (!status.ok()) {
-          Restart(options_.seed);  // some have had the step, some have not
-          return status.WithContext("sensors of " + name);
-        }
+    for (RobotStep& one : steps) {
+      if (one.thrown != nullptr || !one.status.ok()) {
+        Restart(options_.seed);  // some have had the step, some have not
+        if (one.thrown != nullptr) std::rethrow_exception(one.thrown);
+        return one.status.WithContext("sensors of " + *one.name);
       }
-      if (!robot.sensors.empty()) robot.before = *step.agent;
+      std::move(one.frames.begin(), one.frames.end(), std::back_inserter(frames));
     }
     return frames;
   }
@@ -82,6 +109,41 @@ class SensorRigImpl final : public SensorRig {
   }
 
  private:
+  std::vector<RobotStep> StepsIn(const SensedWorld& world, double step_s,
+                                 const std::map<std::string, std::uint32_t>& indices,
+                                 const Wanted& wanted) {
+    std::vector<RobotStep> steps;
+    steps.reserve(robots_.size());
+    for (auto& [name, robot] : robots_) {
+      RobotStep& one = steps.emplace_back();
+      one.name = &name;
+      one.robot = &robot;
+      one.step.shared = &shared_;
+      one.step.agent_index = indices.at(name);
+      one.step.agent = &world.agents[one.step.agent_index];
+      one.step.before = robot.before ? &*robot.before : nullptr;
+      one.step.step_s = step_s;
+      for (const MountedSensor& mounted : robot.sensors)
+        one.wishes.push_back(wanted(name, *mounted.spec));
+    }
+    return steps;
+  }
+  // Runs the steps of the robots, of several at once where several have something to do.
+  void RunAll(std::vector<RobotStep>* steps) {
+    const int threads = options_.threads > 0 ? options_.threads : CoreCount();
+    const auto busy = std::count_if(steps->begin(), steps->end(), [](const RobotStep& one) {
+      return one.robot->traces_rays && one.is_wanted();
+    });
+    // The threads that are left over go to the rays of each sensor.
+    const int of_sensor = std::max(1, threads / std::max(1, static_cast<int>(busy)));
+    for (RobotStep& one : *steps) one.step.threads = of_sensor;
+    if (busy < 2 || threads < 2) {
+      for (RobotStep& one : *steps) one.Run();
+      return;
+    }
+    if (!crew_) crew_ = std::make_unique<WorkCrew>(threads);
+    crew_->Run(static_cast<int>(steps->size()), [&](int part) { (*steps)[part].Run(); });
+  }
   // After a gap robots are as new; their sensors are kept where that is the same.
   void ForgetRobots(const SensedWorld& world) {
     std::map<std::string, Robot> kept;
@@ -146,6 +208,7 @@ class SensorRigImpl final : public SensorRig {
   SuiteOf suite_of_;
   std::map<std::string, Robot> robots_;  // those in the world
   std::optional<std::uint64_t> last_step_;
+  std::unique_ptr<WorkCrew> crew_;  // of options_.threads; null: it was not needed yet
 };
 
 }  // namespace

@@ -41,7 +41,9 @@ struct SensorRigOptions {
   std::uint64_t seed = 0;  // of all noise
   GeoOrigin origin;
   double gravity_mps2 = 9.81;  // of the simulated world, along -z; what an IMU at rest reads
-  int threads = 1;             // that trace rays; readings are the same with any
+  // That trace rays, of several robots at once where there are some; 0: as many as the machine has
+  // cores. Readings are the same with any.
+  int threads = 1;
   std::shared_ptr<const ColourRenderer> colours;  // null: colour pictures stay empty
 };
 

@@ -44,7 +44,7 @@ class RigCamera final : public RigSensor {
     shot.map_from_optical = step.agent->map_from_base * base_from_optical_;
     shot.except_agent = step.agent_index;
     shot.key = KeyOf(key, 0);
-    shot.threads = shared.options().threads;
+    shot.threads = step.threads;
     renderer_.Render(shot, outputs, &frame);
     if (outputs.colour && shared.options().colours != nullptr) {
       shared.options().colours->Render(*scene, world, camera_.model, shot.map_from_optical,

@@ -81,15 +81,16 @@ class RigLidar final : public RigSensor {
   // Fires the columns whose time has come.
   Status FireUntil(double now_s, const RigStep& step) {
     const double begin_s = static_cast<double>(number_) / spec_->rate_hz;
+    const auto fire_s = [&](int column) { return begin_s + caster_.FireTime(column); };
+    int end = next_column_;
+    while (end < caster_.columns() && fire_s(end) <= now_s + kTolerance_s) ++end;
+    if (end == next_column_) return Status();
     const Motion motion = MotionOf(step);
-    std::vector<ColumnPose> poses;
-    poses.reserve(static_cast<std::size_t>(caster_.columns() - next_column_));
-    for (; next_column_ < caster_.columns(); ++next_column_) {
-      const double fire_s = begin_s + caster_.FireTime(next_column_);
-      if (fire_s > now_s + kTolerance_s) break;
-      poses.push_back(PoseAt(motion, next_column_, 1.0 + (fire_s - now_s) / step.step_s));
+    std::vector<ColumnPose> poses(static_cast<std::size_t>(end - next_column_));
+    for (ColumnPose& pose : poses) {
+      pose.column = next_column_++;
+      SetPose(motion, 1.0 + (fire_s(pose.column) - now_s) / step.step_s, &pose);
     }
-    if (poses.empty()) return Status();
     LW_ASSIGN_OR_RETURN(const SensorScene* scene, step.shared->Rays());
     const LidarReceiver receiver(std::get<LidarModel>(spec_->model),
                                  step.shared->world().atmosphere);
@@ -100,70 +101,87 @@ class RigLidar final : public RigSensor {
     cast.world = &step.shared->world();
     cast.except_agent = step.agent_index;
     cast.key = KeyOf(key_, number_);
-    cast.threads = step.shared->options().threads;
+    cast.threads = step.threads;
     caster_.Fire(cast, poses, &*sweep_);
     return Status();
   }
 
-  // Quaternion's slerp, whose angle is taken once for all columns; the same bits.
+  // The turn from one orientation to another as Quaternion's slerp has it: their sum with weights.
+  // A rotation matrix is made of products of two entries of its quaternion, so that it is a sum of
+  // matrices that all columns of a step have in common, with the products of the weights.
   class Turning {
    public:
-    Turning(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) : from_(from), to_(to) {
+    // The sensor's axes and its place.
+    using Frame = Eigen::Matrix<double, 3, 4>;
+
+    // base_from_sensor: what is turned with the base.
+    Turning(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
+            const Frame& base_from_sensor)
+        : unturned_(base_from_sensor) {
       const double dot = from.dot(to);
       const double size = std::abs(dot);
-      is_reversed_ = dot < 0.0;
       is_little_ = size >= 1.0 - std::numeric_limits<double>::epsilon();
-      if (is_little_) return;
-      angle_rad_ = std::acos(size);
-      sine_ = std::sin(angle_rad_);
+      if (!is_little_) {
+        angle_rad_ = std::acos(size);
+        sine_ = std::sin(angle_rad_);
+      }
+      const Eigen::Quaterniond end(dot < 0.0 ? Eigen::Vector4d(-to.coeffs()) : to.coeffs());
+      begun_ = TurnedBy(from);
+      ended_ = TurnedBy(end);
+      mixed_ = TurnedBy(Eigen::Quaterniond(from.coeffs() + end.coeffs())) - begun_ - ended_;
     }
 
-    Eigen::Quaterniond At(double share) const {
-      const double begun = is_little_ ? 1.0 - share : std::sin((1.0 - share) * angle_rad_) / sine_;
-      double ended = is_little_ ? share : std::sin(share * angle_rad_) / sine_;
-      if (is_reversed_) ended = -ended;
-      return Eigen::Quaterniond(begun * from_.coeffs() + ended * to_.coeffs());
+    // Returns what is turned, in map, at a share of the way.
+    Frame At(double share) const {
+      const double begun = is_little_ ? 1.0 - share : Sine((1.0 - share) * angle_rad_) / sine_;
+      const double ended = is_little_ ? share : Sine(share * angle_rad_) / sine_;
+      return unturned_ + begun * begun * begun_ + begun * ended * mixed_ + ended * ended * ended_;
     }
 
    private:
-    Eigen::Quaterniond from_, to_;
-    bool is_reversed_, is_little_;
+    // Returns by how much the rotation, which need not be a unit quaternion, changes what it turns.
+    Frame TurnedBy(const Eigen::Quaterniond& rotation) const {
+      return (rotation.toRotationMatrix() - Eigen::Matrix3d::Identity()) * unturned_;
+    }
+    // What a robot turns in a step is little: a few terms of the series are exact there.
+    static double Sine(double angle_rad) {
+      if (std::abs(angle_rad) > 0.2) return std::sin(angle_rad);
+      const double square = angle_rad * angle_rad;
+      double rest = 1.0 / 362880.0 - square / 39916800.0;
+      rest = 1.0 / 5040.0 - square * rest;
+      rest = 1.0 / 120.0 - square * rest;
+      rest = 1.0 / 6.0 - square * rest;
+      return angle_rad - angle_rad * square * rest;
+    }
+
+    Frame unturned_, begun_, mixed_, ended_;
+    bool is_little_;
     double angle_rad_ = 0.0, sine_ = 1.0;
   };
 
   // The base moves evenly from its pose at the step before to that of this step.
   struct Motion {
-    Turning turning;  // map_from_base
-    Eigen::Vector3d from_m, to_m;
-    Eigen::Vector3d turn_radps;  // map
-    double step_s;
+    Turning turning;
+    Eigen::Vector3d from_m, moved_m, velocity_mps, turn_radps;  // map
   };
-  static Motion MotionOf(const RigStep& step) {
+  Motion MotionOf(const RigStep& step) const {
     const Eigen::Isometry3d& to = step.agent->map_from_base;
     const Eigen::Isometry3d& from = step.before == nullptr ? to : step.before->map_from_base;
     const Eigen::Quaterniond begin(from.linear()), end(to.linear());
-    Motion motion = {Turning(begin, end), from.translation(), to.translation(),
-                     Eigen::Vector3d::Zero(), step.step_s};
     const Eigen::AngleAxisd turn(end * begin.conjugate());
-    motion.turn_radps = std::remainder(turn.angle(), 2.0 * M_PI) / step.step_s * turn.axis();
-    return motion;
+    const Eigen::Vector3d moved_m = to.translation() - from.translation();
+    return {Turning(begin, end, base_from_sensor_.matrix().topRows<3>()), from.translation(),
+            moved_m, moved_m / step.step_s,
+            std::remainder(turn.angle(), 2.0 * M_PI) / step.step_s * turn.axis()};
   }
   // share: of the step, 0 its begin, 1 its end.
-  ColumnPose PoseAt(const Motion& motion, int column, double share) const {
-    Eigen::Isometry3d map_from_base;
-    map_from_base.linear() = motion.turning.At(share).toRotationMatrix();
-    map_from_base.translation() = motion.from_m + share * (motion.to_m - motion.from_m);
-    const Eigen::Isometry3d map_from_sensor = map_from_base * base_from_sensor_;
-    const Eigen::Vector3d arm_m = map_from_base.linear() * base_from_sensor_.translation();
-    ColumnPose pose;
-    pose.column = column;
-    pose.map_from_sensor = map_from_sensor.linear().cast<float>();
-    pose.origin_m = map_from_sensor.translation().cast<float>();
-    pose.velocity_mps =
-        ((motion.to_m - motion.from_m) / motion.step_s + motion.turn_radps.cross(arm_m))
-            .cast<float>();
-    pose.turn_radps = motion.turn_radps.cast<float>();
-    return pose;
+  static void SetPose(const Motion& motion, double share, ColumnPose* pose) {
+    const Turning::Frame turned = motion.turning.At(share);
+    pose->map_from_sensor = turned.leftCols<3>().cast<float>();
+    pose->origin_m = (turned.col(3) + motion.from_m + share * motion.moved_m).cast<float>();
+    pose->velocity_mps =
+        (motion.velocity_mps + motion.turn_radps.cross(turned.col(3))).cast<float>();
+    pose->turn_radps = motion.turn_radps.cast<float>();
   }
 
   std::shared_ptr<const SensorSpec> spec_;
