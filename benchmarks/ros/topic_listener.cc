@@ -1,7 +1,7 @@
-// Listens to topics without looking at what their messages say, as cheaply as a roscpp node can, and
-// counts. Each line of standard input is answered by a line of JSON about what came since the last
-// one: messages, bytes, those that are missing by the sequence numbers, and this process's time.
-// Usage: topic_listener TOPIC...
+// Listens to topics without looking at what their messages say, as cheaply as a roscpp node can,
+// and counts. Each line of standard input is answered by a line of JSON about what came since the
+// last one: messages, bytes, those that are missing by the sequence numbers, and this process's
+// time. Usage: topic_listener TOPIC...
 
 #include <ros/ros.h>
 #include <sys/resource.h>

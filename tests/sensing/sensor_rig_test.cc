@@ -190,6 +190,33 @@ TEST(SensorRigTest, TheSameSeedGivesTheSameFramesWithAnyThreadsAndAnotherOthers)
   }
 }
 
+// A row of robots that drive past each other.
+SensedWorld Row(std::uint64_t step) {
+  std::vector<SensedAgent> robots;
+  for (int i = 0; i < 12; ++i) {
+    SensedAgent robot =
+        RobotAt(static_cast<double>(step) * kStep_s, Vector3d(i % 2 == 0 ? 1.0 : -1.0, 0.0, 0.0),
+                0.3 * i, "robot_" + std::to_string(10 + i));
+    robot.map_from_base.translation().y() += 2.0 * i - 12.0;
+    robots.push_back(std::move(robot));
+  }
+  return WorldAt(step, std::move(robots));
+}
+
+TEST(SensorRigTest, ManyRobotsSenseTheSameInTheSameOrderWithAnyThreads) {
+  const std::vector<SensorSpec> suite = SensorCatalogue::BuiltIn()->FindSuite("scanner")->sensors;
+  SensorRigOptions options;
+  options.seed = 5;
+  const auto one = FramesOf(RigOf(MeadowScene(), suite, options).get(), 40, Row);
+  EXPECT_GT(one.size(), 12u * 20u);
+  for (const int threads : {2, 5, 0}) {
+    options.threads = threads;
+    EXPECT_EQ(HashesOf(FramesOf(RigOf(MeadowScene(), suite, options).get(), 40, Row)),
+              HashesOf(one))
+        << threads;
+  }
+}
+
 TEST(SensorRigTest, WhoListensChangesNothingForOthers) {
   const auto all = FramesOf(RigOf(MeadowScene(), Everything3d()).get(), 100, Meadow);
   for (const std::string heard :

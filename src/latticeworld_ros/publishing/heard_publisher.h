@@ -11,6 +11,33 @@
 
 namespace latticeworld {
 
+// While one lives, what the HeardPublishers of its thread publish waits for its end, and then
+// roscpp's thread is woken once for all of it: every time it wakes it goes through all topics.
+class PublishBatch {
+ public:
+  PublishBatch() : outer_(current_) { current_ = this; }
+  ~PublishBatch() {
+    current_ = outer_;
+    if (has_messages_) Wake();
+  }
+  PublishBatch(const PublishBatch&) = delete;
+  PublishBatch& operator=(const PublishBatch&) = delete;
+
+  // Has what was published sent: now, or with the batch of this thread.
+  static void Wake() {
+    if (current_ != nullptr) {
+      current_->has_messages_ = true;
+    } else {
+      ros::PollManager::instance()->getPollSet().signal();
+    }
+  }
+
+ private:
+  inline static thread_local PublishBatch* current_ = nullptr;
+  PublishBatch* const outer_;  // that this one is within; nullptr: none
+  bool has_messages_ = false;
+};
+
 // A publisher that knows at once how many listen, and hands its messages straight to its topic.
 // roscpp itself searches its list of all topics for the name in every such question and with every
 // message, under a lock that its own thread holds while it walks over all of them: with a thousand
@@ -40,7 +67,7 @@ class HeardPublisher {
   void Send(const Message& message) const {
     ros::SerializedMessage bytes = ros::serialization::serializeMessage(message);
     publication_->publish(bytes);
-    ros::PollManager::instance()->getPollSet().signal();
+    PublishBatch::Wake();
   }
 
   ros::Publisher publisher_;

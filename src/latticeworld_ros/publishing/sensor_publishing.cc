@@ -71,12 +71,14 @@ struct Publisher {
 
 }  // namespace
 
-const SensorPublishers* FindPublishers(const SensorPublisherMap& publishers,
-                                       const std::string& robot, const SensorSpec& sensor) {
-  const auto suite = publishers.find(robot);
-  if (suite == publishers.end()) return nullptr;
-  const auto found = suite->second->find(sensor.name);
-  return found == suite->second->end() ? nullptr : &found->second;
+const SensorPublishers* SensorPublisherFinder::Find(const std::string& robot,
+                                                    const SensorSpec& sensor) {
+  const auto is_here = [&] { return suite_ != publishers_.end() && suite_->first == robot; };
+  if (!is_here() && suite_ != publishers_.end()) ++suite_;
+  if (!is_here()) suite_ = publishers_.find(robot);
+  if (!is_here()) return nullptr;
+  const auto found = suite_->second->find(sensor.name);
+  return found == suite_->second->end() ? nullptr : &found->second;
 }
 
 void Publish(const SensorFrame& frame, ros::Time stamp, const SensorPublishers& topics,

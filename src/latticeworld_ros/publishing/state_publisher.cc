@@ -51,6 +51,13 @@ StatePublisher::StatePublisher(ros::NodeHandle node, const WorldServerOptions& o
       journal_(node, options.state_hash_rate_hz, options.simulator.step_s) {}
 
 void StatePublisher::OnTick(const Tick& tick) {
+  PublishTick(tick);
+  // Last, for it may wait.
+  sensors_->Take(tick);
+}
+
+void StatePublisher::PublishTick(const Tick& tick) {
+  const PublishBatch batch;
   const auto due = [&](std::uint64_t ticks) { return tick.settled || tick.number % ticks == 0; };
   const bool state_due = tick.simulator != nullptr && due(ticks_per_state_);
   const bool markers_due = tick.simulator != nullptr && due(ticks_per_markers_);
@@ -73,8 +80,6 @@ void StatePublisher::OnTick(const Tick& tick) {
     if (state_due) PublishState(tick, *state);
     if (markers_due) PublishMarkers(tick, *state);
   }
-  // Last, for it may wait.
-  sensors_->Take(tick);
 }
 
 const Eigen::Isometry3d* StatePublisher::MapFromOdom(const std::string& robot) const {

@@ -46,6 +46,8 @@ class StatePublisher : public SimulationListener {
   const Eigen::Isometry3d* MapFromOdom(const std::string& robot) const;
 
  private:
+  // What is due of a tick, but for the sensors' part.
+  void PublishTick(const Tick& tick);
   void PublishClock(ros::Time now);
   void PublishEvents(const Tick& tick, const std::vector<Event>& events);
   void PublishState(const Tick& tick, const WorldState& state);

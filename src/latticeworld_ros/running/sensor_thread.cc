@@ -210,9 +210,10 @@ void SensorThread::Sense(const Moment& moment) {
   const auto is_kept = [&](const std::string& robot, const SensorSpec& sensor) {
     return scanner_ != nullptr && sensor.name == scanner_->name && moment.scanned->count(robot) > 0;
   };
+  SensorPublisherFinder wished(*publishers), published(*publishers);
   const Result<std::vector<SensorFrame>> frames =
       rig_->Step(world, moment.step_s, [&](const std::string& robot, const SensorSpec& sensor) {
-        const SensorPublishers* topics = FindPublishers(*publishers, robot, sensor);
+        const SensorPublishers* topics = wished.Find(robot, sensor);
         SensorWish wish = topics == nullptr ? SensorWish() : topics->wish();
         wish.any = wish.any || is_kept(robot, sensor);
         return wish;
@@ -221,11 +222,12 @@ void SensorThread::Sense(const Moment& moment) {
     ROS_ERROR_STREAM_THROTTLE(1.0, "sensors: " << frames.status().ToString());
     return;
   }
+  const PublishBatch batch;
   for (const SensorFrame& frame : *frames) {
     // Sweeps may end between two steps.
     const ros::Time stamp = moment.now - DurationOf(world.time_s - frame.time_s);
     if (is_kept(frame.robot, *frame.sensor)) Keep(frame, stamp);
-    const SensorPublishers* topics = FindPublishers(*publishers, frame.robot, *frame.sensor);
+    const SensorPublishers* topics = published.Find(frame.robot, *frame.sensor);
     if (topics != nullptr) Publish(frame, stamp, *topics, options_.point_times);
   }
   const std::lock_guard<std::mutex> lock(mutex_);

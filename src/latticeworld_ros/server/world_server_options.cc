@@ -59,7 +59,7 @@ void CheckTimeAndSensors(const WorldServerOptions& options, Checker* checker) {
     for (const SensorSuite& suite : options.sensor_catalogue->suites()) names.push_back(suite.name);
     checker->Refuse("sensor_suite", Quote(options.sensor_suite), Join(names, ", "));
   }
-  checker->CheckIn("sensor_threads", options.sensor_threads, 1, 64);
+  checker->CheckZeroOrIn("sensor_threads", options.sensor_threads, 1, 64);
   checker->CheckIn("sensor_seed", options.sensor_seed, 0, std::numeric_limits<int>::max());
   checker->CheckIn("longitude", options.longitude_deg, -180.0, 180.0);
   checker->CheckIn("altitude", options.altitude_m, -1000.0, 9000.0);

@@ -32,7 +32,7 @@ struct WorldServerOptions {
   std::string sensors;                    // "": the built-in suites, else a file or directory
                                           // that adds to them; sensor_catalogue is made from it
   std::string sensor_suite = "standard";  // of sensor_catalogue: what every robot carries
-  int sensor_threads = 1;                 // [1, 64] that trace rays
+  int sensor_threads = 0;                 // [1, 64] that trace rays; 0: as many as cores
   int sensor_seed = 0;                    // of their noise; 0: the simulation's, else above
   double longitude_deg = 9.0;             // [-180, 180] of worlds that lie nowhere on the earth;
                                           // zone 32 of UTM has its middle there

@@ -128,7 +128,7 @@ TEST(ParametersTest, SensorsThatThereAreNotAreNamed) {
   XmlRpc::XmlRpcValue parameters;
   parameters["sensors"] = std::string("/nowhere/sensors.json");
   parameters["sensor_suite"] = std::string("crystal balls");
-  parameters["sensor_threads"] = 0;
+  parameters["sensor_threads"] = 65;
   parameters["sensor_seed"] = -1;
   parameters["longitude"] = 200.0;
   parameters["altitude"] = 1e6;
