@@ -12,8 +12,8 @@ namespace {
 
 // Rays that are traced at a time: they and their hits stay in the nearer caches.
 constexpr int kRaysAtATime = 512;
-// Fewer columns are not worth a thread of their own.
-constexpr int kColumnsOfThread = 16;
+// Fewer rays are not worth a thread of their own.
+constexpr int kRaysOfThread = 1024;
 // Sixteen rays are traced together: a nearly square bundle of them meets the fewest different
 // boxes.
 constexpr int kBlockRays = 16;
@@ -89,7 +89,7 @@ void LidarCaster::Fire(const LidarCast& cast, const std::vector<ColumnPose>& pos
                        LidarSweep* sweep) const {
   const int count = static_cast<int>(poses.size());
   const int at_a_time = std::max(kBlockColumns, kRaysAtATime / rings());
-  const int threads = std::clamp(count / kColumnsOfThread, 1, std::max(1, cast.threads));
+  const int threads = std::clamp(count * rings() / kRaysOfThread, 1, std::max(1, cast.threads));
   ParallelInPieces(count, at_a_time, threads, [&](int begin, int end) {
     std::vector<Beam> beams;
     AddBlocks(rings(), begin, end, &beams);
