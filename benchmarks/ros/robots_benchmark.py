@@ -126,19 +126,17 @@ def serve(program):
     its name, or "turn". In a process of its own: a rospy node lives once."""
     import rospy
     from geometry_msgs.msg import Twist, Vector3
-    from std_srvs.srv import Trigger
     from latticeworld.msg import AgentCommand
     from latticeworld.srv import GenerateWorld, Lockstep
     with contextlib.ExitStack() as stack:
         folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="latticeworld_bench_"))
         os.environ["ROS_HOME"] = folder
-        server = stack.enter_context(running(program, command_timeout=60.0, sensor_suite="scanner",
-                                             worlds_directory=folder))
+        server = stack.enter_context(running(program, start_paused=True, command_timeout=60.0,
+                                             sensor_suite="scanner", worlds_directory=folder))
         answer = rospy.ServiceProxy("/generate_world", GenerateWorld)(
             layout_instruction="Flat grassland everywhere.",
             environment_instruction="A sunny summer noon.", seed=1, size=256.0)
         assert answer.status.code == 0, answer.status.message
-        rospy.ServiceProxy("/pause", Trigger)()
         names = node.spawn_robots(10, 8.0)
         drive = Twist(linear=Vector3(x=1.0), angular=Vector3(z=0.5))
         commands = [AgentCommand(name, drive) for name in names]
