@@ -75,6 +75,8 @@ class EpisodeTest(ServerTest):
                                                 position=Point(y=20.0)))
         self.assert_ok(self.world.open_gate(name="north_gate"))
         self.assert_ok(self.set_weather(weather="rain"))
+        wait_until(lambda: "/episode_recorder" in listeners(self.command),
+                   "the recorder hears commands")
         self.drive(200)
         self.assert_ok(self.world.save_snapshot(name="middle"))
         self.assert_ok(self.world.step(steps=100))
