@@ -26,7 +26,8 @@ What programs of others make of worlds, episodes, data and models, run by `scrip
 (outside CI: it installs each peer in a folder of its own). "off" is what differs from `--to
 heights` at a thousand places, as root of the mean square and at most; "mirrored" is what it would
 be with west and east, or north and south, exchanged. A row has the date of its run. What was
-guessed beforehand, and what became of it: [guesses](guesses.md).
+guessed beforehand, and what became of it: [guesses](guesses.md). PDAL is missing: PyPI has it as
+source alone, and Debian 12 has no package of its library.
 
 | peer | version | date | fed | came out | what a user must do |
 | --- | --- | --- | --- | --- | --- |
