@@ -5,7 +5,6 @@
 // Usage: tf_benchmark [seconds]
 
 #include <ros/ros.h>
-#include <sys/resource.h>
 #include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/transform_broadcaster.h>
 
@@ -14,19 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "process_time.h"
+
 namespace {
 
 constexpr int kTransforms = 1000;
 constexpr double kRate_hz = 100.0;
-
-double ProcessCpuSeconds() {
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 // Share of one core that `publish` takes when called at kRate_hz for `duration_s`.
 template <typename Publish>

@@ -4,7 +4,6 @@
 // time. Usage: topic_listener TOPIC...
 
 #include <ros/ros.h>
-#include <sys/resource.h>
 #include <topic_tools/shape_shifter.h>
 
 #include <cstdint>
@@ -14,18 +13,12 @@
 #include <list>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
-namespace {
+#include "process_time.h"
 
-double ProcessCpuSeconds() {
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
+namespace {
 
 struct Count {
   std::uint64_t messages = 0, bytes = 0, missing = 0;
