@@ -7,19 +7,18 @@
 
 #include "language/grounded/synthesis/synthesis_plans.h"
 #include "latticeworld/language/grounded/layout_plan.h"
+#include "layout/claim_making.h"
 
 namespace latticeworld {
 
-// Claims as a reader of instructions would make them; zones by their names (FindZone).
+// Claims as a reader of instructions would make them, beside those of claim_making.h; zones by
+// their names (FindZone).
 Claim Says(ClaimKind kind, char subject, const std::string& zone = "anywhere",
            double least = Claim::kUnsaid, double most = Claim::kUnsaid);
-Claim Ties(ClaimKind kind, char subject, char object, char second = '\0');
 Claim Gap(ClaimKind kind, char subject, char object, double least, double most);
 Claim Toward(char subject, char object, int east, int south);
-Claim Runs(char subject, const std::string& from, const std::string& to);
 Claim Order(const std::string& sequence, int east, int south);
 Claim Rest(char subject, const std::string& others);
-Claim Shaped(char subject, ClaimShape shape);
 
 Zone ZoneNamed(const std::string& name);
 

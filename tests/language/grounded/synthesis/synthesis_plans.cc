@@ -147,16 +147,16 @@ std::vector<NamedPlan> Single() {
           .As("a bent road"),
       PlanWriter('G')
           .Line('W', "northern edge", "southern edge")
-          .Claims({Runs('W', "northern edge", "southern edge")})
+          .Claims({Course('W', "northern edge", "southern edge")})
           .As("a river from north to south"),
       PlanWriter('G')
           .Line('R', "north-west corner", "south-east corner")
-          .Claims({Runs('R', "north-west corner", "south-east corner")})
+          .Claims({Course('R', "north-west corner", "south-east corner")})
           .As("a road from corner to corner"),
       PlanWriter('G')
           .Line('W', "western edge", "northern edge")
           .Wide()
-          .Claims({Runs('W', "western edge", "northern edge")})
+          .Claims({Course('W', "western edge", "northern edge")})
           .As("a wide river from west to north"),
       PlanWriter('G')
           .Line('R')
@@ -193,7 +193,7 @@ std::vector<NamedPlan> Related() {
           .Line('W', "northern edge", "southern edge")
           .Relate(Tie::kAdjacent, 0, 1)
           .Claims({Gap(Kind::kAdjacent, 'B', 'W', kUnsaid, 2),
-                   Runs('W', "northern edge", "southern edge"), Says(Kind::kPresent, 'B')})
+                   Course('W', "northern edge", "southern edge"), Says(Kind::kPresent, 'B')})
           .As("a village by the river"),
       PlanWriter('G')
           .Patch('B')
@@ -205,73 +205,74 @@ std::vector<NamedPlan> Related() {
           .Spread('F')
           .Patch('W')
           .Relate(Tie::kSurrounds, 0, 1)
-          .Claims({Ties(Kind::kSurrounds, 'F', 'W')})
+          .Claims({About(Kind::kSurrounds, 'F', 'W')})
           .As("a lake surrounded by forest"),
       PlanWriter('A')
           .Patch('B')
           .Patch('W')
           .Relate(Tie::kSurrounds, 0, 1)
-          .Claims({Ties(Kind::kSurrounds, 'B', 'W')})
+          .Claims({About(Kind::kSurrounds, 'B', 'W')})
           .As("houses around a lake"),
       PlanWriter('F')
           .Line('R')
           .Patch('W')
           .Relate(Tie::kSurrounds, 0, 1)
-          .Claims({Ties(Kind::kSurrounds, 'R', 'W')})
+          .Claims({About(Kind::kSurrounds, 'R', 'W')})
           .As("a road around the lake"),
       PlanWriter('G')
           .Patch('F')
           .Cells(7)
           .Patch('W')
           .Relate(Tie::kWithin, 0, 1)
-          .Claims({Ties(Kind::kWithin, 'F', 'W'), Says(Kind::kCount, 'W', "anywhere", 1, 1)})
+          .Claims({About(Kind::kWithin, 'F', 'W'), Says(Kind::kCount, 'W', "anywhere", 1, 1)})
           .As("a wooded island in a lake"),
       PlanWriter('F')
           .Spread('F')
           .Dominant()
           .Patch('G')
           .Relate(Tie::kWithin, 1, 0)
-          .Claims({Says(Kind::kDominant, 'F'), Ties(Kind::kWithin, 'G', 'F')})
+          .Claims({Says(Kind::kDominant, 'F'), About(Kind::kWithin, 'G', 'F')})
           .As("a clearing in the forest"),
       PlanWriter('G')
           .Spread('F')
           .Patch('B')
           .Relate(Tie::kWithin, 1, 0)
-          .Claims({Ties(Kind::kWithin, 'B', 'F')})
+          .Claims({About(Kind::kWithin, 'B', 'F')})
           .As("a village in a wood"),
       PlanWriter('G')
           .Spread('A')
           .Line('W', "northern edge", "southern edge")
           .Relate(Tie::kBothSides, 0, 1)
-          .Claims({Ties(Kind::kBothSides, 'A', 'W'), Runs('W', "northern edge", "southern edge")})
+          .Claims(
+              {About(Kind::kBothSides, 'A', 'W'), Course('W', "northern edge", "southern edge")})
           .As("fields on both sides of the river"),
       PlanWriter('G')
           .Patch('B')
           .Cells(6)
           .Line('R', "western edge", "eastern edge")
           .Relate(Tie::kBothSides, 0, 1)
-          .Claims({Ties(Kind::kBothSides, 'B', 'R'), Runs('R', "western edge", "eastern edge")})
+          .Claims({About(Kind::kBothSides, 'B', 'R'), Course('R', "western edge", "eastern edge")})
           .As("houses on either side of the road"),
       PlanWriter('G')
           .Patch('B')
           .Patch('W')
           .Spread('F')
           .Relate(Tie::kBetween, 0, 1, 2)
-          .Claims({Ties(Kind::kBetween, 'B', 'W', 'F')})
+          .Claims({About(Kind::kBetween, 'B', 'W', 'F')})
           .As("a village between lake and forest"),
       PlanWriter('G')
           .Patch('B')
           .Patch('W')
           .Pieces(2, 30)
           .Relate(Tie::kBetween, 0, 1, 1)
-          .Claims({Ties(Kind::kBetween, 'B', 'W', 'W'), Says(Kind::kCount, 'W', "anywhere", 2, 2)})
+          .Claims({About(Kind::kBetween, 'B', 'W', 'W'), Says(Kind::kCount, 'W', "anywhere", 2, 2)})
           .As("a village between two lakes"),
       PlanWriter('G')
           .Line('W')
           .Spread('F')
           .Spread('A')
           .Relate(Tie::kBetween, 0, 1, 2)
-          .Claims({Ties(Kind::kBetween, 'W', 'F', 'A')})
+          .Claims({About(Kind::kBetween, 'W', 'F', 'A')})
           .As("a river between forest and fields"),
       PlanWriter('G')
           .Patch('B')
@@ -289,13 +290,13 @@ std::vector<NamedPlan> Related() {
           .Spread('F')
           .Spread('A')
           .Relate(Tie::kMoreThan, 0, 1)
-          .Claims({Ties(Kind::kMoreThan, 'F', 'A'), Says(Kind::kPresent, 'A')})
+          .Claims({About(Kind::kMoreThan, 'F', 'A'), Says(Kind::kPresent, 'A')})
           .As("more forest than fields"),
       PlanWriter('G')
           .Line('R')
           .Line('W', "northern edge", "southern edge")
           .Relate(Tie::kAlong, 0, 1)
-          .Claims({Ties(Kind::kAlong, 'R', 'W'), Runs('W', "northern edge", "southern edge")})
+          .Claims({About(Kind::kAlong, 'R', 'W'), Course('W', "northern edge", "southern edge")})
           .As("a road along the river"),
       PlanWriter('G')
           .Line('R')
@@ -307,46 +308,46 @@ std::vector<NamedPlan> Related() {
           .Spread('F')
           .Line('W', "western edge", "eastern edge")
           .Relate(Tie::kAlong, 0, 1)
-          .Claims({Ties(Kind::kAlong, 'F', 'W'), Runs('W', "western edge", "eastern edge")})
+          .Claims({About(Kind::kAlong, 'F', 'W'), Course('W', "western edge", "eastern edge")})
           .As("forest along the river"),
       PlanWriter('G')
           .Patch('B')
           .Cells(4)
           .Line('R', "western edge", "eastern edge")
           .Relate(Tie::kAlong, 0, 1)
-          .Claims({Ties(Kind::kAlong, 'B', 'R'), Runs('R', "western edge", "eastern edge")})
+          .Claims({About(Kind::kAlong, 'B', 'R'), Course('R', "western edge", "eastern edge")})
           .As("houses along the road"),
       PlanWriter('G')
           .Line('R')
           .Spread('F')
           .Relate(Tie::kThrough, 0, 1)
-          .Claims({Ties(Kind::kThrough, 'R', 'F')})
+          .Claims({About(Kind::kThrough, 'R', 'F')})
           .As("a road through the forest"),
       PlanWriter('G')
           .Line('W')
           .Patch('B')
           .Cells(30)
           .Relate(Tie::kThrough, 0, 1)
-          .Claims({Ties(Kind::kThrough, 'W', 'B')})
+          .Claims({About(Kind::kThrough, 'W', 'B')})
           .As("a river through the town"),
       PlanWriter('G')
           .Line('R')
           .Line('W')
           .Relate(Tie::kCrosses, 0, 1)
-          .Claims({Ties(Kind::kCrosses, 'R', 'W'), Says(Kind::kCount, 'W', "anywhere", 1, 1)})
+          .Claims({About(Kind::kCrosses, 'R', 'W'), Says(Kind::kCount, 'W', "anywhere", 1, 1)})
           .As("a road crosses a river"),
       PlanWriter('G')
           .Line('R')
           .Line('W', "western edge", "eastern edge")
           .Relate(Tie::kParallel, 0, 1)
-          .Claims({Ties(Kind::kParallel, 'R', 'W'), Runs('W', "western edge", "eastern edge")})
+          .Claims({About(Kind::kParallel, 'R', 'W'), Course('W', "western edge", "eastern edge")})
           .As("a road parallel to the river"),
       PlanWriter('G')
           .Line('R')
           .Patch('B', {"upper left"})
           .Patch('W', {"lower right"})
           .Relate(Tie::kConnects, 0, 1, 2)
-          .Claims({Ties(Kind::kConnects, 'R', 'B', 'W'), Says(Kind::kPresent, 'B', "upper left"),
+          .Claims({About(Kind::kConnects, 'R', 'B', 'W'), Says(Kind::kPresent, 'B', "upper left"),
                    Says(Kind::kPresent, 'W', "lower right")})
           .As("a road connects village and lake"),
       PlanWriter('G')
@@ -354,13 +355,14 @@ std::vector<NamedPlan> Related() {
           .Patch('B')
           .Pieces(2, 12)
           .Relate(Tie::kConnects, 0, 1, 1)
-          .Claims({Ties(Kind::kConnects, 'R', 'B', 'B'), Says(Kind::kCount, 'B', "anywhere", 2, 2)})
+          .Claims(
+              {About(Kind::kConnects, 'R', 'B', 'B'), Says(Kind::kCount, 'B', "anywhere", 2, 2)})
           .As("a road connects two villages"),
       PlanWriter('G')
           .Patch('W', {"lower"})
           .Line('W', "northern edge")
           .ToFeature(0)
-          .Claims({Says(Kind::kPresent, 'W', "lower"), Runs('W', "northern edge", "lower")})
+          .Claims({Says(Kind::kPresent, 'W', "lower"), Course('W', "northern edge", "lower")})
           .As("a river into the lake"),
       PlanWriter('F')
           .Patch('B', {"center"})
@@ -387,11 +389,11 @@ std::vector<NamedPlan> Combined() {
           .Line('R', "western edge", "eastern edge")
           .Patch('B', {"center"})
           .Relate(Tie::kBetween, 0, 1, 2)
-          .Claims({Runs('W', "northern edge", "southern edge"),
-                   Runs('R', "western edge", "eastern edge"),
+          .Claims({Course('W', "northern edge", "southern edge"),
+                   Course('R', "western edge", "eastern edge"),
                    Says(Kind::kPresent, 'F', "upper left"),
                    Says(Kind::kPresent, 'A', "eastern third", 0.2),
-                   Says(Kind::kPresent, 'B', "center"), Ties(Kind::kBetween, 'W', 'F', 'A')})
+                   Says(Kind::kPresent, 'B', "center"), About(Kind::kBetween, 'W', 'F', 'A')})
           .As("the river between forest and farmland, a road, a village"),
       PlanWriter('A')
           .Spread('A')
@@ -399,7 +401,7 @@ std::vector<NamedPlan> Combined() {
           .Spread('F')
           .Patch('W', {"center"})
           .Relate(Tie::kSurrounds, 1, 2)
-          .Claims({Says(Kind::kPresent, 'W', "center"), Ties(Kind::kSurrounds, 'F', 'W'),
+          .Claims({Says(Kind::kPresent, 'W', "center"), About(Kind::kSurrounds, 'F', 'W'),
                    Rest('A', "FW"), Says(Kind::kDominant, 'A')})
           .As("a lake surrounded by forest, the rest farmland"),
       PlanWriter('A')
@@ -412,11 +414,11 @@ std::vector<NamedPlan> Combined() {
           .FromFeature(2)
           .ToFeature(3)
           .Relate(Tie::kCrosses, 4, 1)
-          .Claims({Says(Kind::kDominant, 'A'), Runs('W', "north-west corner", "south-east corner"),
-                   Says(Kind::kPresent, 'B', "upper right"),
-                   Says(Kind::kPresent, 'B', "lower left"),
-                   Says(Kind::kCount, 'B', "anywhere", 2, 2), Ties(Kind::kConnects, 'R', 'B', 'B'),
-                   Ties(Kind::kCrosses, 'R', 'W')})
+          .Claims(
+              {Says(Kind::kDominant, 'A'), Course('W', "north-west corner", "south-east corner"),
+               Says(Kind::kPresent, 'B', "upper right"), Says(Kind::kPresent, 'B', "lower left"),
+               Says(Kind::kCount, 'B', "anywhere", 2, 2), About(Kind::kConnects, 'R', 'B', 'B'),
+               About(Kind::kCrosses, 'R', 'W')})
           .As("two villages across a river, joined by a road"),
       PlanWriter('G')
           .Patch('W', {"north-western quarter"})
@@ -443,7 +445,7 @@ std::vector<NamedPlan> Combined() {
           .Without('D')
           .Claims({Says(Kind::kDominant, 'F', "western half"),
                    Says(Kind::kDominant, 'A', "eastern half"),
-                   Runs('W', "northern edge", "southern edge"),
+                   Course('W', "northern edge", "southern edge"),
                    Says(Kind::kCount, 'B', "anywhere", 3, 3)})
           .As("forest west, fields east, a river between, three hamlets"),
       PlanWriter('B', Vocabulary::kWild)
@@ -466,8 +468,8 @@ std::vector<NamedPlan> Combined() {
           .Spread('F')
           .Relate(Tie::kAlong, 3, 2)
           .Claims({Says(Kind::kDominant, 'R'), Says(Kind::kPresent, 'S', "north-east corner", 0.2),
-                   Runs('W', "north-east corner", "southern edge"),
-                   Shaped('W', ClaimShape::kWinding), Ties(Kind::kAlong, 'F', 'W')})
+                   Course('W', "north-east corner", "southern edge"),
+                   Shaped('W', ClaimShape::kWinding), About(Kind::kAlong, 'F', 'W')})
           .As("a winding river out of the snow, woods along it"),
       PlanWriter('G')
           .Patch('W')
@@ -480,7 +482,7 @@ std::vector<NamedPlan> Combined() {
           .Relate(Tie::kWithin, 1, 0)
           .Relate(Tie::kAdjacent, 2, 0)
           .Relate(Tie::kAdjacent, 3, 2)
-          .Claims({Says(Kind::kAmount, 'W', "anywhere", 0.08), Ties(Kind::kWithin, 'F', 'W'),
+          .Claims({Says(Kind::kAmount, 'W', "anywhere", 0.08), About(Kind::kWithin, 'F', 'W'),
                    Gap(Kind::kAdjacent, 'B', 'W', kUnsaid, 2),
                    Gap(Kind::kAdjacent, 'R', 'B', kUnsaid, 2),
                    Says(Kind::kCount, 'W', "anywhere", 1, 1)})
