@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/geometry/upright.h"
 #include "latticeworld/simulation/world_state.h"
 
 namespace latticeworld {
@@ -53,9 +54,7 @@ void Fell(const WorldState& state, std::int32_t asset, FoundThing* named) {
     if (static_cast<std::int32_t>(felled.tree.asset) != asset) continue;
     named->condition = ThingCondition::kFelled;
     named->position_m = felled.tree.foot_m;
-    named->orientation = Eigen::Quaterniond::FromTwoVectors(
-                             Eigen::Vector3d::UnitZ(), felled.tree.tip_m - felled.tree.foot_m) *
-                         named->orientation;
+    named->orientation = TurnFromUp(felled.tree.tip_m - felled.tree.foot_m) * named->orientation;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "latticeworld/geometry/upright.h"
 #include "latticeworld_ros/conversion/agent_conversion.h"
 #include "latticeworld_ros/conversion/geometry_conversion.h"
 
@@ -152,8 +153,7 @@ void AddFallingTree(const FallenTree& tree, const Asset& asset, Markers* markers
   constexpr double kStemShare = 0.03;  // of the height: its thickness, as it is drawn
   const Eigen::Vector3d stem_m = tree.tip_m - tree.foot_m;
   const double length_m = stem_m.norm();
-  const Eigen::Isometry3d pose =
-      ToIsometry(tree.foot_m, Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), stem_m));
+  const Eigen::Isometry3d pose = ToIsometry(tree.foot_m, TurnFromUp(stem_m));
   const int id = static_cast<int>(2 * tree.asset);
   const double crown_m = 2.0 * asset.half_length_m;
   markers->Add("trees", id,

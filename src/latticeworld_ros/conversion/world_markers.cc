@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "latticeworld/common/random.h"
+#include "latticeworld/geometry/upright.h"
 #include "latticeworld/meshes/mesh.h"
 #include "latticeworld/rendering/looks/bridge_colors.h"
 #include "latticeworld_ros/conversion/geometry_conversion.h"
@@ -146,8 +147,7 @@ void AddSpindle(const Asset& asset, const Axis& axis, int corners, double ring_s
                 MarkerPieces* pieces) {
   const Eigen::Vector3d along_m = axis.tip_m - axis.foot_m;
   const Eigen::Vector3d middle_m = axis.foot_m + ring_share * along_m;
-  const Eigen::Matrix3d turn =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along_m).toRotationMatrix();
+  const Eigen::Matrix3d turn = TurnFromUp(along_m).toRotationMatrix();
   const auto ring = [&](int k) {
     const double angle = asset.yaw_rad + 2.0 * M_PI * k / corners;
     return ToPoint(middle_m + asset.half_length_m * turn *

@@ -11,6 +11,7 @@
 #include "latticeworld/exporting/gltf/model_library.h"
 #include "latticeworld/exporting/gltf/model_mesh.h"
 #include "latticeworld/exporting/ground_mesh.h"
+#include "latticeworld/geometry/upright.h"
 #include "latticeworld/rendering/ray/ray_sky.h"
 #include "latticeworld/scene/scene.h"
 #include "latticeworld/sensing/solids/ray_scene.h"
@@ -120,8 +121,7 @@ class WorldGlbBuilder {
     node.extras.kind = "sun";
     node.light = document_.AddSun(
         "sun", color, kSunIlluminance_lux * std::max(0.0, scene_.atmosphere.sun_intensity));
-    node.rotation = Eigen::Quaternionf::FromTwoVectors(Eigen::Vector3f::UnitZ(),
-                                                       YUp(sky.sun_direction()).normalized());
+    node.rotation = TurnFromUp(YUp(sky.sun_direction()).cast<double>()).cast<float>();
     roots_.push_back(document_.AddNode(node));
   }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "latticeworld/common/check.h"
+#include "latticeworld/geometry/upright.h"
 #include "latticeworld/simulation/ode/ode_library.h"
 #include "latticeworld/simulation/ode/ode_math.h"
 #include "latticeworld/simulation/ode/ode_world_impl.h"
@@ -63,8 +64,7 @@ BodyId OdeWorld::Add(const BodySpec& spec, const Eigen::Vector3d& position_m, do
   if (!spec.upright && !spec.wheels.empty() && position_m.allFinite()) {
     const Eigen::Vector3d normal =
         scene_->terrain->ground.NormalAt({position_m.x(), position_m.y()});
-    motion.orientation =
-        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal) * heading;
+    motion.orientation = TurnFromUp(normal) * heading;
   }
   const BodyId id = Add(spec, motion);
   if (!spec.anchor && IsSomewhere(motion)) ground_.LiftOut(&bodies_.At(id));

@@ -6,6 +6,7 @@
 
 #include "latticeworld/common/digest.h"
 #include "latticeworld/common/text.h"
+#include "latticeworld/geometry/upright.h"
 #include "latticeworld/scene/footprint.h"
 #include "latticeworld/scene/props/props.h"
 #include "latticeworld/simulation/agent_names.h"
@@ -19,8 +20,7 @@ BodyMotion OnGround(const Terrain& terrain, const Prop& prop) {
   constexpr double kGap_m = 0.003;
   BodyMotion motion = BeginningOf(prop);
   const Eigen::Vector3d normal = terrain.ground.NormalAt(prop.position);
-  motion.orientation =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal) * motion.orientation;
+  motion.orientation = TurnFromUp(normal) * motion.orientation;
   motion.position_m += kGap_m * normal;
   return motion;
 }
