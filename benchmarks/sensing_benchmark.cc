@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -173,6 +174,38 @@ void BM_BareSolidTrees(benchmark::State& state) {
   TraceBare(state, trees.get());
 }
 BENCHMARK(BM_BareSolidTrees)->ArgNames({"depth"})->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+// The wood without the trees that are further from every eye than so many metres: the least that
+// they can cost, whatever takes their place.
+void BM_NoFarTrees(benchmark::State& state) {
+  const auto near_m = static_cast<double>(state.range(1));
+  const std::vector<Eigen::Vector3d> eyes_m = Eyes();
+  auto wood = std::make_shared<Scene>();
+  wood->terrain = KilometreOfWood()->terrain;
+  wood->catalogue = KilometreOfWood()->catalogue;
+  for (const Asset& tree : KilometreOfWood()->assets) {
+    const bool near = std::any_of(eyes_m.begin(), eyes_m.end(), [&](const Eigen::Vector3d& eye_m) {
+      return std::hypot(tree.x_m - eye_m.x(), tree.y_m - eye_m.y()) < near_m;
+    });
+    if (near) wood->assets.push_back(tree);
+  }
+  wood->index = AssetIndex(wood->terrain->ground.geometry().size_m(), wood->assets);
+  SensorScene scene = SensorScene::Create(wood, Options(true), Progress()).value();
+  benchmark::DoNotOptimize(scene.Focus(eyes_m));
+  const std::vector<Ray>& rays = RaysOf(static_cast<Sensor>(state.range(0)));
+  std::vector<float> distances_m(rays.size());
+  for (auto _ : state) {
+    scene.TraceDistances(rays.data(), rays.size(), kSeesAll, SensorScene::kNoAgent,
+                         distances_m.data());
+    benchmark::DoNotOptimize(distances_m.data());
+  }
+  CountRays(state, rays.size());
+  CountSensors(state);
+}
+BENCHMARK(BM_NoFarTrees)
+    ->ArgNames({"depth", "near_m"})
+    ->ArgsProduct({{0, 1}, {0, 4, 8, 12, 16, 24, 1000}})
+    ->Unit(benchmark::kMillisecond);
 
 void BM_RayMarch(benchmark::State& state) {
   // Of the first eye.
