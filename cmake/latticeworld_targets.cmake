@@ -39,6 +39,15 @@ function(latticeworld_library room)
   endif()
 endfunction()
 
+# latticeworld_few_units(<room> APART sources...) compiles eight sources of a room as one, but for those
+# that have a helper of the same name as another. For rooms that nobody changes: what is changed is
+# compiled together with seven others.
+function(latticeworld_few_units room)
+  cmake_parse_arguments(ARG "" "" "APART" ${ARGN})
+  set_target_properties(latticeworld_${room} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set_source_files_properties(${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # latticeworld_discover_tests(<target> <prefix> [property value]...) makes a CTest test of each TEST()
 # in a program, named <prefix>.Suite.Test; the program is asked for their names when ctest begins.
 include(GoogleTest)
