@@ -121,7 +121,7 @@ def main():
     program = os.path.join(ROOT, "devel/lib/latticeworld/latticeworld")
     parser.add_argument("--program", default=program, help="latticeworld [that of devel/]")
     parser.add_argument("--benchmark", default=os.path.join(ROOT, "benchmarks/fidelity"))
-    parser.add_argument("--part", choices=["development", "test"], default="test", help="[test]")
+    parser.add_argument("--part", choices=["development", "test", "first_sight"], default="test", help="[test]")
     parser.add_argument("--out", default=os.path.join(ROOT, "docs/models.md"))
     parser.add_argument("--reader-model", metavar="FILE", help="GGUF file; without it `model` and `checked` are left out")
     parser.add_argument("--local-model", metavar="FILE", help="GGUF file; without it `local` is left out")

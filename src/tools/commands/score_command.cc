@@ -113,7 +113,8 @@ Result<typename std::map<std::string, Value>::iterator> Named(
 
 Status ScoreBenchmark(const CLI::App& command) {
   ArgumentReader arguments(&command);
-  const std::string part_name = arguments.Choice("--part", {"development", "test"}, "development");
+  const std::string part_name =
+      arguments.Choice("--part", {"development", "test", "first_sight"}, "development");
   const std::uint64_t seed = arguments.Unsigned("--seed", 1);
   const std::uint64_t most = arguments.Unsigned("--most", 1000000);
   LW_RETURN_IF_ERROR(arguments.status());
@@ -189,7 +190,7 @@ void AddScoreCommand(CLI::App* app, int* exit_status) {
       "Examples for readers, JSON Lines as in training/examples: the same, by the claims "
       "of their sentences.");
   AddValueOption(command, "--most", "N", "Beside --examples: the first N of them [all].");
-  AddValueOption(command, "--part", "NAME", "development or test [development].");
+  AddValueOption(command, "--part", "NAME", "development, test or first_sight [development].");
   AddValueOption(command, "--seed", "N", "What the answers are drawn from [1].");
   command->add_flag("--misses", "Also lists every claim that is not satisfied.");
   AddLanguageOptions(command);

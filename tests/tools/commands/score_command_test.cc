@@ -80,7 +80,8 @@ TEST_F(ScoreCommandTest, RefusesWhatItCannotScore) {
   ExpectUsageError({"score"}, "one of a bundle, --symbols, --benchmark and --examples");
   ExpectUsageError({"score", PathOf("x"), "--benchmark", PathOf("y")}, "one of a bundle");
   ExpectUsageError({"score", "--symbols", PathOf("x")}, "--layout");
-  ExpectUsageError({"score", "--benchmark", PathOf("x"), "--part", "all"}, "development, test");
+  ExpectUsageError({"score", "--benchmark", PathOf("x"), "--part", "all"},
+                   "development, test, first_sight");
   ExpectUsageError({"score", "--benchmark", PathOf("x"), "--generator", "oracle"}, "oracle");
   ExpectUsageError({"score", "--benchmark", PathOf("x"), "--reader", "crystal ball"},
                    "controlled, rules");
@@ -90,6 +91,10 @@ TEST_F(ScoreCommandTest, RefusesWhatItCannotScore) {
   ExpectUsageError({"score", "--symbols", PathOf("short.txt"), "--layout", "Forest."}, "32");
   EXPECT_EQ(RunProgram({"score", PathOf("nothing")}).exit_status, 1);
   EXPECT_EQ(RunProgram({"score", "--benchmark", PathOf("nothing")}).exit_status, 1);
+  const ProgramRun unseen =
+      RunProgram({"score", "--benchmark", PathOf("nothing"), "--part", "first_sight"});
+  EXPECT_EQ(unseen.exit_status, 1);
+  EXPECT_NE(unseen.err.find("layout_first_sight.json"), std::string::npos) << unseen.err;
 }
 
 TEST_F(ScoreCommandTest, RebuildMakesTheSameWorldAgain) {

@@ -17,11 +17,13 @@
 
 namespace latticeworld {
 
-// The development part may be tuned on, the test part never.
-enum class BenchmarkPart : std::uint8_t { kDevelopment, kTest };
+// The development part may be tuned on, the test part and the one for first sight never.
+enum class BenchmarkPart : std::uint8_t { kDevelopment, kTest, kFirstSight };
 
-constexpr std::array<EnumName<BenchmarkPart>, 2> EnumNames(BenchmarkPart) {
-  return {{{BenchmarkPart::kDevelopment, "development"}, {BenchmarkPart::kTest, "test"}}};
+constexpr std::array<EnumName<BenchmarkPart>, 3> EnumNames(BenchmarkPart) {
+  return {{{BenchmarkPart::kDevelopment, "development"},
+           {BenchmarkPart::kTest, "test"},
+           {BenchmarkPart::kFirstSight, "first_sight"}}};
 }
 
 // A layout instruction and what it says, written down by hand.
