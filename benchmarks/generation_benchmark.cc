@@ -46,7 +46,14 @@ void BM_GenerateWorld(benchmark::State& state) {
   request.size_m = static_cast<double>(state.range(0));
   Generate(request, &state);
 }
-BENCHMARK(BM_GenerateWorld)->Arg(128)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_GenerateWorld)
+    ->Arg(128)
+    ->Arg(256)
+    ->Arg(512)
+    ->Arg(1024)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 // 1024 x 1024 cells, all of them mountain; and hills with ways and bridges of their own.
 void BM_Relief(benchmark::State& state) {
@@ -59,7 +66,12 @@ void BM_Relief(benchmark::State& state) {
   state.SetLabel(request.layout_instruction);
   Generate(request, &state);
 }
-BENCHMARK(BM_Relief)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Relief)
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 void BM_SaveBundle(benchmark::State& state) {
   const auto world = ExampleWorld();
@@ -74,7 +86,7 @@ void BM_SaveBundle(benchmark::State& state) {
     state.ResumeTiming();
   }
 }
-BENCHMARK(BM_SaveBundle)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_SaveBundle)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace latticeworld
