@@ -255,19 +255,18 @@ def compare_before(tables, options):
 def replaced(page, name, text):
     """The page with another text between the marks of a table."""
     mark = f"<!-- scripts/benchmarks.py {name} -->\n"
-    parts = re.split(f"(?<={re.escape(mark)}).*?(?=<!-- end -->)", page, flags=re.DOTALL)
-    if len(parts) != 2:
-        raise Failed(f"the page has {len(parts) - 1} tables of that name")
-    return text.join(parts)
+    if page.count(mark) != 1:
+        raise Failed(f"the page has {page.count(mark)} tables of that name")
+    before, _, rest = page.partition(mark)
+    return before + mark + text + rest[rest.index("<!-- end -->"):]
 
 
 def make(name, tables, options):
-    begin = work_of_cpus()
+    begin, about = work_of_cpus(), f"{machine()}; {commit_of(ROOT)}, {datetime.date.today()}"
     table, how = (compare_before(tables, options) if name == BEFORE else
                   compare(tables[name], options))
     others, could = (now - then for now, then in zip(work_of_cpus(), begin))
-    told = (f"{machine()}; {commit_of(ROOT)}, {datetime.date.today()}; {how}; other programs took "
-            f"{max(0, 100 * others / could):.0f} % of the CPUs.")
+    told = f"{about}; {how}; other programs took {max(0, 100 * others / could):.0f} % of the CPUs."
     told = textwrap.fill(told, 100, break_long_words=False, break_on_hyphens=False)
     page = PAGE.read_text(encoding="utf-8")
     PAGE.write_text(replaced(page, name, f"{told}\n\n{table}\n"), encoding="utf-8")

@@ -103,9 +103,10 @@ class BenchmarksTest(unittest.TestCase):
 
     def test_the_text_between_the_marks_of_a_table_is_replaced_and_no_other(self):
         page = ("a\n<!-- scripts/benchmarks.py one -->\nold\n<!-- end -->\nb\n"
-                "<!-- scripts/benchmarks.py two -->\n<!-- end -->\n")
+                "<!-- scripts/benchmarks.py two -->\n<!-- end -->\nc\n"
+                "<!-- scripts/benchmarks.py four -->\n<!-- end -->\n")
         self.assertEqual(page.replace("old\n", "new\n"), benchmarks.replaced(page, "one", "new\n"))
-        self.assertIn("two -->\nnew\n<!-- end -->\n", benchmarks.replaced(page, "two", "new\n"))
+        self.assertIn("two -->\nnew\n<!-- end -->\nc\n", benchmarks.replaced(page, "two", "new\n"))
         with self.assertRaisesRegex(benchmarks.Failed, "0 tables"):
             benchmarks.replaced(page, "three", "new\n")
 
