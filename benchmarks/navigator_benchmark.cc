@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -20,6 +19,7 @@
 #include "latticeworld/navigation/navigable_map.h"
 #include "latticeworld/reference_navigator/navigator.h"
 #include "latticeworld/reference_navigator/travel_field.h"
+#include "process_time.h"
 
 namespace latticeworld {
 namespace {
@@ -103,16 +103,10 @@ Grid<float> CommonDijkstra(CellIndex from, const Grid<float>& prices) {
   return cost_m;
 }
 
-// Processor time, for other programs on the machine do not count.
 double Seconds(const std::function<void()>& work) {
-  const auto now_s = [] {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-  };
-  const double begin_s = now_s();
+  const double begin_s = ProcessCpuSeconds();
   work();
-  return now_s() - begin_s;
+  return ProcessCpuSeconds() - begin_s;
 }
 
 // Both take turns. vs_common: how many times as fast as the common search ours is.

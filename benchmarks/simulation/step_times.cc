@@ -4,13 +4,11 @@
 #include <ctime>
 #include <numeric>
 
+#include "process_time.h"
+
 namespace latticeworld {
 
-double ProcessorTime() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+double ProcessorTime() { return ProcessCpuSeconds(); }
 
 double WallTime() {
   timespec now{};
