@@ -9,8 +9,8 @@ set(LATTICEWORLD_GRID_LOOPS -O3 -fno-math-errno -fno-trapping-math)
 #                      [PRIVATE targets])
 # One static library a room, latticeworld_<room>, whose headers are included from src/. Those of the
 # core are installed for other programs, as latticeworld::<room> (cmake/latticeworld_packages.cmake).
-# HEADERS says which precompiled headers its sources have: standard (where it is not given), eigen
-# or ros (cmake/precompiled). GRID_LOOPS has its loops over whole grids vectorised.
+# HEADERS says which precompiled headers its sources have: standard (where it is not given) or eigen
+# (cmake/precompiled). GRID_LOOPS has its loops over whole grids vectorised.
 function(latticeworld_library room)
   cmake_parse_arguments(ARG "GRID_LOOPS" "HEADERS" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target latticeworld_${room})
