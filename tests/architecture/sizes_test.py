@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Holds folders, functions and the greatest classes of src/ to what one can take in at a glance.
+"""Holds folders, functions and the greatest classes of src/ to what one can take in at a glance,
+and what is frozen to the lines that it has.
 
 Usage: sizes_test.py SRC
 """
@@ -22,6 +23,12 @@ GREAT_CLASSES = {
     "OdeBody": (40, None),
     "OdeWorld": (40, None),
 }
+# Rules that read instructions get no new rule, pass or word (docs/language.md): the most lines of
+# the files below a folder, CMakeLists.txt aside.
+FROZEN = {
+    "latticeworld/language/grounded/reading": 31251,
+    "latticeworld/language/grounded/environment": 14709,
+}
 
 
 def crowded_folders(src):
@@ -31,6 +38,21 @@ def crowded_folders(src):
     return [f"src/{folder} holds {count} .h and .cc files of its own, {MOST_FILES} at most: put "
             "what belongs together on a shelf, a folder in it"
             for folder, count in sorted(files.items()) if count > MOST_FILES]
+
+
+def grown_folders(src, limits):
+    """A sentence on each folder of `limits` that has more lines, or is not there."""
+    found = []
+    for folder, most in sorted(limits.items()):
+        lines = sum(len(file.read_text(encoding="utf-8").splitlines())
+                    for file in (src / folder).rglob("*")
+                    if file.is_file() and file.name != "CMakeLists.txt")
+        if lines > most:
+            found.append(f"src/{folder} has {lines} lines, {most} at most: it is frozen; what is "
+                         "misread is taught to the reader by examples (training/examples)")
+        elif lines == 0:
+            found.append(f"src/{folder} has no lines: FROZEN is to name what it has become")
+    return found
 
 
 def outlines_below(src):
@@ -88,6 +110,9 @@ class SizesTest(unittest.TestCase):
 
     def test_the_great_classes_stay_small(self):
         self.expect_none(great_classes(self.outlines, GREAT_CLASSES))
+
+    def test_the_rules_that_read_are_frozen(self):
+        self.expect_none(grown_folders(SRC, FROZEN))
 
 
 class RulesTest(unittest.TestCase):
@@ -147,6 +172,20 @@ class RulesTest(unittest.TestCase):
         self.assertEqual(["src/a/a.cc:1: F has 84 lines",
                           "src/a/a.cc:86: lambda of kF has 82 lines"],
                          [sentence.partition(",")[0] for sentence in self.long_functions()])
+
+    def test_a_line_more_in_what_is_frozen_is_seen(self):
+        limits = {"a/rules": 3}
+        self.write("a/rules/one.cc", "int a;\nint b;\n")
+        self.write("a/rules/data/words.txt", "lake\n")
+        self.write("a/rules/CMakeLists.txt", "more\n")
+        self.assertEqual([], grown_folders(self.src, limits))
+        self.write("a/rules/data/words.txt", "lake\nmere\n")
+        sentence, = grown_folders(self.src, limits)
+        self.assertIn("src/a/rules has 4 lines, 3 at most: it is frozen", sentence)
+        self.write("a/rules/data/words.txt", "")
+        self.assertEqual([], grown_folders(self.src, limits))
+        gone, = grown_folders(self.src, {"a/gone": 3})
+        self.assertIn("src/a/gone has no lines", gone)
 
     def test_a_great_class_is_counted_without_what_is_nested_in_it(self):
         limits = {"Engine": (2, 1), "Gone": (1, None)}
