@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "language/local/chosen_instructions.h"
 #include "language/local/tiny_model.h"
 #include "language/remote/form_checkers.h"
 #include "latticeworld/language/local/local.h"
@@ -59,6 +60,26 @@ TEST_P(LocalServerTest, GeneratorsOverItNeedNoRepair) {
                           ->Generate({"a lake", Vocabulary::kSuburb, nullptr, 3}, kProgress);
   ASSERT_TRUE(layout.ok()) << layout.status().ToString();
   EXPECT_TRUE(layout->warnings.empty());
+}
+
+TEST_P(LocalServerTest, AGreedyReplyIsTheSameBytesWithAllInstructionsOfThisProcessor) {
+  ChatRequest request = Request("a lake", LayoutForm(Vocabulary::kWild));
+  request.temperature = 0.0;
+  const auto reply_with = [&](Instructions instructions) {
+    const ChosenInstructions chosen(instructions);
+    TinyModel tiny;
+    tiny.weight_type = GetParam();
+    const auto reply = Server(tiny)->Complete(request, {}, kProgress);
+    EXPECT_TRUE(reply.ok()) << reply.status().ToString();
+    return std::make_pair(reply->text, reply->log_probability);
+  };
+  const auto plain = reply_with(Instructions::kPlain);
+  EXPECT_LT(plain.second, 0.0);
+  for (const Instructions instructions : kAllInstructions) {
+    if (HasInstructions(instructions)) {
+      EXPECT_EQ(reply_with(instructions), plain) << static_cast<int>(instructions);
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Types, LocalServerTest, testing::Values(0u, 1u, 8u));

@@ -29,7 +29,7 @@ class ByteRowsTest : public ::testing::TestWithParam<std::size_t> {
     rows_ = RoundToBytes(in.data(), kCount, columns_);
   }
 
-  std::vector<float> Multiplied(ByteInstructions instructions) const {
+  std::vector<float> Multiplied(Instructions instructions) const {
     std::vector<float> out(kCount * kRows);
     MultiplyBytes({bytes_.data(), scales_.data(), kRows}, rows_, kRows, out.data(), instructions);
     return out;
@@ -42,7 +42,7 @@ class ByteRowsTest : public ::testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(ByteRowsTest, ProductsAreThoseOfTheNumbersThatBytesStandFor) {
-  const std::vector<float> out = Multiplied(ByteInstructions::kPlain);
+  const std::vector<float> out = Multiplied(Instructions::kPlain);
   const std::size_t blocks = columns_ / 32;
   for (std::size_t t = 0; t < kCount; ++t) {
     for (std::size_t r = 0; r < kRows; ++r) {
@@ -59,8 +59,8 @@ TEST_P(ByteRowsTest, ProductsAreThoseOfTheNumbersThatBytesStandFor) {
 }
 
 TEST_P(ByteRowsTest, AllInstructionsOfThisProcessorGiveTheSameBits) {
-  const std::vector<float> plain = Multiplied(ByteInstructions::kPlain);
-  for (const auto instructions : {ByteInstructions::kAvx2, ByteInstructions::kVnni}) {
+  const std::vector<float> plain = Multiplied(Instructions::kPlain);
+  for (const auto instructions : kAllInstructions) {
     if (HasInstructions(instructions)) EXPECT_EQ(Multiplied(instructions), plain);
   }
   EXPECT_TRUE(HasInstructions(FastestInstructions()));
@@ -73,8 +73,7 @@ TEST_P(ByteRowsTest, WhatIsNoNumberSpoilsEveryProductOfItsRowAndNoOther) {
     std::vector<float> in(2 * columns_, 1.0f);
     in[columns_ - 1] = value;
     const ByteRows rows = RoundToBytes(in.data(), 2, columns_);
-    for (const auto instructions :
-         {ByteInstructions::kPlain, ByteInstructions::kAvx2, ByteInstructions::kVnni}) {
+    for (const auto instructions : kAllInstructions) {
       if (!HasInstructions(instructions)) continue;
       std::vector<float> out(2 * kRows);
       MultiplyBytes({bytes_.data(), scales_.data(), kRows}, rows, kRows, out.data(), instructions);

@@ -88,18 +88,21 @@ LATTICEWORLD_LANE_INLINE void Weigh(const float* shares, const float* values, st
 }
 
 // One head looking back; shares: room for `length` rounded up; sums: for the padded width.
-LATTICEWORLD_LANE_CLONES
-void AttendHead(const float* query, const float* keys, const float* values, std::size_t width,
-                std::size_t padded_width, std::size_t length, float* shares, float* sums) {
-  const float highest = Products(query, keys, width, length, shares);
-  const float scale = 1.0f / std::sqrt(static_cast<float>(width));
-  const float inverse = 1.0f / Shares(highest, scale, length, shares);
-  std::size_t k = 0;
-  for (; k + 2 * kLanes <= padded_width; k += 2 * kLanes)
-    Weigh<2>(shares, values + k, padded_width, length, sums + k);
-  if (k < padded_width) Weigh<1>(shares, values + k, padded_width, length, sums + k);
-  for (std::size_t i = 0; i < width; ++i) sums[i] *= inverse;
-}
+struct LookBack {
+  LATTICEWORLD_LANE_INLINE static void Run(const float* query, const float* keys,
+                                           const float* values, std::size_t width,
+                                           std::size_t padded_width, std::size_t length,
+                                           float* shares, float* sums) {
+    const float highest = Products(query, keys, width, length, shares);
+    const float scale = 1.0f / std::sqrt(static_cast<float>(width));
+    const float inverse = 1.0f / Shares(highest, scale, length, shares);
+    std::size_t k = 0;
+    for (; k + 2 * kLanes <= padded_width; k += 2 * kLanes)
+      Weigh<2>(shares, values + k, padded_width, length, sums + k);
+    if (k < padded_width) Weigh<1>(shares, values + k, padded_width, length, sums + k);
+    for (std::size_t i = 0; i < width; ++i) sums[i] *= inverse;
+  }
+};
 
 }  // namespace
 
@@ -139,8 +142,8 @@ void AttentionCache::Attend(std::size_t head, const float* query, std::size_t le
   shares.resize(std::max(shares.size(), RoundedUp(length)));
   sums.resize(std::max(sums.size(), padded_width_));
   const Head& looked_at = heads_[head];
-  AttendHead(query, looked_at.keys.data(), looked_at.values.data(), width_, padded_width_, length,
-             shares.data(), sums.data());
+  WithLanes<LookBack>(query, looked_at.keys.data(), looked_at.values.data(), width_, padded_width_,
+                      length, shares.data(), sums.data());
   std::copy_n(sums.data(), width_, out);
 }
 

@@ -5,23 +5,40 @@
 #include <cstdint>
 #include <cstring>
 
-// Sums over floats in sixteen lanes, which the compiler lays out for the
-// processor at hand. The order of additions is the same on all of them, so that
-// the same file gives the same answers.
+#include "latticeworld/language/local/weights/instructions.h"
 
-// Stands before a function with such sums: it is made for several kinds of processors, as in
-// vector_clones.h.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define LATTICEWORLD_LANE_CLONES \
-  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define LATTICEWORLD_LANE_CLONES
-#endif
-// Stands before what such a function calls: it is made for the same processor.
+// Sums over floats in sixteen lanes, which the compiler lays out for each kind of processor. The
+// order of additions is the same on all of them, so that the same file gives the same answers.
+
+// Stands before what WithLanes runs, and before all that it calls: it becomes a part of the
+// function that is made for a kind of processor.
 #define LATTICEWORLD_LANE_INLINE inline __attribute__((always_inline))
 
 namespace latticeworld {
+
+#if defined(__x86_64__) && defined(__GNUC__)
+template <typename Sums, typename... Arguments>
+__attribute__((target("avx2"))) void WithAvx2(Arguments... arguments) {
+  Sums::Run(arguments...);
+}
+
+template <typename Sums, typename... Arguments>
+__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"))) void WithAvx512(
+    Arguments... arguments) {
+  Sums::Run(arguments...);
+}
+#endif
+
+// Calls Sums::Run, a LATTICEWORLD_LANE_INLINE function, as it is made for the instructions in use.
+template <typename Sums, typename... Arguments>
+void WithLanes(Arguments... arguments) {
+#if defined(__x86_64__) && defined(__GNUC__)
+  const Instructions used = UsedInstructions();
+  if (used >= Instructions::kAvx512) return WithAvx512<Sums>(arguments...);
+  if (used == Instructions::kAvx2) return WithAvx2<Sums>(arguments...);
+#endif
+  Sums::Run(arguments...);
+}
 
 constexpr std::size_t kLanes = 16;
 using FloatLanes = float __attribute__((vector_size(64)));

@@ -18,6 +18,26 @@ LATTICEWORLD_LANE_INLINE void ExpInPlace(float* values, std::size_t size) {
   }
 }
 
+struct SwishGate {
+  LATTICEWORLD_LANE_INLINE static void Run(float* gates, const float* ups, std::size_t size) {
+    constexpr std::size_t kPiece = 256;
+    float powers[kPiece];
+    for (std::size_t begin = 0; begin < size; begin += kPiece) {
+      const std::size_t some = std::min(kPiece, size - begin);
+      for (std::size_t i = 0; i < some; ++i) powers[i] = -gates[begin + i];
+      ExpInPlace(powers, some);
+      for (std::size_t i = 0; i < some; ++i)
+        gates[begin + i] = gates[begin + i] / (1.0f + powers[i]) * ups[begin + i];
+    }
+  }
+};
+
+struct Powers {
+  LATTICEWORLD_LANE_INLINE static void Run(float* values, std::size_t size) {
+    ExpInPlace(values, size);
+  }
+};
+
 }  // namespace
 
 void RootMeanSquareNorm(const float* in, const float* gains, std::size_t count, std::size_t width,
@@ -31,20 +51,10 @@ void RootMeanSquareNorm(const float* in, const float* gains, std::size_t count, 
   }
 }
 
-LATTICEWORLD_LANE_CLONES
 void GateWithSwish(float* gates, const float* ups, std::size_t size) {
-  constexpr std::size_t kPiece = 256;
-  float powers[kPiece];
-  for (std::size_t begin = 0; begin < size; begin += kPiece) {
-    const std::size_t some = std::min(kPiece, size - begin);
-    for (std::size_t i = 0; i < some; ++i) powers[i] = -gates[begin + i];
-    ExpInPlace(powers, some);
-    for (std::size_t i = 0; i < some; ++i)
-      gates[begin + i] = gates[begin + i] / (1.0f + powers[i]) * ups[begin + i];
-  }
+  WithLanes<SwishGate>(gates, ups, size);
 }
 
-LATTICEWORLD_LANE_CLONES
-void Exponentials(float* values, std::size_t size) { ExpInPlace(values, size); }
+void Exponentials(float* values, std::size_t size) { WithLanes<Powers>(values, size); }
 
 }  // namespace latticeworld

@@ -173,10 +173,10 @@ LATTICEWORLD_VNNI void RowByVnni(const std::int8_t* weights, const float* scales
 
 using RowFunction = decltype(&RowPlainly);
 
-RowFunction RowBy(ByteInstructions instructions) {
+RowFunction RowBy([[maybe_unused]] Instructions instructions) {
 #ifdef LATTICEWORLD_HAS_VECTOR_ROWS
-  if (instructions == ByteInstructions::kVnni) return &RowByVnni;
-  if (instructions == ByteInstructions::kAvx2) return &RowByAvx2;
+  if (instructions == Instructions::kVnni) return &RowByVnni;
+  if (instructions != Instructions::kPlain) return &RowByAvx2;
 #endif
   return &RowPlainly;
 }
@@ -212,27 +212,8 @@ ByteRows RoundToBytes(const float* in, std::size_t count, std::size_t columns) {
   return rows;
 }
 
-bool HasInstructions(ByteInstructions instructions) {
-#ifdef LATTICEWORLD_HAS_VECTOR_ROWS
-  if (instructions == ByteInstructions::kVnni)
-    return __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512vnni");
-  if (instructions == ByteInstructions::kAvx2) return __builtin_cpu_supports("avx2");
-#endif
-  return instructions == ByteInstructions::kPlain;
-}
-
-ByteInstructions FastestInstructions() {
-  static const ByteInstructions fastest = [] {
-    for (const auto way : {ByteInstructions::kVnni, ByteInstructions::kAvx2})
-      if (HasInstructions(way)) return way;
-    return ByteInstructions::kPlain;
-  }();
-  return fastest;
-}
-
 void MultiplyBytes(const ByteWeights& weights, const ByteRows& in, std::size_t stride, float* out,
-                   ByteInstructions instructions) {
+                   Instructions instructions) {
   const RowFunction row = RowBy(instructions);
   const std::size_t blocks = in.columns / kBlock;
   for (std::size_t r = 0; r < weights.rows; ++r)

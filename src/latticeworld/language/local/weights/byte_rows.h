@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "latticeworld/language/local/weights/instructions.h"
+
 namespace latticeworld {
 
 // Activations (count x columns) in int8, with a scale for each block of 32.
@@ -26,16 +28,11 @@ struct ByteWeights {
   std::size_t rows = 0;
 };
 
-// Instructions that the products can be computed with, the slowest first.
-enum class ByteInstructions { kPlain, kAvx2, kVnni };
-bool HasInstructions(ByteInstructions instructions);  // whether this processor does
-ByteInstructions FastestInstructions();               // of those that it has
-
 // out (count x rows, `stride` floats apart) = in times the transposed weights. Sums within a block
 // are exact, and blocks are added in sixteen lanes in one order, so that all instructions give the
 // same bits.
 void MultiplyBytes(const ByteWeights& weights, const ByteRows& in, std::size_t stride, float* out,
-                   ByteInstructions instructions = FastestInstructions());
+                   Instructions instructions = UsedInstructions());
 
 }  // namespace latticeworld
 

@@ -20,21 +20,23 @@ constexpr int kTogether = 4;  // activations that share one reading of a row
 constexpr std::size_t kLeastProducts = 16384;
 constexpr int kPartsEach = 4;
 
-LATTICEWORLD_LANE_CLONES
-void FloatRows(const float* weights, std::size_t rows, std::size_t columns, const float* in,
-               std::size_t count, std::size_t stride, float* out) {
-  for (std::size_t r = 0; r < rows; ++r) {
-    const float* row = weights + r * columns;
-    std::size_t t = 0;
-    for (; t + kTogether <= count; t += kTogether) {
-      float dots[kTogether];
-      DotProducts<kTogether>(row, in + t * columns, columns, columns, dots);
-      for (int k = 0; k < kTogether; ++k) out[(t + k) * stride + r] = dots[k];
+struct FloatRows {
+  LATTICEWORLD_LANE_INLINE static void Run(const float* weights, std::size_t rows,
+                                           std::size_t columns, const float* in, std::size_t count,
+                                           std::size_t stride, float* out) {
+    for (std::size_t r = 0; r < rows; ++r) {
+      const float* row = weights + r * columns;
+      std::size_t t = 0;
+      for (; t + kTogether <= count; t += kTogether) {
+        float dots[kTogether];
+        DotProducts<kTogether>(row, in + t * columns, columns, columns, dots);
+        for (int k = 0; k < kTogether; ++k) out[(t + k) * stride + r] = dots[k];
+      }
+      for (; t < count; ++t)
+        DotProducts<1>(row, in + t * columns, columns, columns, out + t * stride + r);
     }
-    for (; t < count; ++t)
-      DotProducts<1>(row, in + t * columns, columns, columns, out + t * stride + r);
   }
-}
+};
 
 }  // namespace
 
@@ -140,8 +142,8 @@ void WeightMatrix::Row(std::size_t row, float* out) const {
 void WeightMatrix::MultiplyRows(std::size_t begin, std::size_t end, const float* in,
                                 const ByteRows& rounded, std::size_t count, float* out) const {
   if (!floats_.empty()) {
-    FloatRows(floats_.data() + begin * columns_, end - begin, columns_, in, count, rows_,
-              out + begin);
+    WithLanes<FloatRows>(floats_.data() + begin * columns_, end - begin, columns_, in, count, rows_,
+                         out + begin);
     return;
   }
   const ByteWeights weights = {bytes_.data() + begin * columns_,
