@@ -82,4 +82,10 @@ void PrintMisses(const FidelityScore& score, std::ostream* out) {
   }
 }
 
+void PrintWarnings(const FidelityScore& score, std::ostream* out) {
+  for (const FidelityScore::Warning& warning : score.warnings) {
+    *out << "  " << warning.id << " warning: " << warning.text << "\n";
+  }
+}
+
 }  // namespace latticeworld::tools

@@ -16,6 +16,8 @@ void PrintReport(const FidelityReport& report, std::ostream* out);
 void PrintScore(std::string_view title, const FidelityScore& score, std::ostream* out);
 // A line a claim that is not satisfied.
 void PrintMisses(const FidelityScore& score, std::ostream* out);
+// A line a warning.
+void PrintWarnings(const FidelityScore& score, std::ostream* out);
 
 }  // namespace latticeworld::tools
 

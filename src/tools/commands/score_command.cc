@@ -147,11 +147,13 @@ Status ScoreBenchmark(const CLI::App& command) {
   const std::string what = examples ? *examples : part_name + " part";
   const std::string ending =
       ", " + what + ", read by " + reader->first + ", answered by " + generator->first;
-  const bool misses = command.count("--misses") > 0;
-  PrintScore("layout instructions" + ending, *layouts, &std::cout);
-  if (misses) PrintMisses(*layouts, &std::cout);
-  PrintScore("environment instructions" + ending, *environments, &std::cout);
-  if (misses) PrintMisses(*environments, &std::cout);
+  const auto print = [&](const std::string& kind, const FidelityScore& score) {
+    PrintScore(kind + " instructions" + ending, score, &std::cout);
+    if (command.count("--misses") > 0) PrintMisses(score, &std::cout);
+    if (command.count("--warnings") > 0) PrintWarnings(score, &std::cout);
+  };
+  print("layout", *layouts);
+  print("environment", *environments);
   return Status();
 }
 
@@ -193,6 +195,8 @@ void AddScoreCommand(CLI::App* app, int* exit_status) {
   AddValueOption(command, "--part", "NAME", "development, test or first_sight [development].");
   AddValueOption(command, "--seed", "N", "What the answers are drawn from [1].");
   command->add_flag("--misses", "Also lists every claim that is not satisfied.");
+  command->add_flag("--warnings",
+                    "Beside --benchmark and --examples: also lists every warning of an answer.");
   AddLanguageOptions(command);
   command->callback([command, exit_status] {
     const Status status = Score(*command);

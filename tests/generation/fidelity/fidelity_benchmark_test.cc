@@ -67,6 +67,7 @@ class ForestGenerator : public LayoutGenerator {
     if (request.vocabulary == Vocabulary::kWild) return Unavailable("nobody there");
     LayoutAnswer answer;
     answer.layout = {request.vocabulary, Grid<char>(kLayoutSize, kLayoutSize, 'F')};
+    answer.warnings = {"all is forest"};
     return answer;
   }
 };
@@ -101,6 +102,9 @@ TEST_F(FidelityBenchmarkTest, CountsPerKindWhatTheItemsClaim) {
   ASSERT_EQ(score->misses.size(), 2u);
   EXPECT_EQ(score->misses[0].id, "a");
   EXPECT_NE(score->misses[1].explanation.find("nobody there"), std::string::npos);
+  ASSERT_EQ(score->warnings.size(), 1u);
+  EXPECT_EQ(score->warnings[0].id, "a");
+  EXPECT_EQ(score->warnings[0].text, "all is forest");
 
   WinterGenerator winter;
   const auto environments =

@@ -214,6 +214,12 @@ TEST_F(ScoreCommandTest, ExamplesForReadersAreABenchmark) {
   EXPECT_EQ(run.exit_status, 0) << run.err;
   EXPECT_NE(run.out.find("read by rules, answered by grounded"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("no_agents            1 of     1"), std::string::npos) << run.out;
+  const ProgramRun told = RunProgram(
+      {"score", "--examples", PathOf("examples.jsonl"), "--reader", "controlled", "--warnings"});
+  EXPECT_EQ(told.exit_status, 0) << told.err;
+  EXPECT_NE(told.out.find("examples 2 warning: not understood: \"It rains, and nobody is there\""),
+            std::string::npos)
+      << told.out;
   Write("wrong.jsonl", R"({"kind": "song"})"
                        "\n");
   const ProgramRun wrong = RunProgram({"score", "--examples", PathOf("wrong.jsonl")});

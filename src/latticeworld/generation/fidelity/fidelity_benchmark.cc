@@ -31,7 +31,12 @@ Result<FidelityScore> Score(const std::vector<Item>& items, std::string_view sta
     seconds.push_back(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     if (result.status().code() == StatusCode::kCancelled) return result.status();
-    score.answered += result.ok() ? 1 : 0;
+    if (result.ok()) {
+      ++score.answered;
+      for (const std::string& warning : result->warnings) {
+        score.warnings.push_back({item.id, warning});
+      }
+    }
     for (const auto& claim : item.claims) {
       const std::string kind(NameOf(claim.kind));
       FidelityScore::Count& count = score.by_kind[kind];

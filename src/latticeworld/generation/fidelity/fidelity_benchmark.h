@@ -69,10 +69,15 @@ struct FidelityScore {
     std::string words;        // of the claim
     std::string explanation;  // of its measure, or why there was no answer
   };
+  struct Warning {
+    std::string id;
+    std::string text;  // of the answer, or of what was read
+  };
   std::map<std::string, Count> by_kind;
   int items = 0;
   int answered = 0;  // with a legal layout or a valid environment
   std::vector<Miss> misses;
+  std::vector<Warning> warnings;
   double median_s = 0.0;  // of one answer
 
   Count all() const;
