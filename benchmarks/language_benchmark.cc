@@ -8,6 +8,7 @@
 
 #include "latticeworld/generation/fidelity/fidelity_benchmark.h"
 #include "latticeworld/language/drawn/grounded.h"
+#include "latticeworld/language/reading/instruction_reader.h"
 #include "process_time.h"
 
 namespace latticeworld {
@@ -65,6 +66,22 @@ void BM_ReadLayoutInstruction(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_ReadLayoutInstruction)->Unit(benchmark::kMicrosecond);
+
+// The reader `controlled`: ten sentences of the small language, with what the report says of them.
+void BM_ReadSmallLanguage(benchmark::State& state) {
+  LayoutRequest request;
+  request.instruction =
+      "A large lake in the north-west. 2 villages in the eastern half. Forest surrounds the lake. "
+      "A winding river from the lake to the southern edge. A road connects the villages. The road "
+      "crosses the river. Farmland covers 20 % of the map. More forest than farmland. No rock. The "
+      "rest is grassland.";
+  const auto reader = MakeControlledReader();
+  for (auto _ : state) {
+    std::vector<ModelReply> replies;
+    benchmark::DoNotOptimize(reader->ReadLayout(request, Progress(), &replies));
+  }
+}
+BENCHMARK(BM_ReadSmallLanguage)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace latticeworld

@@ -6,17 +6,26 @@
     scripts/compare_models.py --remote-url http://127.0.0.1:8080/v1 --remote-dialect llama.cpp
 
 Each reads and answers the instructions of a part of benchmarks/fidelity (`latticeworld score`); options that begin with
---local- or --remote- are that program's. Time is the median of one answer, memory the most that the process held.
+--local- or --remote- are that program's. The reader `controlled` reads no free text: it gets what people said by hand of
+instructions of the development part (training/examples/development_*.jsonl), and the claims are those of the benchmark's
+authors. Time is the median of one answer, memory the most that the process held.
+
+What stands in the page below its line on hands stays as it is.
 """
 
 import argparse
 import datetime
+import glob
+import json
 import os
 import re
 import subprocess
 import sys
+import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+SAID = "controlled"  # a column of other texts than the rest
+HAND = "<!-- What follows is written by hand; scripts/compare_models.py keeps it. -->\n"
 ROW = re.compile(r"^  (\S.*?) +(\d+) of +(\d+) ")
 TIME = re.compile(r"^  median time +([\d.]+) ms")
 
@@ -47,6 +56,34 @@ def score(program, benchmark, part, options):
     return {**read_tables(said), "memory": used.ru_maxrss / 1024}
 
 
+def write_said(benchmark, examples, folder):
+    """A benchmark of what was said by hand: the development part's instructions that examples have, in their sentences.
+    Whether there are any."""
+    said = {}
+    for path in examples:
+        with open(path, encoding="utf-8") as file:
+            for example in map(json.loads, file):
+                said[example["kind"], example["text"]] = "".join(f"{one}. " for one in example["sentences"]).strip()
+    os.symlink(os.path.abspath(os.path.join(benchmark, "layouts")), os.path.join(folder, "layouts"))
+    found = 0
+    for kind in ("layout", "environment"):
+        with open(os.path.join(benchmark, f"{kind}_development.json"), encoding="utf-8") as file:
+            items = [{**item, "instruction": said[kind, item["instruction"]]}
+                     for item in json.load(file) if (kind, item["instruction"]) in said]
+        with open(os.path.join(folder, f"{kind}_development.json"), "w", encoding="utf-8") as file:
+            json.dump(items, file)
+        found += len(items)
+    return found > 0
+
+
+def score_said(given):
+    """The tables of the reader `controlled`; None where nothing was said by hand."""
+    with tempfile.TemporaryDirectory() as folder:
+        if not write_said(given.benchmark, given.said, folder):
+            return None
+        return score(given.program, folder, "development", ["--reader", "controlled", "--generator", "grounded"])
+
+
 def share(count):
     if count is None or count[1] == 0:
         return "-"
@@ -71,8 +108,9 @@ def table_of(kind, scores):
 
 
 def best_of(scores):
-    """The column with most claims of those whose layouts are all valid."""
-    whole = [name for name, found in scores.items() if len(set(found["layout"]["valid answers"])) == 1]
+    """The column with most claims of those that have the same texts and whose layouts are all valid."""
+    whole = [name for name, found in scores.items()
+             if name != SAID and len(set(found["layout"]["valid answers"])) == 1]
     sums = {name: sum(scores[name][kind]["all claims"][0] for kind in ("layout", "environment")) for name in whole}
     return max(sums, key=sums.get) if sums else None
 
@@ -89,12 +127,24 @@ def page(scores, given, more_of, version):
         if more_of["local"]:
             local += f"; `{' '.join(more_of['local'])}`"
         local += ". How it came about: [training](training.md).\n"
+    who = "`rules`, `model` and `checked` read" if "model" in scores else "`rules` read"
+    who += ", and `grounded` answers"
+    others = [f"`{name}`" for name in ("local", "remote") if name in scores]
+    if others:
+        who += f"; {' and '.join(others)} {'read and answer' if len(others) > 1 else 'reads and answers'} by itself"
+    said = ""
+    if SAID in scores:
+        said = f"""
+
+`{SAID}` reads no free text. Its column has other texts: {scores[SAID]["layout"]["valid answers"][1]} layouts and
+{scores[SAID]["environment"]["valid answers"][1]} environments of the development part, said in the [small
+language](small_language.md) by hand; the claims are those that the benchmark's authors wrote down for the
+texts as people wrote them."""
     return f"""# Readers and generators compared
 
 Written by `scripts/compare_models.py` on {datetime.date.today().isoformat()}, {version}: the
 {given.part} part of `benchmarks/fidelity`. What the kinds of claims mean is in
-[language](language.md), how time is measured in [benchmarks](benchmarks.md). `rules`, `model` and
-`checked` read, and `grounded` answers; `local` and `remote` read and answer themselves.
+[language](language.md), how time is measured in [benchmarks](benchmarks.md). {who}.{said}
 {local}
 ## Layouts
 
@@ -110,8 +160,17 @@ Written by `scripts/compare_models.py` on {datetime.date.today().isoformat()}, {
 |---|---|
 {memory}
 
-Of the columns whose layouts are all valid, **{best}** has the most claims.
+Of the columns of these texts whose layouts are all valid, **{best}** has the most claims.
 """
+
+
+def kept_of(path):
+    """What hands wrote below the tables of the page that there is, with the line above it; "" where there is none."""
+    if not os.path.exists(path):
+        return ""
+    with open(path, encoding="utf-8") as file:
+        _, line, kept = file.read().partition(HAND)
+    return "\n" + line + kept if line else ""
 
 
 def main():
@@ -126,6 +185,9 @@ def main():
     parser.add_argument("--reader-model", metavar="FILE", help="GGUF file; without it `model` and `checked` are left out")
     parser.add_argument("--local-model", metavar="FILE", help="GGUF file; without it `local` is left out")
     parser.add_argument("--local-environment-model", metavar="FILE", help="the same for environments, or grounded")
+    parser.add_argument("--said", nargs="*", metavar="FILE", help="examples that say instructions of the development part "
+                        "by hand, for `controlled` [training/examples/development_*.jsonl]",
+                        default=sorted(glob.glob(os.path.join(ROOT, "training/examples/development_*.jsonl"))))
     given, more = parser.parse_known_args()
 
     more_of = {"local": [], "remote": []}
@@ -154,10 +216,16 @@ def main():
         options["remote"] = ["--generator", "remote"] + more_of["remote"]
         options["remote reads"] = ["--reader", "remote", "--generator", "grounded"] + more_of["remote"]
 
-    scores = {name: score(given.program, given.benchmark, given.part, some) for name, some in options.items()}
+    scores = {}
+    for name, some in options.items():
+        scores[name] = score(given.program, given.benchmark, given.part, some)
+        if name == "rules" and (said := score_said(given)) is not None:
+            scores[SAID] = said
     version = subprocess.run([given.program, "--version"], stdout=subprocess.PIPE, text=True, check=True).stdout.strip()
+    kept = kept_of(given.out)
     with open(given.out, "w", encoding="utf-8") as file:
-        file.write(page(scores, given, more_of, version))
+        file.write(page(scores, given, more_of, version) + kept)
+    subprocess.run([sys.executable, os.path.join(ROOT, "scripts/wrap_pages.py"), given.out], check=True)
     print(given.out)
 
 

@@ -33,6 +33,14 @@ ENVIRONMENT = {
 }
 
 
+SAID = [
+    {"kind": "layout", "author": "a", "voice": "v", "vocabulary": "suburb", "text": "A lake in the north.",
+     "sentences": ["A lake in the north", "No houses"]},
+    {"kind": "environment", "author": "a", "voice": "v", "text": "It rains.", "sentences": ["Weather: rain"]},
+    {"kind": "environment", "author": "a", "voice": "v", "text": "Of another benchmark.", "sentences": []},
+]
+
+
 class CompareModelsTest(unittest.TestCase):
     def setUp(self):
         self.directory = tempfile.TemporaryDirectory()
@@ -52,9 +60,10 @@ class CompareModelsTest(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.directory.name, name)
 
-    def run_script(self, *more):
+    def run_script(self, *more, said=()):
         command = [sys.executable, SCRIPT, "--program", os.environ["LATTICEWORLD_PROGRAM"]]
-        command += ["--benchmark", self.directory.name, "--part", "development", "--out", self.path("models.md"), *more]
+        command += ["--benchmark", self.directory.name, "--part", "development", "--out", self.path("models.md")]
+        command += ["--said", *said, *more]
         return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
 
     def test_one_command_writes_the_table(self):
@@ -68,6 +77,28 @@ class CompareModelsTest(unittest.TestCase):
         self.assertRegex(page, r"\| present \| 1 of 1 \(1\.000\) \| \d of 1 ")
         self.assertIn("| coarse | 1 of 1 (1.000) | 1 of 1 (1.000) |", page)
         self.assertRegex(page, r"\| local \| [1-9]\d* MB \|")
+
+    def test_what_was_said_by_hand_is_read_as_it_stands_and_what_hands_wrote_is_kept(self):
+        with open(self.path("said.jsonl"), "w", encoding="utf-8") as file:
+            file.write("".join(json.dumps(example) + "\n" for example in SAID))
+        done = self.run_script(said=[self.path("said.jsonl")])
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("models.md"), encoding="utf-8") as file:
+            page = file.read()
+        self.assertIn("| | rules | controlled |", page)
+        self.assertIn("1 layouts and 1 environments of the development part", " ".join(page.split()))
+        self.assertIn("| coarse | 1 of 1 (1.000) | 1 of 1 (1.000) |", page)
+        self.assertNotIn("`local`", page)
+        self.assertNotIn("written by hand", page)
+        hand = "<!-- What follows is written by hand; scripts/compare_models.py keeps it. -->\n\n## Why\n\nBecause.\n"
+        with open(self.path("models.md"), "a", encoding="utf-8") as file:
+            file.write("\nOf yesterday.\n\n" + hand)
+        self.assertEqual(self.run_script().returncode, 0)
+        with open(self.path("models.md"), encoding="utf-8") as file:
+            page = file.read()
+        self.assertTrue(page.endswith("\n\n" + hand), page)
+        self.assertNotIn("Of yesterday", page)
+        self.assertNotIn("controlled", page)
 
     def test_an_unknown_option_is_named(self):
         done = self.run_script("--lcal-model", "x")
