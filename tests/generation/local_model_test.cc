@@ -119,6 +119,55 @@ TEST(LocalModelTest, AModelOfLayoutsGoesWithTheGroundedBackEndsEnvironments) {
   EXPECT_EQ((*rebuilt)->warnings, (*world)->warnings);
 }
 
+// As much of a text as is legal, of whole pieces.
+std::string AsMuchAsIsLegal(const std::string& piece) {
+  std::string text;
+  while (text.size() + piece.size() <= kMaxInstructionBytes) text += piece;
+  return text;
+}
+
+TEST(ReaderModelTest, ALegalTextOfAnyLengthIsAnsweredAndItsWorldMadeAgain) {
+  const ModelFile file(TinyGguf(Noise(1)));
+  ReaderModelOptions options;
+  options.model = file.path();
+  WorldGenerator generator(std::move(LoadLanguage({}, {}, options)->stack));
+  GenerationRequest request = Request();
+  request.generator = "grounded";
+  const std::pair<std::string, std::string> texts[] = {
+      {"A lake in the north. ", "Two sheep graze in the rain. "},
+      {"1234567890", "1234567890"},
+      {"\xE6\xB9\x96", "\xE9\x9B\xA8"},          // Chinese: lake, rain
+      {"\xF0\x9F\x8C\xB2", "\xF0\x9F\x90\x91"},  // a tree, a sheep
+      {std::string(1, 'a'), "\xF0\x9F\x90\x91, and "},
+  };
+  for (const std::string reader : {"model", "checked"}) {
+    for (const auto& [layout, environment] : texts) {
+      request.reader = reader;
+      request.layout_instruction = AsMuchAsIsLegal(layout) + "?";
+      request.layout_instruction.resize(kMaxInstructionBytes, '?');
+      request.environment_instruction = AsMuchAsIsLegal(environment);
+      const auto world = generator.Generate(request, Progress());
+      ASSERT_TRUE(world.ok()) << world.status().ToString();
+      ASSERT_EQ((*world)->replies.size(), 2u) << layout;
+      const auto& warnings = (*world)->warnings;
+      EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
+                              [&reader](const std::string& warning) {
+                                return warning.rfind(
+                                           "the reader rules read the text, because the "
+                                           "reader " +
+                                               reader + " failed (RESOURCE_",
+                                           0) == 0;
+                              }),
+                2)
+          << layout;
+      const auto rebuilt = RebuildWorld(**world, Progress());
+      ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
+      EXPECT_EQ((*rebuilt)->id, (*world)->id);
+      EXPECT_EQ((*rebuilt)->warnings, (*world)->warnings);
+    }
+  }
+}
+
 TEST(LocalModelTest, SaysWhatIsWrongWithItsOptionsAndFiles) {
   LocalModelOptions options;
   options.layout_model = "/nowhere/layout.gguf";

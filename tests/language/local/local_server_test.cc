@@ -170,6 +170,22 @@ TEST(LocalServerAnswersTest, EndsAtTheLimitOfTokensAndOfTheContext) {
             StatusCode::kResourceExhausted);
 }
 
+TEST(LocalServerAnswersTest, MessagesBeyondWhatARequestAllowsAreRefused) {
+  const auto server = Server();
+  ChatRequest request = Request("a lake", {});
+  request.max_tokens = 1;
+  const auto reply = server->Complete(request, {}, kProgress);
+  ASSERT_TRUE(reply.ok()) << reply.status().ToString();
+  request.max_prompt_tokens = reply->prompt_tokens;
+  EXPECT_TRUE(server->Complete(request, {}, kProgress).ok());
+  --request.max_prompt_tokens;
+  const Status refused = server->Complete(request, {}, kProgress).status();
+  EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
+  EXPECT_NE(refused.message().find(std::to_string(request.max_prompt_tokens) + " at most"),
+            std::string::npos)
+      << refused.ToString();
+}
+
 TEST(LocalServerAnswersTest, RefusesWhatItCannotDo) {
   const auto server = Server();
   ChatRequest request = Request("a lake", {});

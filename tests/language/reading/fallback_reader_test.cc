@@ -63,6 +63,24 @@ TEST(FallbackReaderTest, ARequestThatIsWrongItselfGetsNoSecondReading) {
   EXPECT_TRUE(replies.empty());
 }
 
+TEST(LongTextReaderTest, TheSecondReadsWhatIsTooLongForTheFirstAndNothingElse) {
+  std::vector<ModelReply> replies;
+  const auto reader_of = [](StatusCode code) {
+    return MakeLongTextReader(std::make_shared<Failing>(code), MakeControlledReader());
+  };
+  const auto reading =
+      reader_of(StatusCode::kResourceExhausted)->ReadLayout(Lake(), Progress(), &replies);
+  ASSERT_TRUE(reading.ok()) << reading.status().ToString();
+  EXPECT_EQ(reading->sentences, std::vector<std::string>{"A lake"});
+  ASSERT_FALSE(reading->plan.warnings.empty());
+  EXPECT_NE(reading->plan.warnings[0].find("RESOURCE_EXHAUSTED: no more"), std::string::npos);
+  EXPECT_EQ(replies.back().failure.code(), StatusCode::kResourceExhausted);
+  for (const StatusCode code :
+       {StatusCode::kCancelled, StatusCode::kDataLoss, StatusCode::kUnavailable}) {
+    EXPECT_EQ(reader_of(code)->ReadLayout(Lake(), Progress(), &replies).status().code(), code);
+  }
+}
+
 TEST(FailedReaderTest, FailsAsItDidThen) {
   std::vector<ModelReply> recorded(2);
   recorded[0].text = "hm";

@@ -35,6 +35,7 @@ TEST_F(ModelReaderTest, TheModelSaysTheSentences) {
   EXPECT_EQ(asked.messages.front().text, "layout");
   EXPECT_EQ(asked.messages.back().text, "up north a lake with woods all round it");
   EXPECT_EQ(asked.temperature, 0.0);
+  EXPECT_EQ(asked.max_prompt_tokens, 512);
   EXPECT_EQ(asked.form.gbnf, SentenceGrammar(SentenceKind::kLayout));
   ASSERT_EQ(replies_.size(), 1u);
   EXPECT_EQ(replies_.front().purpose, "layout_words");

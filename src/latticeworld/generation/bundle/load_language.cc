@@ -115,15 +115,14 @@ LanguageGenerator AsRecorded(LanguageGenerator model, const std::vector<ModelRep
   return generator;
 }
 
-// The same of a reader.
+// A reader whose model is a recording: where that failed it fails again.
 std::shared_ptr<InstructionReader> AsRecorded(std::shared_ptr<InstructionReader> reader,
                                               const std::vector<ModelReply>& replies) {
   std::vector<ModelReply> layout = RepliesFor(kLayoutWords, replies);
   std::vector<ModelReply> environment = RepliesFor(kEnvironmentWords, replies);
   if (!HaveFailed(layout)) layout.clear();
   if (!HaveFailed(environment)) environment.clear();
-  return WithFallback(
-      MakeFailedReader(std::move(reader), std::move(layout), std::move(environment)), true);
+  return MakeFailedReader(std::move(reader), std::move(layout), std::move(environment));
 }
 
 // Every violation of the three, of fields that are called "remote_url", "local_tries" and so on.
@@ -176,8 +175,10 @@ Result<LoadedLanguage> LoadLanguage(const RemoteModelOptions& remote,
   if (reader.is_wanted()) {
     LW_ASSIGN_OR_RETURN(std::shared_ptr<ChatServer> model,
                         MakeLocalChatServer(reader.model, reader.threads));
-    stack.readers["model"] = MakeModelReader(std::move(model));
-    stack.readers["checked"] = MakeCheckedReader(stack.readers["model"], stack.readers["rules"]);
+    const std::shared_ptr<InstructionReader>& rules = stack.readers["rules"];
+    const std::shared_ptr<InstructionReader> read_by_model = MakeModelReader(std::move(model));
+    stack.readers["model"] = MakeLongTextReader(read_by_model, rules);
+    stack.readers["checked"] = MakeLongTextReader(MakeCheckedReader(read_by_model, rules), rules);
     stack.default_reader = "checked";
   }
   if (local.is_wanted()) {
@@ -202,9 +203,13 @@ LanguageStack MakeReplayStack(const std::vector<ModelReply>& replies) {
   local.repair_turns = kMostRepairTurns;
   const auto server = [&replies] { return MakeReplayServer(replies); };
   LanguageStack stack = MakeEmbedded();
-  stack.readers["model"] = MakeModelReader(server());
-  stack.readers["checked"] = MakeCheckedReader(MakeModelReader(server()), stack.readers["rules"]);
-  stack.readers["remote"] = AsRecorded(MakeInterpretingReader(server(), options), replies);
+  const std::shared_ptr<InstructionReader>& rules = stack.readers["rules"];
+  stack.readers["model"] =
+      MakeLongTextReader(AsRecorded(MakeModelReader(server()), replies), rules);
+  stack.readers["checked"] = MakeLongTextReader(
+      AsRecorded(MakeCheckedReader(MakeModelReader(server()), rules), replies), rules);
+  stack.readers["remote"] =
+      WithFallback(AsRecorded(MakeInterpretingReader(server(), options), replies), true);
   stack.generators["remote"] = AsRecorded(MakeRemote(server(), options), replies);
   stack.generators["local"] = AsRecorded(MakeRemote(server(), local), replies);
   return stack;

@@ -38,6 +38,8 @@ struct ChatRequest {
   std::vector<ChatMessage> messages;
   AnswerForm form;
   int max_tokens = 2048;
+  int max_prompt_tokens = 0;  // that the messages may have; 0: any number. A server that cannot
+                              // count them before it answers leaves this out
   double temperature = 0.7;
   std::uint64_t seed = 0;
 };

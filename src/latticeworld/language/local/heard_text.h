@@ -28,6 +28,9 @@ class HeardText {
   // Adds to it. Errors: the same; what was heard until a CANCELLED stays.
   Status Add(const std::vector<TokenId>& tokens, const Progress& progress);
 
+  // Takes the memory of so many places at once.
+  void Reserve(std::size_t places) { decoder_.Reserve(places); }
+
   // (tokens of the vocabulary) for what comes next; of nothing: empty.
   const std::vector<float>& logits() const { return decoder_.logits(); }
 

@@ -29,10 +29,10 @@ namespace latticeworld {
 //
 // Safe to use from several threads; requests wait for each other. Errors of
 // Complete: INVALID_ARGUMENT (a form that cannot be read, pictures that it does not see or
-// that are none, temperature below 0), RESOURCE_EXHAUSTED (messages longer than the model's
-// context; an answer that reaches the context's end is cut, with the reason "length"), DATA_LOSS
-// (the model gives no number to any token that the form allows: its weights are damaged, or
-// overflow), CANCELLED between two tokens.
+// that are none, temperature below 0), RESOURCE_EXHAUSTED (messages longer than the request
+// allows or than the model's context; an answer that reaches the context's end is cut, with the
+// reason "length"), DATA_LOSS (the model gives no number to any token that the form allows: its
+// weights are damaged, or overflow), CANCELLED between two tokens.
 //
 // Errors: those of GgufFile::Open; DATA_LOSS: a model, tokenizer or eyes that
 // are not read here, or do not go together.

@@ -121,7 +121,13 @@ class LocalServer : public ChatServer {
     // The model hears the pictures and messages; with guidance it also hears a chat without any.
     const std::vector<TokenId> prompt = ChatTokens(tokenizer_, style_, request.messages);
     if (prompt.empty()) return InvalidArgument("there are no messages to answer");
+    const auto most = static_cast<std::size_t>(std::max(0, request.max_prompt_tokens));
+    if (most > 0 && prompt.size() > most)
+      return ResourceExhausted("the messages have " + std::to_string(prompt.size()) +
+                               " tokens; the model '" + name_ + "' is given " +
+                               std::to_string(most) + " at most");
     LW_ASSIGN_OR_RETURN(const std::vector<float> seen, Seen(request.messages));
+    if (most > 0) asked_.Reserve(most + static_cast<std::size_t>(std::max(0, request.max_tokens)));
     LW_RETURN_IF_ERROR(asked_.Begin(seen, prompt, progress));
     if (unasked_)
       LW_RETURN_IF_ERROR(unasked_->Begin({}, ChatTokens(tokenizer_, style_, {}), progress));

@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <utility>
 
 #include "latticeworld/common/check.h"
@@ -6,11 +7,13 @@
 namespace latticeworld {
 namespace {
 
+enum class FallsBackOf : std::uint8_t { kAnyFailure, kLongTexts };
+
 class FallbackReader final : public InstructionReader {
  public:
   FallbackReader(std::shared_ptr<InstructionReader> first,
-                 std::shared_ptr<InstructionReader> second)
-      : first_(std::move(first)), second_(std::move(second)) {
+                 std::shared_ptr<InstructionReader> second, FallsBackOf of)
+      : first_(std::move(first)), second_(std::move(second)), of_(of) {
     LW_CHECK(first_ != nullptr && second_ != nullptr, "a fallback needs two readers");
   }
 
@@ -18,8 +21,7 @@ class FallbackReader final : public InstructionReader {
 
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& progress,
                                    std::vector<ModelReply>* replies) override {
-    // A request that is wrong itself gets no second reading.
-    LW_RETURN_IF_ERROR(latticeworld::Validate(request));
+    LW_RETURN_IF_ERROR(RefuseWrong(request));
     Result<LayoutReading> reading = first_->ReadLayout(request, progress, replies);
     if (!Failed(reading.status())) return reading;
     const std::string warning = Record(kLayoutWords, reading.status(), replies);
@@ -31,7 +33,7 @@ class FallbackReader final : public InstructionReader {
   Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& request,
                                              const Progress& progress,
                                              std::vector<ModelReply>* replies) override {
-    LW_RETURN_IF_ERROR(latticeworld::Validate(request));
+    LW_RETURN_IF_ERROR(RefuseWrong(request));
     Result<EnvironmentReading> reading = first_->ReadEnvironment(request, progress, replies);
     if (!Failed(reading.status())) return reading;
     const std::string warning = Record(kEnvironmentWords, reading.status(), replies);
@@ -41,7 +43,14 @@ class FallbackReader final : public InstructionReader {
   }
 
  private:
-  static bool Failed(const Status& status) {
+  // A request that is wrong itself gets no second reading; it is never too long.
+  template <typename Request>
+  Status RefuseWrong(const Request& request) const {
+    return of_ == FallsBackOf::kAnyFailure ? latticeworld::Validate(request) : Status();
+  }
+
+  bool Failed(const Status& status) const {
+    if (of_ == FallsBackOf::kLongTexts) return status.code() == StatusCode::kResourceExhausted;
     return !status.ok() && status.code() != StatusCode::kCancelled;
   }
 
@@ -58,6 +67,7 @@ class FallbackReader final : public InstructionReader {
 
   const std::shared_ptr<InstructionReader> first_;
   const std::shared_ptr<InstructionReader> second_;
+  const FallsBackOf of_;
 };
 
 class FailedReader final : public InstructionReader {
@@ -100,7 +110,14 @@ class FailedReader final : public InstructionReader {
 
 std::shared_ptr<InstructionReader> MakeFallbackReader(std::shared_ptr<InstructionReader> first,
                                                       std::shared_ptr<InstructionReader> second) {
-  return std::make_shared<FallbackReader>(std::move(first), std::move(second));
+  return std::make_shared<FallbackReader>(std::move(first), std::move(second),
+                                          FallsBackOf::kAnyFailure);
+}
+
+std::shared_ptr<InstructionReader> MakeLongTextReader(std::shared_ptr<InstructionReader> first,
+                                                      std::shared_ptr<InstructionReader> second) {
+  return std::make_shared<FallbackReader>(std::move(first), std::move(second),
+                                          FallsBackOf::kLongTexts);
 }
 
 std::shared_ptr<InstructionReader> MakeFailedReader(std::shared_ptr<InstructionReader> reader,

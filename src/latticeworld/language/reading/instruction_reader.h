@@ -73,6 +73,11 @@ std::unique_ptr<InstructionReader> MakeRuleReader();
 std::shared_ptr<InstructionReader> MakeFallbackReader(std::shared_ptr<InstructionReader> first,
                                                       std::shared_ptr<InstructionReader> second);
 
+// Makes the same reader, but that `second` reads only what is too long for `first`
+// (RESOURCE_EXHAUSTED); other failures of `first` are its own.
+std::shared_ptr<InstructionReader> MakeLongTextReader(std::shared_ptr<InstructionReader> first,
+                                                      std::shared_ptr<InstructionReader> second);
+
 // Makes a reader that fails as another one did. It gives that reader's replies, those of layouts
 // and those of environments, of which the last is the record of the failure. Where there are no
 // replies `reader` reads.

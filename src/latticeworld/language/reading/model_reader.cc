@@ -14,7 +14,11 @@
 namespace latticeworld {
 namespace {
 
-constexpr int kMostTokens = 768;  // of an answer
+constexpr int kMostTokens = 512;  // of an answer; the longest that was taught has some 200
+// Of the text with what stands around it: some 2,000 characters of English, three times the longest
+// text that the shipped reader was taught. The keys and values of a
+// token of text or answer take 46 kB.
+constexpr int kMostPromptTokens = 512;
 
 bool IsBlank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
@@ -82,6 +86,7 @@ class ModelReader final : public InstructionReader {
     request.form.name = purpose;
     request.form.gbnf = layout ? layout_grammar_ : environment_grammar_;
     request.max_tokens = kMostTokens;
+    request.max_prompt_tokens = kMostPromptTokens;
     request.temperature = 0.0;
     request.seed = seed;
     LW_ASSIGN_OR_RETURN(const ChatReply reply, server_->Complete(request, {}, progress));

@@ -14,7 +14,7 @@ namespace latticeworld {
 // sentences. The tables of forms read what the model says. A text that is wholly the small language
 // already is not given to the model. Words of the text that name a class of land of which no
 // sentence speaks count as not understood. `server` is never null. Errors: those of
-// ChatServer::Complete.
+// ChatServer::Complete; RESOURCE_EXHAUSTED where a text takes more than 512 tokens of the model.
 std::unique_ptr<InstructionReader> MakeModelReader(std::shared_ptr<ChatServer> server);
 
 }  // namespace latticeworld

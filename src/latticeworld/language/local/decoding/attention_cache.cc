@@ -127,6 +127,13 @@ void AttentionCache::Append(const float* keys, const float* values, std::size_t 
   length_ = length;
 }
 
+void AttentionCache::Reserve(std::size_t places) {
+  for (Head& head : heads_) {
+    head.keys.reserve(RoundedUp(places) * width_);
+    head.values.reserve(places * padded_width_);
+  }
+}
+
 void AttentionCache::Truncate(std::size_t length) {
   length_ = std::min(length, length_);
   for (Head& head : heads_) {

@@ -21,6 +21,9 @@ class AttentionCache {
 
   // keys, values: `count` places, `stride` floats apart, each heads x width.
   void Append(const float* keys, const float* values, std::size_t stride, std::size_t count);
+  // Takes the memory of so many places at once, so that it is not taken again, and twice for a
+  // while, as a text grows.
+  void Reserve(std::size_t places);
   // Forgets what comes after the first `length` places, at most length().
   void Truncate(std::size_t length);
 

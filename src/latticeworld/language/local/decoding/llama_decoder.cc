@@ -35,6 +35,10 @@ LlamaDecoder::LlamaDecoder(std::shared_ptr<const LlamaModel> model, std::shared_
         model_->rope_factors[i]));
 }
 
+void LlamaDecoder::Reserve(std::size_t places) {
+  for (AttentionCache& cache : caches_) cache.Reserve(std::min(places, model_->sizes.context));
+}
+
 void LlamaDecoder::Truncate(std::size_t length) {
   length_ = std::min(length, length_);
   for (AttentionCache& cache : caches_) cache.Truncate(length_);

@@ -29,6 +29,8 @@ class LlamaDecoder {
 
   const LlamaModel& model() const { return *model_; }
   std::size_t length() const { return length_; }
+  // Takes the memory of a text of so many places, at most the model's context, at once.
+  void Reserve(std::size_t places);
   // Forgets what comes after the first `length` places, at most length().
   void Truncate(std::size_t length);
 
