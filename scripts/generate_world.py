@@ -101,7 +101,8 @@ def main():
           f"answered in {answered_s:.2f} s\n")
     print(colored(world.layout, world.vocabulary))
     satisfied = sum(claim.satisfied for claim in world.fidelity)
-    print(f"\nfidelity: {satisfied} of {len(world.fidelity)} claims of the words are satisfied")
+    lost = f", and not understood: {', '.join(world.not_understood)}" if world.not_understood else ""
+    print(f"\nfidelity: {satisfied} of {len(world.fidelity)} claims of the words are satisfied{lost}")
     print("\nstages")
     for stage in world.stages:
         print(f"  {stage.name:<12} {stage.seconds:7.3f} s")

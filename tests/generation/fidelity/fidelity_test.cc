@@ -132,6 +132,15 @@ TEST(FidelityTest, WarnsOfNothingTwice) {
   EXPECT_TRUE(WarningsOf(report, once).empty());
 }
 
+// A place that no claim has, within words that a claim quotes.
+TEST(FidelityTest, NoReportIsWholeWhereAKnownWordIsLost) {
+  const FidelityReport report =
+      Assess("The town is squeezed between the river to the west and the wooded hills to the east.",
+             "", Uniform('G'), Autumn());
+  EXPECT_EQ(report.not_understood, std::vector<std::string>{"west"});
+  EXPECT_LT(report.words_read, report.words);
+}
+
 TEST(FidelityTest, SaysNothingOfNoWords) {
   const FidelityReport report = Assess("", "", Uniform('G'), Autumn());
   EXPECT_TRUE(report.claims.empty());

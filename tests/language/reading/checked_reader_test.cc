@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "language/remote/fake_chat_server.h"
+#include "latticeworld/common/text.h"
 #include "latticeworld/language/reading/model_reader.h"
 
 namespace latticeworld {
@@ -67,6 +68,33 @@ TEST_F(CheckedReaderTest, AgentsThatTheModelPassedOverAreTheRules) {
   server_->Say("2 goblins.");
   const EnvironmentReading reading = ReadEnvironment("Two goblins and five sheep.");
   EXPECT_EQ(reading.heard.agents.size(), 2u);
+}
+
+// What was added is in the sentences, and no longer counts as lost.
+TEST_F(CheckedReaderTest, WhatAnEnvironmentIsCompletedByIsCarried) {
+  const std::string text = "On a rainy night two goblins and five sheep stand about.";
+  server_->Say("2 goblins.");
+  const EnvironmentReading reading = ReadEnvironment(text);
+  EXPECT_EQ(reading.heard.agents.size(), 2u);
+  EXPECT_EQ(reading.heard.not_understood, std::vector<std::string>());
+  EXPECT_EQ(reading.coverage.lost, std::vector<std::string>());
+  const std::string said = Join(reading.sentences, ". ");
+  for (const char* part : {"5 sheep", "2 goblins", "Weather: rain", "Time: night"}) {
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+  }
+  EXPECT_EQ(said.find("goblins"), said.rfind("goblins"))
+      << "what was replaced is not said: " << said;
+}
+
+TEST_F(CheckedReaderTest, WhatNeitherReaderHasReadStaysLost) {
+  server_->Say("Weather: rain.");
+  const EnvironmentReading reading = ReadEnvironment("Rain, and a zorblax of seven wolves.");
+  for (const std::string& words : reading.coverage.lost) {
+    EXPECT_NE(
+        std::find(reading.heard.not_understood.begin(), reading.heard.not_understood.end(), words),
+        reading.heard.not_understood.end())
+        << words;
+  }
 }
 
 TEST_F(CheckedReaderTest, TheSmallLanguageNeedsNoSecondReader) {

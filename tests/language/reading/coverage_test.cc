@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "latticeworld/language/reading/claim_coverage.h"
+
 namespace latticeworld {
 namespace {
 
@@ -57,20 +59,64 @@ TEST(CoverageTest, PartsOfSharesAreNoNumbersOfThings) {
   EXPECT_TRUE(coverage.lost.empty());
 }
 
+TEST(CoverageTest, WhatClaimsAskForIsCarriedThoughNoSentenceSaysIt) {
+  Claim lakes;
+  lakes.kind = ClaimKind::kCount;
+  lakes.subject = 'W';
+  lakes.zone = *FindZone("northern half");
+  lakes.least = 3.0;
+  lakes.most = 5.0;
+  const std::vector<Claim> claims = {lakes};
+  const auto lost = [&claims](const std::string& text) {
+    return CoverageOf(text, Strings(), claims, Vocabulary::kSuburb).lost;
+  };
+  EXPECT_EQ(lost("four lakes in the north"), Strings());
+  EXPECT_EQ(lost("six lakes in the south, and a village"), (Strings{"six", "south", "village"}));
+  EnvironmentClaim sheep;
+  sheep.kind = EnvironmentClaimKind::kAgents;
+  sheep.categories = {AgentCategory::kSheep};
+  sheep.least_quantity = sheep.most_quantity = 5;
+  sheep.positions = {Region::kUpperLeft};
+  EnvironmentClaim more = sheep;
+  more.least_quantity = more.most_quantity = 2;
+  EXPECT_EQ(CoverageOf("seven sheep, of them two", Strings(),
+                       std::vector<EnvironmentClaim>{sheep, more}, Vocabulary::kSuburb)
+                .lost,
+            Strings());
+  EXPECT_EQ(CoverageOf("five sheep in the north-west and a goblin in the east", Strings(),
+                       std::vector<EnvironmentClaim>{sheep}, Vocabulary::kSuburb)
+                .lost,
+            (Strings{"goblin", "east"}));
+}
+
+TEST(CoverageTest, WhatIsCarriedByNowIsTakenOff) {
+  const TextCoverage coverage = Environment("", {"5 sheep", "Weather: rain"});
+  std::vector<std::string> not_understood = {"five sheep in the rain", "sheep of zorblax", "sheep",
+                                             "of"};
+  TakeOffCarried(coverage, SentenceKind::kEnvironment, Vocabulary::kSuburb, &not_understood);
+  EXPECT_EQ(not_understood, (Strings{"sheep of zorblax", "of"}));
+}
+
+TEST(CoverageTest, ANumberCountsNothingThatComesAfterAPause) {
+  EXPECT_EQ(Layout("Ponds between the two. Forest.", {"Ponds", "Forest"}).lost, Strings());
+  EXPECT_EQ(Layout("Ponds between the two, and forest.", {"Ponds", "Forest"}).lost, Strings());
+  EXPECT_EQ(Layout("Two little blue ponds. Forest.", {"Ponds", "Forest"}).lost, Strings{"Two"});
+}
+
 TEST(CoverageTest, WhatIsLostIsToldOnce) {
   TextCoverage coverage;
   coverage.lost = {"zorblax", "three", "six"};
   std::vector<std::string> not_understood = {"a zorblax"};
-  AddLost(coverage, {"six lakes"}, &not_understood);
+  AddLost(coverage, {"\"six lakes\" are more than fit"}, &not_understood);
   EXPECT_EQ(not_understood, (std::vector<std::string>{"a zorblax", "three"}));
 }
 
-TEST(QuoteOfTest, IsThePieceThatSaysMostOfTheSentence) {
+TEST(QuotedTextTest, IsThePieceThatSaysMostOfTheSentence) {
   const std::string text =
       "Forest fills the left, they say; but on the right, where four huts stand by the lake, "
       "there is none.";
   const auto quote = [&text](const std::string& sentence) {
-    return QuoteOf(text, sentence, SentenceKind::kLayout, Vocabulary::kSuburb);
+    return QuotedText(text, SentenceKind::kLayout, Vocabulary::kSuburb).QuoteOf(sentence);
   };
   EXPECT_EQ(quote("Forest fills the western half"), "Forest fills the left");
   EXPECT_EQ(quote("4 huts are near the lake"), "four huts stand by the lake");

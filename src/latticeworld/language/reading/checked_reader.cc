@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "latticeworld/common/check.h"
+#include "latticeworld/language/grounded/environment/claims_of_heard.h"
+#include "latticeworld/language/reading/claim_coverage.h"
+#include "latticeworld/language/reading/environment_of_sentences.h"
+#include "latticeworld/language/reading/sentences_of_claims.h"
 
 namespace latticeworld {
 namespace {
@@ -34,25 +39,63 @@ bool IsOfTheSame(const EnvironmentClaim& a, const EnvironmentClaim& b) {
          a.parameter_key == b.parameter_key;
 }
 
-void Complete(HeardEnvironment* heard, const HeardEnvironment& other) {
+// Whether a sentence asks for agents, or for none.
+bool IsOfAgents(const std::string& sentence, const Catalogue& catalogue) {
+  const HeardEnvironment heard = EnvironmentOfSentences({sentence}, catalogue);
+  return !heard.agents.empty() || !heard.absences.empty();
+}
+
+// Completes what one reader has heard by what only the other one has. Returns what was added;
+// agents are added all or none, and then take the place of those that were heard.
+HeardEnvironment Complete(HeardEnvironment* heard, const HeardEnvironment& other) {
+  HeardEnvironment added;
   for (std::size_t i = 0; i < heard->coarse.size(); ++i) {
     HeardCoarse& coarse = heard->coarse[i];
-    if (coarse.value.empty() && coarse.ruled_out.empty()) coarse = other.coarse[i];
+    if (!coarse.value.empty() || !coarse.ruled_out.empty()) continue;
+    coarse = other.coarse[i];
+    added.coarse[i] = other.coarse[i];
   }
   for (const FineWish& wish : other.fine) {
     const bool known =
         std::any_of(heard->fine.begin(), heard->fine.end(),
                     [&wish](const FineWish& mine) { return IsOfTheSame(mine.claim, wish.claim); });
-    if (!known) heard->fine.push_back(wish);
+    if (known) continue;
+    heard->fine.push_back(wish);
+    added.fine.push_back(wish);
   }
   const std::set<AgentCategory> mine = CategoriesOf(*heard);
   const std::set<AgentCategory> others = CategoriesOf(other);
   const bool wider = others.size() > mine.size() &&
                      std::includes(others.begin(), others.end(), mine.begin(), mine.end());
   if (wider) {
-    heard->agents = other.agents;
-    heard->absences = other.absences;
+    heard->agents = added.agents = other.agents;
+    heard->absences = added.absences = other.absences;
   }
+  return added;
+}
+
+// The same of a reading, whose sentences and coverage then say what was added too.
+void Complete(const EnvironmentRequest& request, const HeardEnvironment& other,
+              EnvironmentReading* reading) {
+  const HeardEnvironment added = Complete(&reading->heard, other);
+  std::vector<std::string>& sentences = reading->sentences;
+  if (!added.agents.empty() || !added.absences.empty()) {
+    sentences.erase(std::remove_if(sentences.begin(), sentences.end(),
+                                   [&request](const std::string& sentence) {
+                                     return IsOfAgents(sentence, *request.catalogue);
+                                   }),
+                    sentences.end());
+  }
+  for (std::string& sentence : SentencesOf(ClaimsOf(added, request.layout))) {
+    if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end()) {
+      sentences.push_back(std::move(sentence));
+    }
+  }
+  const Vocabulary vocabulary = request.layout->vocabulary;
+  reading->coverage = CoverageOf(request.instruction, sentences,
+                                 ClaimsOf(reading->heard, request.layout), vocabulary);
+  TakeOffCarried(reading->coverage, SentenceKind::kEnvironment, vocabulary,
+                 &reading->heard.not_understood);
 }
 
 class CheckedReader final : public InstructionReader {
@@ -85,7 +128,7 @@ class CheckedReader final : public InstructionReader {
     LW_ASSIGN_OR_RETURN(EnvironmentReading second,
                         second_->ReadEnvironment(request, progress, replies));
     if (!IsSure(first.log_probability)) std::swap(first, second);
-    Complete(&first.heard, second.heard);
+    Complete(request, second.heard, &first);
     first.second = std::move(second.heard);
     return first;
   }

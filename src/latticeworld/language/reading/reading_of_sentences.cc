@@ -17,8 +17,10 @@ class Quotes {
  public:
   Quotes(std::string_view text, const std::vector<std::string>& sentences, SentenceKind kind,
          Vocabulary vocabulary) {
+    const QuotedText quoted(text, kind, vocabulary);
     for (const std::string& sentence : sentences) {
-      quote_of_[sentence] = QuoteOf(text, sentence, kind, vocabulary);
+      const auto [entry, is_new] = quote_of_.try_emplace(sentence);
+      if (is_new) entry->second = quoted.QuoteOf(sentence);
     }
   }
 

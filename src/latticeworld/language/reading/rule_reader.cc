@@ -1,8 +1,10 @@
-#include <utility>
+#include <string>
+#include <vector>
 
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
 #include "latticeworld/language/grounded/environment/environment_parser.h"
 #include "latticeworld/language/grounded/reading/layout_parser.h"
+#include "latticeworld/language/reading/claim_coverage.h"
 #include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/language/reading/relief/way_slopes.h"
 #include "latticeworld/language/reading/sentences_of_claims.h"
@@ -11,14 +13,6 @@
 
 namespace latticeworld {
 namespace {
-
-// What claims quote, and warnings, which quote what they are about.
-template <typename AnyClaim>
-std::vector<std::string> ToldOf(const std::vector<AnyClaim>& claims,
-                                std::vector<std::string> warnings) {
-  for (const AnyClaim& claim : claims) warnings.push_back(claim.words);
-  return warnings;
-}
 
 class RuleReader final : public InstructionReader {
  public:
@@ -37,10 +31,9 @@ class RuleReader final : public InstructionReader {
     WarnOfText(request.instruction, SentenceKind::kEnvironment, &reading.heard.warnings);
     const std::vector<EnvironmentClaim> claims = ClaimsOf(reading.heard, request.layout);
     reading.sentences = SentencesOf(claims);
-    reading.coverage = CoverageOf(request.instruction, reading.sentences,
-                                  SentenceKind::kEnvironment, request.layout->vocabulary);
-    AddLost(reading.coverage, ToldOf(claims, reading.heard.warnings),
-            &reading.heard.not_understood);
+    reading.coverage =
+        CoverageOf(request.instruction, reading.sentences, claims, request.layout->vocabulary);
+    AddLost(reading.coverage, reading.heard.warnings, &reading.heard.not_understood);
     return reading;
   }
 
@@ -51,10 +44,9 @@ class RuleReader final : public InstructionReader {
                                           request.vocabulary);
     WarnOfText(request.instruction, SentenceKind::kLayout, &reading.plan.warnings);
     reading.sentences = SentencesOf(reading.plan.claims, request.vocabulary);
-    reading.coverage = CoverageOf(request.instruction, reading.sentences, SentenceKind::kLayout,
-                                  request.vocabulary);
-    AddLost(reading.coverage, ToldOf(reading.plan.claims, reading.plan.warnings),
-            &reading.plan.not_understood);
+    reading.coverage =
+        CoverageOf(request.instruction, reading.sentences, reading.plan.claims, request.vocabulary);
+    AddLost(reading.coverage, reading.plan.warnings, &reading.plan.not_understood);
     return reading;
   }
 };

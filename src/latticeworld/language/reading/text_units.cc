@@ -67,6 +67,15 @@ class UnitTaker {
     return std::find(std::begin(parts), std::end(parts), part) != std::end(parts);
   }
 
+  // Whether one of the next three words is a noun, before a pause.
+  bool IsBeforeNoun(std::size_t at) const {
+    for (std::size_t i = at; i < std::min(at + 3, tokens_.size()); ++i) {
+      if (tokens_[i].kind == TokenKind::kStop || tokens_[i].kind == TokenKind::kComma) return false;
+      if (IsNoun(i)) return true;
+    }
+    return false;
+  }
+
   // A number is known to count something where a noun follows within three words.
   std::size_t TakeNumber() {
     const NumberMatch match = MatchNumber(tokens_, at_);
@@ -74,8 +83,7 @@ class UnitTaker {
     TextUnit& unit = Add(match.tokens);
     unit.keys.push_back("number " + std::to_string(match.value));
     const std::size_t after = at_ + match.tokens;
-    unit.known = match.value > 1 && !IsPartOfShare(after) &&
-                 (IsNoun(after) || IsNoun(after + 1) || IsNoun(after + 2));
+    unit.known = match.value > 1 && !IsPartOfShare(after) && IsBeforeNoun(after);
     return match.tokens;
   }
 
@@ -85,7 +93,8 @@ class UnitTaker {
     if (!direction.found || cursor.at() == at_) return 0;
     const std::size_t taken = cursor.at() - at_;
     TextUnit& unit = Add(taken);
-    unit.known = unit.end - unit.begin > 1;  // "n" may be a typing mistake
+    // "n" may be a typing mistake, and "mid" be of July.
+    unit.known = unit.end - unit.begin > 1 && (taken > 1 || tokens_[at_].text != "mid");
     const auto [east, south] = direction.heading;
     if (east != 0) unit.keys.emplace_back(east > 0 ? "side east" : "side west");
     if (south != 0) unit.keys.emplace_back(south > 0 ? "side south" : "side north");

@@ -19,6 +19,12 @@
 namespace latticeworld {
 namespace {
 
+// A sentence that says something of relief, and which of its words were read for it.
+struct ReliefQuote {
+  std::string words;
+  std::set<std::string> taken;
+};
+
 // Gathers the wishes of a text, sentence by sentence.
 class ReliefReader {
  public:
@@ -46,7 +52,7 @@ class ReliefReader {
     if (!read) return;
     TakeOffWarnings(sentence.words());
     taken_.insert(sentence.taken().begin(), sentence.taken().end());
-    quotes_.push_back(sentence.words());
+    quotes_.push_back({sentence.words(), sentence.taken()});
   }
 
   void Finish() {
@@ -57,8 +63,7 @@ class ReliefReader {
     TakeOffNotUnderstood();
   }
 
-  // The sentences that say something of relief.
-  const std::vector<std::string>& quotes() const { return quotes_; }
+  const std::vector<ReliefQuote>& quotes() const { return quotes_; }
 
  private:
   static constexpr std::size_t kMostWishes = 24;
@@ -337,27 +342,32 @@ class ReliefReader {
 
   LayoutPlan& plan_;
   std::set<int> told_;  // features that a wish has
-  std::vector<std::string> quotes_;
+  std::vector<ReliefQuote> quotes_;
   std::set<std::string> taken_;  // words that were read
   std::vector<SaidWaySlope> way_slopes_;
 };
 
-// Counts the words of the quotes that no sentence carries as read.
-void CountQuoted(std::string_view text, const std::vector<std::string>& quotes,
+// Counts the words of the quotes that nothing else carries as read; of known ones those that were
+// read for the relief.
+void CountQuoted(std::string_view text, const std::vector<ReliefQuote>& quotes,
                  LayoutReading* reading) {
-  const std::set<std::string> keys =
-      KeysOf(reading->sentences, SentenceKind::kLayout, reading->plan.vocabulary);
-  const auto is_quoted = [&](const TextUnit& unit) {
-    return std::any_of(quotes.begin(), quotes.end(), [&](const std::string& quote) {
-      const std::size_t begin = quote.empty() ? std::string_view::npos : text.find(quote);
-      return begin != std::string_view::npos && begin <= unit.begin &&
-             unit.end <= begin + quote.size();
+  const auto is_read = [&](const TextUnit& unit) {
+    return std::any_of(quotes.begin(), quotes.end(), [&](const ReliefQuote& quote) {
+      const std::size_t begin =
+          quote.words.empty() ? std::string_view::npos : text.find(quote.words);
+      const bool quoted = begin != std::string_view::npos && begin <= unit.begin &&
+                          unit.end <= begin + quote.words.size();
+      if (!quoted || !unit.known) return quoted;
+      const std::vector<Token> tokens = Tokenize(text.substr(unit.begin, unit.end - unit.begin));
+      return std::all_of(tokens.begin(), tokens.end(), [&quote](const Token& token) {
+        return quote.taken.count(token.text) == 1;
+      });
     });
   };
   TextCoverage& coverage = reading->coverage;
   std::vector<std::string>& not_understood = reading->plan.not_understood;
   for (const TextUnit& unit : UnitsOf(text, SentenceKind::kLayout, reading->plan.vocabulary)) {
-    if (IsCarried(unit, keys) || !is_quoted(unit)) continue;
+    if (IsCarried(unit, coverage.keys) || !is_read(unit)) continue;
     coverage.carried = std::min(coverage.words, coverage.carried + 1);
     const std::string words(text.substr(unit.begin, unit.end - unit.begin));
     not_understood.erase(std::remove(not_understood.begin(), not_understood.end(), words),
