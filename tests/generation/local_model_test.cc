@@ -168,6 +168,32 @@ TEST(ReaderModelTest, ALegalTextOfAnyLengthIsAnsweredAndItsWorldMadeAgain) {
   }
 }
 
+TEST(ReaderModelTest, BothReadersOfAModelHaveTheRulesReadingBesideTheirs) {
+  const ModelFile file(TinyGguf(Noise(1)));
+  ReaderModelOptions options;
+  options.model = file.path();
+  WorldGenerator generator(std::move(LoadLanguage({}, {}, options)->stack));
+  GenerationRequest request = Request();
+  request.generator = "grounded";
+  request.layout_instruction = "There is a lake up north.";
+  request.environment_instruction = "A couple of sheep graze.";
+  for (const std::string reader : {"model", "checked"}) {
+    request.reader = reader;
+    const auto world = generator.Generate(request, Progress());
+    ASSERT_TRUE(world.ok()) << world.status().ToString();
+    EXPECT_FALSE((*world)->fidelity.second.empty()) << reader;
+    // Noise reads something else than the rules do.
+    const auto& warnings = (*world)->warnings;
+    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+      return warning.rfind("a second reading differs: it does not ask for ", 0) == 0 &&
+             warning.find("; it asks for ") != std::string::npos;
+    })) << reader;
+    const auto rebuilt = RebuildWorld(**world, Progress());
+    ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
+    EXPECT_EQ((*rebuilt)->warnings, (*world)->warnings);
+  }
+}
+
 TEST(LocalModelTest, SaysWhatIsWrongWithItsOptionsAndFiles) {
   LocalModelOptions options;
   options.layout_model = "/nowhere/layout.gguf";

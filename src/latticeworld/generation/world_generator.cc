@@ -15,6 +15,7 @@
 #include "latticeworld/generation/bundle/things_json.h"
 #include "latticeworld/generation/bundle/world_id.h"
 #include "latticeworld/generation/fidelity/crossing_words.h"
+#include "latticeworld/generation/fidelity/reading_difference.h"
 #include "latticeworld/generation/visual.h"
 #include "latticeworld/language/reading/relief/relief_reading.h"
 #include "latticeworld/terrain/forms/relief_claims.h"
@@ -197,6 +198,8 @@ class WorldStages {
     Warn(CrossingWarnings(request_.layout_instruction, world_->layout, *world_->scene));
     AddThings(MeasureThings(*world_->scene, things_), &world_->fidelity);
     Warn(WarningsOf(world_->fidelity, world_->warnings));
+    Warn(DifferenceWarnings(layout_reading_, environment_reading_, world_->layout,
+                            world_->environment, world_->warnings));
     return Status();
   }
 

@@ -103,5 +103,32 @@ TEST_F(CheckedReaderTest, TheSmallLanguageNeedsNoSecondReader) {
   EXPECT_TRUE(reading.second.empty());
 }
 
+TEST_F(CheckedReaderTest, AComparedReadingIsTheModelsWhetherItIsSureOrNot) {
+  const auto compared = MakeComparedReader(MakeModelReader(server_), MakeRuleReader());
+  EXPECT_EQ(compared->name(), "model");
+  FakeChatServer::Answer unsure;
+  unsure.text = "A lake in the north.";
+  unsure.log_probability = -9.0;
+  server_->Say(unsure);
+  LayoutRequest request;
+  request.instruction = "There is a lake in the north. A forest is south of it.";
+  const auto layout = compared->ReadLayout(request, Progress(), &replies_);
+  ASSERT_TRUE(layout.ok());
+  EXPECT_EQ(layout->sentences, std::vector<std::string>{"A lake in the north"});
+  EXPECT_EQ(layout->plan.not_understood, (std::vector<std::string>{"forest", "south"}));
+  EXPECT_GT(layout->second.size(), layout->plan.claims.size());
+  server_->Say("2 goblins.");
+  EnvironmentRequest environment;
+  environment.instruction = "On a rainy night two goblins stand about.";
+  environment.layout = &layout_;
+  const auto reading = compared->ReadEnvironment(environment, Progress(), &replies_);
+  ASSERT_TRUE(reading.ok());
+  EXPECT_EQ(reading->heard.coarse_of(CoarseKey::kWeather).value, "") << "nothing is completed";
+  ASSERT_TRUE(reading->second.has_value());
+  EXPECT_EQ(reading->second->coarse_of(CoarseKey::kWeather).value, "rain");
+  request.instruction = "A lake in the north.";
+  EXPECT_TRUE(compared->ReadLayout(request, Progress(), &replies_)->second.empty());
+}
+
 }  // namespace
 }  // namespace latticeworld

@@ -177,7 +177,7 @@ Result<LoadedLanguage> LoadLanguage(const RemoteModelOptions& remote,
                         MakeLocalChatServer(reader.model, reader.threads));
     const std::shared_ptr<InstructionReader>& rules = stack.readers["rules"];
     const std::shared_ptr<InstructionReader> read_by_model = MakeModelReader(std::move(model));
-    stack.readers["model"] = MakeLongTextReader(read_by_model, rules);
+    stack.readers["model"] = MakeLongTextReader(MakeComparedReader(read_by_model, rules), rules);
     stack.readers["checked"] = MakeLongTextReader(MakeCheckedReader(read_by_model, rules), rules);
     stack.default_reader = "checked";
   }
@@ -204,8 +204,8 @@ LanguageStack MakeReplayStack(const std::vector<ModelReply>& replies) {
   const auto server = [&replies] { return MakeReplayServer(replies); };
   LanguageStack stack = MakeEmbedded();
   const std::shared_ptr<InstructionReader>& rules = stack.readers["rules"];
-  stack.readers["model"] =
-      MakeLongTextReader(AsRecorded(MakeModelReader(server()), replies), rules);
+  stack.readers["model"] = MakeLongTextReader(
+      AsRecorded(MakeComparedReader(MakeModelReader(server()), rules), replies), rules);
   stack.readers["checked"] = MakeLongTextReader(
       AsRecorded(MakeCheckedReader(MakeModelReader(server()), rules), replies), rules);
   stack.readers["remote"] =

@@ -165,15 +165,6 @@ std::vector<std::string> WarningsOf(const FidelityReport& report,
     if (!is_quoted(Quote(words))) quotes.push_back(Quote(words));
   }
   if (!quotes.empty()) warnings.push_back("not understood: " + Join(quotes, ", "));
-  std::vector<std::string> differing;
-  for (const ClaimOutcome& claim : report.second) {
-    if (!claim.satisfied && !is_quoted(Quote(claim.words))) {
-      differing.push_back(Quote(claim.words) + " (" + claim.explanation + ")");
-    }
-  }
-  if (!differing.empty()) {
-    warnings.push_back("a second reading differs: " + Join(differing, "; "));
-  }
   return warnings;
 }
 

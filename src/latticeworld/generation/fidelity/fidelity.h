@@ -73,8 +73,8 @@ Result<FidelityReport> ReadAndAssess(InstructionReader* reader, std::string_view
                                      std::string_view things, const SymbolicLayout& layout,
                                      const Scene& scene);
 
-// A line a claim that is not satisfied, one for the words that were not understood and one for what
-// a second reading asks for in vain, leaving out what one of the warnings so far quotes already.
+// A line a claim that is not satisfied and one for the words that were not understood, leaving out
+// what one of the warnings so far quotes already. How two readings differ: reading_difference.h.
 std::vector<std::string> WarningsOf(const FidelityReport& report,
                                     const std::vector<std::string>& so_far);
 

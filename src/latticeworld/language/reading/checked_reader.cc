@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <utility>
@@ -98,14 +99,18 @@ void Complete(const EnvironmentRequest& request, const HeardEnvironment& other,
                  &reading->heard.not_understood);
 }
 
+// Whether the second reading may count and complete the first, or only stands beside it.
+enum class Second : std::uint8_t { kChecks, kIsCompared };
+
 class CheckedReader final : public InstructionReader {
  public:
-  CheckedReader(std::shared_ptr<InstructionReader> first, std::shared_ptr<InstructionReader> second)
-      : first_(std::move(first)), second_(std::move(second)) {
+  CheckedReader(std::shared_ptr<InstructionReader> first, std::shared_ptr<InstructionReader> second,
+                Second role)
+      : first_(std::move(first)), second_(std::move(second)), checks_(role == Second::kChecks) {
     LW_CHECK(first_ != nullptr && second_ != nullptr, "two readers check each other");
   }
 
-  std::string_view name() const override { return "checked"; }
+  std::string_view name() const override { return checks_ ? "checked" : first_->name(); }
 
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& progress,
                                    std::vector<ModelReply>* replies) override {
@@ -113,7 +118,7 @@ class CheckedReader final : public InstructionReader {
     LW_ASSIGN_OR_RETURN(LayoutReading first, first_->ReadLayout(request, progress, replies));
     if (replies->size() == asked) return first;
     LW_ASSIGN_OR_RETURN(LayoutReading second, second_->ReadLayout(request, progress, replies));
-    if (!IsSure(first.log_probability)) std::swap(first, second);
+    if (checks_ && !IsSure(first.log_probability)) std::swap(first, second);
     first.second = std::move(second.plan.claims);
     return first;
   }
@@ -127,8 +132,8 @@ class CheckedReader final : public InstructionReader {
     if (replies->size() == asked) return first;
     LW_ASSIGN_OR_RETURN(EnvironmentReading second,
                         second_->ReadEnvironment(request, progress, replies));
-    if (!IsSure(first.log_probability)) std::swap(first, second);
-    Complete(request, second.heard, &first);
+    if (checks_ && !IsSure(first.log_probability)) std::swap(first, second);
+    if (checks_) Complete(request, second.heard, &first);
     first.second = std::move(second.heard);
     return first;
   }
@@ -136,13 +141,19 @@ class CheckedReader final : public InstructionReader {
  private:
   const std::shared_ptr<InstructionReader> first_;
   const std::shared_ptr<InstructionReader> second_;
+  const bool checks_;
 };
 
 }  // namespace
 
+std::shared_ptr<InstructionReader> MakeComparedReader(std::shared_ptr<InstructionReader> first,
+                                                      std::shared_ptr<InstructionReader> second) {
+  return std::make_shared<CheckedReader>(std::move(first), std::move(second), Second::kIsCompared);
+}
+
 std::shared_ptr<InstructionReader> MakeCheckedReader(std::shared_ptr<InstructionReader> first,
                                                      std::shared_ptr<InstructionReader> second) {
-  return std::make_shared<CheckedReader>(std::move(first), std::move(second));
+  return std::make_shared<CheckedReader>(std::move(first), std::move(second), Second::kChecks);
 }
 
 }  // namespace latticeworld

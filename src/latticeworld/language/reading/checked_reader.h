@@ -7,6 +7,12 @@
 
 namespace latticeworld {
 
+// Makes a reader that lets `first`, a model, read, and keeps what `second` reads in the same text
+// beside it (`second` of the reading). A text that is already the small language is read without
+// the second reader. name() is that of `first`. Errors: those of the readers.
+std::shared_ptr<InstructionReader> MakeComparedReader(std::shared_ptr<InstructionReader> first,
+                                                      std::shared_ptr<InstructionReader> second);
+
 // Makes a reader that lets two readers read every text and checks each reading by the other. The
 // reading of `first`, a model, counts where the model is sure of its sentences; else that of
 // `second` counts. The reading of an environment that counts is completed by what only the other
