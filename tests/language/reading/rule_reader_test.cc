@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "latticeworld/language/reading/instruction_reader.h"
+#include "latticeworld/language/reading/relief/relief_reading.h"
 
 namespace latticeworld {
 namespace {
@@ -53,6 +54,24 @@ TEST(RuleReaderTest, WhatTheRulesHaveReadIsNotLost) {
         "the upper right, an eagle circles above, and a wheeled robot waits in the center."}) {
     EXPECT_EQ(ReadEnvironment(text).heard.not_understood, Strings()) << text;
   }
+}
+
+// Words of the land's form are read apart.
+TEST(RuleReaderTest, WhatIsReadOfTheLandsFormIsNotLost) {
+  for (const std::string text : {"A lake in the center. A hill north of the lake.",
+                                 "A hill A in the south. A crater north of hill A.",
+                                 "A road along the southern edge. A hill in the center with a path "
+                                 "of 15 degrees to its top."}) {
+    LayoutReading reading = ReadLayout(text);
+    ReadRelief(text, &reading);
+    EXPECT_EQ(reading.plan.not_understood, Strings()) << text;
+  }
+  // The hills say nothing of the river.
+  const std::string text =
+      "The town is squeezed between the river to the west and the wooded hills to the east.";
+  LayoutReading reading = ReadLayout(text);
+  ReadRelief(text, &reading);
+  EXPECT_EQ(reading.plan.not_understood, Strings{"west"});
 }
 
 }  // namespace

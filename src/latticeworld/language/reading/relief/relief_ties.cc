@@ -120,8 +120,16 @@ class TieReader {
                                                  : SaidOfMention(mention, other.begin, &tie);
     const bool climbed = tie.kind == ReliefTie::Kind::kClimbed;
     if (!said || (wild_way && !climbed)) return;
-    if (climbed) tie.words = s_.words();
+    if (climbed) TakeTop(&tie);
     WishOf(mention).ties.push_back(std::move(tie));
+  }
+
+  // What is climbed is climbed to its top.
+  void TakeTop(ReliefTie* tie) {
+    tie->words = s_.words();
+    for (std::size_t i = 0; i < s_.tokens().size(); ++i) {
+      if (s_.Is(i, {"top"})) s_.Take(i, i + 1);
+    }
   }
 
   bool IsRoad(const ReliefTie& tie) const { return tie.letter == WayLetter(); }
@@ -190,11 +198,12 @@ class TieReader {
     return s_.Is(at, {"near", "beside", "by", "touches", "touch"});
   }
 
-  bool SaysToward(std::size_t at, ReliefTie* tie) const {
+  bool SaysToward(std::size_t at, ReliefTie* tie) {
     const HeadingMatch heading = MatchHeading(s_.tokens(), at);
     if (heading.tokens == 0 || !s_.Is(at + heading.tokens, {"of"})) return false;
     tie->kind = ReliefTie::Kind::kToward;
     tie->heading = {heading.heading.east, heading.heading.south};
+    s_.Take(at, at + heading.tokens);
     return true;
   }
 
