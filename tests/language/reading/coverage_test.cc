@@ -48,6 +48,19 @@ TEST(CoverageTest, WordsThatNobodyKnowsCountButAreNotTold) {
   EXPECT_TRUE(coverage.lost.empty());
 }
 
+TEST(CoverageTest, InTheMiddleOfSomethingIsWithinIt) {
+  const std::string text = "a hamlet in the middle of a forest";
+  Claim within;
+  within.kind = ClaimKind::kWithin;
+  within.subject = 'B';
+  within.object = 'F';
+  within.words = text;
+  EXPECT_TRUE(CoverageOf(text, {}, std::vector<Claim>{within}, Vocabulary::kSuburb).lost.empty());
+  within.words = "a hamlet";
+  EXPECT_EQ(CoverageOf(text, {}, std::vector<Claim>{within}, Vocabulary::kSuburb).lost,
+            Strings{"middle"});
+}
+
 TEST(CoverageTest, NothingOfNothing) {
   EXPECT_EQ(Layout("", {}).words, 0);
   EXPECT_EQ(Layout("what the of and", {}).words, 0);

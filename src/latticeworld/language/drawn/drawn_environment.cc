@@ -16,15 +16,28 @@ namespace {
 
 constexpr std::size_t kMaxNotUnderstood = 20;  // warnings; the others are only counted
 
+// A warning begins with the words that it is about, in quotation marks.
+bool IsAbout(const std::string& warning, const std::string& words) {
+  const std::size_t end = warning.empty() || warning.front() != '"' ? 0 : warning.find("\": ");
+  return warning.find(words) < end;
+}
+
+// What a warning is about already is not told again.
 void WarnOfUnknown(const std::vector<std::string>& not_understood,
                    std::vector<std::string>* warnings) {
-  for (std::size_t i = 0; i < std::min(kMaxNotUnderstood, not_understood.size()); ++i) {
-    warnings->push_back("not understood: " + Quote(not_understood[i]));
+  std::vector<std::string> untold;
+  for (const std::string& words : not_understood) {
+    const bool told =
+        std::any_of(warnings->begin(), warnings->end(),
+                    [&](const std::string& warning) { return IsAbout(warning, words); });
+    if (!told) untold.push_back(words);
   }
-  if (not_understood.size() > kMaxNotUnderstood) {
-    warnings->push_back(
-        "not understood: " + std::to_string(not_understood.size() - kMaxNotUnderstood) +
-        " more phrases");
+  for (std::size_t i = 0; i < std::min(kMaxNotUnderstood, untold.size()); ++i) {
+    warnings->push_back("not understood: " + Quote(untold[i]));
+  }
+  if (untold.size() > kMaxNotUnderstood) {
+    warnings->push_back("not understood: " + std::to_string(untold.size() - kMaxNotUnderstood) +
+                        " more phrases");
   }
 }
 

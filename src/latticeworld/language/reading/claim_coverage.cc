@@ -43,6 +43,14 @@ class KeyTaker {
   std::set<std::string> keys_;
 };
 
+// Whether words say "in the middle of" something, which is what a claim asks for that is within it.
+bool SayMiddleOf(std::string_view words) {
+  for (const std::string_view middle : {"middle of ", "center of ", "centre of ", "heart of "}) {
+    if (words.find(middle) != std::string_view::npos) return true;
+  }
+  return false;
+}
+
 std::set<std::string> KeysOf(const std::vector<Claim>& claims) {
   KeyTaker taker;
   // "Two roads, one from ..., one from ...": of how many places or courses of a class there are.
@@ -58,6 +66,9 @@ std::set<std::string> KeysOf(const std::vector<Claim>& claims) {
     taker.AddHeading(claim.heading);
     if (claim.kind == ClaimKind::kOrder) {
       taker.AddHeading({-claim.heading.east, -claim.heading.south});
+    }
+    if (claim.kind == ClaimKind::kWithin && SayMiddleOf(claim.words)) {
+      taker.AddPlaces({"center"});
     }
     if (claim.kind == ClaimKind::kCount) taker.AddNumbers(claim.least, claim.most);
     if (claim.kind == ClaimKind::kPresent || claim.kind == ClaimKind::kCourse) {
