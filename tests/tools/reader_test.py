@@ -80,7 +80,7 @@ class ReaderTest(unittest.TestCase):
         """The most memory that a call with a text of some 500 tokens took [kB]."""
         text = "a lake lies in the north with woods around it, and a road leads past it to a village in the south. " * 18
         command = [PROGRAM, "generate", "--layout", text, "--seed", "3", "--size", "64", "--resolution", "1",
-                   "--out", pathlib.Path(self.folder.name) / f"peak{len(more)}", *more]
+                   "--out", pathlib.Path(tempfile.mkdtemp(dir=self.folder.name)) / "world", *more]
         child = subprocess.Popen(command, stdout=subprocess.DEVNULL, env={**os.environ, "LATTICEWORLD_READER_MODEL": ""})
         _, status, usage = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
