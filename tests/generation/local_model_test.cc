@@ -40,6 +40,13 @@ Result<std::shared_ptr<const World>> Generate(const LocalModelOptions& options) 
   return WorldGenerator(std::move(language.stack)).Generate(Request(), Progress());
 }
 
+void ExpectMadeAgain(const World& world) {
+  const auto rebuilt = RebuildWorld(world, Progress());
+  ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
+  EXPECT_EQ((*rebuilt)->id, world.id);
+  EXPECT_EQ((*rebuilt)->warnings, world.warnings);
+}
+
 TEST(LocalModelTest, AWorldOfAModelInThisProcessIsMadeAgainWithoutIt) {
   LocalModelOptions options;
   options.fallback = true;
@@ -97,10 +104,7 @@ TEST(LocalModelTest, AnEnvironmentOfNoiseKeepsToTheRulesAndIsMadeAgain) {
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
     return warning.find(" cannot be ") != std::string::npos;
   })) << "noise knows no rules";
-  const auto rebuilt = RebuildWorld(**world, Progress());
-  ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
-  EXPECT_EQ((*rebuilt)->id, (*world)->id);
-  EXPECT_EQ((*rebuilt)->warnings, (*world)->warnings);
+  ExpectMadeAgain(**world);
 }
 
 TEST(LocalModelTest, AModelOfLayoutsGoesWithTheGroundedBackEndsEnvironments) {
@@ -113,10 +117,7 @@ TEST(LocalModelTest, AModelOfLayoutsGoesWithTheGroundedBackEndsEnvironments) {
   ASSERT_EQ((*world)->replies.size(), 1u);
   EXPECT_EQ((*world)->replies[0].purpose, "layout");
   EXPECT_EQ((*world)->environment.agents.size(), 1u);
-  const auto rebuilt = RebuildWorld(**world, Progress());
-  ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
-  EXPECT_EQ((*rebuilt)->id, (*world)->id);
-  EXPECT_EQ((*rebuilt)->warnings, (*world)->warnings);
+  ExpectMadeAgain(**world);
 }
 
 // As much of a text as is legal, of whole pieces.
@@ -160,10 +161,7 @@ TEST(ReaderModelTest, ALegalTextOfAnyLengthIsAnsweredAndItsWorldMadeAgain) {
                               }),
                 2)
           << layout;
-      const auto rebuilt = RebuildWorld(**world, Progress());
-      ASSERT_TRUE(rebuilt.ok()) << rebuilt.status().ToString();
-      EXPECT_EQ((*rebuilt)->id, (*world)->id);
-      EXPECT_EQ((*rebuilt)->warnings, (*world)->warnings);
+      ExpectMadeAgain(**world);
     }
   }
 }
