@@ -3,15 +3,17 @@
 
 import math
 import pathlib
+import threading
 
 import rospkg
 import rospy
 import yaml
 from actionlib_msgs.msg import GoalStatus
-from geometry_msgs.msg import PoseStamped, Twist
+from geometry_msgs.msg import PoseStamped, TransformStamped, Twist
 from move_base_msgs.msg import MoveBaseActionResult
-from nav_msgs.msg import Path
+from nav_msgs.msg import Odometry, Path
 from std_srvs.srv import Empty
+from tf2_ros import TransformBroadcaster
 
 from navigator_client import (ENDED, GOAL_RADIUS_M, Driver, NavigatorProcess, closed_place, distance,
                               pose_at)
@@ -181,6 +183,42 @@ class NavigatorTest(ServerTest):
             if self.driver.client.get_state() in ENDED:
                 break
         self.assertEqual(GoalStatus.SUCCEEDED, self.driver.wait(), self.driver.text)
+
+    def test_a_goal_that_comes_before_tf_waits_for_it(self):
+        # A robot whose odometry is another's, and whose tf begins when the test lets it.
+        broadcaster = TransformBroadcaster()
+        odometry = rospy.Publisher("late/odom", Odometry, queue_size=1)
+        frame_is_known = threading.Event()
+
+        def forward(message):
+            tf = TransformStamped(header=message.header, child_frame_id="late/base_link")
+            tf.header.frame_id = "map"
+            tf.transform.rotation.w = 1.0
+            message.child_frame_id = tf.child_frame_id
+            if frame_is_known.is_set():
+                broadcaster.sendTransform(tf)
+            odometry.publish(message)
+
+        x, y = self.driver.place_at(6.0)
+        source = rospy.Subscriber("robot/odom", Odometry, forward, queue_size=1)
+        with NavigatorProcess("navigator_late", robot="late", odom_timeout=20.0):
+            late = Driver("late")
+            late.odometry.wait_for_next()
+            # In vain, for odom_timeout; before that there may be no map or odometry yet.
+            wait_until(lambda: late.go(pose_at(x, y)) == GoalStatus.ABORTED and
+                       "late/base_link" in late.text, "a goal ends for want of tf")
+            with Collector("late/move_base/current_goal", PoseStamped) as goals:
+                goals.wait_until_connected()
+                late.send(pose_at(x, y))
+                late.wait_until_active()
+                self.assertEqual([], goals.messages())
+                frame_is_known.set()
+                goals.wait_for(lambda m: distance(m.pose, x, y) < 0.01)
+            wait_until(lambda: late.feedback, "the robot is driven")
+            late.client.cancel_goal()
+            self.assertEqual(GoalStatus.PREEMPTED, late.wait())
+            late.close()
+        source.unregister()
 
     def test_before_there_is_a_map_or_a_robot_it_says_so(self):
         with NavigatorProcess("navigator_nobody", robot="nobody"):

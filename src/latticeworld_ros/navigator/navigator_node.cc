@@ -9,7 +9,6 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld_ros/conversion/geometry_conversion.h"
-#include "latticeworld_ros/navigator/navigator_goal.h"
 #include "latticeworld_ros/navigator/navigator_input.h"
 #include "latticeworld_ros/navigator/navigator_output.h"
 
@@ -182,9 +181,16 @@ Status NavigatorNode::TakeGoal(const geometry_msgs::PoseStamped& target) {
   LW_ASSIGN_OR_RETURN(const NavigatorGoal goal,
                       ReadGoal(target, tf_, options_.global_frame, "target_pose"));
   LW_RETURN_IF_ERROR(Ready());
-  LW_ASSIGN_OR_RETURN(const NavigatorPose pose, Pose());
-  LW_RETURN_IF_ERROR(navigator_->SetGoal(goal.place, goal.heading_rad, pose));
+  waiting_goal_ = goal;
   last_pose_at_ = odometry_->header.stamp;
+  // Odometry may come before the first tf: the goal waits for that as long as one under way would.
+  const Result<NavigatorPose> pose = Pose();
+  return pose.ok() ? BeginGoal(*pose) : Status();
+}
+
+Status NavigatorNode::BeginGoal(const NavigatorPose& pose) {
+  const NavigatorGoal goal = *std::exchange(waiting_goal_, std::nullopt);
+  LW_RETURN_IF_ERROR(navigator_->SetGoal(goal.place, goal.heading_rad, pose));
   geometry_msgs::PoseStamped message;
   message.header = HeaderOfNow();
   message.pose = UprightPose(goal.place, pose.map_from_base.translation().z(), goal.heading_rad);
@@ -240,6 +246,10 @@ void NavigatorNode::Control() {
   }
   last_pose_at_ = stamp;
   height_m_ = pose->map_from_base.translation().z();
+  if (waiting_goal_) {
+    const Status begun = BeginGoal(*pose);
+    if (!begun.ok()) return Abort(begun);
+  }
   const NavigatorOutput output = navigator_->Update(*pose);
   if (output.way != published_way_) PublishWay(output.way);
   switch (output.state) {
@@ -295,6 +305,7 @@ void NavigatorNode::Abort(const Status& why) {
 }
 
 void NavigatorNode::Stop() {
+  waiting_goal_.reset();
   navigator_->Cancel();
   Drive(0.0, 0.0);
 }

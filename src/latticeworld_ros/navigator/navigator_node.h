@@ -16,11 +16,13 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "latticeworld/common/result.h"
 #include "latticeworld/reference_navigator/navigator.h"
+#include "latticeworld_ros/navigator/navigator_goal.h"
 #include "latticeworld_ros/navigator/navigator_node_options.h"
 
 namespace latticeworld {
@@ -55,8 +57,11 @@ class NavigatorNode {
   void OnWatch();
   bool MakePlan(nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response);
 
-  // Takes the goal of the action, or says why not.
+  // Takes the goal of the action, or says why not. It waits where tf does not say yet where the
+  // robot is.
   Status TakeGoal(const geometry_msgs::PoseStamped& target);
+  // Sends the robot on its way from there to the goal that was taken.
+  Status BeginGoal(const NavigatorPose& pose);
   // Whether there are a map and odometry: FAILED_PRECONDITION naming what lacks.
   Status Ready() const;
   // Returns where the robot is by tf, at the last odometry's stamp. Errors: what tf says.
@@ -82,7 +87,8 @@ class NavigatorNode {
   std::string map_problem_;  // of the last map that could not be used
   nav_msgs::Odometry::ConstPtr odometry_;
   ros::Time next_control_;
-  ros::Time last_pose_at_;  // when tf last said where the robot is
+  ros::Time last_pose_at_;  // when tf last said where the robot is, or the goal was taken
+  std::optional<NavigatorGoal> waiting_goal_;  // taken, while tf does not say where the robot is
   std::deque<sensor_msgs::LaserScan::ConstPtr> scans_;
   std::deque<sensor_msgs::PointCloud2::ConstPtr> clouds_;
   Way published_way_;
