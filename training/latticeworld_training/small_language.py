@@ -18,9 +18,11 @@ def lines_of(name):
 
 
 def plural(noun):
-    """The regular English plural of a noun's last word."""
+    """The English plural of a noun's last word."""
     if noun in ("sheep",):
         return noun
+    if noun.endswith("sis"):
+        return noun[:-2] + "es"
     if re.search(r"(s|sh|ch|x)$", noun):
         return noun + "es"
     if re.search(r"[^aeiou]y$", noun):

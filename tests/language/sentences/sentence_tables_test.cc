@@ -55,6 +55,7 @@ TEST(SentenceTablesTest, PluralsAreRegular) {
   EXPECT_EQ(PluralNoun("valley"), "valleys");
   EXPECT_EQ(PluralNoun("beach"), "beaches");
   EXPECT_EQ(PluralNoun("sheep"), "sheep");
+  EXPECT_EQ(PluralNoun("oasis"), "oases");
   EXPECT_EQ(PluralNoun("robotic dog"), "robotic dogs");
   EXPECT_EQ(SingularNoun("countable", "cities"), "city");
   EXPECT_EQ(SingularNoun("countable", "zorblaxes"), "zorblaxes");

@@ -106,6 +106,7 @@ std::string PluralNoun(std::string_view noun) {
   if (noun == "sheep") return "sheep";
   std::string plural(noun);
   const std::string_view vowels = "aeiou";
+  if (EndsWith(noun, "sis")) return plural.replace(plural.size() - 2, 2, "es");
   if (EndsWith(noun, "s") || EndsWith(noun, "sh") || EndsWith(noun, "ch") || EndsWith(noun, "x")) {
     return plural + "es";
   }

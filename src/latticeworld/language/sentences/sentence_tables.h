@@ -34,7 +34,7 @@ std::string_view SlotText(std::string_view slot);
 // NAME. The result is empty for another name.
 const std::vector<std::string>& SentenceWords(std::string_view list);
 
-// Returns the regular English plural of a noun ("beaches", "valleys", "robotic dogs").
+// Returns the English plural of a noun ("beaches", "valleys", "oases", "robotic dogs").
 std::string PluralNoun(std::string_view noun);
 // Returns the word of a list whose plural `noun` is; `noun` itself where it is the plural of none.
 std::string SingularNoun(std::string_view list, std::string_view noun);
