@@ -29,11 +29,18 @@ class ExamplesTest(unittest.TestCase):
     def test_no_text_of_the_test_part_or_of_the_authors_left_out_is_among_them(self):
         kept = set()
         for kind in ("layout", "environment"):
-            for part in ("test", "development"):
+            for part in ("test", "development", "first_sight"):
                 path = ROOT / f"benchmarks/fidelity/{kind}_{part}.json"
                 kept |= {item["instruction"] for item in json.loads(path.read_text(encoding="utf-8"))
-                         if part == "test" or item["id"].startswith("f13")}
+                         if part != "development" or item["id"].startswith("f13")}
         self.assertEqual([e["text"] for e in self.examples() if e["text"] in kept], [])
+
+    def test_no_text_of_an_author_left_out_is_trained_on(self):
+        left_out = reader_examples.read_examples(sorted(glob.glob(str(ROOT / "training/examples/left_out/*.jsonl"))))
+        trained = reader_examples.read_examples(sorted(glob.glob(str(ROOT / "training/examples/*.jsonl"))))
+        self.assertEqual({e["author"] for e in left_out} & {e["author"] for e in trained}, set())
+        texts = {(e["kind"], e["text"]) for e in left_out}
+        self.assertEqual([e["text"] for e in trained if (e["kind"], e["text"]) in texts], [])
 
     def test_lines_of_authors_are_read_and_wrong_ones_named(self):
         lines = ["V: a child", "T: a lake\\nplease", "S: A lake.", "W: nothing much", "S: -"]
