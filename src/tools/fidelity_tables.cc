@@ -88,4 +88,16 @@ void PrintWarnings(const FidelityScore& score, std::ostream* out) {
   }
 }
 
+void PrintEvidence(const FidelityScore& score, std::ostream* out) {
+  for (const FidelityScore::TwoReadings& item : score.read_twice) {
+    for (const ReadingEvidence& e : item.evidence) {
+      *out << "  " << item.id << " evidence of " << NameOf(e.part)
+           << ": log_probability=" << FormatDouble(e.log_probability) << " words=" << e.words
+           << " carried=" << e.carried << " second_carried=" << e.second_carried
+           << " lost=" << e.lost << " second_lost=" << e.second_lost << " claims=" << e.claims
+           << " second_claims=" << e.second_claims << " agreed=" << e.agreed << "\n";
+    }
+  }
+}
+
 }  // namespace latticeworld::tools

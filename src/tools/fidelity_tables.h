@@ -18,6 +18,9 @@ void PrintScore(std::string_view title, const FidelityScore& score, std::ostream
 void PrintMisses(const FidelityScore& score, std::ostream* out);
 // A line a warning.
 void PrintWarnings(const FidelityScore& score, std::ostream* out);
+// A line a part of a text that was read twice: what is known of its readings (ReadingEvidence) as
+// NAME=NUMBER.
+void PrintEvidence(const FidelityScore& score, std::ostream* out);
 
 }  // namespace latticeworld::tools
 

@@ -151,6 +151,7 @@ Status ScoreBenchmark(const CLI::App& command) {
     PrintScore(kind + " instructions" + ending, score, &std::cout);
     if (command.count("--misses") > 0) PrintMisses(score, &std::cout);
     if (command.count("--warnings") > 0) PrintWarnings(score, &std::cout);
+    if (command.count("--evidence") > 0) PrintEvidence(score, &std::cout);
   };
   print("layout", *layouts);
   print("environment", *environments);
@@ -197,6 +198,10 @@ void AddScoreCommand(CLI::App* app, int* exit_status) {
   command->add_flag("--misses", "Also lists every claim that is not satisfied.");
   command->add_flag("--warnings",
                     "Beside --benchmark and --examples: also lists every warning of an answer.");
+  command->add_flag(
+      "--evidence",
+      "Beside --benchmark and --examples, where a model reads: also lists what is known of "
+      "its reading of each text and of that of the rules.");
   AddLanguageOptions(command);
   command->callback([command, exit_status] {
     const Status status = Score(*command);

@@ -64,6 +64,34 @@ TEST_F(CheckedReaderTest, AnEnvironmentIsCompleted) {
   EXPECT_TRUE(reading.second.has_value());
 }
 
+TEST_F(CheckedReaderTest, WhatIsKnownOfTwoReadingsIsToldOfEachPart) {
+  server_->Say("2 goblins. Weather: rain.");
+  const EnvironmentReading reading = ReadEnvironment("On a rainy night two goblins stand about.");
+  ASSERT_EQ(reading.evidence.size(), 3u);
+  const ReadingEvidence& coarse = reading.evidence[0];
+  EXPECT_EQ(coarse.part, ReadingPart::kCoarse);
+  EXPECT_EQ(coarse.claims, 1);
+  EXPECT_EQ(coarse.second_claims, 2) << "the rules have the night too";
+  EXPECT_EQ(coarse.agreed, 1);
+  EXPECT_GT(coarse.second_carried, coarse.carried);
+  EXPECT_EQ(reading.evidence[1].part, ReadingPart::kFine);
+  EXPECT_EQ(reading.evidence[1].claims, 0);
+  EXPECT_EQ(reading.evidence[2].part, ReadingPart::kAgents);
+  EXPECT_EQ(reading.evidence[2].claims, 1);
+  server_->Say("A pond in the north.");
+  const LayoutReading land = ReadLayout("There is a lake in the north.");
+  ASSERT_EQ(land.evidence.size(), 1u);
+  EXPECT_EQ(land.evidence[0].part, ReadingPart::kLand);
+}
+
+TEST_F(CheckedReaderTest, AgentsOfAModelThatIsSureAreItsOwn) {
+  server_->Say("3 goblins patrolling in the north.");
+  const EnvironmentReading reading = ReadEnvironment("Three goblins walk about up north.");
+  ASSERT_EQ(reading.heard.agents.size(), 1u);
+  EXPECT_EQ(reading.heard.agents[0].quantity, 3);
+  EXPECT_EQ(reading.heard.agents[0].state, AgentState::kPatrolling);
+}
+
 TEST_F(CheckedReaderTest, AgentsThatTheModelPassedOverAreTheRules) {
   server_->Say("2 goblins.");
   const EnvironmentReading reading = ReadEnvironment("Two goblins and five sheep.");

@@ -71,7 +71,8 @@ FidelityScore::Count FidelityScore::all() const {
 Result<FidelityScore> ScoreLayouts(const std::vector<LayoutItem>& items, std::uint64_t seed,
                                    InstructionReader* reader, LayoutGenerator* generator,
                                    const Progress& progress) {
-  return Score(
+  std::vector<FidelityScore::TwoReadings> read_twice;
+  auto score = Score(
       items, "layouts", progress,
       [&](const LayoutItem& item) -> Result<LayoutAnswer> {
         LayoutRequest request;
@@ -81,16 +82,20 @@ Result<FidelityScore> ScoreLayouts(const std::vector<LayoutItem>& items, std::ui
         std::vector<ModelReply> replies;
         LW_ASSIGN_OR_RETURN(const LayoutReading reading,
                             reader->ReadLayout(request, progress, &replies));
+        if (!reading.evidence.empty()) read_twice.push_back({item.id, reading.evidence});
         request.reading = &reading;
         return generator->Generate(request, progress);
       },
       [](const Claim& claim, const LayoutAnswer& answer) { return Measure(claim, answer.layout); });
+  if (score.ok()) score->read_twice = std::move(read_twice);
+  return score;
 }
 
 Result<FidelityScore> ScoreEnvironments(const std::vector<EnvironmentItem>& items,
                                         std::uint64_t seed, InstructionReader* reader,
                                         EnvironmentGenerator* generator, const Progress& progress) {
-  return Score(
+  std::vector<FidelityScore::TwoReadings> read_twice;
+  auto score = Score(
       items, "environments", progress,
       [&](const EnvironmentItem& item) -> Result<EnvironmentAnswer> {
         EnvironmentRequest request;
@@ -100,12 +105,15 @@ Result<FidelityScore> ScoreEnvironments(const std::vector<EnvironmentItem>& item
         std::vector<ModelReply> replies;
         LW_ASSIGN_OR_RETURN(const EnvironmentReading reading,
                             reader->ReadEnvironment(request, progress, &replies));
+        if (!reading.evidence.empty()) read_twice.push_back({item.id, reading.evidence});
         request.reading = &reading;
         return generator->Generate(request, progress);
       },
       [](const EnvironmentClaim& claim, const EnvironmentAnswer& answer) {
         return Measure(claim, answer.environment);
       });
+  if (score.ok()) score->read_twice = std::move(read_twice);
+  return score;
 }
 
 }  // namespace latticeworld

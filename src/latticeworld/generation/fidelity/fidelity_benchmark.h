@@ -13,6 +13,7 @@
 #include "latticeworld/common/result.h"
 #include "latticeworld/environment/environment_claims.h"
 #include "latticeworld/generation/world_generator.h"
+#include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/layout/claims/claims.h"
 
 namespace latticeworld {
@@ -73,11 +74,16 @@ struct FidelityScore {
     std::string id;
     std::string text;  // of the answer, or of what was read
   };
+  struct TwoReadings {
+    std::string id;
+    std::vector<ReadingEvidence> evidence;  // which of them is right, in each part
+  };
   std::map<std::string, Count> by_kind;
   int items = 0;
   int answered = 0;  // with a legal layout or a valid environment
   std::vector<Miss> misses;
   std::vector<Warning> warnings;
+  std::vector<TwoReadings> read_twice;
   double median_s = 0.0;  // of one answer
 
   Count all() const;

@@ -1,12 +1,15 @@
 #ifndef LATTICEWORLD_LANGUAGE_READING_INSTRUCTION_READER_H_
 #define LATTICEWORLD_LANGUAGE_READING_INSTRUCTION_READER_H_
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "latticeworld/common/enum_names.h"
 #include "latticeworld/common/progress.h"
 #include "latticeworld/common/result.h"
 #include "latticeworld/language/generator.h"
@@ -15,6 +18,33 @@
 #include "latticeworld/language/reading/coverage.h"
 
 namespace latticeworld {
+
+// ReadingPart is what may count of one of two readings while the rest counts of the other.
+enum class ReadingPart : std::uint8_t {
+  kLand,    // the whole of a layout
+  kCoarse,  // season, weather, time of day, style and kind of terrain
+  kFine,    // densities, variants and parameters of assets
+  kAgents,
+};
+
+constexpr std::array<EnumName<ReadingPart>, 4> EnumNames(ReadingPart) {
+  return {{{ReadingPart::kLand, "land"},
+           {ReadingPart::kCoarse, "coarse"},
+           {ReadingPart::kFine, "fine"},
+           {ReadingPart::kAgents, "agents"}}};
+}
+
+// ReadingEvidence is what two readings of one text, a model's and a second one, tell about which of
+// them is right in a part (reading_evidence.h).
+struct ReadingEvidence {
+  ReadingPart part = ReadingPart::kLand;
+  double log_probability = 0.0;  // of the model, as in LayoutReading
+  int words = 0;                 // of the text, as in TextCoverage
+  int carried = 0, second_carried = 0;
+  int lost = 0, second_lost = 0;
+  int claims = 0, second_claims = 0;  // sentences that say the claims of the part
+  int agreed = 0;                     // of them, those of both
+};
 
 // LayoutReading is what a reader has read in a layout instruction. A text is read once in a
 // request: the generator that draws the layout and the fidelity report use the same reading.
@@ -27,6 +57,7 @@ struct LayoutReading {
   // them and its server tells it; else 0.
   double log_probability = 0.0;
   std::vector<Claim> second;  // claims of a second reading of the same text; empty: there is none
+  std::vector<ReadingEvidence> evidence;  // of each part, where there are two readings
 };
 
 // EnvironmentReading is what a reader has read in an environment instruction. The claims that
@@ -38,6 +69,7 @@ struct EnvironmentReading {
   TextCoverage coverage;
   double log_probability = 0.0;
   std::optional<HeardEnvironment> second;
+  std::vector<ReadingEvidence> evidence;  // as in LayoutReading
 };
 
 // A model that reads gives its replies (ModelReply) these purposes.
