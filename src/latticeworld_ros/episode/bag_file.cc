@@ -35,6 +35,12 @@ bool BagMessage::latched() const {
   return latching != header->end() && latching->second == "1";
 }
 
+std::string BagMessage::caller() const {
+  if (header == nullptr) return "";
+  const auto caller = header->find("callerid");
+  return caller == header->end() ? "" : caller->second;
+}
+
 BagFile::BagFile(fs::path path) : path_(path), active_path_(std::move(path += ".active")) {}
 
 Result<std::unique_ptr<BagFile>> BagFile::Create(const fs::path& path, BagCompression compression) {
@@ -88,10 +94,7 @@ std::uint64_t BagFile::IndexBytes() const {
 Status BagFile::Write(const BagMessage& message, bool last) {
   if (bag_ == nullptr) return Internal(active_path_.string() + " was given up");
   try {
-    const std::string caller = message.header != nullptr && message.header->count("callerid") != 0
-                                   ? message.header->at("callerid")
-                                   : std::string();
-    if (connections_.insert(message.topic + " " + caller).second) {
+    if (connections_.insert(message.topic + " " + message.caller()).second) {
       definition_bytes_ += 2 * (message.message->getMessageDefinition().size() + kHeaderBytes);
     }
     // What is compressed may grow a little.

@@ -30,10 +30,12 @@ struct BagMessage {
   std::string topic;
   ros::Time time;  // under which it is kept; when it was heard, before that is decided
   topic_tools::ShapeShifter::ConstPtr message;
-  boost::shared_ptr<ros::M_string> header;  // of its connection; null: made of the message
+  // Of its connection, whose threads read it too: never changed. Null: made of the message.
+  boost::shared_ptr<ros::M_string> header;
 
   std::uint64_t bytes() const { return message->size(); }
   bool latched() const;
+  std::string caller() const;  // the node that published it; empty: the header does not say
 };
 
 // One rosbag that is being written: NAME.active until it is whole. What was written is readable

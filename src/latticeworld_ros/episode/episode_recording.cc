@@ -165,7 +165,7 @@ void EpisodeRecording::WriteOne(BagMessage message, const std::optional<ros::Tim
   message.time = KeptTime(stamp, message.time);
   last_time_ = std::max(last_time_, message.time);
   if (message.latched()) {
-    latched_[message.topic + " " + (*message.header)["callerid"]] = message;
+    latched_[message.topic + " " + message.caller()] = message;
   }
   Status written = file_->Write(message);
   if (written.ok() && options_.split_bytes != 0 && file_->bytes() > options_.split_bytes) {

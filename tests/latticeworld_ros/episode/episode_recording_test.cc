@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/refused_threads.h"
@@ -118,6 +119,17 @@ TEST_F(EpisodeRecordingTest, WhatNoThreadCanBeHadForIsRefusedAndLeavesNothing) {
     EXPECT_EQ(other.Begin(start, WorldFiles()).code(), StatusCode::kResourceExhausted);
   }
   for (const char* name : {"b.bag", "b.bag.active"}) EXPECT_FALSE(fs::exists(folder_ / name));
+}
+
+TEST_F(EpisodeRecordingTest, TheHeaderOfAConnectionThatNamesNoNodeStaysAsItIs) {
+  BagMessage message = ToBag("/text", ros::Time(kStart_s), std_msgs::String(), /*latched=*/true);
+  message.header->erase("callerid");
+  const ros::M_string before = *message.header;
+  const boost::shared_ptr<ros::M_string> header = message.header;
+  recording_->Add(std::move(message));
+  ASSERT_TRUE(recording_->End("stopped", nullptr).ok());
+  EXPECT_EQ(*header, before);
+  EXPECT_EQ(Recorded<std_msgs::String>().size(), 1u);
 }
 
 TEST_F(EpisodeRecordingTest, TimeThatStandsStillDoesNot) {
