@@ -10,8 +10,10 @@
 #include "generation/test_world.h"
 #include "latticeworld/common/digest.h"
 #include "latticeworld/common/files.h"
+#include "latticeworld/generation/bundle/bundle_files.h"
 #include "latticeworld/generation/bundle/manifest.h"
 #include "latticeworld/generation/world_generator.h"
+#include "latticeworld/language/generator.h"
 
 namespace latticeworld {
 namespace {
@@ -189,6 +191,33 @@ TEST_F(BundleTest, IsRefusedWhenItsFormatIsAnother) {
   ASSERT_FALSE(loaded.ok());
   EXPECT_EQ(loaded.status().code(), StatusCode::kFailedPrecondition);
   EXPECT_NE(loaded.status().message().find("version 8"), std::string::npos);
+}
+
+TEST_F(BundleTest, AManifestThatNobodyNeedsIsNeitherReadNorWritten) {
+  const std::string manifest = *ReadFile(bundle_ / "world.json", kMaxBytes);
+  Rewrite(bundle_ / "world.json", manifest + std::string(kMaxManifestBytes, ' '));
+  const Status loaded = LoadBundle(bundle_).status();
+  EXPECT_EQ(loaded.code(), StatusCode::kResourceExhausted) << loaded.ToString();
+  EXPECT_NE(loaded.message().find("world.json"), std::string::npos) << loaded.ToString();
+
+  World long_winded = *world_;
+  long_winded.warnings.assign(kMaxManifestBytes / 1000, std::string(1000, 'w'));
+  const Status saved = SaveBundle(long_winded, directory_.path() / "long");
+  EXPECT_EQ(saved.code(), StatusCode::kResourceExhausted) << saved.ToString();
+  EXPECT_NE(saved.message().find("world.json"), std::string::npos) << saved.ToString();
+  EXPECT_FALSE(fs::exists(directory_.path() / "long"));
+}
+
+TEST_F(BundleTest, TheLongestInstructionsHaveRoomInAManifest) {
+  World talkative = *world_;
+  // Every byte escaped, and every word of both in a warning of its own.
+  talkative.request.layout_instruction = std::string(kMaxInstructionBytes, '\x01');
+  talkative.request.environment_instruction = std::string(kMaxInstructionBytes, '\x01');
+  talkative.warnings.assign(kMaxInstructionBytes, "not understood: \"a\"");
+  const fs::path bundle = directory_.path() / "talkative";
+  const Status saved = SaveBundle(talkative, bundle);
+  ASSERT_TRUE(saved.ok()) << saved.ToString();
+  EXPECT_TRUE(ReadManifest(bundle).ok());
 }
 
 TEST_F(BundleTest, NeverReplacesWhatIsThere) {

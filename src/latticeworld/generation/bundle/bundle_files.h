@@ -32,8 +32,10 @@ inline constexpr char kOctreeFile[] = "world.bt";
 inline constexpr char kPreviewFile[] = "preview.png";
 inline std::string WeightFile(char letter) { return std::string("weights/") + letter + ".png"; }
 
-// Limits of what is read into memory; a world of the largest size stays below them.
-inline constexpr std::size_t kMaxManifestBytes = 16u << 20;
+// Limits of what is read into memory; a world of the largest size stays below them. A manifest
+// takes some 40 times its bytes while it is read; instructions of the greatest length that are
+// hardly understood make one of some 70 kB.
+inline constexpr std::size_t kMaxManifestBytes = 1u << 20;
 inline constexpr std::size_t kMaxBundleFileBytes = 2048u << 20;
 
 // The manifest of the bundle in a directory. Errors: as LoadBundle.

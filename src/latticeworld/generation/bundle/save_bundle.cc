@@ -159,7 +159,13 @@ Status Save(const World& world, const fs::path& target, MapValues map_values) {
   LW_ASSIGN_OR_RETURN(DirectoryWriter directory,
                       DirectoryWriter::Create(WithoutTrailingSlash(target)));
   LW_ASSIGN_OR_RETURN(const Manifest manifest, Encode(world, map_values, &directory));
-  LW_RETURN_IF_ERROR(directory.Write(kManifestFile, EncodeManifest(manifest)));
+  const std::string text = EncodeManifest(manifest);
+  if (text.size() > kMaxManifestBytes) {  // nobody would read it
+    return ResourceExhausted(std::string(kManifestFile) + " has " + std::to_string(text.size()) +
+                             " bytes; at most " + std::to_string(kMaxManifestBytes) +
+                             " are legal: its warnings are too many or too long");
+  }
+  LW_RETURN_IF_ERROR(directory.Write(kManifestFile, text));
   return directory.Commit();
 }
 
