@@ -25,6 +25,9 @@ export UBSAN_OPTIONS=print_stacktrace=1${UBSAN_OPTIONS:+:$UBSAN_OPTIONS}
 if ! command -v clang++ >/dev/null || ! ls "$(clang++ -print-resource-dir)"/lib/linux/libclang_rt.fuzzer-*.a >/dev/null 2>&1; then
   as_root=$([ "$(id -u)" = 0 ] || echo sudo)
   $as_root apt-get install -y --no-install-recommends clang
+  # Debian has libFuzzer and the sanitizers apart, in a package of clang's version.
+  version=$(clang++ -dumpversion)
+  $as_root apt-get install -y --no-install-recommends "libclang-rt-${version%%.*}-dev"
 fi
 
 [ -f "$build/build.ninja" ] ||
@@ -52,11 +55,14 @@ if [ "$task" = minimise ]; then
   for name in "${targets[@]}"; do
     corpus=$root/tests/fuzz/corpus/$name
     smaller=$(mktemp -d)
-    run "$name" -merge=1 -max_len=8192 "$smaller" "$corpus" "$build/found/$name"
-    # What has a name of its own stays: it is a seed, or was a finding.
+    run "$name" -set_cover_merge=1 -max_len=8192 "$smaller" "$corpus" "$build/found/$name"
+    # What has a name of its own stays: it is a seed, or was a finding. libFuzzer names an input by
+    # its SHA-1, so that the same bytes are known by it.
     find "$corpus" -type f -regextype posix-extended -regex '.*/[0-9a-f]{40}' -delete
+    named=$(find "$corpus" -type f -exec sha1sum {} + | cut -d' ' -f1)
     for input in "$smaller"/*; do
-      cmp -s "$input" "$corpus"/* 2>/dev/null || mv -n "$input" "$corpus/"
+      [ -f "$input" ] || continue  # the folder is empty
+      grep -qx "${input##*/}" <<<"$named" || mv "$input" "$corpus/"
     done
     rm -rf "$smaller"
     echo "$name: $(find "$corpus" -type f | wc -l) inputs, $(du -sb "$corpus" | cut -f1) bytes"
