@@ -72,9 +72,9 @@ NavigatorPose KinematicWorld::Pose() const {
   return pose;
 }
 
-Sighting KinematicWorld::Scan() const {
+SensorSighting KinematicWorld::Scan() const {
   constexpr double kRange_m = 10.0;
-  Sighting scan;
+  SensorSighting scan;
   scan.time_s = time_s_;
   scan.planar = true;
   scan.map_from_sensor = Pose().map_from_base;

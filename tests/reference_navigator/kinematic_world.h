@@ -32,7 +32,7 @@ class KinematicWorld {
   void Place(double x_m, double y_m, double heading_rad);
   NavigatorPose Pose() const;
   // A level scan of 360 rays up to 10 m, 0.3 m above the ground.
-  Sighting Scan() const;
+  SensorSighting Scan() const;
   // Drives for a tenth of a second.
   void Drive(const NavigatorOutput& output);
 

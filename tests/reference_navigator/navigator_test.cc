@@ -171,7 +171,7 @@ TEST_F(NavigatorTest, GroundThatRisesIntoALevelScanIsNoObstacle) {
   world_.Place(0, 0, 0);
   ASSERT_TRUE(navigator->SetGoal({12, 0}, std::nullopt, world_.Pose()).ok());
   (void)navigator->Update(world_.Pose());
-  Sighting scan;
+  SensorSighting scan;
   scan.planar = true;
   scan.map_from_sensor = world_.Pose().map_from_base;
   scan.map_from_sensor.translation().z() = 0.3;

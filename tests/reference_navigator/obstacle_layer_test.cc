@@ -31,8 +31,8 @@ struct Land {
   }
 
   // From half a metre above the origin; of one elevation it is a planar scan.
-  Sighting Sweep(const std::vector<double>& elevations, double time_s) const {
-    Sighting sighting;
+  SensorSighting Sweep(const std::vector<double>& elevations, double time_s) const {
+    SensorSighting sighting;
     sighting.time_s = time_s;
     sighting.map_from_sensor.translation().z() = 0.5;
     sighting.planar = elevations.size() == 1;
@@ -125,7 +125,7 @@ TEST(ObstacleLayerSnowTest, FlakesAreNoObstaclesAndThePostAmongThemIsOne) {
   RandomStream random(1, "flakes");
   int wrong = 0;
   for (int i = 0; i < 100; ++i) {
-    Sighting scan = land.Sweep({0.0}, 0.1 * i);
+    SensorSighting scan = land.Sweep({0.0}, 0.1 * i);
     for (int flake = 0; flake < 8; ++flake) {
       const double azimuth = random.Uniform(0.0, 2.0 * M_PI), far_m = random.Uniform(0.5, 3.0);
       scan.hits_m.emplace_back(static_cast<float>(far_m * std::cos(azimuth)),
@@ -146,7 +146,7 @@ TEST(ObstacleLayerBadInputTest, PointsThatAreNoNumbersAreLeftOut) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();
   for (const bool planar : {false, true}) {
-    Sighting sighting;
+    SensorSighting sighting;
     sighting.planar = planar;
     for (int i = 0; i < 5; ++i) {
       sighting.hits_m.insert(sighting.hits_m.end(), {{nan, 0, 0}, {inf, 1, 1}, {1e30f, 0, 0}});

@@ -65,7 +65,7 @@ class Navigator::Impl {
     way_.reset();
   }
 
-  void See(const Sighting& sighting) {
+  void See(const SensorSighting& sighting) {
     if (!std::isfinite(sighting.time_s) || !sighting.map_from_sensor.matrix().allFinite()) return;
     const SlopesOfMap slopes(route_.map(), options_.robot.max_slope_rad);
     seen_.See(sighting, route_.has_map() ? &slopes : nullptr);
@@ -306,7 +306,7 @@ Status Navigator::SetGoal(WorldPoint goal, std::optional<double> heading_rad,
   return impl_->SetGoal(goal, heading_rad, pose);
 }
 void Navigator::Cancel() { impl_->Cancel(); }
-void Navigator::See(const Sighting& sighting) { impl_->See(sighting); }
+void Navigator::See(const SensorSighting& sighting) { impl_->See(sighting); }
 void Navigator::Forget() { impl_->Forget(); }
 NavigatorOutput Navigator::Update(const NavigatorPose& pose) { return impl_->Update(pose); }
 Result<std::vector<WorldPoint>> Navigator::Plan(WorldPoint start, WorldPoint goal,

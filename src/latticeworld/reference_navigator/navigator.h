@@ -24,7 +24,7 @@ struct CostMap {
 };
 
 // What a range sensor saw in one sweep.
-struct Sighting {
+struct SensorSighting {
   double time_s = 0.0;
   Eigen::Isometry3d map_from_sensor = Eigen::Isometry3d::Identity();
   // Ends of rays [m], sensor frame. Points that are not finite are left out.
@@ -80,7 +80,7 @@ class Navigator {
   void Cancel();
 
   // What was seen; of any sensor, in the order of time.
-  void See(const Sighting& sighting);
+  void See(const SensorSighting& sighting);
   // Forgets all that was seen.
   void Forget();
 

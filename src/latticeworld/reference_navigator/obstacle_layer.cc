@@ -162,7 +162,7 @@ void ObstacleLayer::DropLoneOnes(const Eigen::Vector3d& sensor_m, std::vector<Hi
 
 // Frees what rays passed over: up to the first obstacle in a direction, else to the farthest that
 // was seen there. Rays that go up say nothing of what stands low.
-void ObstacleLayer::Clear(const Sighting& sighting, const std::vector<Hit>& hits) {
+void ObstacleLayer::Clear(const SensorSighting& sighting, const std::vector<Hit>& hits) {
   const Eigen::Vector3d sensor_m = sighting.map_from_sensor.translation();
   // Hits tell, by direction, how far rays went and where the first obstacle is.
   std::vector<double> free_m(kBins, 0.0), blocked_m(kBins, kInfinity);
@@ -209,7 +209,7 @@ void ObstacleLayer::Clear(const Sighting& sighting, const std::vector<Hit>& hits
   }
 }
 
-void ObstacleLayer::See(const Sighting& sighting, const GroundGuess* ground) {
+void ObstacleLayer::See(const SensorSighting& sighting, const GroundGuess* ground) {
   if (!is_placed_) return;
   constexpr double kHighest_m = 10.0;
   std::vector<Hit> hits;

@@ -32,7 +32,7 @@ class ObstacleLayer {
   // The window's middle goes to the cell of the base; what it held stays where it was on the map.
   void MoveTo(const Eigen::Vector3d& base_m);
   // Sightings of before the first MoveTo are passed over. ground: of planar ones; may be null.
-  void See(const Sighting& sighting, const GroundGuess* ground);
+  void See(const SensorSighting& sighting, const GroundGuess* ground);
   void Forget();
   // Forgets what is older than the memory reaches; distances count from then on.
   void Settle(double time_s);
@@ -56,7 +56,7 @@ class ObstacleLayer {
   void JudgeByPlane(const Eigen::Vector3d& sensor_m, const GroundGuess* ground,
                     std::vector<Hit>* hits) const;
   void DropLoneOnes(const Eigen::Vector3d& sensor_m, std::vector<Hit>* hits);
-  void Clear(const Sighting& sighting, const std::vector<Hit>& hits);
+  void Clear(const SensorSighting& sighting, const std::vector<Hit>& hits);
 
   NavigatorRobot robot_;
   double cell_m_;

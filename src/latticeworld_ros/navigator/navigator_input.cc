@@ -180,8 +180,8 @@ Result<CostMap> ToCostMap(const nav_msgs::OccupancyGrid& map) {
   return result;
 }
 
-Result<Sighting> ToSighting(const sensor_msgs::LaserScan& scan, double range_m,
-                            const SensorPoseAt& pose_at) {
+Result<SensorSighting> ToSighting(const sensor_msgs::LaserScan& scan, double range_m,
+                                  const SensorPoseAt& pose_at) {
   if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment)) {
     return InvalidArgument("the scan's angles begin at " + FormatDouble(scan.angle_min) +
                            " rad with steps of " + FormatDouble(scan.angle_increment) +
@@ -190,7 +190,7 @@ Result<Sighting> ToSighting(const sensor_msgs::LaserScan& scan, double range_m,
   const double duration_s = DurationOf(scan);
   const ros::Time end = Later(scan.header.stamp, duration_s);
   LW_ASSIGN_OR_RETURN(const SweepPoses poses, SweepPoses::Create(scan.header.stamp, end, pose_at));
-  Sighting sighting;
+  SensorSighting sighting;
   sighting.time_s = end.toSec();
   sighting.map_from_sensor = poses.map_from_end();
   sighting.planar = true;
@@ -212,14 +212,14 @@ Result<Sighting> ToSighting(const sensor_msgs::LaserScan& scan, double range_m,
   return sighting;
 }
 
-Result<Sighting> ToSighting(const sensor_msgs::PointCloud2& cloud, double range_m,
-                            const SensorPoseAt& pose_at) {
+Result<SensorSighting> ToSighting(const sensor_msgs::PointCloud2& cloud, double range_m,
+                                  const SensorPoseAt& pose_at) {
   LW_ASSIGN_OR_RETURN(const CloudLayout layout, LayoutOf(cloud));
   const std::pair<double, double> span_s = SpanOf(cloud, layout);
   const ros::Time end = Later(cloud.header.stamp, span_s.second);
   LW_ASSIGN_OR_RETURN(const SweepPoses poses,
                       SweepPoses::Create(Later(cloud.header.stamp, span_s.first), end, pose_at));
-  Sighting sighting;
+  SensorSighting sighting;
   sighting.time_s = end.toSec();
   sighting.map_from_sensor = poses.map_from_end();
   const auto reach_m = static_cast<float>(range_m);

@@ -30,11 +30,11 @@ using SensorPoseAt = std::function<std::optional<Eigen::Isometry3d>(ros::Time)>;
 // it was met and told in the frame that the sensor has at the end, to about 1/16 of the sweep.
 // Errors: INVALID_ARGUMENT (what the message lacks, and what is legal), UNAVAILABLE (pose_at does
 // not know where the sensor was).
-Result<Sighting> ToSighting(const sensor_msgs::LaserScan& scan, double range_m,
-                            const SensorPoseAt& pose_at);
+Result<SensorSighting> ToSighting(const sensor_msgs::LaserScan& scan, double range_m,
+                                  const SensorPoseAt& pose_at);
 // Fields x, y and z (float32), and, where there is one, time (float32, seconds from the stamp).
-Result<Sighting> ToSighting(const sensor_msgs::PointCloud2& cloud, double range_m,
-                            const SensorPoseAt& pose_at);
+Result<SensorSighting> ToSighting(const sensor_msgs::PointCloud2& cloud, double range_m,
+                                  const SensorPoseAt& pose_at);
 
 }  // namespace latticeworld
 

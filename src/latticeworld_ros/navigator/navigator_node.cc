@@ -218,7 +218,7 @@ void NavigatorNode::See(std::deque<boost::shared_ptr<const Message>>* readings) 
       unknown = found.status().message();
       return std::nullopt;
     };
-    const Result<Sighting> sighting = ToSighting(reading, options_.sensor_range_m, pose_at);
+    const Result<SensorSighting> sighting = ToSighting(reading, options_.sensor_range_m, pose_at);
     if (sighting.ok()) {
       navigator_->See(*sighting);
       readings->erase(readings->begin(), readings->begin() + static_cast<std::ptrdiff_t>(i) + 1);

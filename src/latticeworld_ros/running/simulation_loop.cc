@@ -47,7 +47,7 @@ void SimulationLoop::Stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-Result<ros::Time> SimulationLoop::Swap(RunningWorld* world) {
+Result<ros::Time> SimulationLoop::Swap(LaunchedWorld* world) {
   return tasks_.Call<ros::Time>([this, world]() -> Result<ros::Time> {
     FinishJob(Aborted("another world has taken the place of this one"));
     run_.Swap(world);

@@ -55,7 +55,7 @@ class SimulationLoop {
 
   // Runs *world from the next step on; *world gets the one before (or none), for the caller to
   // destroy. The answer is the ROS time at which it began.
-  Result<ros::Time> Swap(RunningWorld* world);
+  Result<ros::Time> Swap(LaunchedWorld* world);
 
   struct Change {
     std::string name;  // of what was changed

@@ -17,7 +17,7 @@ Status SimulationRun::Check() const {
   return failure_.empty() ? Status() : FailedPrecondition(failure_);
 }
 
-void SimulationRun::Swap(RunningWorld* world) {
+void SimulationRun::Swap(LaunchedWorld* world) {
   std::swap(running_, *world);
   snapshots_.clear();
   failure_.clear();

@@ -18,7 +18,7 @@
 namespace latticeworld {
 
 // A world and the simulator that runs it.
-struct RunningWorld {
+struct LaunchedWorld {
   std::shared_ptr<const World> world;
   std::unique_ptr<Simulator> simulator;
 };
@@ -65,7 +65,7 @@ class SimulationRun {
   Status Check() const;
 
   // Runs *world; *world gets the one before (or none). Snapshots of that one are gone.
-  void Swap(RunningWorld* world);
+  void Swap(LaunchedWorld* world);
 
   // Each of these: FAILED_PRECONDITION as Check, except for Reset and Restore, which a failed
   // simulator gets over; INTERNAL: it failed.
@@ -92,7 +92,7 @@ class SimulationRun {
   Status Guard(const std::string& doing, const std::function<Status()>& change);
   std::vector<std::string> SnapshotNames() const;
 
-  RunningWorld running_;
+  LaunchedWorld running_;
   std::string failure_;
   std::uint64_t episode_ = 0;
   std::map<std::string, std::shared_ptr<const SimulatorSnapshot>> snapshots_;  // of running_

@@ -20,7 +20,7 @@ Status WorldLauncher::Launch(std::shared_ptr<const World> world, const Progress&
   LW_ASSIGN_OR_RETURN(WorldMessages messages,
                       BuildWorldMessages(*world, options_, progress, stages));
   const Stopwatch simulator_watch;
-  RunningWorld running;
+  LaunchedWorld running;
   running.world = world;
   LW_ASSIGN_OR_RETURN(std::unique_ptr<Simulator> simulator,
                       Simulator::Create(world->scene, options_.simulator, world->request.seed));

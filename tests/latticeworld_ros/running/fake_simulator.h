@@ -127,8 +127,8 @@ class FakeSimulator : public Simulator {
 };
 
 // fake: gets the simulator, which lives as long as the world runs.
-inline RunningWorld FakeWorld(const std::string& id, std::uint64_t seed,
-                              FakeSimulator** fake = nullptr) {
+inline LaunchedWorld FakeWorld(const std::string& id, std::uint64_t seed,
+                               FakeSimulator** fake = nullptr) {
   auto world = std::make_shared<World>();
   world->id = id;
   auto simulator = std::make_unique<FakeSimulator>(seed);

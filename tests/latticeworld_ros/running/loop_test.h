@@ -23,7 +23,7 @@ class LoopTest : public testing::Test {
     ros::Time::init();  // the log's throttle reads it
     loop_.Start();
     if (!with_world) return;
-    RunningWorld world = FakeWorld("one", 3, &fake_);
+    LaunchedWorld world = FakeWorld("one", 3, &fake_);
     EXPECT_TRUE(loop_.Swap(&world).ok());
   }
   ~LoopTest() override { loop_.Stop(); }

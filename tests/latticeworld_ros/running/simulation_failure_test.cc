@@ -136,7 +136,7 @@ TEST_F(SimulationFailureTest, ARestoreThatThrowsIsTheCallersAndAnotherOneHeals) 
 TEST_F(SimulationFailureTest, AnotherWorldRunsWhateverBecameOfTheOneBefore) {
   LetFail("Step");
   EXPECT_EQ(loop_.Step(1, false).status().code(), StatusCode::kInternal);
-  RunningWorld world = FakeWorld("two", 4);
+  LaunchedWorld world = FakeWorld("two", 4);
   ASSERT_TRUE(loop_.Swap(&world).ok());
   EXPECT_TRUE(loop_.Step(2, false).ok());
   EXPECT_FALSE(fake_->touched_while_torn);
@@ -161,7 +161,7 @@ TEST_F(SimulationFailureTest, AListenerThatThrowsStopsNobody) {
   EXPECT_TRUE(loop_.Reset(0).ok());
   EXPECT_TRUE(loop_.SaveSnapshot("a").ok());
   EXPECT_TRUE(loop_.RestoreSnapshot("a").ok());
-  RunningWorld world = FakeWorld("two", 4);
+  LaunchedWorld world = FakeWorld("two", 4);
   EXPECT_TRUE(loop_.Swap(&world).ok());
   Pass(kWhile);  // at a standstill
   ASSERT_TRUE(loop_.SetPaused(false).ok());

@@ -26,7 +26,7 @@ class SimulationLoopTest : public testing::Test {
   // Answers the simulator, which lives until the next world.
   FakeSimulator* Begin(const std::string& id = "one") {
     FakeSimulator* fake = nullptr;
-    RunningWorld world = FakeWorld(id, 3, &fake);
+    LaunchedWorld world = FakeWorld(id, 3, &fake);
     EXPECT_TRUE(loop_.Swap(&world).ok());
     return fake;
   }
@@ -190,7 +190,7 @@ TEST_F(SimulationLoopTest, JointsAndStrikesReachTheSimulator) {
 
 TEST_F(SimulationLoopTest, SwapGivesBackTheWorldBefore) {
   Begin("one");
-  RunningWorld world = FakeWorld("two", 4);
+  LaunchedWorld world = FakeWorld("two", 4);
   ASSERT_TRUE(loop_.Swap(&world).ok());
   EXPECT_EQ(world.world->id, "one");
   EXPECT_EQ(loop_.Inspect(false)->world->id, "two");

@@ -29,7 +29,7 @@ TEST(DiagnosticsTest, SayWhetherTheSimulationRuns) {
   EXPECT_EQ(status.message, "no world is running");
 
   FakeSimulator* fake = nullptr;
-  const RunningWorld world = FakeWorld("meadow", 3, &fake);
+  const LaunchedWorld world = FakeWorld("meadow", 3, &fake);
   statistics.world = world.world;
   statistics.simulator = fake;
   statistics.real_time_factor = 2.5;

@@ -36,7 +36,7 @@ class StepCallTest : public LoopTest {
 };
 
 TEST_F(StepCallTest, AnotherWorldEndsIt) {
-  RunningWorld world = FakeWorld("two", 4);
+  LaunchedWorld world = FakeWorld("two", 4);
   ASSERT_TRUE(loop_.Swap(&world).ok());
   EXPECT_EQ(HowItEnds(), StatusCode::kAborted);
   EXPECT_EQ(fake_->episode_step(), 5u);

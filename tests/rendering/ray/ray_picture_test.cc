@@ -158,7 +158,7 @@ TEST(RayPictureTest, TheWorldGoesOnBeyondItsEdgeUnlessItIsABlock) {
   const RayCamera camera = RayCamera::Looking({0.0f, 31.0f, 6.0f}, static_cast<float>(M_PI / 2.0),
                                               -0.5f, kField_rad, kWidth_px, kHeight_px);
   RayPictureOptions block;
-  block.surroundings = Surroundings::kBlock;
+  block.surroundings = RaySurroundings::kBlock;
   block.block_m = 3.0f;
   const cv::Vec3b before(1, 2, 3);
   EXPECT_EQ(Picture(Plain(), camera, block).at<cv::Vec3b>(40, 60), before);
@@ -170,7 +170,7 @@ TEST(RayPictureTest, ABlocksCutsShowItsEarthAndItsWater) {
   const RayCamera camera = RayCamera::Looking({0.0f, -60.0f, 0.0f}, static_cast<float>(M_PI / 2.0),
                                               0.0f, kField_rad, kWidth_px, kHeight_px);
   RayPictureOptions block;
-  block.surroundings = Surroundings::kBlock;
+  block.surroundings = RaySurroundings::kBlock;
   block.block_m = 6.0f;
   const Scene dry = Plain(1.0), wet = WithWater(Plain(1.0), 4.0f);
   const auto pixel = [&](const Scene& scene, float z_m) {

@@ -23,7 +23,7 @@ TEST(RayWorldTest, MirrorImagesOfASmallWorldGoOnToTheHorizon) {
                                  {MakeTree(10.0f, 10.0f, 12.0f, 2.0f, 0.2f)});
   const auto rays = RayScene::Create(scene, {}, Progress());
   ASSERT_TRUE(rays.ok());
-  const RayWorld world(scene, *rays, Surroundings::kMirrors, 1.0f);
+  const RayWorld world(scene, *rays, RaySurroundings::kMirrors, 1.0f);
   for (const double height_m : {6.7, 60.0, 505.0}) {
     for (const double away_m : {100.0, 2000.0, 11000.0}) {
       for (const double heading_rad : {0.0, 0.7, 2.0, 4.4}) {
@@ -43,7 +43,7 @@ TEST(RayWorldTest, TheSkyIsAboveTheHorizon) {
   const Scene scene = MakeScene(32, 32.0, [](double, double) { return 5.0; });
   const auto rays = RayScene::Create(scene, {}, Progress());
   ASSERT_TRUE(rays.ok());
-  const RayWorld world(scene, *rays, Surroundings::kMirrors, 1.0f);
+  const RayWorld world(scene, *rays, RaySurroundings::kMirrors, 1.0f);
   EXPECT_EQ(world.Trace(Downward(6.7, -0.01, 0.3), kSeesSolid).hit.target, RayTarget::kNothing);
 }
 

@@ -112,12 +112,14 @@ Status TracePicture(const Scene& scene, const GroundMaterials& ground, const Ray
   const RayMaterials materials(scene, ground, assets, sky.lamps_are_lit(), options.relief);
   const RayWorld world(scene, rays, options.surroundings, options.block_m);
   ShadingOptions shading;
-  shading.occlusion_rays = options.quick ? 0 : options.surroundings == Surroundings::kBlock ? 1 : 2;
+  shading.occlusion_rays = options.quick                                     ? 0
+                           : options.surroundings == RaySurroundings::kBlock ? 1
+                                                                             : 2;
   shading.reflections = !options.quick;
   const RayShader shader(scene, world, materials, sky, shading);
   const BlockAir block_air(scene);
   const ArtisticStyle style = scene.environment.coarse.artistic_style;
-  const bool is_block = options.surroundings == Surroundings::kBlock;
+  const bool is_block = options.surroundings == RaySurroundings::kBlock;
   const RaySights sights = options.agents ? kSeesAll : kSeesSolid | kSeesWater;
   const float footprint_pm = 1.0f / camera.focal_px();
 

@@ -16,7 +16,7 @@ struct GroundMaterials;
 struct Scene;
 
 struct RayPictureOptions {
-  Surroundings surroundings = Surroundings::kMirrors;
+  RaySurroundings surroundings = RaySurroundings::kMirrors;
   float block_m = 0.0f;  // kBlock: depth of the block below its lowest ground
   bool agents = true;
   bool quick = false;         // less fine: for thumbnails

@@ -28,7 +28,7 @@ Span SpanOf(float origin_m, float direction, float half_m) {
 
 }  // namespace
 
-RayWorld::RayWorld(const Scene& scene, const RayScene& rays, Surroundings surroundings,
+RayWorld::RayWorld(const Scene& scene, const RayScene& rays, RaySurroundings surroundings,
                    float block_m)
     : scene_(scene),
       rays_(rays),
@@ -48,8 +48,8 @@ RayWorld::RayWorld(const Scene& scene, const RayScene& rays, Surroundings surrou
 }
 
 WorldHit RayWorld::Trace(const Ray& ray, RaySights sights) const {
-  return surroundings_ == Surroundings::kBlock ? TraceBlock(ray, sights)
-                                               : TraceMirrors(ray, sights);
+  return surroundings_ == RaySurroundings::kBlock ? TraceBlock(ray, sights)
+                                                  : TraceMirrors(ray, sights);
 }
 
 WorldHit RayWorld::TraceBlock(const Ray& ray, RaySights sights) const {

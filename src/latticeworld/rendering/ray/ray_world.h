@@ -10,7 +10,7 @@ namespace latticeworld {
 struct Scene;
 
 // How a picture goes on beyond the world's edge.
-enum class Surroundings {
+enum class RaySurroundings {
   kBlock,   // not at all: the world is a block of land, cut at its edges
   kMirrors  // by the world's own mirror images, side by side for ever, so that close views end at a
             // horizon and nothing is seen to begin at the edge
@@ -32,7 +32,7 @@ struct WorldHit {
 class RayWorld {
  public:
   // Both must outlive this. block_m: depth of the block below its lowest ground.
-  RayWorld(const Scene& scene, const RayScene& rays, Surroundings surroundings, float block_m);
+  RayWorld(const Scene& scene, const RayScene& rays, RaySurroundings surroundings, float block_m);
 
   WorldHit Trace(const Ray& ray, RaySights sights) const;
   // Returns whether something solid or an agent blocks a ray in the frame of a hit; nothing beyond
@@ -47,7 +47,7 @@ class RayWorld {
 
   const Scene& scene_;
   const RayScene& rays_;
-  Surroundings surroundings_;
+  RaySurroundings surroundings_;
   float block_m_;
   float half_m_;
   float lowest_m_, highest_m_;  // of ground, and of all that stands on it

@@ -65,7 +65,7 @@ Status TraceBlock(const Scene& scene, const GroundMaterials& materials, const Ra
   PaintBlockShade(camera.Project({-half_m, -half_m, bottom_m}),
                   camera.Project({half_m, -half_m, bottom_m}), bgr);
   RayPictureOptions ray_options;
-  ray_options.surroundings = Surroundings::kBlock;
+  ray_options.surroundings = RaySurroundings::kBlock;
   ray_options.block_m = block_m;
   ray_options.agents = options.agents;
   ray_options.quick = options.quick;

@@ -25,7 +25,8 @@ class PlantMaker {
 
   const ModelMixture& mixture() const { return mixture_; }
 
-  Refusal Make(const Place& place, PointRandom* random, Asset* plant, bool shore_only) const {
+  Refusal Make(const ScatterPlace& place, PointRandom* random, Asset* plant,
+               bool shore_only) const {
     const Terrain& terrain = placement_.terrain;
     if (!IsSlopeAtMost(terrain, plant->position(), kSteepestForGroundCover_deg)) {
       return Refusal::kTooSteep;
@@ -73,7 +74,7 @@ void PlaceCover(Placement* placement, const AssetIndex& solids, AssetKind kind, 
   };
   const ClumpedDensity density(*placement, kind, clump, [peak](char) { return peak; });
   Scatter(placement, kind, stream, density,
-          [&maker](const Place& place, PointRandom* random, Asset* plant) {
+          [&maker](const ScatterPlace& place, PointRandom* random, Asset* plant) {
             return maker.Make(place, random, plant, /*shore_only=*/false);
           });
 }
@@ -118,7 +119,7 @@ void PlaceShoreBelt(Placement* placement, const AssetIndex& solids, AssetKind ki
   const Tally::Kind before = tally;
   const std::size_t standing = placement->assets.size();
   Scatter(placement, kind, stream, density,
-          [&maker](const Place& place, PointRandom* random, Asset* plant) {
+          [&maker](const ScatterPlace& place, PointRandom* random, Asset* plant) {
             return maker.Make(place, random, plant, /*shore_only=*/true);
           });
   tally = before;

@@ -70,7 +70,7 @@ std::vector<Block> MakeBlocks(const Placement& placement, AssetKind kind, std::s
     const int end = std::min(noise.tiles(), (index + 1) * kTilesPerBlock);
     for (int tile = index * kTilesPerBlock; tile < end; ++tile) {
       noise.ForEachIn(tile, [&](const RankedBlueNoise::Point& candidate) {
-        Place place;
+        ScatterPlace place;
         place.point = {candidate.x_m, candidate.y_m};
         const double rank = candidate.rank * largest;
         // The cheap bound is asked before the density.

@@ -12,7 +12,7 @@
 namespace latticeworld {
 
 // A place that a scattered thing may get.
-struct Place {
+struct ScatterPlace {
   WorldPoint point;
   char letter = suburb_letter::kGrassland;  // of the class that it stands there for
   double per_m2 = 0.0;                      // of the kind here, clumping included
@@ -60,7 +60,7 @@ class ClumpedDensity : public ScatterDensity {
 
 // Makes the asset at a place (kind, position and base are set), or says why it cannot be there.
 // Draws come from the stream of the place. Called from several threads at once.
-using MakeAt = std::function<Refusal(const Place& place, PointRandom* random, Asset* asset)>;
+using MakeAt = std::function<Refusal(const ScatterPlace& place, PointRandom* random, Asset* asset)>;
 
 // Scatters a kind by blue noise, thinned to the density of each place, and adds what is made to the
 // placement, solid kinds where they overlap nothing solid. What stands in one place moves nothing

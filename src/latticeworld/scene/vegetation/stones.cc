@@ -36,7 +36,7 @@ void PlaceStones(Placement* placement) {
            kTalusTimes * placement->sites.At(point).talus;
   };
   const ClumpedDensity density(*placement, AssetKind::kStone, clump, [](char) { return 8.0; });
-  const auto make = [&](const Place& place, PointRandom* random, Asset* stone) {
+  const auto make = [&](const ScatterPlace& place, PointRandom* random, Asset* stone) {
     if (!IsSlopeAtMost(terrain, stone->position(), kSteepestForStones_deg)) {
       return Refusal::kTooSteep;
     }

@@ -71,7 +71,7 @@ void PlaceTrees(Placement* placement) {
   const ClumpedDensity density(*placement, AssetKind::kTree, clump, [](char letter) {
     return letter == class_letter::kForest ? 1.5 : 8.0;
   });
-  const auto make = [&](const Place& place, PointRandom* random, Asset* tree) {
+  const auto make = [&](const ScatterPlace& place, PointRandom* random, Asset* tree) {
     if (!IsSlopeAtMost(terrain, tree->position(), kSteepestForTrees_deg)) return Refusal::kTooSteep;
     const std::optional<ModelMixture::Choice> choice = mixture.At(
         place.point, placement->sites.At(place.point),
