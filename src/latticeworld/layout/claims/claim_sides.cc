@@ -32,7 +32,8 @@ double LesserSideOfRound(const LayoutMask& subject, const LayoutMask& piece, int
   const LayoutMask::Point center = piece.Centroid();
   constexpr int kAxes[4][2] = {{0, 1}, {1, 0}, {1, 1}, {1, -1}};
   double best = 0.0;
-  for (const auto& [rows, cols] : kAxes) {
+  for (const auto& axis : kAxes) {
+    const int rows = axis[0], cols = axis[1];
     int before = 0, behind = 0;
     ForEachCell(near, [&](CellIndex cell) {
       const double dr = cell.row - center.row, dc = cell.col - center.col;
