@@ -154,13 +154,15 @@ def round_of(ground, end, random, ledger):
         address = address_of(rospy.wait_for_message("/viewer/address", String, DEADLINE_S).data)
         ground.must("generate_world", seed=1, **SMALL_WORLD)
         count = calls_of(ground, end, random, address)
-        ended = [program.stop() for program in (viewer, recorder, server)]
+        ended = {name: (program.stop(), program.last_words())
+                 for name, program in (("viewer", viewer), ("recorder", recorder),
+                                       ("server", server))}
     found = reports(folder)
     ledger.note("calls", count=count, minutes=round((time.monotonic() - began) / 60.0, 1),
                 reports=sorted(found))
     for report in found.values():
         print(report, flush=True)
-    promise(not any(ended), f"viewer, recorder and server ended with {ended}")
+    promise(not any(status for status, _ in ended.values()), f"nodes ended so: {ended}")
     promise(not found, f"{len(found)} data races: {sorted(found)}")
     ground.remove(folder)
 
