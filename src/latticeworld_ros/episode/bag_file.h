@@ -30,7 +30,8 @@ struct BagMessage {
   std::string topic;
   ros::Time time;  // under which it is kept; when it was heard, before that is decided
   topic_tools::ShapeShifter::ConstPtr message;
-  // Of its connection, whose threads read it too: never changed. Null: made of the message.
+  // The connection has it, and its threads read it too: it is never changed. Null: one is made of
+  // the message.
   boost::shared_ptr<ros::M_string> header;
 
   std::uint64_t bytes() const { return message->size(); }
