@@ -24,7 +24,8 @@ LeastCostWays::LeastCostWays(const Grid<float>& cost, const std::vector<CellInde
     queue.push({0.0f, source.row * cost.cols() + source.col});
   }
   while (!queue.empty()) {
-    const auto [reached, cell] = queue.top();
+    const float reached = queue.top().first;
+    const int cell = queue.top().second;
     queue.pop();
     if (reached > least.data()[cell]) continue;
     const int row = cell / cost.cols(), col = cell % cost.cols();

@@ -151,7 +151,9 @@ bool Props::TellGate(Running* running) {
 bool Props::Step(double step_s, std::uint64_t step, std::vector<Event>* events) {
   AddLoads(step_s);
   bool broke = false;
-  for (auto& [name, running] : state_) {
+  for (auto& entry : state_) {
+    const std::string& name = entry.first;
+    auto& running = entry.second;
     const auto tell = [&](EventKind kind, const std::string& other) {
       events->push_back({step, kind, name, other,
                          PropPoseOf(running.prop, physics_->MotionOf(running.body)).position_m});

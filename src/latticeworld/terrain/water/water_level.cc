@@ -84,7 +84,8 @@ Grid<float> FlowDistance(const WaterBodies& water, const std::vector<std::int32_
     queue.push({0.0f, cell});
   }
   while (!queue.empty()) {
-    const auto [here, cell] = queue.top();
+    const float here = queue.top().first;
+    const std::int32_t cell = queue.top().second;
     queue.pop();
     if (here > distance.data()[cell]) continue;
     const int row = cell / cols, col = cell % cols;

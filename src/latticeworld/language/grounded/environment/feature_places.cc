@@ -256,12 +256,13 @@ std::vector<Region> RegionsAt(const FeaturePlace& feature, const std::vector<Pla
   }
   // A heading ("north of the lake") has narrowed the cells already.
   if (!feature.on.has_value() && !places.empty()) {
-    for (auto& [count, region] : counted) {
+    for (auto& entry : counted) {
+      const Region region = entry.second;
       const bool meant = std::any_of(places.begin(), places.end(), [&](const Place& place) {
         return place.main == Region::kAnywhere ||
                std::find(place.regions.begin(), place.regions.end(), region) != place.regions.end();
       });
-      if (!meant) count = 0;
+      if (!meant) entry.first = 0;
     }
   }
   std::stable_sort(counted.begin(), counted.end(),
