@@ -13,12 +13,12 @@ namespace latticeworld {
 std::shared_ptr<InstructionReader> MakeComparedReader(std::shared_ptr<InstructionReader> first,
                                                       std::shared_ptr<InstructionReader> second);
 
-// Makes a reader that lets two readers read every text and checks each reading by the other. Of a
-// layout the reading of `first`, a model, counts where it is the likelier one (LogOddsOfModel),
-// else that of `second`. Of an environment this is decided for each part (ReadingPart), and what
-// only one of them has read counts. What does not count is kept beside it (`second` of the
-// reading). A text that is already the small language is read without the second reader. name() is
-// "checked". Errors: those of the readers.
+// Makes a reader that lets two readers read every text and checks each reading by the other. The
+// likelier reading of a layout counts, that of `first`, a model, or that of `second`
+// (LogOddsOfModel). The parts of an environment (ReadingPart) are decided one by one, and what only
+// one reading has counts too. What does not count is kept beside it (`second` of the reading). A
+// text that is already the small language is read without the second reader. name() is "checked".
+// Errors: those of the readers.
 std::shared_ptr<InstructionReader> MakeCheckedReader(std::shared_ptr<InstructionReader> first,
                                                      std::shared_ptr<InstructionReader> second);
 

@@ -257,10 +257,9 @@ std::vector<Region> RegionsAt(const FeaturePlace& feature, const std::vector<Pla
   // A heading ("north of the lake") has narrowed the cells already.
   if (!feature.on.has_value() && !places.empty()) {
     for (auto& entry : counted) {
-      const Region region = entry.second;
       const bool meant = std::any_of(places.begin(), places.end(), [&](const Place& place) {
         return place.main == Region::kAnywhere ||
-               std::find(place.regions.begin(), place.regions.end(), region) != place.regions.end();
+               std::count(place.regions.begin(), place.regions.end(), entry.second) > 0;
       });
       if (!meant) entry.first = 0;
     }
