@@ -113,6 +113,7 @@ std::vector<ReadingEvidence> EvidenceOf(const EnvironmentReading& model,
 }
 
 double LogOddsOfModel(const ReadingEvidence& evidence) {
+  if (evidence.claims == 0 && evidence.second_claims == 0) return -1.0;
   const bool same = evidence.agreed == evidence.claims && evidence.agreed == evidence.second_claims;
   if (same) return 0.0;
   const Numbers& weights = kWeights.at(static_cast<std::size_t>(evidence.part));

@@ -19,7 +19,8 @@ std::vector<ReadingEvidence> EvidenceOf(const EnvironmentReading& model,
                                         const SymbolicLayout* layout);
 
 // Returns the natural logarithm of the odds that of two readings that differ in what they get right
-// of the part the model's is the better one; 0 of readings that make the same claims.
+// of the part the model's is the better one. It is 0 where they make the same claims, and negative
+// where neither makes any: rules tell word by word what they do not understand.
 double LogOddsOfModel(const ReadingEvidence& evidence);
 
 }  // namespace latticeworld
