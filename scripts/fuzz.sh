@@ -55,7 +55,7 @@ if [ "$task" = minimise ]; then
   for name in "${targets[@]}"; do
     corpus=$root/tests/fuzz/corpus/$name
     smaller=$(mktemp -d)
-    run "$name" -set_cover_merge=1 -max_len=8192 "$smaller" "$corpus" "$build/found/$name"
+    run "$name" -set_cover_merge=1 -use_counters=0 -max_len=8192 "$smaller" "$corpus" "$build/found/$name"
     # What has a name of its own stays: it is a seed, or was a finding. libFuzzer names an input by
     # its SHA-1, so that the same bytes are known by it.
     find "$corpus" -type f -regextype posix-extended -regex '.*/[0-9a-f]{40}' -delete
@@ -74,8 +74,12 @@ if [ "$task" = coverage ]; then
   for name in "${targets[@]}"; do
     run "$name" -runs=0 -print_coverage=1 "$build/found/$name" "$root/tests/fuzz/corpus/$name"
     awk -v root="$root/src/" -v name="$name" '
-      /COVERED_FUNC: / && (at = index($0, " " root)) {
-        file = substr($0, at + 1 + length(root))
+      /COVERED_FUNC: / {
+        file = $NF  # FOLDER/../src/FILE:LINE, where sources are named from the build folder
+        while (sub(/\/[^\/]+\/\.\.\//, "/", file)) {
+        }
+        if (index(file, root) != 1) next
+        file = substr(file, 1 + length(root))
         sub(/:.*/, "", file)
         match($0, /edges: [0-9]+\/[0-9]+/)
         split(substr($0, RSTART + 7, RLENGTH - 7), edges, "/")
