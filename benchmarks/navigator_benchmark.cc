@@ -225,7 +225,7 @@ void BM_ControlPeriod(benchmark::State& state) {
   for (auto _ : state) {
     pose.map_from_base.linear() =
         Eigen::AngleAxisd(heading_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    Sighting scan;
+    SensorSighting scan;
     scan.time_s = pose.time_s;
     scan.planar = true;
     scan.map_from_sensor = pose.map_from_base;

@@ -19,14 +19,14 @@ namespace {
 // Weights of a constant and of what is below it in Signs().
 using Numbers = std::array<double, 7>;
 
-// Fitted by logistic regression over the texts of authors k01 and k02, on whom nobody was trained,
-// where the readers have unlike numbers of the part's claims right:
+// Fitted by logistic regression over the texts of author k02, on whom nobody was trained, where the
+// readers have unlike numbers of the part's claims right:
 // training/latticeworld_training/fit_choice.py.
 constexpr std::array<Numbers, EnumNames(ReadingPart{}).size()> kWeights = {{
-    {1.838, 6.385, -0.554, -6.338, -1.563, -1.916, 0.823},   // land
-    {1.888, 7.270, -0.010, -3.653, -1.794, -3.335, 1.617},   // coarse
-    {0.853, 19.980, -0.091, -4.771, -1.661, -1.671, 1.828},  // fine
-    {2.456, 9.937, 0.286, -2.834, 0.166, -2.131, 1.156},     // agents
+    {3.058, 3.794, -0.420, -5.826, -0.400, -4.088, 1.185},    // land
+    {3.315, 5.542, -0.090, -4.118, -2.536, -2.676, -1.920},   // coarse
+    {1.740, 16.340, -0.016, -9.476, -1.418, -1.080, -0.107},  // fine
+    {2.502, 13.728, 0.330, -10.739, 0.401, -0.393, 0.595},    // agents
 }};
 
 double Share(int part, int whole) { return static_cast<double>(part) / std::max(1, whole); }
