@@ -8,6 +8,8 @@
 namespace latticeworld {
 namespace {
 
+using ReadTwice = std::vector<FidelityScore::TwoReadings>;
+
 double Median(std::vector<double> values) {
   if (values.empty()) return 0.0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -15,7 +17,7 @@ double Median(std::vector<double> values) {
   return *middle;
 }
 
-// answer(item) gives a Result; measure(claim, answer) what it says of one claim.
+// answer(item, &read_twice) gives a Result; measure(claim, answer) what it says of one claim.
 template <typename Item, typename Answer, typename MeasureClaim>
 Result<FidelityScore> Score(const std::vector<Item>& items, std::string_view stage,
                             const Progress& progress, const Answer& answer,
@@ -27,7 +29,7 @@ Result<FidelityScore> Score(const std::vector<Item>& items, std::string_view sta
     progress.Report(stage, static_cast<double>(score.items) / static_cast<double>(items.size()));
     ++score.items;
     const auto start = std::chrono::steady_clock::now();
-    const auto result = answer(item);
+    const auto result = answer(item, &score.read_twice);
     seconds.push_back(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     if (result.status().code() == StatusCode::kCancelled) return result.status();
@@ -71,10 +73,9 @@ FidelityScore::Count FidelityScore::all() const {
 Result<FidelityScore> ScoreLayouts(const std::vector<LayoutItem>& items, std::uint64_t seed,
                                    InstructionReader* reader, LayoutGenerator* generator,
                                    const Progress& progress) {
-  std::vector<FidelityScore::TwoReadings> read_twice;
-  auto score = Score(
+  return Score(
       items, "layouts", progress,
-      [&](const LayoutItem& item) -> Result<LayoutAnswer> {
+      [&](const LayoutItem& item, ReadTwice* read_twice) -> Result<LayoutAnswer> {
         LayoutRequest request;
         request.instruction = item.instruction;
         request.vocabulary = item.vocabulary;
@@ -82,22 +83,19 @@ Result<FidelityScore> ScoreLayouts(const std::vector<LayoutItem>& items, std::ui
         std::vector<ModelReply> replies;
         LW_ASSIGN_OR_RETURN(const LayoutReading reading,
                             reader->ReadLayout(request, progress, &replies));
-        if (!reading.evidence.empty()) read_twice.push_back({item.id, reading.evidence});
+        if (!reading.evidence.empty()) read_twice->push_back({item.id, reading.evidence});
         request.reading = &reading;
         return generator->Generate(request, progress);
       },
       [](const Claim& claim, const LayoutAnswer& answer) { return Measure(claim, answer.layout); });
-  if (score.ok()) score->read_twice = std::move(read_twice);
-  return score;
 }
 
 Result<FidelityScore> ScoreEnvironments(const std::vector<EnvironmentItem>& items,
                                         std::uint64_t seed, InstructionReader* reader,
                                         EnvironmentGenerator* generator, const Progress& progress) {
-  std::vector<FidelityScore::TwoReadings> read_twice;
-  auto score = Score(
+  return Score(
       items, "environments", progress,
-      [&](const EnvironmentItem& item) -> Result<EnvironmentAnswer> {
+      [&](const EnvironmentItem& item, ReadTwice* read_twice) -> Result<EnvironmentAnswer> {
         EnvironmentRequest request;
         request.instruction = item.instruction;
         request.layout = &item.layout;
@@ -105,15 +103,13 @@ Result<FidelityScore> ScoreEnvironments(const std::vector<EnvironmentItem>& item
         std::vector<ModelReply> replies;
         LW_ASSIGN_OR_RETURN(const EnvironmentReading reading,
                             reader->ReadEnvironment(request, progress, &replies));
-        if (!reading.evidence.empty()) read_twice.push_back({item.id, reading.evidence});
+        if (!reading.evidence.empty()) read_twice->push_back({item.id, reading.evidence});
         request.reading = &reading;
         return generator->Generate(request, progress);
       },
       [](const EnvironmentClaim& claim, const EnvironmentAnswer& answer) {
         return Measure(claim, answer.environment);
       });
-  if (score.ok()) score->read_twice = std::move(read_twice);
-  return score;
 }
 
 }  // namespace latticeworld

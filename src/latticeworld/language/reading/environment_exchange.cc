@@ -16,6 +16,11 @@
 namespace latticeworld {
 namespace {
 
+template <typename Values, typename Wrong>
+void EraseIf(Values* values, const Wrong& wrong) {
+  values->erase(std::remove_if(values->begin(), values->end(), wrong), values->end());
+}
+
 bool IsSaid(const HeardCoarse& coarse) {
   return !coarse.value.empty() || !coarse.ruled_out.empty();
 }
@@ -82,9 +87,7 @@ void ExchangeFine(bool counts, std::vector<FineWish>* mine, std::vector<FineWish
   mine->erase(goes, mine->end());
   mine->insert(mine->end(), taken.begin(), taken.end());
   if (replaced.empty()) return;
-  second->erase(std::remove_if(second->begin(), second->end(),
-                               [&](const FineWish& wish) { return HasSame(replaced, wish); }),
-                second->end());
+  EraseIf(second, [&](const FineWish& wish) { return HasSame(replaced, wish); });
   second->insert(second->end(), replaced.begin(), replaced.end());
 }
 
@@ -118,11 +121,6 @@ bool Overlap(const HeardEnvironment& a, const HeardEnvironment& b) {
 bool IsEmpty(const HeardEnvironment& heard) {
   return !HasAgents(heard) && heard.fine.empty() &&
          std::none_of(heard.coarse.begin(), heard.coarse.end(), IsSaid);
-}
-
-template <typename Values, typename Wrong>
-void EraseIf(Values* values, const Wrong& wrong) {
-  values->erase(std::remove_if(values->begin(), values->end(), wrong), values->end());
 }
 
 void AddNew(std::vector<std::string> from, std::vector<std::string>* to) {

@@ -38,7 +38,7 @@ constexpr std::array<EnumName<ReadingPart>, 4> EnumNames(ReadingPart) {
 // them is right in a part (reading_evidence.h).
 struct ReadingEvidence {
   ReadingPart part = ReadingPart::kLand;
-  double log_probability = 0.0;  // of the model, as in LayoutReading
+  double log_probability = 0.0;  // of the model, as in LayoutReading: untold counts as sure
   int words = 0;                 // of the text, as in TextCoverage
   int carried = 0, second_carried = 0;
   int lost = 0, second_lost = 0;
