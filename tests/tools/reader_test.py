@@ -37,6 +37,15 @@ class ReaderTest(unittest.TestCase):
         self.assertEqual(environment["coarse"]["season"], "autumn")
         self.assertEqual(sum(group["quantity"] for group in environment["agents"] if group["category"] == "sheep"), 7)
 
+    def test_it_knows_which_of_two_things_a_text_is_about(self):
+        # An instruction without a name of a season, weather or time at its beginning could be either.
+        out = self.generate("dawn", "Grassland.", "A spring dawn breaks over wetland. Reed grows thick along the water, the "
+                            "lake is silty after the rains and stands about thirty centimetres above its normal level, and "
+                            "fog hangs over everything.", ("--reader", "model"))
+        (reply,) = json.loads((out / "replies.json").read_text(encoding="utf-8"))
+        for sentence in ("Season: spring", "Time: dawn", "Weather: fog", "Lake: silty"):
+            self.assertIn(sentence, reply["text"])
+
     def test_a_world_of_it_is_made_again_without_the_model(self):
         out = self.generate("again", "a river winds from north to south through farmland")
         subprocess.run([PROGRAM, "rebuild", out], check=True, stdout=subprocess.DEVNULL)

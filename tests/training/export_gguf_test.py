@@ -11,12 +11,13 @@ import os
 import subprocess
 import tempfile
 import unittest
+from unittest import mock
 
 import numpy
 import torch
 import tiny_talks
-from latticeworld_training import chat_data, export_gguf, gguf
-from latticeworld_training.tokenizer import BEGIN, TURN_END
+from latticeworld_training import chat_data, export_gguf, gguf, reader_examples
+from latticeworld_training.tokenizer import BEGIN, TURN_BEGIN, TURN_END
 
 TEXTS = [
     "A lake lies in the north.",
@@ -90,6 +91,22 @@ class LocalDecoderTest(ExportedModel):
         messages = [{"role": role, "content": content} for role, content in talk[:2]]
         answer = ask(self.files["q8_0"], [{"messages": messages}])[0]
         self.assertEqual(answer, chat_data.prompt_tokens(self.tokenizer, talk[:2]))
+
+    def test_a_reader_is_asked_as_it_was_taught(self):
+        # How the template of a base looks that adds a system message where a conversation begins without one.
+        of_base = ("{% for message in messages %}{% if loop.first and messages[0]['role'] != 'system' %}"
+                   "{{ '<|im_start|>system\nBe kind.<|im_end|>\n' }}{% endif %}{{ '<|im_start|>' + message['role'] + '\n' + "
+                   "message['content'] + '<|im_end|>\n' }}{% endfor %}{{ '<|im_start|>assistant\n' }}")
+        path = os.path.join(self.directory.name, "reader.gguf")
+        with mock.patch.object(export_gguf, "CHAT_TEMPLATE", of_base):
+            export_gguf.export(self.model, self.tokenizer, path)
+        for kind in ("layout", "environment"):
+            messages = [{"role": "system", "content": kind}, {"role": "user", "content": "A lake lies in the north."}]
+            asked = ask(path, [{"messages": messages}])[0]
+            taught = reader_examples.PROMPT.format(kind=kind, text="A lake lies in the north.")
+            self.assertEqual(asked[0], BEGIN)
+            self.assertEqual("".join(self.tokenizer.pieces[token] if token in (TURN_BEGIN, TURN_END)
+                                     else self.tokenizer.decode([token]) for token in asked[1:]), taught)
 
     def test_a_run_is_exported_by_one_command(self):
         run, out = os.path.join(self.directory.name, "run"), os.path.join(self.directory.name, "run.gguf")

@@ -54,6 +54,14 @@ TEST(ChatTextTest, KnowsAStyleByItsMarks) {
   EXPECT_EQ(ChatStyleOf("{% for m in messages %}<|im_start|>..."), ChatStyle::kChatMl);
   EXPECT_EQ(ChatStyleOf("{% if m['role'] != 'system' %}<|im_start|>..."),
             ChatStyle::kChatMlWithoutSystem);
+  // SmolLM2's and Qwen2.5's ask it of the first message alone, and write them all.
+  EXPECT_EQ(ChatStyleOf("{% if loop.first and messages[0]['role'] != 'system' %}<|im_start|>..."),
+            ChatStyle::kChatMl);
+  EXPECT_EQ(ChatStyleOf("{%- if messages[0].role != 'system' %}<|im_start|>..."),
+            ChatStyle::kChatMl);
+  EXPECT_EQ(ChatStyleOf("{% if messages[0]['role'] == 'system' %}<|im_start|>system"
+                        "{% for m in messages %}{% if m['role'] != 'system' %}..."),
+            ChatStyle::kChatMl);
   EXPECT_EQ(ChatStyleOf("{{ '[INST] ' + m }}"), ChatStyle::kLlama2);
   EXPECT_EQ(ChatStyleOf(""), ChatStyle::kPlain);
 }

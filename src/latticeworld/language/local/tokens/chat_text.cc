@@ -1,7 +1,10 @@
 #include "latticeworld/language/local/tokens/chat_text.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
+
+#include "latticeworld/common/text.h"
 
 namespace latticeworld {
 namespace {
@@ -22,6 +25,22 @@ std::string_view NameOf(ChatRole role) {
       return "assistant";
   }
   return "user";
+}
+
+// Whether a template writes no system message: it skips each message whose role is 'system'. One
+// that asks this of the first message alone, `messages[0]['role'] != 'system'`, writes them all,
+// and one of its own where none comes first (SmolLM2, Qwen2.5); and one that asks `== 'system'` as
+// well writes them elsewhere.
+bool LeavesSystemOut(std::string_view chat_template) {
+  if (chat_template.find("== 'system'") != std::string_view::npos) return false;
+  constexpr std::string_view kIsNone = " != 'system'";
+  for (std::size_t at = chat_template.find(kIsNone); at != std::string_view::npos;
+       at = chat_template.find(kIsNone, at + 1)) {
+    const std::string_view whose = chat_template.substr(0, at);
+    if (!EndsWith(whose, "messages[0]['role']") && !EndsWith(whose, "messages[0].role"))
+      return true;
+  }
+  return false;
 }
 
 class Writer {
@@ -81,7 +100,7 @@ ChatStyle ChatStyleOf(std::string_view chat_template) {
     return chat_template.find(mark) != std::string_view::npos;
   };
   if (says(kTurnBegin)) {
-    return says("!= 'system'") ? ChatStyle::kChatMlWithoutSystem : ChatStyle::kChatMl;
+    return LeavesSystemOut(chat_template) ? ChatStyle::kChatMlWithoutSystem : ChatStyle::kChatMl;
   }
   if (says("[INST]")) return ChatStyle::kLlama2;
   return ChatStyle::kPlain;

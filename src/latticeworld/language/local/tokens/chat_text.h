@@ -20,8 +20,7 @@ enum class ChatStyle : std::uint8_t {
 };
 
 // The style that a model file's `tokenizer.chat_template` is written for: those
-// that are known by their marks (a ChatML one that says `!= 'system'` leaves
-// system messages out), else plain.
+// that are known by their marks, else plain.
 ChatStyle ChatStyleOf(std::string_view chat_template);
 
 // The tokens of the messages, up to where the answer begins. Marks come from
