@@ -107,7 +107,8 @@ TEST_F(EnvironmentExchangeTest, AHintTakesNoValuesPlaceButFillsIt) {
   EXPECT_EQ(Season(), "winter");
 }
 
-TEST_F(EnvironmentExchangeTest, AgentsOfMoreKindsCountInAnyCase) {
+TEST_F(EnvironmentExchangeTest, AgentsOfMoreKindsCountWhereWordsAreLost) {
+  text_ = "Two goblins, five sheep and three horses, or any animals; goblins, sheep and no agents.";
   Exchange({}, {"2 goblins"}, {"2 goblins", "5 sheep"});
   EXPECT_EQ(Said(), "2 goblins. 5 sheep");
   Exchange({}, {"2 goblins"}, {"5 sheep", "3 horses"});
@@ -116,6 +117,11 @@ TEST_F(EnvironmentExchangeTest, AgentsOfMoreKindsCountInAnyCase) {
   EXPECT_EQ(Said(), "3 sheep") << "what may be any kind is no more";
   Exchange({}, {"No agents"}, {"2 sheep"});
   EXPECT_EQ(Said(), "No agents");
+  Exchange({}, {"2 goblins", "No sheep"}, {"2 goblins", "5 sheep", "3 horses"});
+  EXPECT_EQ(Said(), "2 goblins. No sheep") << "sheep are denied";
+  text_ = "Two goblins.";
+  Exchange({}, {"2 goblins"}, {"2 goblins", "5 sheep"});
+  EXPECT_EQ(Said(), "2 goblins") << "the first reading leaves no word lost";
 }
 
 TEST_F(EnvironmentExchangeTest, WordsThatNothingCarriesAnyMoreAreNotUnderstood) {

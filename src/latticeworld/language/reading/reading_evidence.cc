@@ -23,10 +23,10 @@ using Numbers = std::array<double, 7>;
 // readers have unlike numbers of the part's claims right:
 // training/latticeworld_training/fit_choice.py.
 constexpr std::array<Numbers, EnumNames(ReadingPart{}).size()> kWeights = {{
-    {3.058, 3.794, -0.420, -5.826, -0.400, -4.088, 1.185},    // land
-    {3.315, 5.542, -0.090, -4.118, -2.536, -2.676, -1.920},   // coarse
-    {1.740, 16.340, -0.016, -9.476, -1.418, -1.080, -0.107},  // fine
-    {2.502, 13.728, 0.330, -10.739, 0.401, -0.393, 0.595},    // agents
+    {4.928, 14.919, -0.221, 0.876, -0.162, -4.266, 1.350},   // land
+    {3.755, 12.334, 0.123, -5.334, -0.903, -5.099, -0.171},  // coarse
+    {4.253, 56.664, 0.327, 2.261, -2.520, -3.446, 1.430},    // fine
+    {2.913, 0.000, -0.210, -2.601, -0.555, -0.606, -0.571},  // agents
 }};
 
 double Share(int part, int whole) { return static_cast<double>(part) / std::max(1, whole); }
