@@ -38,34 +38,6 @@ bool HasSame(const std::vector<FineWish>& wishes, const FineWish& wanted) {
   });
 }
 
-// The kinds of agents that are asked for; of "animals" none, for they may be any.
-std::set<AgentCategory> KindsOf(const HeardEnvironment& heard) {
-  std::set<AgentCategory> kinds;
-  for (const AgentWish& wish : heard.agents) {
-    if (wish.categories.size() == 1) kinds.insert(wish.categories.front());
-  }
-  return kinds;
-}
-
-bool Denies(const HeardEnvironment& heard, AgentCategory kind) {
-  return std::any_of(
-      heard.absences.begin(), heard.absences.end(), [kind](const EnvironmentClaim& absence) {
-        const std::vector<AgentCategory>& kinds = absence.categories;
-        return absence.kind == EnvironmentClaimKind::kNoAgents &&
-               (kinds.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end());
-      });
-}
-
-// All kinds of the other and some that it does not deny.
-bool HasMoreKinds(const HeardEnvironment& heard, const HeardEnvironment& than) {
-  const std::set<AgentCategory> kinds = KindsOf(heard);
-  const std::set<AgentCategory> few = KindsOf(than);
-  return !few.empty() && kinds.size() > few.size() &&
-         std::includes(kinds.begin(), kinds.end(), few.begin(), few.end()) &&
-         std::none_of(kinds.begin(), kinds.end(),
-                      [&than](AgentCategory kind) { return Denies(than, kind); });
-}
-
 // What was taken over, and what it took the place of.
 struct Exchanged {
   HeardEnvironment taken;
@@ -103,11 +75,10 @@ void ExchangeFine(bool counts, std::vector<FineWish>* mine, std::vector<FineWish
   second->insert(second->end(), replaced.begin(), replaced.end());
 }
 
-// lost: known words of the text are carried by nothing that the first reading says.
-void ExchangeAgents(bool counts, bool lost, HeardEnvironment* mine, HeardEnvironment* second,
+void ExchangeAgents(bool counts, HeardEnvironment* mine, HeardEnvironment* second,
                     Exchanged* exchanged) {
   if (!HasAgents(*second)) return;
-  if (HasAgents(*mine) && !counts && !(lost && HasMoreKinds(*second, *mine))) return;
+  if (HasAgents(*mine) && !counts) return;
   exchanged->taken.agents = second->agents;
   exchanged->taken.absences = second->absences;
   if (!HasAgents(*mine)) {
@@ -153,8 +124,7 @@ void Exchange(const EnvironmentRequest& request, const std::set<ReadingPart>& pa
                    &exchanged.taken.coarse[i], &exchanged.replaced.coarse[i]);
   }
   ExchangeFine(parts.count(ReadingPart::kFine) > 0, &heard.fine, &second->fine, &exchanged);
-  ExchangeAgents(parts.count(ReadingPart::kAgents) > 0, !reading->coverage.lost.empty(), &heard,
-                 second, &exchanged);
+  ExchangeAgents(parts.count(ReadingPart::kAgents) > 0, &heard, second, &exchanged);
   if (IsEmpty(exchanged.taken)) return;
 
   // What was replaced is neither said nor warned of any more.

@@ -11,9 +11,8 @@ namespace latticeworld {
 // Makes one reading of an environment of two. `reading` gets what only `second` says, and in these
 // parts what `second` says in the place of its own, which `second` then has. Its sentences, its
 // coverage, its warnings and what was not understood are those of what it then says. Agents are all
-// of one reading: of `second` too where `reading` leaves known words lost, and `second` has all its
-// kinds and others that it does not deny. A value that is only hinted at, or only ruled out, takes
-// no other's place. The layout and the catalogue of the request are not null.
+// of one reading. A value that is only hinted at, or only ruled out, takes no other's place. The
+// layout and the catalogue of the request are not null.
 void Exchange(const EnvironmentRequest& request, const std::set<ReadingPart>& parts,
               EnvironmentReading* reading, HeardEnvironment* second);
 
