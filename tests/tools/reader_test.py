@@ -38,7 +38,7 @@ class ReaderTest(unittest.TestCase):
         self.assertEqual(sum(group["quantity"] for group in environment["agents"] if group["category"] == "sheep"), 7)
 
     def test_it_knows_which_of_two_things_a_text_is_about(self):
-        # An instruction without a name of a season, weather or time at its beginning could be either.
+        # Nothing but the system message tells the model that this is to become no layout.
         out = self.generate("dawn", "Grassland.", "A spring dawn breaks over wetland. Reed grows thick along the water, the "
                             "lake is silty after the rains and stands about thirty centimetres above its normal level, and "
                             "fog hangs over everything.", ("--reader", "model"))
