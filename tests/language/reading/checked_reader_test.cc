@@ -122,8 +122,7 @@ TEST_F(CheckedReaderTest, WhatAnEnvironmentIsCompletedByIsCarried) {
   for (const char* part : {"5 sheep", "2 goblins", "Weather: rain", "Time: night"}) {
     EXPECT_NE(said.find(part), std::string::npos) << said;
   }
-  EXPECT_EQ(said.find("goblins"), said.rfind("goblins"))
-      << "what both say is said once: " << said;
+  EXPECT_EQ(said.find("goblins"), said.rfind("goblins")) << "what both say is said once: " << said;
 }
 
 TEST_F(CheckedReaderTest, WhatNeitherReaderHasReadStaysLost) {
