@@ -182,5 +182,44 @@ TEST(LidarReceiverTest, FogInFrontOfNothingNeverEchoesFromBehindATarget) {
   }
 }
 
+bool AreSame(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+TEST(LidarReceiverTest, FromItsReachOnNothingChangesWhatIsReceived) {
+  LidarModel model = Model();
+  model.noise_m = 0.02;
+  model.dropout_probability = 0.01;
+  for (const double reflectivity : {0.1, 0.9}) {
+    model.max_range_reflectivity = reflectivity;
+    for (const Atmosphere& air :
+         {Air(Weather::kSunny, 1e9), Air(Weather::kCloudy, 300.0), Air(Weather::kRain, 500.0),
+          Air(Weather::kSnow, 200.0), Air(Weather::kFog, 40.0), Air(Weather::kSandstorm, 60.0)}) {
+      const LidarReceiver receiver(model, air);
+      for (const float most : {0.02f, 0.3f, 0.8f, 1.67f}) {
+        const float reach_m = receiver.Reach(most);
+        EXPECT_LE(reach_m, 100.0f);
+        for (const float further : {1.0001f, 1.1f, 3.0f}) {
+          for (std::uint64_t beam = 0; beam < 500; ++beam) {
+            const LidarEcho met = receiver.Receive(further * reach_m, most, 3, beam);
+            const LidarEcho nothing = receiver.Receive(INFINITY, 0.0f, 3, beam);
+            ASSERT_TRUE(AreSame(met.range_m, nothing.range_m))
+                << NameOf(air.weather) << ", " << further * reach_m << " m";
+            ASSERT_EQ(met.intensity, nothing.intensity);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(LidarReceiverTest, ItsReachIsHardlyMoreThanWhatIsToldFrom) {
+  LidarModel model = Model();
+  model.max_range_reflectivity = 0.9;
+  for (const double visibility_m : {1e9, 300.0}) {
+    const LidarReceiver receiver(model, Air(Weather::kCloudy, visibility_m));
+    for (const double most : {0.3, 0.8})
+      EXPECT_NEAR(receiver.Reach(static_cast<float>(most)), Reach(receiver, most), 1.0);
+  }
+}
+
 }  // namespace
 }  // namespace latticeworld

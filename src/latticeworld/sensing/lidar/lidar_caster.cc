@@ -72,16 +72,18 @@ LidarSweep LidarCaster::Begin(double begin_s, double end_s) const {
   return sweep;
 }
 
-Ray LidarCaster::RayOf(const ColumnPose& pose, int ring) const {
+// reach_m: how far the beam is followed.
+inline Ray LidarCaster::RayOf(const LidarCast& cast, const ColumnPose& pose, int ring,
+                              float reach_m) const {
   Ray ray;
   ray.origin_m = pose.origin_m;
   ray.direction = pose.map_from_sensor * Direction(ring, pose.column);
   if (model_.ring_delay_s > 0.0) {
     const auto later_s = static_cast<float>(model_.ring_delay_s * ring);
-    ray.origin_m += later_s * pose.velocity_mps;
-    ray.direction += later_s * pose.turn_radps.cross(ray.direction);
+    ray.origin_m += later_s * cast.velocity_mps;
+    ray.direction += later_s * cast.turn_radps.cross(ray.direction);
   }
-  ray.to_m = static_cast<float>(model_.max_range_m);
+  ray.to_m = reach_m;
   return ray;
 }
 
@@ -89,13 +91,16 @@ void LidarCaster::Fire(const LidarCast& cast, const std::vector<ColumnPose>& pos
                        LidarSweep* sweep) const {
   const int count = static_cast<int>(poses.size());
   const int at_a_time = std::max(kBlockColumns, kRaysAtATime / rings());
+  const float reach_m = cast.receiver->Reach(cast.surfaces->MostReturned(*cast.world));
   const int threads = std::clamp(count * rings() / kRaysOfThread, 1, std::max(1, cast.threads));
   ParallelInPieces(count, at_a_time, threads, [&](int begin, int end) {
     std::vector<Beam> beams;
+    beams.reserve(static_cast<std::size_t>(end - begin) * rings_.size());
     AddBlocks(rings(), begin, end, &beams);
     std::vector<Ray> rays;
     rays.reserve(beams.size());
-    for (const Beam& beam : beams) rays.push_back(RayOf(poses[beam.pose], beam.ring));
+    for (const Beam& beam : beams)
+      rays.push_back(RayOf(cast, poses[beam.pose], beam.ring, reach_m));
     std::vector<RayHit> hits(beams.size());
     cast.scene->Trace(rays.data(), rays.size(), kSeesAll, cast.except_agent, hits.data());
     for (std::size_t i = 0; i < beams.size(); ++i) {

@@ -13,13 +13,11 @@
 
 namespace latticeworld {
 
-// The pose and motion of a lidar, frame map, when it fires the first beam of a column.
+// The pose of a lidar, frame map, when it fires the first beam of a column.
 struct ColumnPose {
   int column = 0;
   Eigen::Matrix3f map_from_sensor = Eigen::Matrix3f::Identity();
   Eigen::Vector3f origin_m = Eigen::Vector3f::Zero();
-  Eigen::Vector3f velocity_mps = Eigen::Vector3f::Zero();
-  Eigen::Vector3f turn_radps = Eigen::Vector3f::Zero();
 };
 
 // What the columns of one cast have in common.
@@ -29,6 +27,9 @@ struct LidarCast {
   const LidarReceiver* receiver = nullptr;
   const SensedWorld* world = nullptr;  // as the scene was updated with
   std::uint32_t except_agent = SensorScene::kNoAgent;
+  // The sensor's motion, frame map: the beams of a column fire one after the other.
+  Eigen::Vector3f velocity_mps = Eigen::Vector3f::Zero();
+  Eigen::Vector3f turn_radps = Eigen::Vector3f::Zero();
   std::uint64_t key = 0;  // of the sweep's noise
   int threads = 1;
 };
@@ -60,7 +61,7 @@ class LidarCaster {
             beam.z()};
   }
 
-  Ray RayOf(const ColumnPose& pose, int ring) const;
+  Ray RayOf(const LidarCast& cast, const ColumnPose& pose, int ring, float reach_m) const;
 
   LidarModel model_;
   double column_s_;

@@ -78,6 +78,25 @@ LidarEcho LidarReceiver::EchoAt(float distance_m, float strength, std::uint64_t 
   return echo;
 }
 
+float LidarReceiver::StrengthAt(float distance_m, float returned) const {
+  return returned * std::exp(-2.0f * extinction_per_m_ * distance_m) /
+         std::max(distance_m * distance_m, 1e-6f);
+}
+
+float LidarReceiver::Reach(float most_returned) const {
+  // The air's own echoes are nearer than what they hide.
+  float low_m = std::max({min_range_m_, kCrossover_m, kBlindingLength_m}), high_m = max_range_m_;
+  if (low_m >= high_m || StrengthAt(high_m, most_returned) >= threshold_) return high_m;
+  // Air weakens light, so that without it one sees as far at least.
+  high_m = std::min(high_m, 1.001f * std::sqrt(most_returned / threshold_));
+  constexpr int kHalvings = 6;
+  for (int i = 0; i < kHalvings && low_m < high_m; ++i) {
+    const float middle_m = 0.5f * (low_m + high_m);
+    (StrengthAt(middle_m, most_returned) >= threshold_ ? low_m : high_m) = middle_m;
+  }
+  return std::max(low_m, high_m);
+}
+
 LidarReceiver::AirEcho LidarReceiver::FogEcho(std::uint64_t bits) const {
   const float span_m = kCrossover_m - min_range_m_;
   if (span_m <= 0.0f) return {};
@@ -116,9 +135,7 @@ LidarEcho LidarReceiver::Receive(float distance_m, float returned, std::uint64_t
   } else if (lost && particle_reflectance_ > 0.0f) {
     air = ParticleEcho(CounterBits(~key, beam));
   }
-  const float hard = met && !lost ? returned * std::exp(-2.0f * extinction_per_m_ * distance_m) /
-                                        std::max(distance_m * distance_m, 1e-6f)
-                                  : 0.0f;
+  const float hard = met && !lost ? StrengthAt(distance_m, returned) : 0.0f;
   if (met && distance_m < min_range_m_) return {-kInfinity, 0.0f};
   // What stands nearer than the echo of the air hides it.
   if (air.strength >= threshold_ && air.strength > hard && air.distance_m < distance_m) {

@@ -34,8 +34,12 @@ class LidarReceiver {
   // distance_m: to what the beam meets; infinity: nothing. returned: LidarSurfaces::Return. key and
   // beam: of its noise.
   LidarEcho Receive(float distance_m, float returned, std::uint64_t key, std::uint64_t beam) const;
+  // Returns from where on nothing that sends back so much at the most changes what is received.
+  float Reach(float most_returned) const;
 
  private:
+  // What a surface sends back, in the lidar equation's unit [1/m^2].
+  float StrengthAt(float distance_m, float returned) const;
   // Returns the noisy range and the intensity of an echo. strength: in the lidar equation's unit
   // [1/m^2].
   LidarEcho EchoAt(float distance_m, float strength, std::uint64_t noise_bits) const;

@@ -60,6 +60,7 @@ float GroundOf(SurfaceClass surface, float dry, const Atmosphere& atmosphere) {
 template <typename Values>
 std::vector<float> ReflectancesOf(const Values& values) {
   std::vector<float> reflectances;
+  reflectances.reserve(values.size());
   for (const auto& value : values) {
     reflectances.push_back(static_cast<float>(value.reflectivity.lidar));
   }
@@ -69,6 +70,9 @@ std::vector<float> ReflectancesOf(const Values& values) {
 float At(const std::vector<float>& values, std::size_t index) {
   return index < values.size() ? values[index] : kStone;
 }
+
+// What a mirror of water sends back that is met straight from above, the most that it can.
+float BrightestWater(float slope_variance) { return kWaterMirror / (4.0f * slope_variance); }
 
 }  // namespace
 
@@ -88,6 +92,19 @@ LidarSurfaces::LidarSurfaces(std::shared_ptr<const Scene> scene) : scene_(std::m
     float& dry = dry_ground_[static_cast<std::size_t>(surface)];
     dry = MaterialOf(*scene_, type, dry);
   }
+  std::array<bool, kSurfaceClassCount> is_there = {};
+  for (const SurfaceClass surface : scene_->terrain->surface)
+    is_there[static_cast<std::size_t>(surface)] = true;
+  for (const auto& entry : EnumNames(SurfaceClass{}))
+    if (is_there[static_cast<std::size_t>(entry.value)]) grounds_.push_back(entry.value);
+  const Grid<float>& level_m = scene_->terrain->water_level_m;
+  has_water_ =
+      std::any_of(level_m.begin(), level_m.end(), [](float level) { return !std::isnan(level); });
+  for (const Asset& asset : scene_->assets) {
+    const auto type = static_cast<std::size_t>(TypeOf(asset.kind));
+    brightest_asset_ = std::max({brightest_asset_, At(seasonal_[type], asset.season_variant),
+                                 At(material_[type], asset.material)});
+  }
   SetWeather(scene_->atmosphere);
 }
 
@@ -99,6 +116,20 @@ void LidarSurfaces::SetWeather(const Atmosphere& atmosphere) {
   // Cox and Munk 1954.
   water_slope_variance_ =
       static_cast<float>(0.003 + 0.00512 * atmosphere.wind_mps.head<2>().norm());
+  most_of_land_ = brightest_asset_;
+  for (const SurfaceClass surface : grounds_)
+    most_of_land_ = std::max(most_of_land_, ground_[static_cast<std::size_t>(surface)]);
+  if (has_water_) most_of_land_ = std::max(most_of_land_, BrightestWater(water_slope_variance_));
+}
+
+float LidarSurfaces::MostReturned(const SensedWorld& world) const {
+  float most = std::max(most_of_land_, *std::max_element(kBodies.begin(), kBodies.end()));
+  if (!world.props.empty() || !scene_->terrain->bridges.empty())
+    most = std::max({most, kWood, kStone});
+  const bool has_sheep =
+      std::any_of(world.agents.begin(), world.agents.end(),
+                  [](const SensedAgent& agent) { return agent.category == AgentCategory::kSheep; });
+  return has_sheep ? std::max(most, kFleece) : most;
 }
 
 float LidarSurfaces::Reflectance(const Ray& ray, const RayHit& hit,
@@ -141,7 +172,7 @@ float LidarSurfaces::Return(const Ray& ray, const RayHit& hit, const SensedWorld
     // beyond some tens of degrees off the vertical.
     const float cos2 = std::max(cosine * cosine, 1e-6f);
     const float tan2 = (1.0f - cos2) / cos2;
-    return kWaterMirror / (4.0f * water_slope_variance_ * cos2 * cos2) *
+    return BrightestWater(water_slope_variance_) / (cos2 * cos2) *
            std::exp(-tan2 / water_slope_variance_);
   }
   return cosine * Reflectance(ray, hit, world);

@@ -26,6 +26,8 @@ class LidarSurfaces {
   // Reflectance times the cosine of the incidence, of a diffuse surface that sends back as much:
   // [0, 1] but for smooth water met straight from above. ray: unit direction, map frame.
   float Return(const Ray& ray, const RayHit& hit, const SensedWorld& world) const;
+  // Returns what Return gives at the most in this world and weather.
+  float MostReturned(const SensedWorld& world) const;
 
  private:
   float Reflectance(const Ray& ray, const RayHit& hit, const SensedWorld& world) const;
@@ -34,7 +36,11 @@ class LidarSurfaces {
   // Reflectances by type: of each seasonal value and of each material.
   std::array<std::vector<float>, kAssetTypeCount> seasonal_, material_;
   std::array<float, kSurfaceClassCount> dry_ground_, ground_;
+  std::vector<SurfaceClass> grounds_;  // that the world has
+  bool has_water_ = false;
+  float brightest_asset_ = 0.0f;
   float water_slope_variance_ = 0.01f;  // mean square slope of the waves
+  float most_of_land_ = 1.0f;           // what ground, water and assets return at the most
 };
 
 }  // namespace latticeworld

@@ -3,19 +3,6 @@
 #include <algorithm>
 
 namespace latticeworld {
-namespace {
-
-// Embree takes up to 1.8e18, and small meshes have rays scaled up in their frames.
-constexpr float kFarthest = 1e9f;
-
-}  // namespace
-
-bool IsLegal(const Ray& ray) {
-  // Not: not a number.
-  return (ray.origin_m.array().abs() <= kFarthest).all() &&
-         (ray.direction.array().abs() <= kFarthest).all() && ray.from_m <= ray.to_m &&
-         ray.to_m >= 0.0f;
-}
 
 void RayPacket::Load(const Ray* list, int count, unsigned mask) {
   RTCRay16& ray = rays.ray;

@@ -3,6 +3,8 @@
 
 #include <embree3/rtcore.h>
 
+#include <cmath>
+
 #include "latticeworld/sensing/solids/ray_scene.h"
 
 namespace latticeworld {
@@ -31,7 +33,15 @@ RTCIntersectContext CoherentContext();
 
 // Whether Embree may be given the ray: its numbers are numbers, and not beyond all measure. Others
 // meet nothing.
-bool IsLegal(const Ray& ray);
+inline bool IsLegal(const Ray& ray) {
+  // Embree takes up to 1.8e18, and small meshes have rays scaled up in their frames.
+  constexpr float kFarthest = 1e9f;
+  bool is_number = true;
+  for (const Eigen::Vector3f* of : {&ray.origin_m, &ray.direction}) {
+    for (const float value : {of->x(), of->y(), of->z()}) is_number &= std::abs(value) <= kFarthest;
+  }
+  return is_number && ray.from_m <= ray.to_m && ray.to_m >= 0.0f;
+}
 
 // Converts a legal ray (IsLegal) into Embree's form.
 RTCRay ToEmbree(const Ray& ray, unsigned mask = ~0u);

@@ -1,7 +1,6 @@
 // The lidar of a rig: collects the columns of its revolutions from step to step.
 
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -85,12 +84,11 @@ class RigLidar final : public RigSensor {
     int end = next_column_;
     while (end < caster_.columns() && fire_s(end) <= now_s + kTolerance_s) ++end;
     if (end == next_column_) return Status();
-    const Motion motion = MotionOf(step);
     std::vector<ColumnPose> poses(static_cast<std::size_t>(end - next_column_));
-    for (ColumnPose& pose : poses) {
-      pose.column = next_column_++;
-      SetPose(motion, 1.0 + (fire_s(pose.column) - now_s) / step.step_s, &pose);
-    }
+    const Motion motion = MotionOf(step);
+    SetPoses(motion, 1.0 + (fire_s(next_column_) - now_s) / step.step_s,
+             caster_.FireTime(1) / step.step_s, &poses);
+    for (ColumnPose& pose : poses) pose.column = next_column_++;
     LW_ASSIGN_OR_RETURN(const SensorScene* scene, step.shared->Rays());
     const LidarReceiver receiver(std::get<LidarModel>(spec_->model),
                                  step.shared->world().atmosphere);
@@ -100,88 +98,70 @@ class RigLidar final : public RigSensor {
     cast.receiver = &receiver;
     cast.world = &step.shared->world();
     cast.except_agent = step.agent_index;
+    cast.velocity_mps = motion.velocity_mps;
+    cast.turn_radps = motion.turn_radps;
     cast.key = KeyOf(key_, number_);
     cast.threads = step.threads;
     caster_.Fire(cast, poses, &*sweep_);
     return Status();
   }
 
-  // The turn from one orientation to another as Quaternion's slerp has it: their sum with weights.
-  // A rotation matrix is made of products of two entries of its quaternion, so that it is a sum of
-  // matrices that all columns of a step have in common, with the products of the weights.
-  class Turning {
-   public:
-    // The sensor's axes and its place.
-    using Frame = Eigen::Matrix<double, 3, 4>;
-
-    // base_from_sensor: what is turned with the base.
-    Turning(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
-            const Frame& base_from_sensor)
-        : unturned_(base_from_sensor) {
-      const double dot = from.dot(to);
-      const double size = std::abs(dot);
-      is_little_ = size >= 1.0 - std::numeric_limits<double>::epsilon();
-      if (!is_little_) {
-        angle_rad_ = std::acos(size);
-        sine_ = std::sin(angle_rad_);
-      }
-      const Eigen::Quaterniond end(dot < 0.0 ? Eigen::Vector4d(-to.coeffs()) : to.coeffs());
-      begun_ = TurnedBy(from);
-      ended_ = TurnedBy(end);
-      mixed_ = TurnedBy(Eigen::Quaterniond(from.coeffs() + end.coeffs())) - begun_ - ended_;
-    }
-
-    // Returns what is turned, in map, at a share of the way.
-    Frame At(double share) const {
-      const double begun = is_little_ ? 1.0 - share : Sine((1.0 - share) * angle_rad_) / sine_;
-      const double ended = is_little_ ? share : Sine(share * angle_rad_) / sine_;
-      return unturned_ + begun * begun * begun_ + begun * ended * mixed_ + ended * ended * ended_;
-    }
-
-   private:
-    // Returns by how much the rotation, which need not be a unit quaternion, changes what it turns.
-    Frame TurnedBy(const Eigen::Quaterniond& rotation) const {
-      return (rotation.toRotationMatrix() - Eigen::Matrix3d::Identity()) * unturned_;
-    }
-    // What a robot turns in a step is little: a few terms of the series are exact there.
-    static double Sine(double angle_rad) {
-      if (std::abs(angle_rad) > 0.2) return std::sin(angle_rad);
-      const double square = angle_rad * angle_rad;
-      double rest = 1.0 / 362880.0 - square / 39916800.0;
-      rest = 1.0 / 5040.0 - square * rest;
-      rest = 1.0 / 120.0 - square * rest;
-      rest = 1.0 / 6.0 - square * rest;
-      return angle_rad - angle_rad * square * rest;
-    }
-
-    Frame unturned_, begun_, mixed_, ended_;
-    bool is_little_;
-    double angle_rad_ = 0.0, sine_ = 1.0;
-  };
-
-  // The base moves evenly from its pose at the step before to that of this step.
+  // The base moves evenly from its pose at the step before to that of this step, and turns evenly
+  // about one axis. Rodrigues' formula: what turns with it, the sensor's axes and its place, is a
+  // sum of matrices that all columns of a step have in common, with the sine and the versine (1 -
+  // cosine) of the angle so far.
   struct Motion {
-    Turning turning;
-    Eigen::Vector3d from_m, moved_m, velocity_mps, turn_radps;  // map
+    using Frame = Eigen::Matrix<float, 3, 4>;
+    Frame begun, by_sine, by_versine;
+    double angle_rad;
+    Eigen::Vector3d from_m, moved_m;           // of the base
+    Eigen::Vector3f velocity_mps, turn_radps;  // of the sensor
   };
   Motion MotionOf(const RigStep& step) const {
     const Eigen::Isometry3d& to = step.agent->map_from_base;
     const Eigen::Isometry3d& from = step.before == nullptr ? to : step.before->map_from_base;
-    const Eigen::Quaterniond begin(from.linear()), end(to.linear());
-    const Eigen::AngleAxisd turn(end * begin.conjugate());
+    const Eigen::AngleAxisd turn(Eigen::Quaterniond(to.linear()) *
+                                 Eigen::Quaterniond(from.linear()).conjugate());
+    const double angle_rad = std::remainder(turn.angle(), 2.0 * M_PI);
+    Eigen::Matrix3d cross;
+    cross << 0.0, -turn.axis().z(), turn.axis().y(), turn.axis().z(), 0.0, -turn.axis().x(),
+        -turn.axis().y(), turn.axis().x(), 0.0;
+    const Eigen::Matrix<double, 3, 4> begun =
+        from.linear() * base_from_sensor_.matrix().topRows<3>();
+    const Eigen::Matrix<double, 3, 4> by_sine = cross * begun, by_versine = cross * by_sine;
     const Eigen::Vector3d moved_m = to.translation() - from.translation();
-    return {Turning(begin, end, base_from_sensor_.matrix().topRows<3>()), from.translation(),
-            moved_m, moved_m / step.step_s,
-            std::remainder(turn.angle(), 2.0 * M_PI) / step.step_s * turn.axis()};
+    const Eigen::Vector3d turn_radps = angle_rad / step.step_s * turn.axis();
+    return {begun.cast<float>(),
+            by_sine.cast<float>(),
+            by_versine.cast<float>(),
+            angle_rad,
+            from.translation(),
+            moved_m,
+            (moved_m / step.step_s + turn_radps.cross(begun.col(3))).cast<float>(),
+            turn_radps.cast<float>()};
   }
-  // share: of the step, 0 its begin, 1 its end.
-  static void SetPose(const Motion& motion, double share, ColumnPose* pose) {
-    const Turning::Frame turned = motion.turning.At(share);
-    pose->map_from_sensor = turned.leftCols<3>().cast<float>();
-    pose->origin_m = (turned.col(3) + motion.from_m + share * motion.moved_m).cast<float>();
-    pose->velocity_mps =
-        (motion.velocity_mps + motion.turn_radps.cross(turned.col(3))).cast<float>();
-    pose->turn_radps = motion.turn_radps.cast<float>();
+  // share: of the step at the first pose, 0 its begin, 1 its end; more_a_pose: from pose to pose.
+  static void SetPoses(const Motion& motion, double share, double more_a_pose,
+                       std::vector<ColumnPose>* poses) {
+    // Sine and versine of sums of angles, for the angle grows evenly from pose to pose.
+    const Turn more = TurnBy(motion.angle_rad * more_a_pose);
+    Turn turn = TurnBy(motion.angle_rad * share);
+    for (ColumnPose& pose : *poses) {
+      const Motion::Frame turned = motion.begun + static_cast<float>(turn.sine) * motion.by_sine +
+                                   static_cast<float>(turn.versine) * motion.by_versine;
+      pose.map_from_sensor = turned.leftCols<3>();
+      pose.origin_m = (motion.from_m + share * motion.moved_m).cast<float>() + turned.col(3);
+      share += more_a_pose;
+      turn = {turn.sine + more.sine - turn.sine * more.versine - turn.versine * more.sine,
+              turn.versine + more.versine - turn.versine * more.versine + turn.sine * more.sine};
+    }
+  }
+  struct Turn {
+    double sine, versine;
+  };
+  static Turn TurnBy(double angle_rad) {
+    const double half = std::sin(0.5 * angle_rad);
+    return {std::sin(angle_rad), 2.0 * half * half};
   }
 
   std::shared_ptr<const SensorSpec> spec_;
