@@ -27,6 +27,7 @@ SIZES_M = (32.0, 192.0, 64.0, 256.0, 48.0, 96.0, 128.0)
 CROWD = 100  # agents
 STEP_S = 0.05  # of the crowd's world
 LEAST_STEPS = 500  # of it: what a round takes at least
+RESET_AFTER = 20  # episodes: until then the server keeps every call, to be told where one begins
 
 
 def usage(pid):
@@ -191,13 +192,7 @@ class Crowd(Samples):
             rospy.Subscriber(f"/robot/{topic}", kind, self.hear, callback_args=topic, queue_size=1)
             for topic, kind in (("scan", LaserScan), ("points", PointCloud2), ("imu", Imu),
                                 ("fix", NavSatFix))]
-        kinds = itertools.cycle(["sheep", "horse", "wheeled robot", "robotic dog", "goblin",
-                                 "ancient warrior", "humanoid robot", "aerial robot", "eagle"])
-        for number in range(CROWD):
-            ground.must("spawn_agent", name=f"one_{number}", species=next(kinds), place="anywhere",
-                        team=-1)
-        self.steps_before, self.at = self.steps(), time.monotonic()
-        self.first = self.steps_before
+        self.looks, self.lived = 0, 0  # lived: steps
 
     def close(self):
         for listener in (*self.listeners, self.goals):
@@ -210,11 +205,24 @@ class Crowd(Samples):
         return self.ground.must("get_world").step
 
     def hours(self):
-        return (self.steps_before - self.first) * STEP_S / 3600.0
+        return self.lived * STEP_S / 3600.0
+
+    def gather(self):
+        """All agents but the world's own, which a reset has removed."""
+        kinds = itertools.cycle(["sheep", "horse", "wheeled robot", "robotic dog", "goblin",
+                                 "ancient warrior", "humanoid robot", "aerial robot", "eagle"])
+        for number in range(CROWD):
+            self.ground.must("spawn_agent", name=f"one_{number}", species=next(kinds),
+                             place="anywhere", team=-1)
 
     def look(self, pause_s):
         """Some time of its life, with another goal and another episode; then a sample."""
-        self.ground.must("start_episode", name="kept", keep_state=True)
+        begins = self.looks % RESET_AFTER == 0
+        self.looks += 1
+        self.ground.must("start_episode", name="kept", keep_state=not begins)
+        if begins:
+            self.gather()
+        before, began = self.steps(), time.monotonic()
         goal = PoseStamped()
         goal.header.frame_id = "map"
         goal.pose.position.x, goal.pose.position.y = next(self.places)
@@ -222,16 +230,15 @@ class Crowd(Samples):
         self.goals.publish(goal)
         threading.Event().wait(pause_s)
         steps, now = self.steps(), time.monotonic()
-        while steps - self.steps_before < LEAST_STEPS:
-            promise(now - self.at < DEADLINE_S, f"{steps - self.steps_before} steps in "
-                    f"{now - self.at:.0f} s")
+        while steps - before < LEAST_STEPS:
+            promise(now - began < DEADLINE_S, f"{steps - before} steps in {now - began:.0f} s")
             threading.Event().wait(1.0)
             steps, now = self.steps(), time.monotonic()
         self.ground.must("stop_episode")
         shutil.rmtree(self.folder / "episodes")
         (self.folder / "episodes").mkdir()
-        self.step_ms.append(1000.0 * (now - self.at) / (steps - self.steps_before))
-        self.steps_before, self.at = steps, now
+        self.step_ms.append(1000.0 * (now - began) / (steps - before))
+        self.lived += steps - before
         self.take()
 
 
