@@ -55,6 +55,64 @@ TEST_F(CheckedReaderTest, WhereTheModelIsNotSureTheRulesReadingCounts) {
   EXPECT_FALSE(reading.second.empty());
 }
 
+bool Has(const std::vector<std::string>& sentences, const std::string& sentence) {
+  return std::find(sentences.begin(), sentences.end(), sentence) != sentences.end();
+}
+
+TEST_F(CheckedReaderTest, ALayoutIsCompletedByClassesThatTheModelPassedOver) {
+  server_->Say("A lake in the north.");
+  const LayoutReading reading =
+      ReadLayout("There is a lake in the north and a forest in the south-west, with three farms.");
+  EXPECT_TRUE(Has(reading.sentences, "A lake in the north"));
+  EXPECT_TRUE(Has(reading.sentences, "Forest in the south-west")) << Join(reading.sentences, ". ");
+  for (const Claim& claim : reading.plan.claims)
+    EXPECT_NE(claim.kind, ClaimKind::kCount) << "numbers of pieces are not taken over";
+  EXPECT_EQ(reading.coverage.lost, std::vector<std::string>{"three"});
+}
+
+TEST_F(CheckedReaderTest, TheShapeOfAClassIsTakenOverWhereTheModelSaysNone) {
+  const std::string text = "There is a round lake in the north.";
+  const auto shapes = [](const LayoutReading& reading) {
+    std::vector<ClaimShape> shapes;
+    for (const Claim& claim : reading.plan.claims)
+      if (claim.kind == ClaimKind::kShape) shapes.push_back(claim.shape);
+    return shapes;
+  };
+  server_->Say("A lake in the north.");
+  EXPECT_EQ(shapes(ReadLayout(text)), std::vector<ClaimShape>{ClaimShape::kRound});
+  server_->Say("A long lake in the north.");
+  EXPECT_EQ(shapes(ReadLayout(text)), std::vector<ClaimShape>{ClaimShape::kElongated});
+}
+
+TEST_F(CheckedReaderTest, WhatThereIsMostOfIsTakenOverWhereTheModelSaysNoAmounts) {
+  const std::string text = "Mostly forest, with a lake in the north.";
+  const auto is_dominated = [](const LayoutReading& reading) {
+    return std::any_of(reading.plan.claims.begin(), reading.plan.claims.end(),
+                       [](const Claim& claim) { return claim.kind == ClaimKind::kDominant; });
+  };
+  server_->Say("A lake in the north. Forest.");
+  EXPECT_TRUE(is_dominated(ReadLayout(text)));
+  server_->Say("A lake in the north. Forest covers 30 % of the map.");
+  EXPECT_FALSE(is_dominated(ReadLayout(text)));
+}
+
+TEST_F(CheckedReaderTest, ALayoutWhoseRestIsSaidIsNotCompleted) {
+  server_->Say("A lake in the north. The rest is grassland.");
+  const LayoutReading reading =
+      ReadLayout("A lake in the north, a forest in the south-west, grassland everywhere else.");
+  EXPECT_FALSE(Has(reading.sentences, "Forest in the south-west"));
+}
+
+TEST_F(CheckedReaderTest, WhatStandsAloneIsNotFoundTwiceInACompletedLayout) {
+  server_->Say("A lake in the north. A tower in the center.");
+  const LayoutReading reading = ReadLayout(
+      "There is a lake in the north, a tower 30 m high in the center and a road from west to "
+      "east.");
+  EXPECT_TRUE(Has(reading.sentences, "A lake in the north"));
+  EXPECT_GT(reading.sentences.size(), 2u) << "the road is added";
+  EXPECT_EQ(reading.plan.things.size(), 1u);
+}
+
 TEST_F(CheckedReaderTest, AnEnvironmentIsCompleted) {
   server_->Say("2 goblins.");
   const EnvironmentReading reading = ReadEnvironment("On a rainy night two goblins stand about.");

@@ -9,10 +9,15 @@
 
 #include "latticeworld/common/check.h"
 #include "latticeworld/language/reading/environment_exchange.h"
+#include "latticeworld/language/reading/land_completion.h"
 #include "latticeworld/language/reading/reading_evidence.h"
 
 namespace latticeworld {
 namespace {
+
+// What completing a model's reading adds to the odds that it is the better one: these are of what
+// models say themselves.
+constexpr double kLogOddsOfCompletion = 1.0;
 
 // The parts of an environment in which the second reading counts where both say something.
 std::set<ReadingPart> PartsOfSecond(const std::vector<ReadingEvidence>& evidence) {
@@ -43,7 +48,11 @@ class CheckedReader final : public InstructionReader {
     if (replies->size() == asked) return first;
     LW_ASSIGN_OR_RETURN(LayoutReading second, second_->ReadLayout(request, progress, replies));
     std::vector<ReadingEvidence> evidence = EvidenceOf(first, second, request.vocabulary);
-    if (checks_ && LogOddsOfModel(evidence.front()) < 0.0) std::swap(first, second);
+    if (checks_ && LogOddsOfModel(evidence.front()) < -kLogOddsOfCompletion) {
+      std::swap(first, second);
+    } else if (checks_) {
+      LW_ASSIGN_OR_RETURN(first, Completed(request, std::move(first), second));
+    }
     first.second = std::move(second.plan.claims);
     first.evidence = std::move(evidence);
     return first;

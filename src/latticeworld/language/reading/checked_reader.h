@@ -15,10 +15,10 @@ std::shared_ptr<InstructionReader> MakeComparedReader(std::shared_ptr<Instructio
 
 // Makes a reader that lets two readers read every text and checks each reading by the other. The
 // likelier reading of a layout counts, that of `first`, a model, or that of `second`
-// (LogOddsOfModel). The parts of an environment (ReadingPart) are decided one by one, and what only
-// one reading has counts too. What does not count is kept beside it (`second` of the reading). A
-// text that is already the small language is read without the second reader. name() is "checked".
-// Errors: those of the readers.
+// (LogOddsOfModel); where it is that of the model, it is completed (land_completion.h). The parts
+// of an environment (ReadingPart) are decided one by one, and what only one reading has counts too.
+// What does not count is kept beside it (`second` of the reading). A text that is already the small
+// language is read without the second reader. name() is "checked". Errors: those of the readers.
 std::shared_ptr<InstructionReader> MakeCheckedReader(std::shared_ptr<InstructionReader> first,
                                                      std::shared_ptr<InstructionReader> second);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <string>
@@ -113,7 +114,9 @@ std::vector<ReadingEvidence> EvidenceOf(const EnvironmentReading& model,
 }
 
 double LogOddsOfModel(const ReadingEvidence& evidence) {
-  if (evidence.claims == 0 && evidence.second_claims == 0) return -1.0;
+  if (evidence.claims == 0 && evidence.second_claims == 0) {
+    return -std::numeric_limits<double>::infinity();
+  }
   const bool same = evidence.agreed == evidence.claims && evidence.agreed == evidence.second_claims;
   if (same) return 0.0;
   const Numbers& weights = kWeights.at(static_cast<std::size_t>(evidence.part));

@@ -19,8 +19,8 @@ std::vector<ReadingEvidence> EvidenceOf(const EnvironmentReading& model,
                                         const SymbolicLayout* layout);
 
 // Returns the natural logarithm of the odds that of two readings that differ in what they get right
-// of the part the model's is the better one. It is 0 where they make the same claims, and negative
-// where neither makes any: rules tell word by word what they do not understand.
+// of the part the model's is the better one. It is 0 where they make the same claims, and minus
+// infinity where neither makes any: rules tell word by word what they do not understand.
 double LogOddsOfModel(const ReadingEvidence& evidence);
 
 }  // namespace latticeworld

@@ -1,0 +1,87 @@
+#include "latticeworld/language/reading/land_completion.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "latticeworld/language/reading/reading_of_sentences.h"
+#include "latticeworld/language/reading/sentences_of_claims.h"
+#include "latticeworld/language/reading/things/beside_things.h"
+
+namespace latticeworld {
+namespace {
+
+// What one reading's claims speak of.
+class Named {
+ public:
+  explicit Named(const std::vector<Claim>& claims) {
+    for (const Claim& claim : claims) {
+      kinds_.insert(claim.kind);
+      of_subject_.insert({claim.kind, claim.subject});
+      letters_.insert({claim.subject, claim.object, claim.second_object});
+      letters_.insert(claim.sequence.begin(), claim.sequence.end());
+    }
+  }
+
+  bool Has(ClaimKind kind) const { return kinds_.count(kind) > 0; }
+
+  // Whether it says nothing of what a claim of another reading says.
+  bool Lacks(const Claim& claim) const {
+    switch (claim.kind) {
+      case ClaimKind::kCount:
+      case ClaimKind::kRest:
+        return false;
+      case ClaimKind::kOrder:
+        return !Has(ClaimKind::kOrder);
+      case ClaimKind::kDominant:
+        return IsUnnamed(claim) ||
+               !(Has(ClaimKind::kDominant) || Has(ClaimKind::kMoreThan) || Has(ClaimKind::kAmount));
+      case ClaimKind::kShape:
+      case ClaimKind::kDirection:
+      case ClaimKind::kBetween:
+      case ClaimKind::kSurrounds:
+      case ClaimKind::kWithin:
+      case ClaimKind::kAdjacent:
+      case ClaimKind::kAlong:
+      case ClaimKind::kConnects:
+      case ClaimKind::kCrosses:
+        return of_subject_.count({claim.kind, claim.subject}) == 0;
+      default:
+        return IsUnnamed(claim);
+    }
+  }
+
+ private:
+  bool IsUnnamed(const Claim& claim) const { return letters_.count(claim.subject) == 0; }
+
+  std::set<ClaimKind> kinds_;
+  std::set<std::pair<ClaimKind, char>> of_subject_;
+  std::set<char> letters_;
+};
+
+}  // namespace
+
+Result<LayoutReading> Completed(const LayoutRequest& request, LayoutReading reading,
+                                const LayoutReading& second) {
+  const Named named(reading.plan.claims);
+  if (!reading.of_sentences || named.Has(ClaimKind::kRest)) return reading;
+  std::vector<Claim> missing;
+  std::copy_if(second.plan.claims.begin(), second.plan.claims.end(), std::back_inserter(missing),
+               [&named](const Claim& claim) { return named.Lacks(claim); });
+  if (missing.empty()) return reading;
+  std::vector<std::string> sentences = reading.sentences;
+  for (std::string& sentence : SentencesOf(missing, request.vocabulary)) {
+    if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
+      sentences.push_back(std::move(sentence));
+  }
+  auto whole = ReadBesideThings(request, [&sentences](const LayoutRequest& rest) {
+    return Result<LayoutReading>(ReadingOfSentences(rest, std::move(sentences)));
+  });
+  if (whole.ok()) whole->log_probability = reading.log_probability;
+  return whole;
+}
+
+}  // namespace latticeworld
