@@ -84,6 +84,18 @@ TEST_F(CheckedReaderTest, TheShapeOfAClassIsTakenOverWhereTheModelSaysNone) {
   EXPECT_EQ(shapes(ReadLayout(text)), std::vector<ClaimShape>{ClaimShape::kElongated});
 }
 
+TEST_F(CheckedReaderTest, HowLandLiesIsSaidOfTheLandThatIsThere) {
+  server_->Say(
+      "A winding river from the north to the south. Forest in the north-west. Farmland in "
+      "the east.");
+  const LayoutReading reading = ReadLayout(
+      "A river winds from the north to the south between dense forest in the upper left and "
+      "farmland on the right.");
+  EXPECT_TRUE(Has(reading.sentences, "The river is between the forest and the farmland"))
+      << Join(reading.sentences, ". ");
+  EXPECT_EQ(reading.plan.features.size(), 3u) << "no second water is laid";
+}
+
 TEST_F(CheckedReaderTest, WhatThereIsMostOfIsTakenOverWhereTheModelSaysNoAmounts) {
   const std::string text = "Mostly forest, with a lake in the north.";
   const auto is_dominated = [](const LayoutReading& reading) {

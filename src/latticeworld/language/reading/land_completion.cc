@@ -62,6 +62,20 @@ class Named {
   std::set<char> letters_;
 };
 
+// Classes by what the features of a plan call them, "the river"; those of several features have no
+// name of their own.
+LandNames NamesOf(const std::vector<PlannedFeature>& features) {
+  LandNames names;
+  std::set<char> several;
+  for (const PlannedFeature& feature : features) {
+    if (feature.supposed || feature.noun.empty()) continue;
+    const bool is_new = names.insert({feature.letter, "the " + feature.noun}).second;
+    if (!is_new) several.insert(feature.letter);
+  }
+  for (const char letter : several) names.erase(letter);
+  return names;
+}
+
 }  // namespace
 
 Result<LayoutReading> Completed(const LayoutRequest& request, LayoutReading reading,
@@ -73,7 +87,8 @@ Result<LayoutReading> Completed(const LayoutRequest& request, LayoutReading read
                [&named](const Claim& claim) { return named.Lacks(claim); });
   if (missing.empty()) return reading;
   std::vector<std::string> sentences = reading.sentences;
-  for (std::string& sentence : SentencesOf(missing, request.vocabulary)) {
+  for (std::string& sentence :
+       SentencesOf(missing, request.vocabulary, NamesOf(reading.plan.features))) {
     if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
       sentences.push_back(std::move(sentence));
   }

@@ -78,7 +78,8 @@ std::string OppositeName(Claim::Heading heading) {
 
 class ClaimSayer {
  public:
-  ClaimSayer(const Claim& claim, Vocabulary vocabulary) : claim_(claim), vocabulary_(vocabulary) {}
+  ClaimSayer(const Claim& claim, Vocabulary vocabulary, const LandNames& names)
+      : claim_(claim), vocabulary_(vocabulary), names_(names) {}
 
   std::vector<std::string> Say() {
     SayWhere();
@@ -114,6 +115,7 @@ class ClaimSayer {
   // What is said of the land of a class, "the houses" but "forest". A thing that is told by its
   // place is placed first and has a label from then on.
   std::string Land(char letter, const Zone& zone, std::string_view label) {
+    if (const auto name = names_.find(letter); name != names_.end()) return name->second;
     const Nouns& nouns = Of(letter);
     if (!zone.is_anywhere()) {
       const std::string name = std::string(nouns.spread) + " " + std::string(label);
@@ -126,6 +128,11 @@ class ClaimSayer {
   std::string Subject() { return Land(claim_.subject, claim_.zone, "A"); }
   std::string Object() { return Land(claim_.object, claim_.object_zone, "B"); }
   std::string The(std::string_view noun) const { return "the " + std::string(noun); }
+  // The land of a class by its name, where it has one, else by this noun.
+  std::string The(char letter, std::string_view noun) const {
+    const auto name = names_.find(letter);
+    return name != names_.end() ? name->second : The(noun);
+  }
 
   // What there is: a line, one small thing or land, by how little of it is enough (ClaimsOfPlan).
   std::string Present() const {
@@ -256,7 +263,7 @@ class ClaimSayer {
     }
   }
 
-  std::string Line(char letter) const { return The(Of(letter).line); }
+  std::string Line(char letter) const { return The(letter, Of(letter).line); }
 
   void SayLine() {
     const Nouns& nouns = Of(claim_.subject);
@@ -268,7 +275,8 @@ class ClaimSayer {
                                 {"end", EndName(claim_.from)},
                                 {"end", EndName(claim_.to)}});
       case ClaimKind::kThrough:
-        return Write("through", {{"x", line}, {"end", The(Of(claim_.object).spread)}});
+        return Write("through",
+                     {{"x", line}, {"end", The(claim_.object, Of(claim_.object).spread)}});
       case ClaimKind::kAlong:
         if (claim_.object == '\0')
           return Write("along", {{"x", line}, {"end", EndName(claim_.zone)}});
@@ -283,9 +291,10 @@ class ClaimSayer {
         if (claim_.object == claim_.second_object) {
           return Write("connect_all", {{"x", line}, {"y", The(Of(claim_.object).pieces)}});
         }
-        return Write("connect", {{"x", line},
-                                 {"y", The(Of(claim_.object).spread)},
-                                 {"z", The(Of(claim_.second_object).spread)}});
+        return Write("connect",
+                     {{"x", line},
+                      {"y", The(claim_.object, Of(claim_.object).spread)},
+                      {"z", The(claim_.second_object, Of(claim_.second_object).spread)}});
       case ClaimKind::kShape:
         return SayShape();
       default:
@@ -305,12 +314,13 @@ class ClaimSayer {
                      [this](const auto& entry) { return entry.first == claim_.shape; });
     if (found == std::end(kShapes)) return Write("grid", {{"x", The(nouns.several_lines)}});
     const bool line = claim_.shape == ClaimShape::kStraight || claim_.shape == ClaimShape::kWinding;
-    Write("shape",
-          {{"x", The(line ? nouns.line : nouns.spread)}, {"shape", std::string(found->second)}});
+    Write("shape", {{"x", The(claim_.subject, line ? nouns.line : nouns.spread)},
+                    {"shape", std::string(found->second)}});
   }
 
   const Claim& claim_;
   const Vocabulary vocabulary_;
+  const LandNames& names_;
   std::vector<std::string> sentences_;
 };
 
@@ -339,13 +349,14 @@ std::vector<Claim> WithPlacedCounts(const std::vector<Claim>& claims) {
 }  // namespace
 
 std::vector<std::string> SentencesOf(const Claim& claim, Vocabulary vocabulary) {
-  return ClaimSayer(claim, vocabulary).Say();
+  return ClaimSayer(claim, vocabulary, {}).Say();
 }
 
-std::vector<std::string> SentencesOf(const std::vector<Claim>& claims, Vocabulary vocabulary) {
+std::vector<std::string> SentencesOf(const std::vector<Claim>& claims, Vocabulary vocabulary,
+                                     const LandNames& names) {
   std::vector<std::string> all;
   for (const Claim& claim : WithPlacedCounts(claims)) {
-    for (std::string& sentence : SentencesOf(claim, vocabulary)) {
+    for (std::string& sentence : ClaimSayer(claim, vocabulary, names).Say()) {
       if (std::find(all.begin(), all.end(), sentence) == all.end()) {
         all.push_back(std::move(sentence));
       }

@@ -1,6 +1,7 @@
 #ifndef LATTICEWORLD_LANGUAGE_READING_SENTENCES_OF_CLAIMS_H_
 #define LATTICEWORLD_LANGUAGE_READING_SENTENCES_OF_CLAIMS_H_
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,13 @@ namespace latticeworld {
 std::vector<std::string> SentencesOf(const Claim& claim, Vocabulary vocabulary);
 std::vector<std::string> SentencesOf(const EnvironmentClaim& claim);
 
-// Says all claims, in their order, and each sentence once.
-std::vector<std::string> SentencesOf(const std::vector<Claim>& claims, Vocabulary vocabulary);
+// What sentences before call the land of a class, by its letter: "the river".
+using LandNames = std::map<char, std::string>;
+
+// Says all claims, in their order, and each sentence once. Land that has a name already is called
+// by it and not placed anew.
+std::vector<std::string> SentencesOf(const std::vector<Claim>& claims, Vocabulary vocabulary,
+                                     const LandNames& names = {});
 std::vector<std::string> SentencesOf(const std::vector<EnvironmentClaim>& claims);
 
 }  // namespace latticeworld
