@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Decisions a second of a learner's robots: ours beside PyBullet and MuJoCo.
+"""Decisions a second of a learner's robots: ours beside PyBullet, MuJoCo and our own server.
 
 The same bare land of 128 m (their height map is ours), a four-wheel robot of the same mass and
 size, steps of 10 ms with 10 a decision, a scan of 360 rays of 30 m, episodes of 50 decisions. Each
@@ -9,6 +9,7 @@ of the latter, which hold on a machine that others use too. Also the memory of a
 
 Usage: learning_peers.py [--seconds S] [--worlds N] [--cores N] [--folder DIR]
                          [--peers-python PYTHON] (3.8 .. 3.11: PyBullet has wheels for those alone)
+                         [--devel DIR] (that of a build: its world_server too, asked over ROS)
 Run by a Python that has latticeworld installed; peers get virtual environments below the folder.
 """
 
@@ -21,7 +22,7 @@ import sys
 import tempfile
 
 import numpy as np
-from learning_world import ENVIRONMENT, LAYOUT, SIZE_M
+from learning_world import ENVIRONMENT, LAYOUT, RANGE_M, RAYS, SIZE_M
 
 import latticeworld as lw
 
@@ -40,6 +41,8 @@ def make_land(folder):
     start = world.agents[0]
     (folder / "land.json").write_text(json.dumps({
         "cell_m": world.resolution_m, "start_m": [start["x_m"], start["y_m"]]}))
+    (folder / "sensors.json").write_text(
+        lw.Scanner(beams=RAYS, max_range_m=RANGE_M).sensor_file())
 
 
 def python_with(name, folder, python):
@@ -72,6 +75,7 @@ def main():
     parser.add_argument("--cores", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--folder", type=pathlib.Path)
     parser.add_argument("--peers-python", default="/usr/bin/python3")
+    parser.add_argument("--devel", type=pathlib.Path)
     arguments = parser.parse_args()
     folder = arguments.folder or pathlib.Path(tempfile.mkdtemp(prefix="latticeworld_peers_"))
     folder.mkdir(parents=True, exist_ok=True)
@@ -98,6 +102,12 @@ def main():
         reports = run([[python, HERE / f"learning_{package}.py", land, seed, arguments.seconds,
                         *extra] for seed in range(1, arguments.cores + 1)])
         show(name, sum(report["decisions_per_s"] for report in reports), reports)
+    if arguments.devel:
+        devel = arguments.devel.resolve()
+        asked = [devel / "env.sh", "/usr/bin/python3", HERE / "ros/learning_lockstep.py", land, 1,
+                 arguments.seconds, devel / "lib/latticeworld/world_server"]
+        reports = run([asked])
+        show("lockstep over ROS, one world", reports[0]["decisions_per_s"], reports)
     print(f"\na further world of {SIZE_M:.0f} m: {ours['mb_a_further_world']:.1f} MB")
 
 
