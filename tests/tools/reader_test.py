@@ -3,11 +3,13 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
 
 PROGRAM = os.environ["LATTICEWORLD_PROGRAM"]
+README = pathlib.Path(__file__).resolve().parents[2] / "README.md"
 MODEL = pathlib.Path(os.environ["LATTICEWORLD_READER"])
 REPLY_OF_INSTRUCTIONS = os.environ["LATTICEWORLD_REPLY_OF_INSTRUCTIONS"]
 
@@ -49,6 +51,17 @@ class ReaderTest(unittest.TestCase):
     def test_a_world_of_it_is_made_again_without_the_model(self):
         out = self.generate("again", "a river winds from north to south through farmland")
         subprocess.run([PROGRAM, "rebuild", out], check=True, stdout=subprocess.DEVNULL)
+
+    def test_the_first_world_of_the_readme_keeps_as_many_claims_as_it_says(self):
+        page = README.read_text(encoding="utf-8")
+        layout, environment = (" ".join(words.split()) for words in
+                               "\n".join(re.findall(r"^>(.*)$", page, re.MULTILINE)).split("\n\n"))
+        (seed,) = re.findall(r"^world-[0-9a-f]{12}, seed (\d+)", page, re.MULTILINE)
+        out = pathlib.Path(self.folder.name) / "readme"
+        subprocess.run([PROGRAM, "generate", "--reader-model", MODEL, "--layout", layout, "--environment", environment,
+                        "--seed", seed, "--out", out], check=True, stdout=subprocess.DEVNULL)
+        claims = json.loads((out / "fidelity.json").read_text(encoding="utf-8"))["claims"]
+        self.assertIn(f"fidelity: {len(claims)} of {len(claims)} claims", page)
 
     def test_it_says_the_same_on_one_thread_and_on_two(self):
         said = []
