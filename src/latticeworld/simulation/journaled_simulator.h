@@ -12,8 +12,8 @@
 
 namespace latticeworld {
 
-// Most that is kept of a journal [bytes, roughly]; 100 robots commanded at 20 Hz fill it in some
-// five minutes, one robot in hours.
+// Most that is kept of a journal [bytes, roughly]; 100 robots commanded at 20 Hz fill it in two
+// minutes, one robot in some three hours.
 inline constexpr std::size_t kMaxJournalBytes = 64u << 20;
 
 // A simulator that writes down every call that changes it, so that the same states can be reached
