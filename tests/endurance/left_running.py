@@ -142,6 +142,7 @@ def of_sizes(ground, end, ledger):
             samples.step_ms.append(20.0 * (time.monotonic() - began))
             ground.must("unpause")
             samples.take()
+            samples.note(ledger, "worlds", count)
         samples.judge(ledger, "worlds of 32 to 256 m", f"{count} worlds")
 
 

@@ -8,6 +8,7 @@ namespace latticeworld {
 //
 // Sets /use_sim_time where it is unset, so that time is world_server's in whatever order nodes
 // start; false, where somebody has said so, stays. Raises the limit of descriptors (descriptors.h).
+// Lets all threads have one heap (glibc's mallopt).
 void PrepareNode();
 
 }  // namespace latticeworld
