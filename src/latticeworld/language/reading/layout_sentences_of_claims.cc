@@ -102,7 +102,7 @@ class ClaimSayer {
              "every class of the vocabulary has its nouns");
     return *found;
   }
-  void Write(std::string_view form, std::vector<Filling> fillings) {
+  void Write(std::string_view form, const std::vector<Filling>& fillings) {
     sentences_.push_back(WriteSentence(SentenceKind::kLayout, form, fillings));
   }
   // Adds the place, where the zone is one.
@@ -112,13 +112,13 @@ class ClaimSayer {
     Write(form, std::move(fillings));
   }
 
-  // What is said of the land of a class, "the houses" but "forest". A thing that is told by its
-  // place is placed first and has a label from then on.
+  // What is said of the land of a class: its name, where it has one, else "the houses" but
+  // "forest". A thing that is told by its place is placed first and has a label from then on.
   std::string Land(char letter, const Zone& zone, std::string_view label) {
     if (const auto name = names_.find(letter); name != names_.end()) return name->second;
     const Nouns& nouns = Of(letter);
     if (!zone.is_anywhere()) {
-      const std::string name = std::string(nouns.spread) + " " + std::string(label);
+      std::string name = std::string(nouns.spread) + " " + std::string(label);
       WriteThere("there", {"x", name}, zone);
       return name;
     }
