@@ -109,7 +109,7 @@ class ClaimSayer {
   void WriteThere(std::string_view form, Filling what, const Zone& zone) {
     std::vector<Filling> fillings = {std::move(what)};
     if (!zone.is_anywhere()) fillings.emplace_back("zone", PlaceName(zone));
-    Write(form, std::move(fillings));
+    Write(form, fillings);
   }
 
   // What is said of the land of a class: its name, where it has one, else "the houses" but
@@ -159,7 +159,7 @@ class ClaimSayer {
                                          {"percent", PercentInWords(claim_.least, claim_.most)}};
         const bool all = claim_.zone.is_anywhere();
         if (!all) fillings.emplace_back("zone", PlaceName(claim_.zone));
-        Write(all ? "cover" : "cover_zone", std::move(fillings));
+        Write(all ? "cover" : "cover_zone", fillings);
         return;
       }
       case ClaimKind::kDominant:
@@ -191,7 +191,7 @@ class ClaimSayer {
       case ClaimKind::kRest: {
         std::vector<Filling> fillings = {{"noun", noun}};
         if (!claim_.zone.is_anywhere()) fillings.emplace_back("zone", PlaceName(claim_.zone));
-        Write("rest", std::move(fillings));
+        Write("rest", fillings);
         return;
       }
       default:
