@@ -112,10 +112,16 @@ class ClaimSayer {
     Write(form, fillings);
   }
 
+  // What sentences before call the land of a class; null: nothing.
+  const std::string* NameOf(char letter) const {
+    const auto name = names_.find(letter);
+    return name != names_.end() ? &name->second : nullptr;
+  }
+
   // What is said of the land of a class: its name, where it has one, else "the houses" but
   // "forest". A thing that is told by its place is placed first and has a label from then on.
   std::string Land(char letter, const Zone& zone, std::string_view label) {
-    if (const auto name = names_.find(letter); name != names_.end()) return name->second;
+    if (const std::string* name = NameOf(letter)) return *name;
     const Nouns& nouns = Of(letter);
     if (!zone.is_anywhere()) {
       std::string name = std::string(nouns.spread) + " " + std::string(label);
@@ -130,8 +136,8 @@ class ClaimSayer {
   std::string The(std::string_view noun) const { return "the " + std::string(noun); }
   // The land of a class by its name, where it has one, else by this noun.
   std::string The(char letter, std::string_view noun) const {
-    const auto name = names_.find(letter);
-    return name != names_.end() ? name->second : The(noun);
+    const std::string* name = NameOf(letter);
+    return name != nullptr ? *name : The(noun);
   }
 
   // What there is: a line, one small thing or land, by how little of it is enough (ClaimsOfPlan).
