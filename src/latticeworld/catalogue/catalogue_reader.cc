@@ -85,7 +85,7 @@ Result<std::shared_ptr<const Catalogue>> CatalogueReader::Read(
   CheckFiles(files, &reader.violations_);
   std::size_t unread = 0;
   if (reader.violations_.empty()) {
-    const SchemaChecker checker(CatalogueSchema());
+    static const SchemaChecker checker(CatalogueSchema());  // immutable
     std::vector<TypeFile> read;
     for (const CatalogueFile& file : files) {
       if (reader.violations_.size() > kMaxCatalogueViolations) {

@@ -47,8 +47,8 @@ class SensorCatalogueBuilder {
  public:
   // Entries of a name that is there take its place, but two of one call must not have the same.
   void Add(const NamedTexts& files) {
-    const SchemaChecker checker(SensorCatalogue::schema());
-    std::map<std::string, std::string> lidars_at, suites_at;  // name -> pointer
+    static const SchemaChecker checker(SensorCatalogue::schema());  // immutable
+    std::map<std::string, std::string> lidars_at, suites_at;        // name -> pointer
     for (const auto& [file_name, text] : files) {
       SensorFile file = ReadSensorFile(Printable(file_name), text, checker, &violations_);
       for (LidarEntry& entry : file.lidars) {
@@ -184,10 +184,14 @@ Result<std::shared_ptr<const SensorCatalogue>> SensorCatalogue::Load(
 }
 
 Result<std::shared_ptr<const SensorCatalogue>> SensorCatalogue::Extended(const NamedTexts& files) {
-  NamedTexts built_in;
-  for (const char* name : kBuiltInFiles) built_in.emplace_back(name, std::string(SensorData(name)));
-  SensorCatalogueBuilder builder;
-  builder.Add(built_in);
+  static const SensorCatalogueBuilder built_in = [] {  // immutable
+    NamedTexts texts;
+    for (const char* name : kBuiltInFiles) texts.emplace_back(name, std::string(SensorData(name)));
+    SensorCatalogueBuilder builder;
+    builder.Add(texts);
+    return builder;
+  }();
+  SensorCatalogueBuilder builder = built_in;
   builder.Add(files);
   return builder.Build();
 }

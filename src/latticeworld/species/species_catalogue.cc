@@ -39,8 +39,8 @@ std::string Printable(const std::string& file_name) {
 std::vector<Violation> AddFiles(const std::vector<std::pair<std::string, std::string>>& files,
                                 ByName* species) {
   std::vector<Violation> violations;
-  const SchemaChecker checker(SpeciesCatalogue::schema());
-  std::map<std::string, std::string> added_at;  // name -> pointer
+  static const SchemaChecker checker(SpeciesCatalogue::schema());  // immutable
+  std::map<std::string, std::string> added_at;                     // name -> pointer
   for (const auto& [file_name, text] : files) {
     for (SpeciesEntry& entry : ReadSpeciesFile(Printable(file_name), text, checker, &violations)) {
       const std::string name = entry.species.name;

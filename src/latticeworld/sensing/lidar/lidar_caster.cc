@@ -1,6 +1,7 @@
 #include "latticeworld/sensing/lidar/lidar_caster.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -10,7 +11,7 @@
 namespace latticeworld {
 namespace {
 
-// Rays that are traced at a time: they and their hits stay in the nearer caches.
+// Rays of one piece of work.
 constexpr int kRaysAtATime = 512;
 // Fewer rays are not worth a thread of their own.
 constexpr int kRaysOfThread = 1024;
@@ -19,21 +20,16 @@ constexpr int kRaysOfThread = 1024;
 constexpr int kBlockRays = 16;
 constexpr int kBlockColumns = 4;
 
-struct Beam {
-  int pose, ring;
-};
-
-// The beams of columns [begin, end), block after block.
-void AddBlocks(int rings, int begin, int end, std::vector<Beam>* beams) {
+// Calls fire(pose, ring) for the beams of columns [begin, end), block after block.
+template <typename Fire>
+void ForEachBeam(int rings, int begin, int end, const Fire& fire) {
   for (int first = begin; first < end;) {
     int width = rings == 1 ? kBlockRays : kBlockColumns;
     while (width > end - first) width /= 2;
     const int height = kBlockRays / width;
     for (int low = 0; low < rings; low += height) {
       for (int pose = first; pose < first + width; ++pose) {
-        for (int ring = low; ring < std::min(low + height, rings); ++ring) {
-          beams->push_back({pose, ring});
-        }
+        for (int ring = low; ring < std::min(low + height, rings); ++ring) fire(pose, ring);
       }
     }
     first += width;
@@ -73,18 +69,16 @@ LidarSweep LidarCaster::Begin(double begin_s, double end_s) const {
 }
 
 // reach_m: how far the beam is followed.
-inline Ray LidarCaster::RayOf(const LidarCast& cast, const ColumnPose& pose, int ring,
-                              float reach_m) const {
-  Ray ray;
-  ray.origin_m = pose.origin_m;
-  ray.direction = pose.map_from_sensor * Direction(ring, pose.column);
+inline void LidarCaster::SetRay(const LidarCast& cast, const ColumnPose& pose, int ring,
+                                float reach_m, Ray* ray) const {
+  ray->origin_m = pose.origin_m;
+  ray->direction = pose.map_from_sensor * Direction(ring, pose.column);
   if (model_.ring_delay_s > 0.0) {
     const auto later_s = static_cast<float>(model_.ring_delay_s * ring);
-    ray.origin_m += later_s * cast.velocity_mps;
-    ray.direction += later_s * cast.turn_radps.cross(ray.direction);
+    ray->origin_m += later_s * cast.velocity_mps;
+    ray->direction += later_s * cast.turn_radps.cross(ray->direction);
   }
-  ray.to_m = reach_m;
-  return ray;
+  ray->to_m = reach_m;
 }
 
 void LidarCaster::Fire(const LidarCast& cast, const std::vector<ColumnPose>& poses,
@@ -94,25 +88,30 @@ void LidarCaster::Fire(const LidarCast& cast, const std::vector<ColumnPose>& pos
   const float reach_m = cast.receiver->Reach(cast.surfaces->MostReturned(*cast.world));
   const int threads = std::clamp(count * rings() / kRaysOfThread, 1, std::max(1, cast.threads));
   ParallelInPieces(count, at_a_time, threads, [&](int begin, int end) {
-    std::vector<Beam> beams;
-    beams.reserve(static_cast<std::size_t>(end - begin) * rings_.size());
-    AddBlocks(rings(), begin, end, &beams);
-    std::vector<Ray> rays;
-    rays.reserve(beams.size());
-    for (const Beam& beam : beams)
-      rays.push_back(RayOf(cast, poses[beam.pose], beam.ring, reach_m));
-    std::vector<RayHit> hits(beams.size());
-    cast.scene->Trace(rays.data(), rays.size(), kSeesAll, cast.except_agent, hits.data());
-    for (std::size_t i = 0; i < beams.size(); ++i) {
-      const std::size_t place =
-          static_cast<std::size_t>(beams[i].ring) * columns_.size() + poses[beams[i].pose].column;
-      const float returned = hits[i].target == RayTarget::kNothing
-                                 ? 0.0f
-                                 : cast.surfaces->Return(rays[i], hits[i], *cast.world);
-      const LidarEcho echo = cast.receiver->Receive(hits[i].distance_m, returned, cast.key, place);
-      sweep->ranges_m[place] = echo.range_m;
-      sweep->intensities[place] = echo.intensity;
-    }
+    std::array<Ray, kBlockRays> rays;
+    std::array<RayHit, kBlockRays> hits;
+    std::array<std::size_t, kBlockRays> places;  // in the sweep
+    int loaded = 0;
+    const auto trace = [&] {
+      cast.scene->Trace(rays.data(), static_cast<std::size_t>(loaded), kSeesAll, cast.except_agent,
+                        hits.data());
+      for (int i = 0; i < loaded; ++i) {
+        const float returned = hits[i].target == RayTarget::kNothing
+                                   ? 0.0f
+                                   : cast.surfaces->Return(rays[i], hits[i], *cast.world);
+        const LidarEcho echo =
+            cast.receiver->Receive(hits[i].distance_m, returned, cast.key, places[i]);
+        sweep->ranges_m[places[i]] = echo.range_m;
+        sweep->intensities[places[i]] = echo.intensity;
+      }
+      loaded = 0;
+    };
+    ForEachBeam(rings(), begin, end, [&](int pose, int ring) {
+      SetRay(cast, poses[pose], ring, reach_m, &rays[loaded]);
+      places[loaded] = static_cast<std::size_t>(ring) * columns_.size() + poses[pose].column;
+      if (++loaded == kBlockRays) trace();
+    });
+    if (loaded > 0) trace();
   });
 }
 

@@ -61,7 +61,8 @@ class LidarCaster {
             beam.z()};
   }
 
-  Ray RayOf(const LidarCast& cast, const ColumnPose& pose, int ring, float reach_m) const;
+  void SetRay(const LidarCast& cast, const ColumnPose& pose, int ring, float reach_m,
+              Ray* ray) const;
 
   LidarModel model_;
   double column_s_;

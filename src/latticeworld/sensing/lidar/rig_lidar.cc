@@ -84,11 +84,9 @@ class RigLidar final : public RigSensor {
     int end = next_column_;
     while (end < caster_.columns() && fire_s(end) <= now_s + kTolerance_s) ++end;
     if (end == next_column_) return Status();
-    std::vector<ColumnPose> poses(static_cast<std::size_t>(end - next_column_));
     const Motion motion = MotionOf(step);
     SetPoses(motion, 1.0 + (fire_s(next_column_) - now_s) / step.step_s,
-             caster_.FireTime(1) / step.step_s, &poses);
-    for (ColumnPose& pose : poses) pose.column = next_column_++;
+             caster_.FireTime(1) / step.step_s, end);
     LW_ASSIGN_OR_RETURN(const SensorScene* scene, step.shared->Rays());
     const LidarReceiver receiver(std::get<LidarModel>(spec_->model),
                                  step.shared->world().atmosphere);
@@ -102,7 +100,8 @@ class RigLidar final : public RigSensor {
     cast.turn_radps = motion.turn_radps;
     cast.key = KeyOf(key_, number_);
     cast.threads = step.threads;
-    caster_.Fire(cast, poses, &*sweep_);
+    caster_.Fire(cast, poses_, &*sweep_);
+    next_column_ = end;
     return Status();
   }
 
@@ -140,15 +139,18 @@ class RigLidar final : public RigSensor {
             (moved_m / step.step_s + turn_radps.cross(begun.col(3))).cast<float>(),
             turn_radps.cast<float>()};
   }
-  // share: of the step at the first pose, 0 its begin, 1 its end; more_a_pose: from pose to pose.
-  static void SetPoses(const Motion& motion, double share, double more_a_pose,
-                       std::vector<ColumnPose>* poses) {
+  // Of the columns from the next one up to `end`. share: of the step at the first pose, 0 its
+  // begin, 1 its end; more_a_pose: from pose to pose.
+  void SetPoses(const Motion& motion, double share, double more_a_pose, int end) {
     // Sine and versine of sums of angles, for the angle grows evenly from pose to pose.
     const Turn more = TurnBy(motion.angle_rad * more_a_pose);
     Turn turn = TurnBy(motion.angle_rad * share);
-    for (ColumnPose& pose : *poses) {
+    poses_.resize(static_cast<std::size_t>(end - next_column_));
+    int column = next_column_;
+    for (ColumnPose& pose : poses_) {
       const Motion::Frame turned = motion.begun + static_cast<float>(turn.sine) * motion.by_sine +
                                    static_cast<float>(turn.versine) * motion.by_versine;
+      pose.column = column++;
       pose.map_from_sensor = turned.leftCols<3>();
       pose.origin_m = (motion.from_m + share * motion.moved_m).cast<float>() + turned.col(3);
       share += more_a_pose;
@@ -171,6 +173,7 @@ class RigLidar final : public RigSensor {
   std::optional<LidarSweep> sweep_;  // that is being collected
   std::uint64_t number_ = 0;         // of that revolution, since step 0
   int next_column_ = 0;
+  std::vector<ColumnPose> poses_;  // of the columns of a step; kept for its room
 };
 
 }  // namespace
