@@ -53,6 +53,24 @@ TEST_F(EnvironmentExchangeTest, WhatOnlyOneHasCountsAndStaysWithTheOther) {
   EXPECT_EQ(reading_.heard.absences.size(), 1u);
 }
 
+// A number that the text says of something else is no wind.
+TEST_F(EnvironmentExchangeTest, AParameterThatTheTextDoesNotSayGivesWayToOneThatIsNothingLikeIt) {
+  const Strings windy = {"Wind: 5 to 12 m/s"};
+  text_ = "Sunny and windy with three sheep.";
+  Exchange({}, {"Wind: 3 m/s", "3 sheep"}, windy);
+  EXPECT_EQ(Said(), "3 sheep. Wind: 5 to 12 m/s");
+  EXPECT_EQ(second_.fine.at(0).value, 3.0);
+  text_ = "Windy but sunny.";
+  Exchange({}, {"Wind: 0 m/s"}, windy);
+  EXPECT_EQ(Said(), "Wind: 5 to 12 m/s");
+
+  Exchange({}, {"Wind: at least 10 m/s"}, windy);
+  EXPECT_EQ(Said(), "Wind: at least 10 m/s") << "they meet";
+  text_ = "A windy place, three m/s, with three sheep.";
+  Exchange({}, {"Wind: 3 m/s", "3 sheep"}, windy);
+  EXPECT_EQ(Said(), "3 sheep. Wind: 3 m/s") << "the text says three twice";
+}
+
 TEST_F(EnvironmentExchangeTest, WhatBothSayIsTheFirstsUnlessThePartCounts) {
   const Strings mine = {"Season: winter", "Grass: dry", "2 goblins"};
   const Strings others = {"Season: autumn", "Grass: lush", "3 goblins"};

@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
 #include "latticeworld/language/grounded/environment/heard_environment.h"
 #include "latticeworld/language/reading/claim_coverage.h"
 #include "latticeworld/language/reading/environment_of_sentences.h"
 #include "latticeworld/language/reading/sentences_of_claims.h"
+#include "latticeworld/language/reading/text_units.h"
 
 namespace latticeworld {
 namespace {
@@ -38,6 +41,63 @@ bool HasSame(const std::vector<FineWish>& wishes, const FineWish& wanted) {
   });
 }
 
+using Numbers = std::map<std::string, int>;  // how often each is said
+
+Numbers NumbersIn(const std::vector<std::string>& texts, Vocabulary vocabulary) {
+  Numbers numbers;
+  for (const std::string& text : texts) {
+    for (const TextUnit& unit : UnitsOf(text, SentenceKind::kEnvironment, vocabulary)) {
+      for (const std::string& key : unit.keys)
+        if (StartsWith(key, "number ")) ++numbers[key];
+    }
+  }
+  return numbers;
+}
+
+// Finds parameters that a model made up: they are nothing like those of another reading, and the
+// text does not say their numbers, or says them of something else. Models that were taught "no
+// wind" and "12 m/s" may read "windy, three sheep" as 3 m/s.
+class MadeUpParameters {
+ public:
+  MadeUpParameters(const EnvironmentRequest& request, const EnvironmentReading& reading)
+      : request_(request),
+        reading_(reading),
+        of_text_(NumbersIn({request.instruction}, request.layout->vocabulary)),
+        of_sentences_(NumbersIn(reading.sentences, request.layout->vocabulary)) {}
+
+  // Whether the reading has such a one of what `other` speaks of.
+  bool StandFor(const FineWish& other) const {
+    const EnvironmentClaim& theirs = other.claim;
+    if (theirs.kind != EnvironmentClaimKind::kParameter) return false;
+    const std::vector<FineWish>& fine = reading_.heard.fine;
+    return std::any_of(fine.begin(), fine.end(), [&](const FineWish& wish) {
+      const EnvironmentClaim& mine = wish.claim;
+      return HasSame({wish}, other) && (mine.most < theirs.least || theirs.most < mine.least) &&
+             !IsSaid(wish);
+    });
+  }
+
+ private:
+  // Whether the text says a number of the sentences that say the wish, as often as all sentences.
+  bool IsSaid(const FineWish& wish) const {
+    std::vector<std::string> saying;
+    std::copy_if(reading_.sentences.begin(), reading_.sentences.end(), std::back_inserter(saying),
+                 [&](const std::string& sentence) {
+                   return HasSame(EnvironmentOfSentences({sentence}, *request_.catalogue).fine,
+                                  wish);
+                 });
+    const Numbers numbers = NumbersIn(saying, request_.layout->vocabulary);
+    return numbers.empty() || std::any_of(numbers.begin(), numbers.end(), [this](const auto& one) {
+             const auto in_text = of_text_.find(one.first);
+             return in_text != of_text_.end() && in_text->second >= of_sentences_.at(one.first);
+           });
+  }
+
+  const EnvironmentRequest& request_;
+  const EnvironmentReading& reading_;
+  const Numbers of_text_, of_sentences_;
+};
+
 // What was taken over, and what it took the place of.
 struct Exchanged {
   HeardEnvironment taken;
@@ -59,12 +119,14 @@ void ExchangeCoarse(bool counts, HeardCoarse* mine, HeardCoarse* second, HeardCo
   std::swap(*mine, *second);
 }
 
-void ExchangeFine(bool counts, std::vector<FineWish>* mine, std::vector<FineWish>* second,
-                  Exchanged* exchanged) {
+void ExchangeFine(bool counts, const MadeUpParameters& made_up, std::vector<FineWish>* mine,
+                  std::vector<FineWish>* second, Exchanged* exchanged) {
   std::vector<FineWish>& taken = exchanged->taken.fine;
   std::vector<FineWish>& replaced = exchanged->replaced.fine;
   std::copy_if(second->begin(), second->end(), std::back_inserter(taken),
-               [&](const FineWish& wish) { return counts || !HasSame(*mine, wish); });
+               [&](const FineWish& wish) {
+                 return counts || !HasSame(*mine, wish) || made_up.StandFor(wish);
+               });
   const auto goes = std::stable_partition(
       mine->begin(), mine->end(), [&](const FineWish& wish) { return !HasSame(taken, wish); });
   replaced.assign(goes, mine->end());
@@ -123,7 +185,8 @@ void Exchange(const EnvironmentRequest& request, const std::set<ReadingPart>& pa
     ExchangeCoarse(parts.count(ReadingPart::kCoarse) > 0, &heard.coarse[i], &second->coarse[i],
                    &exchanged.taken.coarse[i], &exchanged.replaced.coarse[i]);
   }
-  ExchangeFine(parts.count(ReadingPart::kFine) > 0, &heard.fine, &second->fine, &exchanged);
+  ExchangeFine(parts.count(ReadingPart::kFine) > 0, MadeUpParameters(request, *reading),
+               &heard.fine, &second->fine, &exchanged);
   ExchangeAgents(parts.count(ReadingPart::kAgents) > 0, &heard, second, &exchanged);
   if (IsEmpty(exchanged.taken)) return;
 
