@@ -69,6 +69,9 @@ TEST_F(EnvironmentExchangeTest, AParameterThatTheTextDoesNotSayGivesWayToOneThat
   text_ = "A windy place, three m/s, with three sheep.";
   Exchange({}, {"Wind: 3 m/s", "3 sheep"}, windy);
   EXPECT_EQ(Said(), "3 sheep. Wind: 3 m/s") << "the text says three twice";
+  text_ = "The houses look to the south.";
+  Exchange({}, {"Building heading: 180 degrees"}, {"Building heading: 90 degrees"});
+  EXPECT_EQ(Said(), "Building heading: 180 degrees") << "the text says it without a number";
 }
 
 TEST_F(EnvironmentExchangeTest, WhatBothSayIsTheFirstsUnlessThePartCounts) {

@@ -32,19 +32,21 @@ bool HasAgents(const HeardEnvironment& heard) {
   return !heard.agents.empty() || !heard.absences.empty();
 }
 
-bool HasSame(const std::vector<FineWish>& wishes, const FineWish& wanted) {
-  return std::any_of(wishes.begin(), wishes.end(), [&wanted](const FineWish& wish) {
-    const EnvironmentClaim& a = wish.claim;
-    const EnvironmentClaim& b = wanted.claim;
-    return a.kind == b.kind && a.asset == b.asset && a.variant_key == b.variant_key &&
-           a.parameter_key == b.parameter_key;
-  });
+bool AreOfSame(const FineWish& one, const FineWish& other) {
+  const EnvironmentClaim& a = one.claim;
+  const EnvironmentClaim& b = other.claim;
+  return a.kind == b.kind && a.asset == b.asset && a.variant_key == b.variant_key &&
+         a.parameter_key == b.parameter_key;
 }
 
-using Numbers = std::map<std::string, int>;  // how often each is said
+bool HasSame(const std::vector<FineWish>& wishes, const FineWish& wanted) {
+  return std::any_of(wishes.begin(), wishes.end(),
+                     [&wanted](const FineWish& wish) { return AreOfSame(wish, wanted); });
+}
 
-Numbers NumbersIn(const std::vector<std::string>& texts, Vocabulary vocabulary) {
-  Numbers numbers;
+// How often each number is said.
+std::map<std::string, int> NumbersIn(const std::vector<std::string>& texts, Vocabulary vocabulary) {
+  std::map<std::string, int> numbers;
   for (const std::string& text : texts) {
     for (const TextUnit& unit : UnitsOf(text, SentenceKind::kEnvironment, vocabulary)) {
       for (const std::string& key : unit.keys)
@@ -54,49 +56,31 @@ Numbers NumbersIn(const std::vector<std::string>& texts, Vocabulary vocabulary) 
   return numbers;
 }
 
-// Finds parameters that a model made up: they are nothing like those of another reading, and the
-// text does not say their numbers, or says them of something else. Models that were taught "no
-// wind" and "12 m/s" may read "windy, three sheep" as 3 m/s.
-class MadeUpParameters {
- public:
-  MadeUpParameters(const EnvironmentRequest& request, const EnvironmentReading& reading)
-      : request_(request),
-        reading_(reading),
-        of_text_(NumbersIn({request.instruction}, request.layout->vocabulary)),
-        of_sentences_(NumbersIn(reading.sentences, request.layout->vocabulary)) {}
-
-  // Whether the reading has such a one of what `other` speaks of.
-  bool StandFor(const FineWish& other) const {
-    const EnvironmentClaim& theirs = other.claim;
-    if (theirs.kind != EnvironmentClaimKind::kParameter) return false;
-    const std::vector<FineWish>& fine = reading_.heard.fine;
-    return std::any_of(fine.begin(), fine.end(), [&](const FineWish& wish) {
-      const EnvironmentClaim& mine = wish.claim;
-      return HasSame({wish}, other) && (mine.most < theirs.least || theirs.most < mine.least) &&
-             !IsSaid(wish);
-    });
-  }
-
- private:
-  // Whether the text says a number of the sentences that say the wish, as often as all sentences.
-  bool IsSaid(const FineWish& wish) const {
-    std::vector<std::string> saying;
-    std::copy_if(reading_.sentences.begin(), reading_.sentences.end(), std::back_inserter(saying),
-                 [&](const std::string& sentence) {
-                   return HasSame(EnvironmentOfSentences({sentence}, *request_.catalogue).fine,
-                                  wish);
-                 });
-    const Numbers numbers = NumbersIn(saying, request_.layout->vocabulary);
-    return numbers.empty() || std::any_of(numbers.begin(), numbers.end(), [this](const auto& one) {
-             const auto in_text = of_text_.find(one.first);
-             return in_text != of_text_.end() && in_text->second >= of_sentences_.at(one.first);
-           });
-  }
-
-  const EnvironmentRequest& request_;
-  const EnvironmentReading& reading_;
-  const Numbers of_text_, of_sentences_;
-};
+// Whether a model made up a parameter, of which another reading says the other: they are nothing
+// alike, and the text does not say its numbers, or says them of something else. Models that were
+// taught "no wind" and "12 m/s" may read "windy, three sheep" as 3 m/s. sentences: all of the
+// model's reading. Headings are said in words, not in numbers, and never count as made up.
+bool IsMadeUp(const FineWish& wish, const FineWish& other, const EnvironmentRequest& request,
+              const std::vector<std::string>& sentences) {
+  const EnvironmentClaim& mine = wish.claim;
+  const EnvironmentClaim& theirs = other.claim;
+  if (mine.kind != EnvironmentClaimKind::kParameter) return false;
+  if (mine.parameter_key == ParameterKey::kRotationYaw) return false;
+  if (mine.least <= theirs.most && theirs.least <= mine.most) return false;
+  std::vector<std::string> saying;
+  std::copy_if(sentences.begin(), sentences.end(), std::back_inserter(saying),
+               [&](const std::string& sentence) {
+                 return HasSame(EnvironmentOfSentences({sentence}, *request.catalogue).fine, wish);
+               });
+  const Vocabulary vocabulary = request.layout->vocabulary;
+  const auto own = NumbersIn(saying, vocabulary);
+  const auto of_text = NumbersIn({request.instruction}, vocabulary);
+  const auto of_all = NumbersIn(sentences, vocabulary);
+  return !own.empty() && std::none_of(own.begin(), own.end(), [&](const auto& number) {
+    const auto in_text = of_text.find(number.first);
+    return in_text != of_text.end() && in_text->second >= of_all.at(number.first);
+  });
+}
 
 // What was taken over, and what it took the place of.
 struct Exchanged {
@@ -119,13 +103,17 @@ void ExchangeCoarse(bool counts, HeardCoarse* mine, HeardCoarse* second, HeardCo
   std::swap(*mine, *second);
 }
 
-void ExchangeFine(bool counts, const MadeUpParameters& made_up, std::vector<FineWish>* mine,
+// gives_way: whether a wish of the reading does so to one of the second, which speaks of the same.
+template <typename GivesWay>
+void ExchangeFine(const GivesWay& gives_way, std::vector<FineWish>* mine,
                   std::vector<FineWish>* second, Exchanged* exchanged) {
   std::vector<FineWish>& taken = exchanged->taken.fine;
   std::vector<FineWish>& replaced = exchanged->replaced.fine;
   std::copy_if(second->begin(), second->end(), std::back_inserter(taken),
                [&](const FineWish& wish) {
-                 return counts || !HasSame(*mine, wish) || made_up.StandFor(wish);
+                 return std::all_of(mine->begin(), mine->end(), [&](const FineWish& own) {
+                   return !AreOfSame(own, wish) || gives_way(own, wish);
+                 });
                });
   const auto goes = std::stable_partition(
       mine->begin(), mine->end(), [&](const FineWish& wish) { return !HasSame(taken, wish); });
@@ -185,8 +173,10 @@ void Exchange(const EnvironmentRequest& request, const std::set<ReadingPart>& pa
     ExchangeCoarse(parts.count(ReadingPart::kCoarse) > 0, &heard.coarse[i], &second->coarse[i],
                    &exchanged.taken.coarse[i], &exchanged.replaced.coarse[i]);
   }
-  ExchangeFine(parts.count(ReadingPart::kFine) > 0, MadeUpParameters(request, *reading),
-               &heard.fine, &second->fine, &exchanged);
+  const auto gives_way = [&](const FineWish& own, const FineWish& other) {
+    return parts.count(ReadingPart::kFine) > 0 || IsMadeUp(own, other, request, reading->sentences);
+  };
+  ExchangeFine(gives_way, &heard.fine, &second->fine, &exchanged);
   ExchangeAgents(parts.count(ReadingPart::kAgents) > 0, &heard, second, &exchanged);
   if (IsEmpty(exchanged.taken)) return;
 

@@ -11,8 +11,8 @@
 namespace latticeworld {
 namespace {
 
-// Rays of one piece of work.
-constexpr int kRaysAtATime = 512;
+// Rays of a piece of work.
+constexpr int kRaysOfPiece = 512;
 // Fewer rays are not worth a thread of their own.
 constexpr int kRaysOfThread = 1024;
 // Sixteen rays are traced together: a nearly square bundle of them meets the fewest different
@@ -84,10 +84,10 @@ inline void LidarCaster::SetRay(const LidarCast& cast, const ColumnPose& pose, i
 void LidarCaster::Fire(const LidarCast& cast, const std::vector<ColumnPose>& poses,
                        LidarSweep* sweep) const {
   const int count = static_cast<int>(poses.size());
-  const int at_a_time = std::max(kBlockColumns, kRaysAtATime / rings());
+  const int columns_of_piece = std::max(kBlockColumns, kRaysOfPiece / rings());
   const float reach_m = cast.receiver->Reach(cast.surfaces->MostReturned(*cast.world));
   const int threads = std::clamp(count * rings() / kRaysOfThread, 1, std::max(1, cast.threads));
-  ParallelInPieces(count, at_a_time, threads, [&](int begin, int end) {
+  ParallelInPieces(count, columns_of_piece, threads, [&](int begin, int end) {
     std::array<Ray, kBlockRays> rays;
     std::array<RayHit, kBlockRays> hits;
     std::array<std::size_t, kBlockRays> places;  // in the sweep
