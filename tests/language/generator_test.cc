@@ -10,6 +10,10 @@ TEST(ChooseVocabularyTest, FollowsTheWords) {
   EXPECT_EQ(ChooseVocabulary("Snow-capped peaks above rocky slopes"), Vocabulary::kWild);
   EXPECT_EQ(ChooseVocabulary("a lake and a forest"), Vocabulary::kSuburb);
   EXPECT_EQ(ChooseVocabulary(""), Vocabulary::kSuburb);
+  EXPECT_EQ(ChooseVocabulary("Snowy mountains; a cabin by the lake"), Vocabulary::kWild);
+  EXPECT_EQ(ChooseVocabulary("A village below a cliff; a house on the cliff"), Vocabulary::kSuburb);
+  EXPECT_EQ(ChooseVocabulary("Houses below a cliff"), Vocabulary::kSuburb);
+  EXPECT_EQ(ChooseVocabulary("A road over a stone bridge"), Vocabulary::kSuburb);
 }
 
 TEST(LayoutRequestTest, RefusesWhatNoBackEndCanUse) {

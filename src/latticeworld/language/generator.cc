@@ -5,6 +5,7 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/tokens.h"
+#include "latticeworld/layout/thing_kinds.h"
 
 namespace latticeworld {
 namespace {
@@ -68,16 +69,20 @@ Vocabulary ChooseVocabulary(std::string_view layout_instruction) {
   const std::vector<Token> tokens = Tokenize(layout_instruction);
   int suburb = 0;
   int wild = 0;
+  bool land = false;  // of the suburb is spoken of
   for (std::size_t i = 0; i < tokens.size();) {
     if (tokens[i].text == "wild" || tokens[i].text == "wilderness") wild += 2;
     const ClassWordMatch match = MatchClassWord(tokens, i);
     i += match.word != nullptr ? match.tokens : 1;
     if (match.word == nullptr) continue;
     // Only a word that one vocabulary has and the other has not tells them apart.
-    suburb += match.word->suburb_exact && !match.word->wild_exact ? 1 : 0;
+    const bool of_suburb = match.word->suburb_exact && !match.word->wild_exact;
+    suburb += of_suburb ? 1 : 0;
     wild += match.word->wild_exact && !match.word->suburb_exact ? 1 : 0;
+    const bool single = !match.plural && FindThingKind(match.word->phrase) != nullptr;
+    land = land || (of_suburb && !single);
   }
-  return wild > suburb ? Vocabulary::kWild : Vocabulary::kSuburb;
+  return wild > (land ? suburb : 0) ? Vocabulary::kWild : Vocabulary::kSuburb;
 }
 
 }  // namespace latticeworld

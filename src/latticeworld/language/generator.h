@@ -111,7 +111,8 @@ Status Validate(const LayoutRequest& request);
 Status Validate(const EnvironmentRequest& request);
 
 // The vocabulary that the words speak of: suburb for buildings, roads and fields, wild for rock and
-// snow; suburb when nothing tells.
+// snow; suburb when nothing tells. A cabin or a church alone, which may stand anywhere, is no
+// suburb.
 Vocabulary ChooseVocabulary(std::string_view layout_instruction);
 
 }  // namespace latticeworld

@@ -34,18 +34,44 @@ constexpr std::array<EnumName<ThingArrangement>, 6> EnumNames(ThingArrangement) 
 enum class ThingRelation : std::uint8_t {
   kNone,
   kIn,       // of land: on it
-  kNear,     // distance_m from it, to its edge; 0: near
+  kNear,     // distance_m from it, to its edge; 0: near; on a side of it, where one is said
   kInFront,  // before its front
   kAround,   // around it, alike far apart
-  kAlong     // beside it, alike far from it; faces it
+  kAlong,    // beside it, alike far from it; faces it
+  kBetween   // half way between it and a second one
 };
-constexpr std::array<EnumName<ThingRelation>, 6> EnumNames(ThingRelation) {
+constexpr std::array<EnumName<ThingRelation>, 7> EnumNames(ThingRelation) {
   return {{{ThingRelation::kNone, "none"},
            {ThingRelation::kIn, "in"},
            {ThingRelation::kNear, "near"},
            {ThingRelation::kInFront, "in front of"},
            {ThingRelation::kAround, "around"},
-           {ThingRelation::kAlong, "along"}}};
+           {ThingRelation::kAlong, "along"},
+           {ThingRelation::kBetween, "between"}}};
+}
+
+// On which side of their target things are, by the compass: "north of the lake".
+enum class ThingSide : std::uint8_t {
+  kAny,
+  kEast,
+  kNorthEast,
+  kNorth,
+  kNorthWest,
+  kWest,
+  kSouthWest,
+  kSouth,
+  kSouthEast
+};
+constexpr std::array<EnumName<ThingSide>, 9> EnumNames(ThingSide) {
+  return {{{ThingSide::kAny, "any"},
+           {ThingSide::kEast, "east"},
+           {ThingSide::kNorthEast, "north-east"},
+           {ThingSide::kNorth, "north"},
+           {ThingSide::kNorthWest, "north-west"},
+           {ThingSide::kWest, "west"},
+           {ThingSide::kSouthWest, "south-west"},
+           {ThingSide::kSouth, "south"},
+           {ThingSide::kSouthEast, "south-east"}}};
 }
 
 // Land of a class, or the things of a wish; neither: nothing.
@@ -68,7 +94,9 @@ struct ThingWish {
   std::optional<double> heading_rad;  // of its front
   Zone zone;
   ThingRelation relation = ThingRelation::kNone;
-  ThingTarget target;  // of the relation
+  ThingTarget target;                // of the relation
+  ThingTarget second;                // of kBetween
+  ThingSide side = ThingSide::kAny;  // of kNear
   double distance_m = 0.0;
   ThingTarget facing;
   std::optional<WorldPoint> position;  // exact: it stands there or not at all

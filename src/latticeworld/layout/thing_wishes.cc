@@ -1,5 +1,7 @@
 #include "latticeworld/layout/thing_wishes.h"
 
+#include <cmath>
+
 #include "latticeworld/layout/thing_kinds.h"
 
 namespace latticeworld {
@@ -9,8 +11,14 @@ void AppendWishes(const std::vector<ThingWish>& wishes, std::vector<ThingWish>* 
   for (const ThingWish& wish : wishes) {
     to->push_back(wish);
     if (wish.target.wish >= 0) to->back().target.wish += before;
+    if (wish.second.wish >= 0) to->back().second.wish += before;
     if (wish.facing.wish >= 0) to->back().facing.wish += before;
   }
+}
+
+double HeadingOf(ThingSide side) {
+  const int eighths = static_cast<int>(side) - static_cast<int>(ThingSide::kEast);
+  return eighths * M_PI / 4.0;
 }
 
 void FillRun(ThingWish* wish) {

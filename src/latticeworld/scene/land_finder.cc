@@ -132,4 +132,16 @@ std::optional<WorldPoint> LandFinder::Nearest(char letter, WorldPoint point) {
   return nearest;
 }
 
+std::optional<WorldPoint> LandFinder::NearestAnywhere(char letter, WorldPoint point) {
+  if (const auto nearest = Nearest(letter, point)) return nearest;
+  const std::vector<WorldPoint>& cells = CellsOf(letter);
+  const auto away_m = [point](WorldPoint cell) {
+    return std::hypot(cell.x_m - point.x_m, cell.y_m - point.y_m);
+  };
+  const auto nearest =
+      std::min_element(cells.begin(), cells.end(),
+                       [&](WorldPoint a, WorldPoint b) { return away_m(a) < away_m(b); });
+  return nearest == cells.end() ? std::optional<WorldPoint>() : *nearest;
+}
+
 }  // namespace latticeworld

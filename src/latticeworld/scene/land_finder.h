@@ -30,6 +30,8 @@ class LandFinder {
   const std::vector<WorldPoint>& CellsOf(char letter);
   // The nearest of them within kReach_m; nullopt: there is none.
   std::optional<WorldPoint> Nearest(char letter, WorldPoint point);
+  // The same however far it is, where the class is anywhere.
+  std::optional<WorldPoint> NearestAnywhere(char letter, WorldPoint point);
 
  private:
   bool IsCellOf(char letter, CellIndex cell) const;

@@ -74,6 +74,26 @@ TEST_F(EnvironmentExchangeTest, AParameterThatTheTextDoesNotSayGivesWayToOneThat
   EXPECT_EQ(Said(), "Building heading: 180 degrees") << "the text says it without a number";
 }
 
+// "Nobody else" was read as one agent in all.
+TEST_F(EnvironmentExchangeTest, ATotalThatIsLessThanItsGroupsAndThatTheTextDoesNotSayIsDropped) {
+  text_ = "Three sheep, one drone and nobody else. No horses.";
+  const Strings groups = {"3 sheep", "1 aerial robot", "No horses"};
+  Strings read = groups;
+  read.push_back("1 agent in all");
+  Exchange({}, read, {});
+  EXPECT_EQ(reading_.sentences, groups);
+  ASSERT_EQ(reading_.heard.absences.size(), 1u);
+  EXPECT_EQ(reading_.heard.absences[0].kind, EnvironmentClaimKind::kNoAgents);
+
+  read.back() = "4 agents in all";
+  Exchange({}, read, {});
+  EXPECT_EQ(reading_.sentences, read) << "it is what the groups are together";
+  text_ = "Three sheep and one drone, two agents in all.";
+  read.back() = "2 agents in all";
+  Exchange({}, read, {});
+  EXPECT_EQ(reading_.sentences, read) << "the text says it";
+}
+
 TEST_F(EnvironmentExchangeTest, WhatBothSayIsTheFirstsUnlessThePartCounts) {
   const Strings mine = {"Season: winter", "Grass: dry", "2 goblins"};
   const Strings others = {"Season: autumn", "Grass: lush", "3 goblins"};

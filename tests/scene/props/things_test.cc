@@ -8,6 +8,7 @@
 
 #include "latticeworld/layout/thing_kinds.h"
 #include "latticeworld/layout/thing_wishes.h"
+#include "latticeworld/layout/zone.h"
 #include "latticeworld/scene/asset_physics.h"
 #include "latticeworld/scene/footprint.h"
 #include "latticeworld/scene/props/thing_claims.h"
@@ -70,6 +71,64 @@ TEST(ThingsTest, ARowOfTreesStandsInOneLineBesideTheVillageForAnySeed) {
     }
     ExpectAllHold(answer, {row});
   }
+}
+
+// By the geometry itself, not by the claims: the lake is round, 25 m around (80, 0).
+TEST(ThingsTest, ThingsStandOnTheSideOfALakeAndOfAThingThatIsAsked) {
+  const ThingSide sides[] = {ThingSide::kNorth, ThingSide::kSouthWest, ThingSide::kWest};
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (const ThingSide side : sides) {
+      SCOPED_TRACE(std::string(NameOf(side)) + " with seed " + std::to_string(seed));
+      std::vector<ThingWish> wishes = {Wish("tower"), Wish("bench", 2)};
+      wishes[0].relation = wishes[1].relation = ThingRelation::kNear;
+      wishes[0].side = wishes[1].side = side;
+      wishes[0].target.letter = 'W';
+      wishes[0].zone = *FindZone("eastern half");
+      wishes[1].target.wish = 0;
+      wishes[1].distance_m = 12.0;
+      const SceneAnswer answer = BuildWith(wishes, seed);
+      ASSERT_EQ(answer.scene->things.size(), 3u);
+      const auto off_rad = [&](WorldPoint from, WorldPoint to) {
+        const double heading_rad = std::atan2(to.y_m - from.y_m, to.x_m - from.x_m);
+        return std::abs(std::remainder(heading_rad - HeadingOf(side), 2.0 * M_PI));
+      };
+      const WorldPoint tower = answer.scene->things[0].position;
+      EXPECT_LE(off_rad({80.0, 0.0}, tower), M_PI / 2.0);
+      EXPECT_GT(std::hypot(tower.x_m - 80.0, tower.y_m), 25.0);
+      for (std::size_t i = 1; i < 3; ++i)
+        EXPECT_LE(off_rad(tower, answer.scene->things[i].position), M_PI / 4.0);
+      ExpectAllHold(answer, wishes);
+    }
+  }
+}
+
+TEST(ThingsTest, AWellBetweenTheVillageAndTheRoadStandsBetweenThem) {
+  ThingWish well = Wish("well");
+  well.relation = ThingRelation::kBetween;
+  well.target.letter = 'B';
+  well.second.letter = 'R';
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const SceneAnswer answer = BuildWith({well}, seed);
+    ASSERT_EQ(answer.scene->things.size(), 1u);
+    const double x_m = answer.scene->things[0].position.x_m;
+    EXPECT_GT(x_m, -60.0) << "the village's edge";
+    EXPECT_LT(x_m, 17.0) << "the road's";
+    ExpectAllHold(answer, {well});
+  }
+}
+
+TEST(ThingsTest, AClaimOfASideFailsForWhatStandsOnTheOther) {
+  ThingWish tower = Wish("tower");
+  tower.relation = ThingRelation::kNear;
+  tower.target.letter = 'R';
+  tower.side = ThingSide::kEast;
+  const SceneAnswer answer = BuildWith({tower}, 1);
+  tower.side = ThingSide::kWest;
+  const std::vector<ThingOutcome> outcomes = MeasureThings(*answer.scene, {tower});
+  ASSERT_EQ(outcomes.size(), 2u);
+  EXPECT_EQ(std::string(outcomes[1].kind), "thing_direction");
+  EXPECT_FALSE(outcomes[1].holds);
 }
 
 TEST(ThingsTest, BenchesAroundAWellInFrontOfAChurchAndLampsAlongTheRoadKeepToTheirRelations) {

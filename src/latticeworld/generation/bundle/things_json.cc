@@ -60,8 +60,8 @@ class ThingReader {
       return;
     }
     static const std::set<std::string> kKeys = {
-        "kind",      "name", "x",     "y",        "yaw_deg", "count",      "arrangement",
-        "spacing_m", "size", "place", "relation", "of",      "distance_m", "facing"};
+        "kind", "name",  "x",        "y",  "yaw_deg",    "count", "arrangement", "spacing_m",
+        "size", "place", "relation", "of", "distance_m", "side",  "and",         "facing"};
     for (const auto& item : json.items()) {
       if (kKeys.count(item.key()) > 0) continue;
       Fault(item.key(), "unknown_key",
@@ -182,14 +182,24 @@ class ThingReader {
 
   void ReadRelation(const Json& json, ThingWish* wish) {
     Name(json, "relation", &wish->relation);
+    Name(json, "side", &wish->side);
     ReadTarget(json, "of", &wish->target);
     ReadTarget(json, "facing", &wish->facing);
     wish->distance_m = Number(json, "distance_m", 0.1, kFarthest_m).value_or(0.0);
     if (!json.contains("count")) FillRun(wish);
     const bool relates = wish->relation != ThingRelation::kNone;
+    const bool between = wish->relation == ThingRelation::kBetween;
+    ReadTarget(json, "and", &wish->second);
+    if (between && !json.contains("and")) Fault("and", "missing_key", "is missing", "");
+    if (!between && json.contains("and")) {
+      Fault("and", "conflict", "is given with another relation than between", "");
+    }
     if (relates && !json.contains("of")) Fault("of", "missing_key", "is missing", "");
     if (!relates && json.contains("of")) {
       Fault("relation", "missing_key", "is missing; of has one", "");
+    }
+    if (wish->side != ThingSide::kAny && wish->relation != ThingRelation::kNear) {
+      Fault("side", "conflict", "is given with another relation than near", "");
     }
     if (relates && wish->position) {
       Fault("relation", "conflict", "is given with an exact place; legal is one of the two", "");

@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
 #include "latticeworld/language/grounded/environment/heard_environment.h"
 #include "latticeworld/language/reading/claim_coverage.h"
 #include "latticeworld/language/reading/environment_of_sentences.h"
+#include "latticeworld/language/reading/made_up.h"
 #include "latticeworld/language/reading/sentences_of_claims.h"
-#include "latticeworld/language/reading/text_units.h"
 
 namespace latticeworld {
 namespace {
@@ -32,54 +30,9 @@ bool HasAgents(const HeardEnvironment& heard) {
   return !heard.agents.empty() || !heard.absences.empty();
 }
 
-bool AreOfSame(const FineWish& one, const FineWish& other) {
-  const EnvironmentClaim& a = one.claim;
-  const EnvironmentClaim& b = other.claim;
-  return a.kind == b.kind && a.asset == b.asset && a.variant_key == b.variant_key &&
-         a.parameter_key == b.parameter_key;
-}
-
 bool HasSame(const std::vector<FineWish>& wishes, const FineWish& wanted) {
   return std::any_of(wishes.begin(), wishes.end(),
                      [&wanted](const FineWish& wish) { return AreOfSame(wish, wanted); });
-}
-
-// How often each number is said.
-std::map<std::string, int> NumbersIn(const std::vector<std::string>& texts, Vocabulary vocabulary) {
-  std::map<std::string, int> numbers;
-  for (const std::string& text : texts) {
-    for (const TextUnit& unit : UnitsOf(text, SentenceKind::kEnvironment, vocabulary)) {
-      for (const std::string& key : unit.keys)
-        if (StartsWith(key, "number ")) ++numbers[key];
-    }
-  }
-  return numbers;
-}
-
-// Whether a model made up a parameter, of which another reading says the other: they are nothing
-// alike, and the text does not say its numbers, or says them of something else. Models that were
-// taught "no wind" and "12 m/s" may read "windy, three sheep" as 3 m/s. sentences: all of the
-// model's reading. Headings are said in words, not in numbers, and never count as made up.
-bool IsMadeUp(const FineWish& wish, const FineWish& other, const EnvironmentRequest& request,
-              const std::vector<std::string>& sentences) {
-  const EnvironmentClaim& mine = wish.claim;
-  const EnvironmentClaim& theirs = other.claim;
-  if (mine.kind != EnvironmentClaimKind::kParameter) return false;
-  if (mine.parameter_key == ParameterKey::kRotationYaw) return false;
-  if (mine.least <= theirs.most && theirs.least <= mine.most) return false;
-  std::vector<std::string> saying;
-  std::copy_if(sentences.begin(), sentences.end(), std::back_inserter(saying),
-               [&](const std::string& sentence) {
-                 return HasSame(EnvironmentOfSentences({sentence}, *request.catalogue).fine, wish);
-               });
-  const Vocabulary vocabulary = request.layout->vocabulary;
-  const auto own = NumbersIn(saying, vocabulary);
-  const auto of_text = NumbersIn({request.instruction}, vocabulary);
-  const auto of_all = NumbersIn(sentences, vocabulary);
-  return !own.empty() && std::none_of(own.begin(), own.end(), [&](const auto& number) {
-    const auto in_text = of_text.find(number.first);
-    return in_text != of_text.end() && in_text->second >= of_all.at(number.first);
-  });
 }
 
 // What was taken over, and what it took the place of.
@@ -125,6 +78,21 @@ void ExchangeFine(const GivesWay& gives_way, std::vector<FineWish>* mine,
   second->insert(second->end(), replaced.begin(), replaced.end());
 }
 
+bool HasSame(const std::vector<EnvironmentClaim>& absences, const EnvironmentClaim& wanted) {
+  return std::any_of(absences.begin(), absences.end(), [&wanted](const EnvironmentClaim& one) {
+    return one.kind == wanted.kind && one.categories == wanted.categories &&
+           one.least_quantity == wanted.least_quantity && one.most_quantity == wanted.most_quantity;
+  });
+}
+
+void DropMadeUpAbsences(const MadeUp& made_up, HeardEnvironment* mine, Exchanged* exchanged) {
+  const auto goes = std::stable_partition(
+      mine->absences.begin(), mine->absences.end(),
+      [&made_up](const EnvironmentClaim& absence) { return !made_up.Is(absence); });
+  exchanged->replaced.absences.assign(goes, mine->absences.end());
+  mine->absences.erase(goes, mine->absences.end());
+}
+
 void ExchangeAgents(bool counts, HeardEnvironment* mine, HeardEnvironment* second,
                     Exchanged* exchanged) {
   if (!HasAgents(*second)) return;
@@ -137,7 +105,8 @@ void ExchangeAgents(bool counts, HeardEnvironment* mine, HeardEnvironment* secon
     return;
   }
   exchanged->replaced.agents = mine->agents;
-  exchanged->replaced.absences = mine->absences;
+  exchanged->replaced.absences.insert(exchanged->replaced.absences.end(), mine->absences.begin(),
+                                      mine->absences.end());
   std::swap(mine->agents, second->agents);
   std::swap(mine->absences, second->absences);
 }
@@ -147,7 +116,10 @@ bool Overlap(const HeardEnvironment& a, const HeardEnvironment& b) {
   for (std::size_t i = 0; i < a.coarse.size(); ++i) {
     if (IsSaid(a.coarse[i]) && IsSaid(b.coarse[i])) return true;
   }
-  return (HasAgents(a) && HasAgents(b)) ||
+  return (!a.agents.empty() && !b.agents.empty()) ||
+         std::any_of(
+             a.absences.begin(), a.absences.end(),
+             [&b](const EnvironmentClaim& absence) { return HasSame(b.absences, absence); }) ||
          std::any_of(a.fine.begin(), a.fine.end(),
                      [&b](const FineWish& wish) { return HasSame(b.fine, wish); });
 }
@@ -173,12 +145,14 @@ void Exchange(const EnvironmentRequest& request, const std::set<ReadingPart>& pa
     ExchangeCoarse(parts.count(ReadingPart::kCoarse) > 0, &heard.coarse[i], &second->coarse[i],
                    &exchanged.taken.coarse[i], &exchanged.replaced.coarse[i]);
   }
+  const MadeUp made_up(request, *reading);
   const auto gives_way = [&](const FineWish& own, const FineWish& other) {
-    return parts.count(ReadingPart::kFine) > 0 || IsMadeUp(own, other, request, reading->sentences);
+    return parts.count(ReadingPart::kFine) > 0 || made_up.Is(own, other);
   };
   ExchangeFine(gives_way, &heard.fine, &second->fine, &exchanged);
+  DropMadeUpAbsences(made_up, &heard, &exchanged);
   ExchangeAgents(parts.count(ReadingPart::kAgents) > 0, &heard, second, &exchanged);
-  if (IsEmpty(exchanged.taken)) return;
+  if (IsEmpty(exchanged.taken) && IsEmpty(exchanged.replaced)) return;
 
   // What was replaced is neither said nor warned of any more.
   EraseIf(&reading->sentences, [&](const std::string& sentence) {

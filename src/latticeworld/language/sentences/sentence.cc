@@ -143,6 +143,7 @@ class Matcher {
 
   // Returns where the phrase ends if it stands at `at`, else `at`.
   std::size_t EndOf(std::string_view phrase, std::size_t at) const {
+    if (phrase.front() != words_[at].text.front()) return at;  // as most of a list
     std::size_t end = at;
     for (std::size_t begin = 0; begin <= phrase.size(); ++end) {
       const std::size_t blank = std::min(phrase.find(' ', begin), phrase.size());

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/layout/thing_wishes.h"
 #include "latticeworld/scene/land_finder.h"
 #include "latticeworld/scene/props/props.h"
 #include "latticeworld/scene/props/thing_maker.h"
@@ -212,15 +213,23 @@ class Measurer {
 
   void MeasureRelation() {
     if (wish_->relation == ThingRelation::kNone) return;
-    const char* const kinds[] = {
-        "", "thing_in", "thing_near", "thing_in_front", "thing_around", "thing_along"};
-    const char* kind = kinds[static_cast<int>(wish_->relation)];
-    const ThingTarget& target = wish_->target;
-    const bool missing = target.wish >= 0
-                             ? standing_[static_cast<std::size_t>(target.wish)].places.empty()
-                             : !land_.Has(target.letter);
-    if (missing) return Add(kind, false, 1.0, "what they are to stand by is not there");
+    const char* const kinds[] = {"",
+                                 "thing_in",
+                                 "thing_near",
+                                 "thing_in_front",
+                                 "thing_around",
+                                 "thing_along",
+                                 "thing_between"};
+    const bool on_side = wish_->side != ThingSide::kAny;
+    const char* kind = on_side ? "thing_direction" : kinds[static_cast<int>(wish_->relation)];
+    const bool between = wish_->relation == ThingRelation::kBetween;
+    if (!IsThere(wish_->target) || (between && !IsThere(wish_->second)))
+      return Add(kind, false, 1.0, "what they are to stand by is not there");
+    if (between) return MeasureBetween();
     if (wish_->relation == ThingRelation::kIn) return MeasureIn();
+    if (on_side) MeasureSide();
+    if (on_side && wish_->distance_m == 0.0) return;
+    kind = kinds[static_cast<int>(wish_->relation)];
     // If an arrangement is beside something, what is nearest counts; if it is along it, everything
     // does.
     std::vector<double> gaps_m;
@@ -244,6 +253,68 @@ class Measurer {
     if (!placed_well) explanation = "not on the side that is asked; " + explanation;
     Add(kind, placed_well && gap_m <= most_m, gap_m / 100.0,
         explanation + "at most " + Metres(most_m) + " asked");
+  }
+
+  bool IsThere(const ThingTarget& target) {
+    return target.wish >= 0 ? !standing_[static_cast<std::size_t>(target.wish)].places.empty()
+                            : land_.Has(target.letter);
+  }
+
+  std::optional<WorldPoint> NearestOf(const ThingTarget& target, WorldPoint place) {
+    if (target.wish < 0) return land_.NearestAnywhere(target.letter, place);
+    const std::vector<WorldPoint>& all = standing_[static_cast<std::size_t>(target.wish)].places;
+    return *std::min_element(all.begin(), all.end(), [&](WorldPoint a, WorldPoint b) {
+      return Distance(a, place) < Distance(b, place);
+    });
+  }
+
+  // The angle under which the middle of the things sees the nearest of the two.
+  void MeasureBetween() {
+    constexpr double kLeast_deg = 90.0;
+    const WorldPoint middle = MiddleOf(of_->places);
+    const auto one = NearestOf(wish_->target, middle);
+    const auto other = NearestOf(wish_->second, middle);
+    double angle_deg = 0.0;
+    if (one && other) {
+      const double first_rad = std::atan2(one->y_m - middle.y_m, one->x_m - middle.x_m);
+      const double second_rad = std::atan2(other->y_m - middle.y_m, other->x_m - middle.x_m);
+      angle_deg = std::abs(std::remainder(first_rad - second_rad, 2.0 * M_PI)) * 180.0 / M_PI;
+    }
+    char text[100];
+    std::snprintf(text, sizeof(text),
+                  "the two lie %.0f degrees apart from there; at least %.0f asked", angle_deg,
+                  kLeast_deg);
+    Add("thing_between", angle_deg >= kLeast_deg, 1.0 - angle_deg / 180.0, text);
+  }
+
+  // Returns the angle between a side of the target and the way to a place from what is nearest of
+  // it; of a thing, from its middle.
+  double OffSide_deg(WorldPoint place) {
+    double least_deg = 180.0;
+    const auto offer = [&](WorldPoint from) {
+      const double heading_rad = std::atan2(place.y_m - from.y_m, place.x_m - from.x_m);
+      const double off_rad =
+          std::abs(std::remainder(heading_rad - HeadingOf(wish_->side), 2.0 * M_PI));
+      least_deg = std::min(least_deg, off_rad * 180.0 / M_PI);
+    };
+    if (const ThingTarget& target = wish_->target; target.wish >= 0) {
+      for (const WorldPoint& at : standing_[static_cast<std::size_t>(target.wish)].places)
+        offer(at);
+    } else if (const auto nearest = land_.Nearest(target.letter, place)) {
+      offer(*nearest);
+    }
+    return least_deg;
+  }
+
+  void MeasureSide() {
+    constexpr double kMostOff_deg = 60.0;
+    double most_deg = 0.0;
+    for (const WorldPoint& place : of_->places) most_deg = std::max(most_deg, OffSide_deg(place));
+    char text[100];
+    std::snprintf(text, sizeof(text),
+                  "at most %.0f degrees off the way to the %s of it; %.0f allowed", most_deg,
+                  std::string(NameOf(wish_->side)).c_str(), kMostOff_deg);
+    Add("thing_direction", most_deg <= kMostOff_deg, most_deg / 180.0, text);
   }
 
   void MeasureIn() {

@@ -6,13 +6,15 @@
 
 #include "latticeworld/layout/class_letters.h"
 #include "latticeworld/layout/thing_kinds.h"
+#include "latticeworld/layout/thing_wishes.h"
 
 namespace latticeworld {
 namespace {
 
 constexpr double kQuarter_rad = M_PI / 2.0;
-constexpr double kOfLine_m = 1.0;  // room for pieces that cut bends
-constexpr double kInner = 0.8;     // share of half the world's size
+constexpr double kOfLine_m = 1.0;            // room for pieces that cut bends
+constexpr double kInner = 0.8;               // share of half the world's size
+constexpr double kOffSide_rad = M_PI / 9.0;  // that a way to one side of something is off at most
 
 WorldPoint Moved(WorldPoint point, double heading_rad, double by_m) {
   return {point.x_m + by_m * std::cos(heading_rad), point.y_m + by_m * std::sin(heading_rad)};
@@ -53,14 +55,16 @@ ThingSites::ThingSites(const ThingWish& wish, const Footprint& own,
       zone_(MaskOf(wish.zone)),
       is_run_(IsRun(wish.kind)),
       relation_(wish.relation) {
-  const ThingTarget& target = wish.target;
   if (relation_ == ThingRelation::kNone) return;
-  const bool missing = target.wish >= 0        ? standing[target.wish].empty()
-                       : target.letter != '\0' ? !land->Has(target.letter)
-                                               : true;
-  if (!missing) return;
+  const bool between = relation_ == ThingRelation::kBetween;
+  if (IsThere(wish.target) && (!between || IsThere(wish.second))) return;
   relation_ = ThingRelation::kNone;
   problem_ = "what it is to stand by is not there, so that it stands anywhere";
+}
+
+bool ThingSites::IsThere(const ThingTarget& target) const {
+  if (target.wish >= 0) return !standing_[static_cast<std::size_t>(target.wish)].empty();
+  return target.letter != '\0' && land_->Has(target.letter);
 }
 
 bool ThingSites::arranges_by_itself() const {
@@ -79,6 +83,14 @@ bool ThingSites::InZone(WorldPoint point) const {
 bool ThingSites::IsInner(WorldPoint point) const {
   const double limit_m = kInner * terrain_.geometry().half_size_m();
   return std::abs(point.x_m) <= limit_m && std::abs(point.y_m) <= limit_m;
+}
+
+// From what is nearest of the target.
+bool ThingSites::IsOnSide(WorldPoint point) const {
+  constexpr double kMostOff_rad = M_PI / 4.0;
+  if (wish_.side == ThingSide::kAny || relation_ != ThingRelation::kNear) return true;
+  const double heading_rad = HeadingTo(*NearestOf(wish_.target, point), point);
+  return std::abs(std::remainder(heading_rad - HeadingOf(wish_.side), 2.0 * M_PI)) <= kMostOff_rad;
 }
 
 WorldPoint ThingSites::DrawInZone(RandomStream* random) const {
@@ -127,12 +139,17 @@ double ThingSites::DrawGap(double least_m, double most_m, RandomStream* random) 
   return OwnRadius() + random->Uniform(least_m, most_m);
 }
 
+double ThingSites::DrawWayOut(RandomStream* random) const {
+  if (wish_.side == ThingSide::kAny) return random->Uniform(-M_PI, M_PI);
+  return HeadingOf(wish_.side) + random->Uniform(-kOffSide_rad, kOffSide_rad);
+}
+
 // Draws a place outwards from a cell of the class, beyond its edge.
 ThingSites::Anchor ThingSites::BesideLand(double depth_m, RandomStream* random) const {
   constexpr double kStep_m = 1.0, kFarthest_m = 400.0;
   const char letter = wish_.target.letter;
   WorldPoint point = DrawCell(letter, random);
-  const double out_rad = random->Uniform(-M_PI, M_PI);
+  const double out_rad = DrawWayOut(random);
   for (double far_m = 0.0; land_->IsOf(letter, point) && far_m < kFarthest_m; far_m += kStep_m) {
     point = Moved(point, out_rad, kStep_m);
   }
@@ -142,7 +159,18 @@ ThingSites::Anchor ThingSites::BesideLand(double depth_m, RandomStream* random) 
   anchor.has_target = true;
   anchor.place = Moved(point, out_rad, is_pier ? 0.7 - own_.half_length_m : gap_m + depth_m);
   anchor.toward_rad = out_rad + M_PI;
-  if (is_pier || !terrain_.geometry().Contains(anchor.place)) return anchor;
+  if (is_pier) return anchor;
+  if (wish_.side != ThingSide::kAny) {
+    // On the way to that side, until nothing of the class is nearer.
+    const auto is_near = [&] {
+      const auto nearest = land_->Nearest(letter, anchor.place);
+      return nearest && Distance(*nearest, anchor.place) < gap_m + depth_m;
+    };
+    while (terrain_.geometry().Contains(anchor.place) && is_near())
+      anchor.place = Moved(anchor.place, out_rad, kStep_m);
+    return anchor;
+  }
+  if (!terrain_.geometry().Contains(anchor.place)) return anchor;
   // The edge may bend: as far from what is nearest now.
   if (const auto nearest = land_->Nearest(letter, anchor.place)) {
     anchor.toward_rad = HeadingTo(anchor.place, *nearest);
@@ -165,11 +193,30 @@ ThingSites::Anchor ThingSites::BesideThing(double depth_m, RandomStream* random)
     anchor.toward_rad = target.yaw_rad + M_PI;
     return anchor;
   }
-  const double out_rad = random->Uniform(-M_PI, M_PI);
+  const double out_rad = DrawWayOut(random);
   const double gap_m = DrawGap(1.0, 5.0, random) + depth_m;
   anchor.place = target.centre;
   while (GapTo(target, anchor.place) < gap_m) anchor.place = Moved(anchor.place, out_rad, kStep_m);
   anchor.toward_rad = out_rad + M_PI;
+  return anchor;
+}
+
+// Half way between the two targets, at one of the places where each is nearest to the other.
+ThingSites::Anchor ThingSites::Between(RandomStream* random) const {
+  WorldPoint from;
+  if (wish_.target.wish >= 0) {
+    const auto& all = standing_[static_cast<std::size_t>(wish_.target.wish)];
+    from = all[static_cast<std::size_t>(random->UniformInt(0, static_cast<int>(all.size()) - 1))]
+               .centre;
+  } else {
+    from = DrawCell(wish_.target.letter, random);
+  }
+  const WorldPoint to = *NearestOf(wish_.second, from);
+  from = *NearestOf(wish_.target, to);
+  Anchor anchor;
+  anchor.has_target = true;
+  anchor.place = {0.5 * (from.x_m + to.x_m), 0.5 * (from.y_m + to.y_m)};
+  anchor.toward_rad = HeadingTo(anchor.place, from);
   return anchor;
 }
 
@@ -180,6 +227,8 @@ ThingSites::Anchor ThingSites::DrawAnchor(double depth_m, RandomStream* random) 
   for (int i = 0; i < kDraws; ++i) {
     if (relation_ == ThingRelation::kNone) {
       anchor = {DrawInZone(random), 0.0, false};
+    } else if (relation_ == ThingRelation::kBetween) {
+      anchor = Between(random);
     } else if (wish_.target.wish >= 0) {
       anchor = BesideThing(depth_m, random);
     } else if (relation_ == ThingRelation::kIn) {
@@ -187,7 +236,7 @@ ThingSites::Anchor ThingSites::DrawAnchor(double depth_m, RandomStream* random) 
     } else {
       anchor = BesideLand(depth_m, random);
     }
-    if (InZone(anchor.place)) break;
+    if (InZone(anchor.place) && IsOnSide(anchor.place)) break;
   }
   return anchor;
 }
@@ -390,17 +439,12 @@ std::vector<ThingSites::Slot> ThingSites::EndToEnd(std::vector<Slot> nodes) cons
 }
 
 std::optional<WorldPoint> ThingSites::NearestOf(const ThingTarget& target, WorldPoint point) const {
-  if (target.letter != '\0') {
-    if (const auto nearest = land_->Nearest(target.letter, point)) return nearest;
-  }
+  if (target.letter != '\0') return land_->NearestAnywhere(target.letter, point);
+  if (target.wish < 0) return std::nullopt;
   std::optional<WorldPoint> nearest;
-  const auto offer = [&](WorldPoint other) {
-    if (!nearest || Distance(other, point) < Distance(*nearest, point)) nearest = other;
-  };
-  if (target.letter != '\0') {
-    for (const WorldPoint& cell : land_->CellsOf(target.letter)) offer(cell);
-  } else if (target.wish >= 0) {
-    for (const Footprint& standing : standing_[target.wish]) offer(standing.centre);
+  for (const Footprint& standing : standing_[static_cast<std::size_t>(target.wish)]) {
+    if (!nearest || Distance(standing.centre, point) < Distance(*nearest, point))
+      nearest = standing.centre;
   }
   return nearest;
 }

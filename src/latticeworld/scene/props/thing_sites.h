@@ -51,7 +51,9 @@ class ThingSites {
     double toward_rad = 0.0;  // to the target
     bool has_target = false;
   };
+  bool IsThere(const ThingTarget& target) const;
   bool InZone(WorldPoint point) const;
+  bool IsOnSide(WorldPoint point) const;
   // Away from the world's edges, where things are seen whole.
   bool IsInner(WorldPoint point) const;
   WorldPoint DrawInZone(RandomStream* random) const;
@@ -59,9 +61,12 @@ class ThingSites {
   WorldPoint DrawCell(char letter, RandomStream* random) const;
   double OwnRadius() const;
   double DrawGap(double least_m, double most_m, RandomStream* random) const;
+  // The heading away from the target: to the side that is said, or anywhere.
+  double DrawWayOut(RandomStream* random) const;
   Anchor DrawAnchor(double depth_m, RandomStream* random) const;
   Anchor BesideLand(double depth_m, RandomStream* random) const;
   Anchor BesideThing(double depth_m, RandomStream* random) const;
+  Anchor Between(RandomStream* random) const;
   std::vector<Slot> Arrange(const Anchor& anchor, int count, double turn_rad) const;
   std::vector<Slot> AroundThing(int count, double turn_rad) const;
   std::vector<Slot> RunAroundThing(int most) const;

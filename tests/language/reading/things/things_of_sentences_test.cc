@@ -40,6 +40,32 @@ TEST(ThingsOfSentencesTest, RelationsNameThingsAndLand) {
   EXPECT_EQ(things[4].distance_m, 20.0);
 }
 
+TEST(ThingsOfSentencesTest, SidesAndWhatLiesBetweenAreHeard) {
+  const std::vector<ThingWish> things = Read(
+      "A tower is north-east of the lake. A hut is between the lake and the forest. "
+      "A well is west of the tower.");
+  ASSERT_EQ(things.size(), 3u);
+  EXPECT_EQ(things[0].side, ThingSide::kNorthEast);
+  EXPECT_EQ(things[0].target.letter, 'W');
+  EXPECT_EQ(things[1].relation, ThingRelation::kBetween);
+  EXPECT_EQ(things[1].second.letter, 'F');
+  EXPECT_EQ(things[2].side, ThingSide::kWest);
+  EXPECT_EQ(things[2].target.wish, 0);
+}
+
+TEST(ThingsOfSentencesTest, AHouseIsASingleThingWhereThereIsNoLandForIt) {
+  const auto read = [](Vocabulary vocabulary) {
+    return LayoutOfSentences({"Rock", "A lake in the north", "A house is south of the lake"},
+                             vocabulary)
+        .things;
+  };
+  EXPECT_TRUE(read(Vocabulary::kSuburb).empty());
+  const std::vector<ThingWish> things = read(Vocabulary::kWild);
+  ASSERT_EQ(things.size(), 1u);
+  EXPECT_EQ(things[0].kind, "house");
+  EXPECT_EQ(things[0].side, ThingSide::kSouth);
+}
+
 TEST(ThingsOfSentencesTest, WhatIsNewOnBothSidesIsMadeOnce) {
   const std::vector<ThingWish> things = Read("A well is 20 m from a barn.");
   ASSERT_EQ(things.size(), 2u);

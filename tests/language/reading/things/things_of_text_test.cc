@@ -39,6 +39,26 @@ TEST(ThingsOfTextTest, ThingsStandByEachOther) {
   EXPECT_EQ(taken.things[3].spacing_m, 20.0);
 }
 
+TEST(ThingsOfTextTest, SidesAndWhatLiesBetweenAreHeard) {
+  const TextThings taken = Take(
+      "A tent south-west of a pond. Two benches stand to the east of the river. A well 20 m north "
+      "of "
+      "the tent. A ruin lies between the lake and the forest.");
+  ASSERT_EQ(taken.things.size(), 4u);
+  EXPECT_EQ(taken.things[0].side, ThingSide::kSouthWest);
+  EXPECT_EQ(taken.things[0].target.letter, 'W');
+  EXPECT_EQ(taken.things[1].count, 2);
+  EXPECT_EQ(taken.things[1].side, ThingSide::kEast);
+  EXPECT_EQ(taken.things[2].side, ThingSide::kNorth);
+  EXPECT_EQ(taken.things[2].target.wish, 0);
+  EXPECT_EQ(taken.things[2].distance_m, 20.0);
+  EXPECT_EQ(taken.things[3].relation, ThingRelation::kBetween);
+  EXPECT_EQ(taken.things[3].target.letter, 'W');
+  EXPECT_EQ(taken.things[3].second.letter, 'F');
+  EXPECT_EQ(taken.rest, "a pond. the river.. the lake and the forest.");
+  EXPECT_EQ(Take("A bench in the north of the forest.").things.at(0).side, ThingSide::kAny);
+}
+
 TEST(ThingsOfTextTest, OrderlyThingsStandInGrids) {
   const TextThings taken = Take("Organized chambers, trees, and rocks");
   ASSERT_EQ(taken.things.size(), 3u);

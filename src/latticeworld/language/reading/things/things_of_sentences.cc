@@ -26,15 +26,19 @@ constexpr RelationForm kRelationForms[] = {
     {"front", ThingRelation::kInFront},    {"surround", ThingRelation::kAround},
     {"inside", ThingRelation::kIn},        {"along", ThingRelation::kAlong},
     {"lined", ThingRelation::kAlong},      {"both_sides", ThingRelation::kAlong},
+    {"heading", ThingRelation::kNear},     {"between", ThingRelation::kBetween},
 };
 
-// The kind of a phrase's noun, where it is an object; nullptr: it is none.
-const ThingKind* KindOf(const Phrase& thing) {
+// The kind of a phrase's noun, where it is an object; nullptr: it is none. A house is land, but
+// where the vocabulary has no land for it.
+const ThingKind* KindOf(const Phrase& thing, Vocabulary vocabulary) {
   for (const char* list : {"object", "object_s"}) {
     const Phrase* noun = thing.Find(list);
     if (noun != nullptr) return FindThingKind(SingularNoun("object", noun->text));
   }
-  return nullptr;
+  const NounPhrase phrase = NounOf(thing);
+  if (phrase.noun == nullptr || phrase.noun->LetterIn(vocabulary) != '\0') return nullptr;
+  return FindThingKind(phrase.noun->phrase);
 }
 
 bool IsSaidSingly(const Phrase& thing) {
@@ -82,7 +86,7 @@ int SentenceThings::Known(const std::string& kind) const {
 }
 
 int SentenceThings::WishOf(const Phrase& thing, const std::string& words) {
-  const ThingKind* kind = KindOf(thing);
+  const ThingKind* kind = KindOf(thing, vocabulary_);
   if (kind == nullptr) return -1;
   const bool single = IsSaidSingly(thing);
   if (!single) {
@@ -137,6 +141,13 @@ bool SentenceThings::Relate(const Sentence& sentence, ThingWish wish, int index,
   } else {
     wish.relation = found->relation;
     wish.target = target;
+    if (form == "between") {
+      wish.second = TargetOf(*sentence.whole.Find("z"), words);
+      if (wish.second.is_nothing() || wish.second.wish >= index) return false;
+    }
+    if (form == "heading") {
+      wish.side = *FromName<ThingSide>(sentence.whole.Find("heading")->text);
+    }
     if (form == "near_metres") wish.distance_m = NumberOf(*sentence.whole.Find("n"));
     if (wish.count == 1 && wish.count_most == 1) FillRun(&wish);
   }
@@ -146,7 +157,7 @@ bool SentenceThings::Relate(const Sentence& sentence, ThingWish wish, int index,
 
 bool SentenceThings::Say(const Sentence& sentence, const std::string& words) {
   const Phrase* thing = sentence.whole.Find("x");
-  if (thing == nullptr || KindOf(*thing) == nullptr) return false;
+  if (thing == nullptr || KindOf(*thing, vocabulary_) == nullptr) return false;
   const std::string& form = sentence.form->name;
   // What it stands by is a wish before it.
   const Phrase* by = sentence.whole.Find("y");

@@ -11,6 +11,7 @@
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/numbers.h"
 #include "latticeworld/language/places.h"
+#include "latticeworld/language/reading/sentence_places.h"
 #include "latticeworld/language/tokens.h"
 #include "latticeworld/layout/thing_kinds.h"
 #include "latticeworld/layout/thing_wishes.h"
@@ -46,11 +47,12 @@ struct RelationWords {
 
 // Words that may follow a noun that stands by itself.
 constexpr std::string_view kFollowers[] = {
-    "in",     "on",     "at",        "by",       "near",   "beside", "next",      "along",
-    "around", "and",    "with",      "is",       "are",    "stand",  "stands",    "form",
-    "forms",  "every",  "spaced",    "that",     "behind", "facing", "close",     "lie",
-    "lies",   "placed", "arranged",  "line",     "lines",  "from",   "to",        "surrounding",
-    "inside", "within", "surrounds", "surround", "face",   "faces",  "alongside", "which"};
+    "in",        "on",       "at",    "by",          "near",      "beside",   "next",
+    "along",     "around",   "and",   "with",        "is",        "are",      "stand",
+    "stands",    "form",     "forms", "every",       "spaced",    "that",     "behind",
+    "facing",    "close",    "lie",   "lies",        "placed",    "arranged", "line",
+    "lines",     "from",     "to",    "surrounding", "between",   "inside",   "within",
+    "surrounds", "surround", "face",  "faces",       "alongside", "which"};
 
 // These verbs may follow "the trees" where a text says more about them.
 constexpr std::string_view kVerbs[] = {"is",   "are",   "stand",    "stands",    "lie",  "lies",
@@ -112,7 +114,8 @@ class Taker {
         noun += (i > 0 ? " " : "") + (i + 1 == count ? Singular(word) : std::string(word));
       }
       const ThingKind* kind = FindThingKind(noun);
-      if (kind == nullptr || kind->name == "house") continue;  // houses are land
+      const bool house_is_land = vocabulary_ == Vocabulary::kSuburb;
+      if (kind == nullptr || (kind->name == "house" && house_is_land)) continue;
       *plural = Singular(WordAt(at_ + count - 1)) != WordAt(at_ + count - 1);
       at_ += count;
       return kind;
@@ -122,7 +125,7 @@ class Taker {
 
   bool EndsHere() const {
     return at_ >= tokens_.size() || tokens_[at_].kind != TokenKind::kWord ||
-           Has(kFollowers, WordAt(at_));
+           Has(kFollowers, WordAt(at_)) || MatchHeading(tokens_, at_).tokens > 0;
   }
 
   const ArrangementWord* ArrangementAt(std::size_t at) const {
@@ -361,6 +364,7 @@ class Taker {
     static const RelationWords kRelations[] = {
         {{"in", "front", "of"}, ThingRelation::kInFront},
         {{"on", "both", "sides", "of"}, ThingRelation::kAlong},
+        {{"between"}, ThingRelation::kBetween},
         {{"on", "top", "of"}, ThingRelation::kIn},
         {{"around"}, ThingRelation::kAround},
         {{"surrounding"}, ThingRelation::kAround},
@@ -385,13 +389,20 @@ class Taker {
     const std::size_t number_at = at_;
     const NumberMatch number = MatchNumber(tokens_, at_);
     at_ += number.tokens;
-    double distance_m = 0.0;
+    const bool metres = number.tokens > 0 && TakeMetres();
+    double distance_m = metres ? number.value : 0.0;
+    ThingSide side = ThingSide::kAny;
     std::optional<ThingRelation> relation;
-    if (number.tokens > 0 && TakeMetres() && (TakeWords({"away", "from"}) || TakeAny({"from"}))) {
+    if (metres && (TakeWords({"away", "from"}) || TakeAny({"from"}))) {
       relation = ThingRelation::kNear;
-      distance_m = number.value;
     } else {
+      if (!metres) at_ = number_at;
+      side = TakeSide();
+      if (side != ThingSide::kAny) relation = ThingRelation::kNear;
+    }
+    if (!relation) {
       at_ = number_at;
+      distance_m = 0.0;
       for (const RelationWords& each : kRelations) {
         if (TakeWords(each.words)) {
           relation = each.relation;
@@ -403,20 +414,48 @@ class Taker {
     // It leads to a thing that was named before, or else to land.
     TakePlaceOf();
     const std::size_t target_at = at_;
-    ThingTarget target = TakeThingTarget();
+    const ThingTarget target = TakeTarget();
     const bool is_thing = target.wish >= 0;
-    if (!is_thing) {
-      at_ = target_at;
-      target = LandTarget();
-    }
     if (target.is_nothing() || (is_thing && *relation == ThingRelation::kIn)) return false;
+    const std::size_t target_end = at_;
+    ThingTarget second;
+    if (*relation == ThingRelation::kBetween) {
+      if (!TakeAny({"and"})) return false;
+      second = TakeTarget();
+      if (second.is_nothing() || second.wish >= 0) return false;
+    }
     // Only now is the wish changed and are the words taken.
     wish->relation = *relation;
     wish->target = target;
+    wish->second = second;
     wish->distance_m = distance_m;
-    parts->push_back({begin, is_thing ? at_ : target_at});
+    wish->side = side;
+    parts->push_back({begin, is_thing ? target_end : target_at});
     *end = at_;
     return is_thing;
+  }
+
+  // A thing that was named before, or else land.
+  ThingTarget TakeTarget() {
+    const std::size_t begin = at_;
+    const ThingTarget target = TakeThingTarget();
+    if (target.wish >= 0) return target;
+    at_ = begin;
+    return LandTarget();
+  }
+
+  // "north of", "to the north of", "just north of": on which side of something.
+  ThingSide TakeSide() {
+    const std::size_t begin = at_;
+    TakeAny({"just", "directly", "right"});
+    if (TakeAny({"to"})) TakeAny({"the"});
+    const HeadingMatch match = MatchHeading(tokens_, at_);
+    at_ += match.tokens;
+    if (match.tokens > 0 && TakeAny({"of"})) {
+      return *FromName<ThingSide>(HeadingName({match.heading.east, match.heading.south}));
+    }
+    at_ = begin;
+    return ThingSide::kAny;
   }
 
   // The place that begins there; what is said behind "facing" is not of it.
