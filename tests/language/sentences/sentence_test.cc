@@ -56,6 +56,15 @@ TEST(SentenceTest, PhrasesHoldWhatTheSlotsTook) {
   EXPECT_TRUE(sentence->Says("between"));
 }
 
+// Found by the fuzz target small_language.
+TEST(SentenceTest, TheWordsOfASentenceAreOneOfTheSameForm) {
+  for (const std::string text : {"forest S", "Lake A is NEAR Lake B.", "A lake A"}) {
+    const auto sentence = ReadSentence(text, SentenceKind::kLayout);
+    ASSERT_TRUE(sentence.has_value()) << text;
+    EXPECT_EQ(FormOf(sentence->whole.text), sentence->form->name) << sentence->whole.text;
+  }
+}
+
 TEST(SentenceTest, AgentsOfSeveralWords) {
   const auto sentence =
       ReadSentence("2 to 5 robotic dogs or wheeled robots patrolling in the village.",

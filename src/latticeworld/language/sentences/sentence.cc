@@ -73,7 +73,8 @@ class Matcher {
     std::string text;
     for (std::size_t i = begin; i < end; ++i) {
       if (i > begin) text += ' ';
-      text += words_[i].text;
+      const bool label = std::find(labels_.begin(), labels_.end(), i) != labels_.end();
+      text += label ? words_[i].written : words_[i].text;
     }
     return text;
   }
@@ -156,16 +157,19 @@ class Matcher {
 
   bool Take(const std::string& slot, std::size_t at, std::size_t end, Phrase* into,
             const Then& then) {
+    if (slot == "label") labels_.push_back(at);
     Phrase phrase;
     phrase.slot = slot;
-    phrase.text = slot == "label" ? words_[at].written : TextOf(at, end);
+    phrase.text = TextOf(at, end);
     into->parts.push_back(std::move(phrase));
     if (then(end)) return true;
     into->parts.pop_back();
+    if (slot == "label") labels_.pop_back();
     return false;
   }
 
   const std::vector<Word>& words_;
+  std::vector<std::size_t> labels_;  // which words are labels on the way that is tried
 };
 
 }  // namespace

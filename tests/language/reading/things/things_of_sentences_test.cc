@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "latticeworld/language/reading/layout_of_sentences.h"
+#include "latticeworld/language/sentences/sentence_tables.h"
 
 namespace latticeworld {
 namespace {
@@ -64,6 +65,35 @@ TEST(ThingsOfSentencesTest, AHouseIsASingleThingWhereThereIsNoLandForIt) {
   ASSERT_EQ(things.size(), 1u);
   EXPECT_EQ(things[0].kind, "house");
   EXPECT_EQ(things[0].side, ThingSide::kSouth);
+}
+
+TEST(ThingsOfSentencesTest, WhatStandsByAPlaceOfTheMapHasNoTarget) {
+  const std::vector<ThingWish> things =
+      Read("A bench is along the southern edge. The bench faces the north.");
+  ASSERT_EQ(things.size(), 1u);
+  EXPECT_TRUE(things[0].target.is_nothing());
+  EXPECT_FALSE(things[0].zone.is_anywhere());
+  EXPECT_TRUE(things[0].heading_rad.has_value());
+}
+
+// With "a tower" in the place of any of the nouns of its example, in either vocabulary.
+TEST(ThingsOfSentencesTest, EveryFormMaySpeakOfSingleThings) {
+  int heard = 0;
+  for (const SentenceForm& form : SentenceForms(SentenceKind::kLayout)) {
+    for (const std::string& noun :
+         {"lake", "lakes", "village", "river", "forest", "road", "hill"}) {
+      std::string example = form.example;
+      const std::size_t at = example.find(noun);
+      if (at == std::string::npos) continue;
+      example.replace(at, noun.size(), "tower");
+      for (const Vocabulary vocabulary : {Vocabulary::kSuburb, Vocabulary::kWild}) {
+        SCOPED_TRACE(example);
+        const LayoutPlan plan = LayoutOfSentences(SplitSentences(example), vocabulary);
+        heard += static_cast<int>(plan.things.size());
+      }
+    }
+  }
+  EXPECT_GT(heard, 20);
 }
 
 TEST(ThingsOfSentencesTest, WhatIsNewOnBothSidesIsMadeOnce) {

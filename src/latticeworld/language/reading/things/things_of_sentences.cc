@@ -36,6 +36,7 @@ const ThingKind* KindOf(const Phrase& thing, Vocabulary vocabulary) {
     const Phrase* noun = thing.Find(list);
     if (noun != nullptr) return FindThingKind(SingularNoun("object", noun->text));
   }
+  if (!thing.Has("noun")) return nullptr;  // a place
   const NounPhrase phrase = NounOf(thing);
   if (phrase.noun == nullptr || phrase.noun->LetterIn(vocabulary) != '\0') return nullptr;
   return FindThingKind(phrase.noun->phrase);
