@@ -118,6 +118,23 @@ TEST(ThingsTest, AWellBetweenTheVillageAndTheRoadStandsBetweenThem) {
   }
 }
 
+TEST(ThingsTest, ARowInALongZoneLiesAlongIt) {
+  ThingWish row = Wish("tree", 4);
+  row.arrangement = ThingArrangement::kRow;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (const bool north_south : {true, false}) {
+      SCOPED_TRACE(seed);
+      row.zone = *FindZone(north_south ? "eastern edge" : "northern edge");
+      const SceneAnswer answer = BuildWith({row}, seed);
+      ASSERT_EQ(answer.scene->things.size(), 4u);
+      const WorldPoint first = answer.scene->things.front().position;
+      const WorldPoint last = answer.scene->things.back().position;
+      const double across_m = north_south ? last.x_m - first.x_m : last.y_m - first.y_m;
+      EXPECT_NEAR(across_m, 0.0, 0.5);
+    }
+  }
+}
+
 TEST(ThingsTest, AClaimOfASideFailsForWhatStandsOnTheOther) {
   ThingWish tower = Wish("tower");
   tower.relation = ThingRelation::kNear;

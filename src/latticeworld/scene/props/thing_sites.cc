@@ -93,6 +93,20 @@ bool ThingSites::IsOnSide(WorldPoint point) const {
   return std::abs(std::remainder(heading_rad - HeadingOf(wish_.side), 2.0 * M_PI)) <= kMostOff_rad;
 }
 
+std::optional<double> ThingSites::AcrossZone() const {
+  constexpr double kLong = 2.0;
+  if (wish_.arrangement != ThingArrangement::kRow || wish_.zone.is_anywhere()) return std::nullopt;
+  double rows = 0.0, columns = 0.0;
+  std::uint32_t any = 0;
+  for (int row = 0; row < kLayoutSize; ++row) {
+    rows += zone_.row(row) != 0 ? 1.0 : 0.0;
+    any |= zone_.row(row);
+  }
+  for (; any != 0; any &= any - 1) columns += 1.0;
+  if (rows >= kLong * columns) return 0.0;
+  return columns >= kLong * rows ? std::optional<double>(kQuarter_rad) : std::nullopt;
+}
+
 WorldPoint ThingSites::DrawInZone(RandomStream* random) const {
   constexpr int kDraws = 200;
   const double half_m = terrain_.geometry().half_size_m() - own_.radius_m();
@@ -464,7 +478,9 @@ void ThingSites::Turn(RandomStream* random, std::vector<Slot>* slots) const {
 
 std::vector<ThingSites::Slot> ThingSites::Draw(int count, int tried, int tries,
                                                RandomStream* random) const {
+  const auto across_rad = AcrossZone();
   const double turn_rad = wish_.position ? wish_.heading_rad.value_or(0.0)
+                          : across_rad   ? *across_rad
                           : tried == 0 && relation_ == ThingRelation::kAround
                               ? 0.0
                               : random->Uniform(-M_PI, M_PI);

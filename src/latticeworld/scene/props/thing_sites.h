@@ -54,6 +54,8 @@ class ThingSites {
   bool IsThere(const ThingTarget& target) const;
   bool InZone(WorldPoint point) const;
   bool IsOnSide(WorldPoint point) const;
+  // The heading across a long zone, along which a row lies: "in a row along the eastern edge".
+  std::optional<double> AcrossZone() const;
   // Away from the world's edges, where things are seen whole.
   bool IsInner(WorldPoint point) const;
   WorldPoint DrawInZone(RandomStream* random) const;

@@ -59,6 +59,23 @@ TEST(ThingsOfTextTest, SidesAndWhatLiesBetweenAreHeard) {
   EXPECT_EQ(Take("A bench in the north of the forest.").things.at(0).side, ThingSide::kAny);
 }
 
+TEST(ThingsOfTextTest, BuildingsThatAreCountedAndArrangedAreSingleThings) {
+  const TextThings taken = Take(
+      "Six houses in a row along the road. Four warehouses in a row along the eastern edge. "
+      "A village with two warehouses and ten houses near the lake.");
+  ASSERT_EQ(taken.things.size(), 2u);
+  EXPECT_EQ(taken.things[0].kind, "house");
+  EXPECT_EQ(taken.things[0].count, 6);
+  EXPECT_EQ(taken.things[0].relation, ThingRelation::kAlong);
+  EXPECT_EQ(taken.things[1].kind, "barn");
+  EXPECT_EQ(taken.things[1].arrangement, ThingArrangement::kRow);
+  EXPECT_EQ(taken.things[1].zone.name, "eastern edge");
+  ASSERT_EQ(taken.warnings.size(), 1u);
+  EXPECT_NE(taken.warnings[0].find("such kind of thing as warehouses; the nearest is a barn"),
+            std::string::npos)
+      << taken.warnings[0];
+}
+
 TEST(ThingsOfTextTest, OrderlyThingsStandInGrids) {
   const TextThings taken = Take("Organized chambers, trees, and rocks");
   ASSERT_EQ(taken.things.size(), 3u);

@@ -22,6 +22,7 @@ Result<LayoutReading> ReadBesideThings(
     reading.plan.warnings.push_back(std::move(warning));
   }
   if (taken.things.empty()) return reading;
+  for (std::string& warning : taken.warnings) reading.plan.warnings.push_back(std::move(warning));
   const auto words =
       static_cast<int>(UnitsOf(taken.taken, SentenceKind::kLayout, request.vocabulary).size());
   reading.coverage.words += words;

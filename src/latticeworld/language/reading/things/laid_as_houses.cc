@@ -8,7 +8,6 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/layout/class_letters.h"
-#include "latticeworld/layout/thing_kinds.h"
 
 namespace latticeworld {
 
@@ -31,28 +30,27 @@ std::map<std::string, std::string, std::less<>> ReadNearest() {
   return nearest;
 }
 
-// "" where the noun means houses, or places with houses.
-std::string KindOfBuilding(const std::string& noun) {
+}  // namespace
+
+const ThingKind* KindOfBuilding(std::string_view noun) {
   static const std::map<std::string, std::string, std::less<>> nearest = ReadNearest();
   const ThingKind* kind = FindThingKind(noun);
-  if (kind != nullptr) return kind->name == "house" ? "" : kind->name;
+  if (kind != nullptr) return kind->name == "house" ? nullptr : kind;
   const auto found = nearest.find(noun);
-  return found == nearest.end() ? "" : found->second;
+  return found == nearest.end() ? nullptr : FindThingKind(found->second);
 }
-
-}  // namespace
 
 std::vector<std::string> WarningsOfHouses(const LayoutPlan& plan) {
   std::vector<std::string> warnings;
   for (const PlannedFeature& feature : plan.features) {
     const bool one = !feature.plural && feature.pieces <= 1 && !feature.supposed;
     if (!IsBuilding(plan.vocabulary, feature.letter) || !one) continue;
-    const std::string kind = KindOfBuilding(feature.noun);
-    if (kind.empty()) continue;
+    const ThingKind* kind = KindOfBuilding(feature.noun);
+    if (kind == nullptr) continue;
     const bool known = FindThingKind(feature.noun) != nullptr;
     std::string warning = Quote(feature.words) + ": a " + feature.noun + " is laid as houses";
-    if (!known) warning += ", for there is no such kind of thing; the nearest is a " + kind;
-    warnings.push_back(warning + "; \"a lone " + kind + "\" stands there as one thing");
+    if (!known) warning += ", for there is no such kind of thing; the nearest is a " + kind->name;
+    warnings.push_back(warning + "; \"a lone " + kind->name + "\" stands there as one thing");
   }
   const auto feature_at = [&plan](int index) -> const PlannedFeature* {
     return index < 0 ? nullptr : &plan.features[static_cast<std::size_t>(index)];

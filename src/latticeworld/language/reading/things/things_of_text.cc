@@ -12,6 +12,7 @@
 #include "latticeworld/language/numbers.h"
 #include "latticeworld/language/places.h"
 #include "latticeworld/language/reading/sentence_places.h"
+#include "latticeworld/language/reading/things/laid_as_houses.h"
 #include "latticeworld/language/tokens.h"
 #include "latticeworld/layout/thing_kinds.h"
 #include "latticeworld/layout/thing_wishes.h"
@@ -80,6 +81,7 @@ class Taker {
       return taken;
     }
     taken.things = std::move(things_);
+    taken.warnings = std::move(warnings_);
     WriteRest(&taken);
     return taken;
   }
@@ -104,8 +106,9 @@ class Taker {
     return true;
   }
 
-  // The longest noun of a kind.
-  const ThingKind* TakeKind(bool* plural) {
+  // The longest noun of which `find` gives a kind.
+  template <typename Find>
+  const ThingKind* TakeNoun(const Find& find, bool* plural) {
     for (std::size_t count = 3; count > 0; --count) {
       std::string noun;
       for (std::size_t i = 0; i < count; ++i) {
@@ -113,14 +116,33 @@ class Taker {
         if (word.empty()) noun += "?";  // a pause is within no noun
         noun += (i > 0 ? " " : "") + (i + 1 == count ? Singular(word) : std::string(word));
       }
-      const ThingKind* kind = FindThingKind(noun);
-      const bool house_is_land = vocabulary_ == Vocabulary::kSuburb;
-      if (kind == nullptr || (kind->name == "house" && house_is_land)) continue;
+      const ThingKind* kind = find(noun);
+      if (kind == nullptr) continue;
       *plural = Singular(WordAt(at_ + count - 1)) != WordAt(at_ + count - 1);
       at_ += count;
       return kind;
     }
     return nullptr;
+  }
+
+  const ThingKind* TakeKind(bool* plural) {
+    const bool house_is_land = vocabulary_ == Vocabulary::kSuburb;
+    return TakeNoun(
+        [house_is_land](const std::string& noun) {
+          const ThingKind* kind = FindThingKind(noun);
+          return kind != nullptr && kind->name == "house" && house_is_land ? nullptr : kind;
+        },
+        plural);
+  }
+
+  // Houses, and buildings that are no kind but come near one.
+  const ThingKind* TakeBuilding(bool* plural) {
+    return TakeNoun(
+        [](const std::string& noun) {
+          const ThingKind* kind = KindOfBuilding(noun);
+          return kind != nullptr ? kind : FindThingKind(noun);
+        },
+        plural);
   }
 
   bool EndsHere() const {
@@ -213,8 +235,12 @@ class Taker {
       }
     }
     const bool is_land = IsLand(at_);
+    const std::size_t noun = at_;
     const ThingKind* kind = TakeKind(&plural);
+    const bool only_near = kind == nullptr;
+    if (only_near) kind = TakeBuilding(&plural);
     if (kind == nullptr || !EndsHere() || (plural && count == 1)) return false;
+    const std::size_t noun_end = at_;
     wish.kind = kind->name;
     wish.count = wish.count_least = wish.count_most = count;
     wish.size = std::clamp(wish.size, 0.2, 5.0);
@@ -223,6 +249,7 @@ class Taker {
     const bool grows = kind->source == ThingSource::kAsset || kind->name == "boulder" ||
                        (kind->words.size() > 1 && kind->words[1] == kind->name + " tree");
     const bool arranged = wish.arrangement != ThingArrangement::kNone && counted;
+    if (only_near && !arranged) return false;
     // The number of things is kept before the thing that this one stands by is added: a thing of
     // land counts only together with that one.
     const std::size_t things = things_.size();
@@ -238,6 +265,10 @@ class Taker {
     if (count == 1) FillRun(&wish);
     for (std::size_t i = things; i < things_.size(); ++i) things_[i].words = wish.words;
     things_.push_back(wish);
+    if (only_near && kind->name != "house") {
+      warnings_.push_back(Quote(wish.words) + ": there is no such kind of thing as " +
+                          Words(noun, noun_end) + "; the nearest is a " + kind->name);
+    }
     for (const auto& [from, to] : parts) Remove(from, to);
     at_ = end;
     return true;
@@ -526,7 +557,7 @@ class Taker {
   void TakeZone(ThingWish* wish, std::size_t* end,
                 std::vector<std::pair<std::size_t, std::size_t>>* parts) {
     at_ = *end;
-    if (!TakeAny({"in", "at", "on", "near"})) return;
+    if (!TakeAny({"in", "at", "on", "near", "along"})) return;
     TakeAny({"the"});
     const PlaceMatch match = PlaceAt(at_);
     if (match.tokens == 0 || match.of_other || match.places.empty()) return;
@@ -578,6 +609,7 @@ class Taker {
   std::vector<bool> gone_;
   std::size_t at_ = 0;
   std::vector<ThingWish> things_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace

@@ -15,13 +15,14 @@ struct TextThings {
   std::vector<ThingWish> things;
   std::string rest;   // what is left for readers of land; the text itself where there are no things
   std::string taken;  // the words that were taken out
+  std::vector<std::string> warnings;  // where there is only a kind that comes near a noun
 };
 
 // Takes the noun phrases of single things out of a text, with how and where the things stand:
 // "three trees in a row beside", "a well in front of a church", "a row of six lamps along". The
 // land that they stand by stays in the text. Nouns that are land too (data/class_words.txt) count
 // where an arrangement or, for trees, bushes and boulders, a number says that single ones are
-// meant.
+// meant, buildings that are no kind only where they are counted and arranged.
 TextThings TakeThings(std::string_view text, Vocabulary vocabulary);
 
 }  // namespace latticeworld
