@@ -36,15 +36,17 @@ enum class ThingRelation : std::uint8_t {
   kIn,       // of land: on it
   kNear,     // distance_m from it, to its edge; 0: near; on a side of it, where one is said
   kInFront,  // before its front
+  kBehind,   // behind its back
   kAround,   // around it, alike far apart
   kAlong,    // beside it, alike far from it; faces it
   kBetween   // half way between it and a second one
 };
-constexpr std::array<EnumName<ThingRelation>, 7> EnumNames(ThingRelation) {
+constexpr std::array<EnumName<ThingRelation>, 8> EnumNames(ThingRelation) {
   return {{{ThingRelation::kNone, "none"},
            {ThingRelation::kIn, "in"},
            {ThingRelation::kNear, "near"},
            {ThingRelation::kInFront, "in front of"},
+           {ThingRelation::kBehind, "behind"},
            {ThingRelation::kAround, "around"},
            {ThingRelation::kAlong, "along"},
            {ThingRelation::kBetween, "between"}}};

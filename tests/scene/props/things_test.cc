@@ -118,6 +118,30 @@ TEST(ThingsTest, AWellBetweenTheVillageAndTheRoadStandsBetweenThem) {
   }
 }
 
+TEST(ThingsTest, ABuildingInAVillageTakesThePlaceOfAHouse) {
+  ThingWish church = Wish("church");
+  church.relation = ThingRelation::kIn;
+  church.target.letter = 'B';
+  std::vector<ThingWish> wishes = {church, church, Wish("bench")};
+  wishes[1].kind = "tower";
+  wishes[2].relation = ThingRelation::kBehind;
+  wishes[2].target.wish = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const SceneAnswer answer = BuildWith(wishes, seed);
+    ASSERT_EQ(answer.scene->things.size(), 3u);
+    const auto at = [&](std::size_t i) { return answer.scene->things[i].position; };
+    EXPECT_LT(at(0).x_m, -50.0) << "10 m from the village's edge";
+    EXPECT_LT(at(1).x_m, -50.0);
+    const double yaw_rad = answer.scene->things[0].yaw_rad;
+    EXPECT_LT(
+        (at(2).x_m - at(0).x_m) * std::cos(yaw_rad) + (at(2).y_m - at(0).y_m) * std::sin(yaw_rad),
+        0.0)
+        << "the bench stands before the church";
+    ExpectAllHold(answer, wishes);
+  }
+}
+
 TEST(ThingsTest, ARowInALongZoneLiesAlongIt) {
   ThingWish row = Wish("tree", 4);
   row.arrangement = ThingArrangement::kRow;
@@ -132,6 +156,20 @@ TEST(ThingsTest, ARowInALongZoneLiesAlongIt) {
       const double across_m = north_south ? last.x_m - first.x_m : last.y_m - first.y_m;
       EXPECT_NEAR(across_m, 0.0, 0.5);
     }
+  }
+}
+
+// The stream in the west and the lake in the east.
+TEST(ThingsTest, ATentBetweenTheWatersHasOneOfThemOnEitherSide) {
+  ThingWish tent = Wish("tent");
+  tent.relation = ThingRelation::kBetween;
+  tent.target.letter = tent.second.letter = 'W';
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const SceneAnswer answer = BuildWith({tent}, seed);
+    ASSERT_EQ(answer.scene->things.size(), 1u);
+    EXPECT_NEAR(answer.scene->things[0].position.x_m, -27.0, 30.0);
+    ExpectAllHold(answer, {tent});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/layout/thing_wishes.h"
 #include "latticeworld/scene/land_finder.h"
 #include "latticeworld/scene/props/props.h"
@@ -217,6 +218,7 @@ class Measurer {
                                  "thing_in",
                                  "thing_near",
                                  "thing_in_front",
+                                 "thing_behind",
                                  "thing_around",
                                  "thing_along",
                                  "thing_between"};
@@ -247,7 +249,8 @@ class Measurer {
           explanation + Metres(wish_->distance_m) + " asked");
       return;
     }
-    const bool placed_well = wish_->relation == ThingRelation::kInFront  ? IsInFront()
+    const bool placed_well = wish_->relation == ThingRelation::kInFront  ? IsInFront(1.0)
+                             : wish_->relation == ThingRelation::kBehind ? IsInFront(-1.0)
                              : wish_->relation == ThingRelation::kAround ? IsAround()
                                                                          : true;
     if (!placed_well) explanation = "not on the side that is asked; " + explanation;
@@ -268,22 +271,43 @@ class Measurer {
     });
   }
 
-  // The angle under which the middle of the things sees the nearest of the two.
+  // The headings from a place in which one of the two is met: of a thing or the nearest of a class;
+  // where both are of one class, all of every 10 degrees.
+  std::vector<double> HeadingsToEither(WorldPoint place) {
+    std::vector<double> headings_rad;
+    const char letter = wish_->target.letter;
+    if (letter != '\0' && letter == wish_->second.letter) {
+      constexpr double kStep_m = 2.0;
+      for (double heading_rad = -M_PI; heading_rad < M_PI; heading_rad += M_PI / 18.0) {
+        WorldPoint at = place;
+        while (scene_.geometry().Contains(at) && !land_.IsOf(letter, at)) {
+          at.x_m += kStep_m * std::cos(heading_rad);
+          at.y_m += kStep_m * std::sin(heading_rad);
+        }
+        if (scene_.geometry().Contains(at)) headings_rad.push_back(heading_rad);
+      }
+      return headings_rad;
+    }
+    for (const ThingTarget& target : {wish_->target, wish_->second}) {
+      if (const auto at = NearestOf(target, place))
+        headings_rad.push_back(std::atan2(at->y_m - place.y_m, at->x_m - place.x_m));
+    }
+    return headings_rad;
+  }
+
   void MeasureBetween() {
     constexpr double kLeast_deg = 90.0;
-    const WorldPoint middle = MiddleOf(of_->places);
-    const auto one = NearestOf(wish_->target, middle);
-    const auto other = NearestOf(wish_->second, middle);
     double angle_deg = 0.0;
-    if (one && other) {
-      const double first_rad = std::atan2(one->y_m - middle.y_m, one->x_m - middle.x_m);
-      const double second_rad = std::atan2(other->y_m - middle.y_m, other->x_m - middle.x_m);
-      angle_deg = std::abs(std::remainder(first_rad - second_rad, 2.0 * M_PI)) * 180.0 / M_PI;
+    const std::vector<double> headings_rad = HeadingsToEither(MiddleOf(of_->places));
+    for (const double one_rad : headings_rad) {
+      for (const double other_rad : headings_rad) {
+        const double apart_rad = std::abs(std::remainder(one_rad - other_rad, 2.0 * M_PI));
+        angle_deg = std::max(angle_deg, apart_rad * 180.0 / M_PI);
+      }
     }
     char text[100];
-    std::snprintf(text, sizeof(text),
-                  "the two lie %.0f degrees apart from there; at least %.0f asked", angle_deg,
-                  kLeast_deg);
+    std::snprintf(text, sizeof(text), "they lie %.0f degrees apart from there; at least %.0f asked",
+                  angle_deg, kLeast_deg);
     Add("thing_between", angle_deg >= kLeast_deg, 1.0 - angle_deg / 180.0, text);
   }
 
@@ -308,8 +332,12 @@ class Measurer {
 
   void MeasureSide() {
     constexpr double kMostOff_deg = 60.0;
+    // Where things are arranged their middle counts, else each of them.
     double most_deg = 0.0;
-    for (const WorldPoint& place : of_->places) most_deg = std::max(most_deg, OffSide_deg(place));
+    const bool arranged = wish_->arrangement != ThingArrangement::kNone;
+    if (arranged) most_deg = OffSide_deg(MiddleOf(of_->places));
+    for (const WorldPoint& place : of_->places)
+      if (!arranged) most_deg = std::max(most_deg, OffSide_deg(place));
     char text[100];
     std::snprintf(text, sizeof(text),
                   "at most %.0f degrees off the way to the %s of it; %.0f allowed", most_deg,
@@ -318,26 +346,28 @@ class Measurer {
   }
 
   void MeasureIn() {
+    // Walls that reach into the land of a village are in it.
+    const bool village = IsBuilding(scene_.terrain->weights.vocabulary, wish_->target.letter);
+    const double most_m =
+        2.0 * scene_.geometry().resolution_m() + (village ? std::max(1.0, OwnReach_m()) : 1.0);
     int inside = 0;
-    for (const WorldPoint& place : of_->places) {
-      inside += ToTarget_m(place) <= 2.0 * scene_.geometry().resolution_m() + 1.0 ? 1 : 0;
-    }
+    for (const WorldPoint& place : of_->places) inside += ToTarget_m(place) <= most_m ? 1 : 0;
     const auto count = static_cast<int>(of_->places.size());
     Add("thing_in", 2 * inside > count, 1.0 - static_cast<double>(inside) / count,
         std::to_string(inside) + " of " + std::to_string(count) + " stand on it");
   }
 
-  // Returns whether the things stand before the front of one of the targets, at most 60 degrees
-  // aside.
-  bool IsInFront() const {
+  // Returns whether the things stand before the front of one of the targets (sign 1) or behind its
+  // back (-1), at most 60 degrees aside.
+  bool IsInFront(double sign) const {
     if (wish_->target.wish < 0) return true;  // land has no front
     const Standing& target = standing_[static_cast<std::size_t>(wish_->target.wish)];
     const WorldPoint middle = MiddleOf(of_->places);
     return std::any_of(
         target.footprints.begin(), target.footprints.end(), [&](const Footprint& walls) {
-          const WorldPoint front = walls.At(walls.half_length_m, 0.0);
+          const WorldPoint front = walls.At(sign * walls.half_length_m, 0.0);
           const double dx = middle.x_m - front.x_m, dy = middle.y_m - front.y_m;
-          const double ahead = std::cos(walls.yaw_rad) * dx + std::sin(walls.yaw_rad) * dy;
+          const double ahead = sign * (std::cos(walls.yaw_rad) * dx + std::sin(walls.yaw_rad) * dy);
           const double aside =
               std::abs(-std::sin(walls.yaw_rad) * dx + std::cos(walls.yaw_rad) * dy);
           return ahead > 0.0 && aside <= std::max(walls.half_width_m, 1.73 * ahead);

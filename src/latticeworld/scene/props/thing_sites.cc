@@ -200,11 +200,12 @@ ThingSites::Anchor ThingSites::BesideThing(double depth_m, RandomStream* random)
       all[static_cast<std::size_t>(random->UniformInt(0, static_cast<int>(all.size()) - 1))];
   Anchor anchor;
   anchor.has_target = true;
-  if (relation_ == ThingRelation::kInFront) {
+  const bool behind = relation_ == ThingRelation::kBehind;
+  if (behind || relation_ == ThingRelation::kInFront) {
     const double aside = random->Uniform(-0.6, 0.6);
-    anchor.place = target.At(target.half_length_m + depth_m + DrawGap(1.5, 5.0, random),
-                             aside * target.half_width_m);
-    anchor.toward_rad = target.yaw_rad + M_PI;
+    const double ahead_m = target.half_length_m + depth_m + DrawGap(1.5, 5.0, random);
+    anchor.place = target.At(behind ? -ahead_m : ahead_m, aside * target.half_width_m);
+    anchor.toward_rad = target.yaw_rad + (behind ? 0.0 : M_PI);
     return anchor;
   }
   const double out_rad = DrawWayOut(random);
@@ -217,6 +218,8 @@ ThingSites::Anchor ThingSites::BesideThing(double depth_m, RandomStream* random)
 
 // Half way between the two targets, at one of the places where each is nearest to the other.
 ThingSites::Anchor ThingSites::Between(RandomStream* random) const {
+  if (wish_.target.letter != '\0' && wish_.target.letter == wish_.second.letter)
+    return BetweenPieces(random);
   WorldPoint from;
   if (wish_.target.wish >= 0) {
     const auto& all = standing_[static_cast<std::size_t>(wish_.target.wish)];
@@ -227,10 +230,34 @@ ThingSites::Anchor ThingSites::Between(RandomStream* random) const {
   }
   const WorldPoint to = *NearestOf(wish_.second, from);
   from = *NearestOf(wish_.target, to);
-  Anchor anchor;
-  anchor.has_target = true;
-  anchor.place = {0.5 * (from.x_m + to.x_m), 0.5 * (from.y_m + to.y_m)};
-  anchor.toward_rad = HeadingTo(anchor.place, from);
+  return {{0.5 * (from.x_m + to.x_m), 0.5 * (from.y_m + to.y_m)}, HeadingTo(to, from), true};
+}
+
+// "Between the lakes": in the midst of the longest way through other land on straight lines between
+// cells of the class.
+ThingSites::Anchor ThingSites::BetweenPieces(RandomStream* random) const {
+  constexpr int kDraws = 12;
+  constexpr double kStep_m = 1.0;
+  const char letter = wish_.target.letter;
+  const std::vector<WorldPoint>& cells = land_->CellsOf(letter);
+  const auto draw = [&] {  // at the world's edges too
+    return cells[static_cast<std::size_t>(
+        random->UniformInt(0, static_cast<int>(cells.size()) - 1))];
+  };
+  Anchor anchor = {draw(), 0.0, true};
+  double most_m = 0.0;
+  for (int i = 0; i < kDraws; ++i) {
+    const WorldPoint from = draw(), to = draw();
+    const double heading_rad = HeadingTo(from, to);
+    double since_m = 0.0;
+    for (double at_m = 0.0; at_m <= Distance(from, to); at_m += kStep_m) {
+      if (land_->IsOf(letter, Moved(from, heading_rad, at_m))) since_m = at_m;
+      if (at_m - since_m <= most_m) continue;
+      most_m = at_m - since_m;
+      anchor.place = Moved(from, heading_rad, 0.5 * (since_m + at_m));
+      anchor.toward_rad = heading_rad;
+    }
+  }
   return anchor;
 }
 

@@ -69,6 +69,7 @@ class ThingSites {
   Anchor BesideLand(double depth_m, RandomStream* random) const;
   Anchor BesideThing(double depth_m, RandomStream* random) const;
   Anchor Between(RandomStream* random) const;
+  Anchor BetweenPieces(RandomStream* random) const;
   std::vector<Slot> Arrange(const Anchor& anchor, int count, double turn_rad) const;
   std::vector<Slot> AroundThing(int count, double turn_rad) const;
   std::vector<Slot> RunAroundThing(int most) const;

@@ -94,29 +94,78 @@ class Placer {
     return ground;
   }
 
-  // Houses where a thing with an exact place is to stand go.
-  void MakeRoom() {
-    std::vector<Footprint> places;
-    for (std::size_t i = 0; i < wishes_.size(); ++i) {
-      const ThingWish& wish = wishes_[i];
-      if (!wish.position || !maker_.Knows(wish.kind)) continue;
-      places.push_back(
-          maker_.Make(wish, SeedOf(i), 0, *wish.position, wish.heading_rad.value_or(0.0))
-              .footprint);
+  static double FromHouses_m(const MadeThing& made) {
+    return made.is_house ? kHouseFromHouse_m : kFromHouses_m;
+  }
+
+  // Gives a building that is to stand in a village the place of one of its houses: the nearest to
+  // the middle of them all where its walls keep off roads, water, steep ground and `others`.
+  void TakePlaceOfHouse(std::size_t index, const std::vector<MadeThing>& others) {
+    ThingWish& wish = wishes_[index];
+    const bool in_village = wish.relation == ThingRelation::kIn && wish.count == 1 &&
+                            IsBuilding(terrain_.weights.vocabulary, wish.target.letter);
+    if (!in_village || wish.position || !wish.zone.is_anywhere()) return;
+    std::vector<Footprint> houses;
+    WorldPoint middle;
+    for (const Asset& asset : placement_.assets)
+      if (asset.kind == AssetKind::kBuilding) houses.push_back(FootprintOf(asset));
+    for (const Footprint& house : houses) {
+      middle.x_m += house.centre.x_m / static_cast<double>(houses.size());
+      middle.y_m += house.centre.y_m / static_cast<double>(houses.size());
     }
-    if (places.empty()) return;
+    const auto away_m = [middle](const Footprint& house) {
+      return std::hypot(house.centre.x_m - middle.x_m, house.centre.y_m - middle.y_m);
+    };
+    std::stable_sort(houses.begin(), houses.end(),
+                     [&](const Footprint& a, const Footprint& b) { return away_m(a) < away_m(b); });
+    for (const Footprint& house : houses) {
+      for (const double turn_rad : {0.0, M_PI / 2.0, -M_PI / 2.0}) {
+        const double yaw_rad = house.yaw_rad + turn_rad;
+        const Footprint own = maker_.Make(wish, SeedOf(index), 0, {0.0, 0.0}, 0.0).footprint;
+        // It reaches back from where the front of the house was, to keep off the road there.
+        const double depth_m = turn_rad == 0.0 ? own.half_length_m : own.half_width_m;
+        const WorldPoint place = house.At(house.half_length_m - depth_m, 0.0);
+        const MadeThing made = maker_.Make(wish, SeedOf(index), 0, place, yaw_rad);
+        if (!made.is_house) return;
+        const bool free = std::none_of(others.begin(), others.end(), [&](const MadeThing& other) {
+          return GapBetween(made.footprint, other.footprint) < kHouseFromHouse_m;
+        });
+        if (!free || FlawOfPlace(wish, made, kMostDug_m) != Flaw::kNone) continue;
+        wish.position = place;
+        wish.heading_rad = yaw_rad;
+        return;
+      }
+    }
+  }
+
+  // Houses, and what stands about them, go where a thing with an exact place or a building of the
+  // village is to stand.
+  void MakeRoom() {
+    std::vector<MadeThing> things;
+    for (std::size_t i = 0; i < wishes_.size(); ++i) {
+      if (!maker_.Knows(wishes_[i].kind)) continue;
+      TakePlaceOfHouse(i, things);
+      const ThingWish& wish = wishes_[i];
+      if (!wish.position) continue;
+      things.push_back(
+          maker_.Make(wish, SeedOf(i), 0, *wish.position, wish.heading_rad.value_or(0.0)));
+    }
+    if (things.empty()) return;
     std::vector<Asset>& assets = placement_.assets;
-    const std::size_t before = assets.size();
+    const auto is_house = [](const Asset& asset) { return asset.kind == AssetKind::kBuilding; };
+    const auto before = std::count_if(assets.begin(), assets.end(), is_house);
     const auto in_the_way = [&](const Asset& house) {
       const Footprint walls = FootprintOf(house);
-      return std::any_of(places.begin(), places.end(), [&](const Footprint& place) {
-        return GapBetween(walls, place) < kFromHouses_m;
+      return std::any_of(things.begin(), things.end(), [&](const MadeThing& thing) {
+        return GapBetween(walls, thing.footprint) < FromHouses_m(thing);
       });
     };
     assets.erase(std::remove_if(assets.begin(), assets.end(), in_the_way), assets.end());
-    if (assets.size() == before) return;
-    placed_.warnings.push_back(std::to_string(before - assets.size()) +
-                               " houses made room for things with exact places");
+    const auto gone = before - std::count_if(assets.begin(), assets.end(), is_house);
+    if (gone > 0) {
+      placed_.warnings.push_back((gone == 1 ? "a house" : std::to_string(gone) + " houses") +
+                                 std::string(" made room for other buildings or exact places"));
+    }
     placement_.solids = SolidSet(terrain_.geometry().size_m());
     for (const Asset& asset : assets) placement_.solids.Add(asset.position(), SolidRadius(asset));
   }
@@ -224,6 +273,13 @@ class Placer {
 
   Flaw FlawOf(const ThingWish& wish, const MadeThing& made, const std::vector<MadeThing>& beside,
               double most_dug_m) {
+    const Flaw flaw = FlawOfPlace(wish, made, most_dug_m);
+    if (flaw != Flaw::kNone) return flaw;
+    return StandsFree(made, beside) ? Flaw::kNone : Flaw::kOccupied;
+  }
+
+  // Of the land alone.
+  Flaw FlawOfPlace(const ThingWish& wish, const MadeThing& made, double most_dug_m) const {
     const Footprint& footprint = made.footprint;
     const double limit_m = terrain_.geometry().half_size_m();
     for (const WorldPoint& corner : footprint.Corners()) {
@@ -244,7 +300,7 @@ class Placer {
     if (made.is_house && !wish.position && RiseWithin_m(footprint) > most_dug_m) {
       return Flaw::kSteep;
     }
-    return StandsFree(made, beside) ? Flaw::kNone : Flaw::kOccupied;
+    return Flaw::kNone;
   }
 
   // Returns whether a thing stands free of those of the same try, of all others and of houses.
@@ -258,9 +314,8 @@ class Placer {
         if (Near(footprint, other, kApart_m)) return false;
       }
     }
-    const double gap_m = made.is_house ? kHouseFromHouse_m : kFromHouses_m;
     for (std::size_t i = 0; i < houses(); ++i) {
-      if (Near(footprint, FootprintOf(placement_.assets[i]), gap_m)) return false;
+      if (Near(footprint, FootprintOf(placement_.assets[i]), FromHouses_m(made))) return false;
     }
     return true;
   }
@@ -369,7 +424,7 @@ class Placer {
     }
   }
 
-  const std::vector<ThingWish>& wishes_;
+  std::vector<ThingWish> wishes_;
   Placement& placement_;
   const Terrain& terrain_;
   ThingMaker maker_;

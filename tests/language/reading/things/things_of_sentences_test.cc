@@ -44,8 +44,10 @@ TEST(ThingsOfSentencesTest, RelationsNameThingsAndLand) {
 TEST(ThingsOfSentencesTest, SidesAndWhatLiesBetweenAreHeard) {
   const std::vector<ThingWish> things = Read(
       "A tower is north-east of the lake. A hut is between the lake and the forest. "
-      "A well is west of the tower.");
-  ASSERT_EQ(things.size(), 3u);
+      "A well is west of the tower. A tent is between the lakes.");
+  ASSERT_EQ(things.size(), 4u);
+  EXPECT_EQ(things[3].target.letter, 'W');
+  EXPECT_EQ(things[3].second.letter, 'W');
   EXPECT_EQ(things[0].side, ThingSide::kNorthEast);
   EXPECT_EQ(things[0].target.letter, 'W');
   EXPECT_EQ(things[1].relation, ThingRelation::kBetween);

@@ -43,8 +43,10 @@ TEST(ThingsOfTextTest, SidesAndWhatLiesBetweenAreHeard) {
   const TextThings taken = Take(
       "A tent south-west of a pond. Two benches stand to the east of the river. A well 20 m north "
       "of "
-      "the tent. A ruin lies between the lake and the forest.");
-  ASSERT_EQ(taken.things.size(), 4u);
+      "the tent. A ruin lies between the lake and the forest. A bench behind the ruin.");
+  ASSERT_EQ(taken.things.size(), 5u);
+  EXPECT_EQ(taken.things[4].relation, ThingRelation::kBehind);
+  EXPECT_EQ(taken.things[4].target.wish, 3);
   EXPECT_EQ(taken.things[0].side, ThingSide::kSouthWest);
   EXPECT_EQ(taken.things[0].target.letter, 'W');
   EXPECT_EQ(taken.things[1].count, 2);
@@ -55,7 +57,7 @@ TEST(ThingsOfTextTest, SidesAndWhatLiesBetweenAreHeard) {
   EXPECT_EQ(taken.things[3].relation, ThingRelation::kBetween);
   EXPECT_EQ(taken.things[3].target.letter, 'W');
   EXPECT_EQ(taken.things[3].second.letter, 'F');
-  EXPECT_EQ(taken.rest, "a pond. the river.. the lake and the forest.");
+  EXPECT_EQ(taken.rest, "a pond. the river.. the lake and the forest..");
   EXPECT_EQ(Take("A bench in the north of the forest.").things.at(0).side, ThingSide::kAny);
 }
 

@@ -21,12 +21,13 @@ struct RelationForm {
   ThingRelation relation;
 };
 constexpr RelationForm kRelationForms[] = {
-    {"near", ThingRelation::kNear},        {"near_cells", ThingRelation::kNear},
-    {"near_metres", ThingRelation::kNear}, {"touch", ThingRelation::kNear},
-    {"front", ThingRelation::kInFront},    {"surround", ThingRelation::kAround},
-    {"inside", ThingRelation::kIn},        {"along", ThingRelation::kAlong},
-    {"lined", ThingRelation::kAlong},      {"both_sides", ThingRelation::kAlong},
-    {"heading", ThingRelation::kNear},     {"between", ThingRelation::kBetween},
+    {"near", ThingRelation::kNear},           {"near_cells", ThingRelation::kNear},
+    {"near_metres", ThingRelation::kNear},    {"touch", ThingRelation::kNear},
+    {"front", ThingRelation::kInFront},       {"surround", ThingRelation::kAround},
+    {"inside", ThingRelation::kIn},           {"along", ThingRelation::kAlong},
+    {"lined", ThingRelation::kAlong},         {"both_sides", ThingRelation::kAlong},
+    {"heading", ThingRelation::kNear},        {"between", ThingRelation::kBetween},
+    {"between_all", ThingRelation::kBetween},
 };
 
 // The kind of a phrase's noun, where it is an object; nullptr: it is none. A house is land, but
@@ -142,9 +143,11 @@ bool SentenceThings::Relate(const Sentence& sentence, ThingWish wish, int index,
   } else {
     wish.relation = found->relation;
     wish.target = target;
-    if (form == "between") {
-      wish.second = TargetOf(*sentence.whole.Find("z"), words);
-      if (wish.second.is_nothing() || wish.second.wish >= index) return false;
+    if (wish.relation == ThingRelation::kBetween) {
+      const Phrase* other = sentence.whole.Find("z");
+      wish.second = other != nullptr ? TargetOf(*other, words) : target;
+      const bool among_things = other == nullptr && target.wish >= 0;
+      if (wish.second.is_nothing() || wish.second.wish >= index || among_things) return false;
     }
     if (form == "heading") {
       wish.side = *FromName<ThingSide>(sentence.whole.Find("heading")->text);

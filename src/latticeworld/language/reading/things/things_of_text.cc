@@ -394,6 +394,7 @@ class Taker {
                     std::vector<std::pair<std::size_t, std::size_t>>* parts) {
     static const RelationWords kRelations[] = {
         {{"in", "front", "of"}, ThingRelation::kInFront},
+        {{"behind"}, ThingRelation::kBehind},
         {{"on", "both", "sides", "of"}, ThingRelation::kAlong},
         {{"between"}, ThingRelation::kBetween},
         {{"on", "top", "of"}, ThingRelation::kIn},
@@ -451,8 +452,7 @@ class Taker {
     const std::size_t target_end = at_;
     ThingTarget second;
     if (*relation == ThingRelation::kBetween) {
-      if (!TakeAny({"and"})) return false;
-      second = TakeTarget();
+      second = TakeAny({"and"}) ? TakeTarget() : target;  // "between the lakes"
       if (second.is_nothing() || second.wish >= 0) return false;
     }
     // Only now is the wish changed and are the words taken.
