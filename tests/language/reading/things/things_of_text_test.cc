@@ -59,6 +59,8 @@ TEST(ThingsOfTextTest, SidesAndWhatLiesBetweenAreHeard) {
   EXPECT_EQ(taken.things[3].second.letter, 'F');
   EXPECT_EQ(taken.rest, "a pond. the river.. the lake and the forest..");
   EXPECT_EQ(Take("A bench in the north of the forest.").things.at(0).side, ThingSide::kAny);
+  EXPECT_EQ(Take("A tent right by the lake.").things.at(0).relation, ThingRelation::kNear);
+  EXPECT_EQ(Take("A tent just right of the lake.").things.at(0).side, ThingSide::kEast);
 }
 
 TEST(ThingsOfTextTest, BuildingsThatAreCountedAndArrangedAreSingleThings) {

@@ -48,12 +48,12 @@ struct RelationWords {
 
 // Words that may follow a noun that stands by itself.
 constexpr std::string_view kFollowers[] = {
-    "in",        "on",       "at",    "by",          "near",      "beside",   "next",
-    "along",     "around",   "and",   "with",        "is",        "are",      "stand",
-    "stands",    "form",     "forms", "every",       "spaced",    "that",     "behind",
-    "facing",    "close",    "lie",   "lies",        "placed",    "arranged", "line",
-    "lines",     "from",     "to",    "surrounding", "between",   "inside",   "within",
-    "surrounds", "surround", "face",  "faces",       "alongside", "which"};
+    "in",      "on",     "at",       "by",        "near",     "beside", "next",   "along",
+    "around",  "and",    "with",     "is",        "are",      "stand",  "stands", "form",
+    "forms",   "every",  "spaced",   "that",      "behind",   "facing", "close",  "lie",
+    "lies",    "placed", "arranged", "line",      "lines",    "from",   "to",     "surrounding",
+    "between", "inside", "within",   "surrounds", "surround", "face",   "faces",  "alongside",
+    "which",   "just",   "directly", "right"};
 
 // These verbs may follow "the trees" where a text says more about them.
 constexpr std::string_view kVerbs[] = {"is",   "are",   "stand",    "stands",    "lie",  "lies",
@@ -435,6 +435,7 @@ class Taker {
     if (!relation) {
       at_ = number_at;
       distance_m = 0.0;
+      TakeAny({"just", "right"});
       for (const RelationWords& each : kRelations) {
         if (TakeWords(each.words)) {
           relation = each.relation;
@@ -478,12 +479,14 @@ class Taker {
   // "north of", "to the north of", "just north of": on which side of something.
   ThingSide TakeSide() {
     const std::size_t begin = at_;
-    TakeAny({"just", "directly", "right"});
-    if (TakeAny({"to"})) TakeAny({"the"});
-    const HeadingMatch match = MatchHeading(tokens_, at_);
-    at_ += match.tokens;
-    if (match.tokens > 0 && TakeAny({"of"})) {
-      return *FromName<ThingSide>(HeadingName({match.heading.east, match.heading.south}));
+    for (const bool adverb : {false, true}) {  // "right of" is a side, "right by" is none
+      at_ = begin;
+      if (adverb && !TakeAny({"just", "directly", "right"})) break;
+      if (TakeAny({"to"})) TakeAny({"the"});
+      const HeadingMatch match = MatchHeading(tokens_, at_);
+      at_ += match.tokens;
+      const auto side = FromName<ThingSide>(HeadingName({match.heading.east, match.heading.south}));
+      if (match.tokens > 0 && side && TakeAny({"of"})) return *side;
     }
     at_ = begin;
     return ThingSide::kAny;
