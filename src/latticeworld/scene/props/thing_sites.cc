@@ -312,8 +312,9 @@ std::vector<ThingSites::Slot> ThingSites::Arrange(const Anchor& anchor, int coun
       case ThingArrangement::kRow:
       case ThingArrangement::kPair:
       case ThingArrangement::kGrid: {
+        const int row = i / columns;
         const double aside_m = (i % columns - 0.5 * (columns - 1)) * spacing_m;
-        const double back_m = (i / columns - 0.5 * (rows - 1)) * spacing_m;
+        const double back_m = (row - 0.5 * (rows - 1)) * spacing_m;
         const WorldPoint place = Moved(anchor.place, along_rad, aside_m);
         slots.push_back({Moved(place, front_rad, -back_m), front_rad});
         break;
@@ -392,6 +393,7 @@ std::vector<ThingSites::Slot> ThingSites::AlongThing(int count, RandomStream* ra
   }
   const double apart_m = is_run_ ? SpacingOf(wish_) : 2.0 * target.half_width_m / count;
   std::vector<Slot> slots;
+  slots.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     slots.push_back({target.At(target.half_length_m + gap_m, (i - 0.5 * (count - 1)) * apart_m),
                      target.yaw_rad + M_PI});

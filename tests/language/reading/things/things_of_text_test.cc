@@ -80,6 +80,19 @@ TEST(ThingsOfTextTest, BuildingsThatAreCountedAndArrangedAreSingleThings) {
       << taken.warnings[0];
 }
 
+TEST(ThingsOfTextTest, LandThatTheVocabularyHasNotIsWarnedOf) {
+  const TextThings taken = TakeThings("A lone oak is left of the road.", Vocabulary::kWild);
+  ASSERT_EQ(taken.things.size(), 1u);
+  EXPECT_EQ(taken.things[0].relation, ThingRelation::kNone);
+  ASSERT_EQ(taken.warnings.size(), 1u);
+  EXPECT_NE(taken.warnings[0].find("the wild vocabulary has nothing like \"the road\""),
+            std::string::npos)
+      << taken.warnings[0];
+  EXPECT_TRUE(Take("A lone oak is left of the road.").warnings.empty());
+  EXPECT_TRUE(TakeThings("A church by the road.", Vocabulary::kWild).warnings.empty())
+      << "it is left to who reads the rest";
+}
+
 TEST(ThingsOfTextTest, OrderlyThingsStandInGrids) {
   const TextThings taken = Take("Organized chambers, trees, and rocks");
   ASSERT_EQ(taken.things.size(), 3u);

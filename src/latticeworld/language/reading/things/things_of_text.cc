@@ -254,10 +254,12 @@ class Taker {
     // land counts only together with that one.
     const std::size_t things = things_.size();
     if (things >= static_cast<std::size_t>(kMostThingWishes)) return false;
+    const std::size_t warnings = warnings_.size();
     std::vector<std::pair<std::size_t, std::size_t>> parts = {{begin, end}};
     const bool by_thing = TakeRelation(&wish, &end, &parts);
     if (is_land && !arranged && !(grows && counted) && !by_thing && !lone) {
       things_.resize(things);
+      warnings_.resize(warnings);
       return false;
     }
     TakeRest(&wish, &end, &parts);
@@ -330,12 +332,14 @@ class Taker {
     std::size_t end = at_;
     std::vector<std::pair<std::size_t, std::size_t>> parts = {{begin, end}};
     const std::size_t things = things_.size();
+    const std::size_t warnings = warnings_.size();
     TakeRelation(&wish, &end, &parts);
     TakeRest(&wish, &end, &parts);
     // What it stands by has to stand before it.
     if (parts.size() == 1 || things_.size() > things || wish.target.wish >= known ||
         wish.facing.wish >= known) {
       things_.resize(things);
+      warnings_.resize(warnings);
       return false;
     }
     wish.words += ". " + Words(begin, end);
@@ -449,6 +453,7 @@ class Taker {
     const std::size_t target_at = at_;
     const ThingTarget target = TakeTarget();
     const bool is_thing = target.wish >= 0;
+    if (target.is_nothing()) WarnOfLand(target_at);
     if (target.is_nothing() || (is_thing && *relation == ThingRelation::kIn)) return false;
     const std::size_t target_end = at_;
     ThingTarget second;
@@ -474,6 +479,16 @@ class Taker {
     if (target.wish >= 0) return target;
     at_ = begin;
     return LandTarget();
+  }
+
+  // "Left of the road", in a vocabulary that has no roads.
+  void WarnOfLand(std::size_t at) {
+    const std::size_t noun = at + (WordAt(at) == "the" || WordAt(at) == "a" ? 1 : 0);
+    const ClassWordMatch match = MatchClassWord(tokens_, noun);
+    if (match.word == nullptr || match.word->LetterIn(vocabulary_) != '\0') return;
+    warnings_.push_back("the " + std::string(NameOf(vocabulary_)) +
+                        " vocabulary has nothing like " + Quote(Words(at, noun + match.tokens)) +
+                        "; nothing stands by it");
   }
 
   // "north of", "to the north of", "just north of": on which side of something.

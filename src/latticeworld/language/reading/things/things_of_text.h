@@ -15,7 +15,7 @@ struct TextThings {
   std::vector<ThingWish> things;
   std::string rest;   // what is left for readers of land; the text itself where there are no things
   std::string taken;  // the words that were taken out
-  std::vector<std::string> warnings;  // where there is only a kind that comes near a noun
+  std::vector<std::string> warnings;  // of kinds that only come near a noun, of land that is none
 };
 
 // Takes the noun phrases of single things out of a text, with how and where the things stand:
