@@ -105,6 +105,9 @@ class Placer {
     const bool in_village = wish.relation == ThingRelation::kIn && wish.count == 1 &&
                             IsBuilding(terrain_.weights.vocabulary, wish.target.letter);
     if (!in_village || wish.position || !wish.zone.is_anywhere()) return;
+    const MadeThing building = maker_.Make(wish, SeedOf(index), 0, {0.0, 0.0}, 0.0);
+    if (!building.is_house) return;
+    const Footprint& own = building.footprint;
     std::vector<Footprint> houses;
     WorldPoint middle;
     for (const Asset& asset : placement_.assets)
@@ -121,12 +124,10 @@ class Placer {
     for (const Footprint& house : houses) {
       for (const double turn_rad : {0.0, M_PI / 2.0, -M_PI / 2.0}) {
         const double yaw_rad = house.yaw_rad + turn_rad;
-        const Footprint own = maker_.Make(wish, SeedOf(index), 0, {0.0, 0.0}, 0.0).footprint;
         // It reaches back from where the front of the house was, to keep off the road there.
         const double depth_m = turn_rad == 0.0 ? own.half_length_m : own.half_width_m;
         const WorldPoint place = house.At(house.half_length_m - depth_m, 0.0);
         const MadeThing made = maker_.Make(wish, SeedOf(index), 0, place, yaw_rad);
-        if (!made.is_house) return;
         const bool free = std::none_of(others.begin(), others.end(), [&](const MadeThing& other) {
           return GapBetween(made.footprint, other.footprint) < kHouseFromHouse_m;
         });
@@ -153,6 +154,7 @@ class Placer {
     if (things.empty()) return;
     std::vector<Asset>& assets = placement_.assets;
     const auto is_house = [](const Asset& asset) { return asset.kind == AssetKind::kBuilding; };
+    const std::size_t all = assets.size();
     const auto before = std::count_if(assets.begin(), assets.end(), is_house);
     const auto in_the_way = [&](const Asset& house) {
       const Footprint walls = FootprintOf(house);
@@ -161,6 +163,7 @@ class Placer {
       });
     };
     assets.erase(std::remove_if(assets.begin(), assets.end(), in_the_way), assets.end());
+    if (assets.size() == all) return;
     const auto gone = before - std::count_if(assets.begin(), assets.end(), is_house);
     if (gone > 0) {
       placed_.warnings.push_back((gone == 1 ? "a house" : std::to_string(gone) + " houses") +
