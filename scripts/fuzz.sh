@@ -8,6 +8,8 @@
 #        scripts/fuzz.sh --coverage TARGET          how much of each of our files the corpus and what
 #                                                   was found reach: functions and edges, those into
 #                                                   the sanitizers' own reports among them
+# `cmake -DLATTICEWORLD_FUZZ_COMPARISONS=OFF build-fuzz` makes targets that compute much (worlds,
+# texts) run several times as often.
 # LATTICEWORLD_FUZZ_BUILD_DIR names another build folder than build-fuzz. Inputs that reached new
 # edges are kept there below found/, those that ended a target below findings/: the exit status is
 # 1 then. A finding is run again by giving its file to build-fuzz/tests/fuzz/fuzz_TARGET.
@@ -32,7 +34,7 @@ fi
 
 [ -f "$build/build.ninja" ] ||
   cmake -G Ninja -S "$root" -B "$build" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
-    -DCMAKE_BUILD_TYPE=Fuzz -DCMAKE_C_FLAGS_FUZZ=-O1 -DCMAKE_CXX_FLAGS_FUZZ=-O1 \
+    -DCMAKE_BUILD_TYPE=Fuzz -DCMAKE_C_FLAGS_FUZZ=-O2 -DCMAKE_CXX_FLAGS_FUZZ=-O2 \
     -DLATTICEWORLD_FUZZ=ON -DLATTICEWORLD_BUILD_PAGE=OFF >/dev/null
 if [ "$target" = all ]; then
   ninja -C "$build" fuzz_targets

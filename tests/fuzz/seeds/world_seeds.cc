@@ -1,6 +1,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "fuzz/seeds/seeds.h"
@@ -41,7 +42,20 @@ void BundleSeeds(const TakeSeed& take) {
   take("bundle_json", "bridges.json", "c" + EncodeBridges({bridge}));
 }
 
-// A byte of options, and the files that world_glb and world_sdf take, as the test world has them.
+std::string ExportFiles(const Scene& scene, const std::vector<Bridge>& bridges,
+                        const ThingsFile& things) {
+  const auto assets = EncodeAssets(scene.assets, *scene.catalogue);
+  std::string files;
+  for (const std::string& file :
+       {EncodeAgents(scene.agents), EncodeProps(scene.props), EncodeBridges(bridges),
+        assets.ok() ? *assets : std::string(), EncodeThings(things)}) {
+    files += file + std::string(1, '\0');
+  }
+  return files;
+}
+
+// A byte of options, and the files that world_glb and world_sdf take: as the test world has them,
+// and with one asset of each kind, which are exported in less time.
 void ExportSeeds(const TakeSeed& take) {
   const auto world = MakeTestWorld();
   const Scene& scene = *world->scene;
@@ -49,16 +63,17 @@ void ExportSeeds(const TakeSeed& take) {
   bridge.line = {{-10.0, 0.0}, {10.0, 0.0}};
   bridge.supports_m = {0.0, 20.0};
   const ThingsFile things = {"[]", {{"well_1", "well", 0, 3, {1.5, -2.0}, 0.25}}};
-  const auto assets = EncodeAssets(scene.assets, *scene.catalogue);
-  std::string files;
-  for (const std::string& file :
-       {EncodeAgents(scene.agents), EncodeProps(scene.props), EncodeBridges({bridge}),
-        assets.ok() ? *assets : std::string(), EncodeThings(things)}) {
-    files += file + std::string(1, '\0');
-  }
+  const std::string files = ExportFiles(scene, {bridge}, things);
   for (const char* target : {"world_glb", "world_sdf"}) {
     take(target, "instances", " " + files);
     take(target, "expanded", "\x22" + files);
+    for (const Asset& asset : scene.assets) {
+      Scene alone = scene;
+      alone.agents.resize(1);
+      alone.props.clear();
+      alone.assets = {asset};
+      take(target, std::string(NameOf(asset.kind)), "$" + ExportFiles(alone, {}, {}));
+    }
   }
 }
 

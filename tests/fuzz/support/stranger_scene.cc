@@ -21,8 +21,8 @@ std::string_view TakeFile(std::string_view* files) {
 }
 
 template <typename Value>
-void TakeReadable(Result<Value> read, Value* value) {
-  if (read.ok()) *value = *std::move(read);
+Value ReadableOrNone(Result<Value> read) {
+  return read.ok() ? *std::move(read) : Value();
 }
 
 }  // namespace
@@ -44,15 +44,15 @@ std::shared_ptr<const Scene> StrangerScene(std::string_view files) {
   static const std::shared_ptr<const World> world = MakeTestWorld();
   auto scene = std::make_shared<Scene>(*world->scene);
   const GridGeometry& geometry = world->scene->geometry();
-  TakeReadable(DecodeAgents(TakeFile(&files), geometry), &scene->agents);
-  TakeReadable(DecodeProps(TakeFile(&files), geometry, scene->agents), &scene->props);
+  scene->agents = ReadableOrNone(DecodeAgents(TakeFile(&files), geometry));
+  scene->props = ReadableOrNone(DecodeProps(TakeFile(&files), geometry, scene->agents));
   auto terrain = std::make_shared<Terrain>(*scene->terrain);
-  TakeReadable(DecodeBridges(TakeFile(&files), geometry), &terrain->bridges);
+  terrain->bridges = ReadableOrNone(DecodeBridges(TakeFile(&files), geometry));
   scene->terrain = std::move(terrain);
-  TakeReadable(DecodeAssets(TakeFile(&files), geometry, *scene->catalogue), &scene->assets);
+  scene->assets = ReadableOrNone(DecodeAssets(TakeFile(&files), geometry, *scene->catalogue));
   scene->index = AssetIndex(geometry.size_m(), scene->assets);
-  const auto things = DecodeThings(TakeFile(&files), geometry, scene->assets.size());
-  if (things.ok()) scene->things = things->things;
+  scene->things =
+      ReadableOrNone(DecodeThings(TakeFile(&files), geometry, scene->assets.size())).things;
   return scene;
 }
 

@@ -21,8 +21,8 @@ struct ExportChoice {
 ExportChoice TakeExportChoice(std::string_view* input);
 
 // The scene of the test world, with what a stranger wrote into its bundle: the input has, each
-// ended by a zero byte, agents.json, elements.json, bridges.json, assets.csv and things.json. What
-// cannot be read of these is as it was.
+// ended by a zero byte, agents.json, elements.json, bridges.json, assets.csv and things.json. Of a
+// file that cannot be read it has nothing.
 std::shared_ptr<const Scene> StrangerScene(std::string_view files);
 
 }  // namespace latticeworld::fuzz

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <cstddef>
+#include <cstring>
+#include <unordered_map>
 
 #include "latticeworld/rendering/looks/asset_looks.h"
 #include "latticeworld/rendering/ray/ray_sky.h"
@@ -37,6 +39,22 @@ Eigen::Vector3f LinearOf(const Rgb& color) {
   return {ToLinear(color.r / 255.0f), ToLinear(color.g / 255.0f), ToLinear(color.b / 255.0f)};
 }
 
+// A place, in coordinates of which none is a negative zero.
+using WeldKey = std::array<float, 3>;
+
+struct WeldHash {
+  std::size_t operator()(const WeldKey& key) const {
+    std::uint64_t hash = 0;
+    for (const float value : key) {
+      std::uint32_t bits = 0;
+      std::memcpy(&bits, &value, sizeof(bits));
+      hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 32;
+    }
+    return hash;
+  }
+};
+
 struct Welded {
   std::vector<Eigen::Vector3f> positions;  // y up, in the order in which they first come
   std::vector<std::uint32_t> numbers;      // in positions, one a vertex
@@ -45,10 +63,12 @@ struct Welded {
 // per_unit: steps within which vertices are at one place; 0: only where they are the same.
 Welded Weld(const std::vector<Eigen::Vector3f>& vertices, float per_unit) {
   Welded welded;
-  std::map<std::array<float, 3>, std::uint32_t> known;
+  std::unordered_map<WeldKey, std::uint32_t, WeldHash> known;
+  known.reserve(vertices.size());
+  welded.numbers.reserve(vertices.size());
   for (const Eigen::Vector3f& vertex : vertices) {
     const Eigen::Vector3f position = YUp(vertex);
-    std::array<float, 3> key = {position.x(), position.y(), position.z()};
+    WeldKey key = {position.x(), position.y(), position.z()};
     for (float& value : key) {
       if (per_unit > 0.0f) value = std::round(value * per_unit);
       value += 0.0f;  // no negative zero
