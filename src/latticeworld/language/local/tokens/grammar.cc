@@ -1,7 +1,7 @@
 #include "latticeworld/language/local/tokens/grammar.h"
 
 #include <algorithm>
-#include <set>
+#include <unordered_set>
 #include <utility>
 
 namespace latticeworld {
@@ -14,20 +14,28 @@ using Node = Grammar::Node;
 constexpr std::size_t kMostStacks = 1u << 20;
 constexpr std::size_t kMostReached = 1u << 14;
 
+std::uint64_t Both(std::uint32_t high, std::uint32_t low) {
+  return std::uint64_t{high} << 32 | low;
+}
+
 }  // namespace
 
 std::uint32_t GrammarMatcher::Push(Grammar::NodeId node, std::uint32_t below) {
   const auto [found, fresh] =
-      known_.try_emplace({node, below}, static_cast<std::uint32_t>(stacks_.size()));
+      known_.try_emplace(Both(node, below), static_cast<std::uint32_t>(stacks_.size()));
   if (fresh) stacks_.push_back({node, below});
   return found->second;
 }
 
 GrammarMatcher::State GrammarMatcher::Reach(std::vector<Thread> open) {
   State state;
-  std::set<Thread> seen(open.begin(), open.end());
+  std::unordered_set<std::uint64_t> seen;
+  const auto see = [&](Thread thread) {
+    return seen.insert(Both(thread.node, thread.stack)).second;
+  };
+  for (const Thread& thread : open) see(thread);
   const auto visit = [&](Thread next) {
-    if (seen.size() < kMostReached && seen.insert(next).second) open.push_back(next);
+    if (seen.size() < kMostReached && see(next)) open.push_back(next);
   };
   while (!open.empty()) {
     const Thread at = open.back();

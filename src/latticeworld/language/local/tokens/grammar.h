@@ -3,9 +3,9 @@
 
 #include <bitset>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -78,17 +78,14 @@ class GrammarMatcher {
   struct Frame {
     Grammar::NodeId node = 0;  // where it goes on
     std::uint32_t below = 0;
-    bool operator<(const Frame& other) const {
-      return node < other.node || (node == other.node && below < other.below);
-    }
   };
   // All that wait for a byte from there on.
   State Reach(std::vector<Thread> open);
   std::uint32_t Push(Grammar::NodeId node, std::uint32_t below);
 
   const Grammar& grammar_;
-  std::vector<Frame> stacks_;  // [0]: the empty one
-  std::map<Frame, std::uint32_t> known_;
+  std::vector<Frame> stacks_;                               // [0]: the empty one
+  std::unordered_map<std::uint64_t, std::uint32_t> known_;  // the indices of frames, by both parts
 };
 
 }  // namespace latticeworld
