@@ -5,9 +5,10 @@
 # Usage: scripts/fuzz.sh [TARGET|all] [SECONDS]     each target for so long (10)
 #        scripts/fuzz.sh --minimise TARGET          puts what was found into the target's corpus, as
 #                                                   few and small inputs as reach the same edges
-#        scripts/fuzz.sh --coverage TARGET          how much of each of our files the corpus and what
-#                                                   was found reach: functions and edges, those into
-#                                                   the sanitizers' own reports among them
+#        scripts/fuzz.sh --coverage [TARGET|all]    how many functions and branches of each of our
+#                                                   files the corpus and what was found reach, by
+#                                                   clang's source-based coverage, in a build without
+#                                                   sanitizers beside the other
 # `cmake -DLATTICEWORLD_FUZZ_COMPARISONS=OFF build-fuzz` makes targets that compute much (worlds,
 # texts) run several times as often.
 # LATTICEWORLD_FUZZ_BUILD_DIR names another build folder than build-fuzz. Inputs that reached new
@@ -24,24 +25,66 @@ target=${1:-all}
 seconds=${2:-10}
 export UBSAN_OPTIONS=print_stacktrace=1${UBSAN_OPTIONS:+:$UBSAN_OPTIONS}
 
+as_root=$([ "$(id -u)" = 0 ] || echo sudo)
 if ! command -v clang++ >/dev/null || ! ls "$(clang++ -print-resource-dir)"/lib/linux/libclang_rt.fuzzer-*.a >/dev/null 2>&1; then
-  as_root=$([ "$(id -u)" = 0 ] || echo sudo)
   $as_root apt-get install -y --no-install-recommends clang
   # Debian has libFuzzer and the sanitizers apart, in a package of clang's version.
   version=$(clang++ -dumpversion)
   $as_root apt-get install -y --no-install-recommends "libclang-rt-${version%%.*}-dev"
 fi
 
-[ -f "$build/build.ninja" ] ||
-  cmake -G Ninja -S "$root" -B "$build" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
-    -DCMAKE_BUILD_TYPE=Fuzz -DCMAKE_C_FLAGS_FUZZ=-O2 -DCMAKE_CXX_FLAGS_FUZZ=-O2 \
-    -DLATTICEWORLD_FUZZ=ON -DLATTICEWORLD_BUILD_PAGE=OFF >/dev/null
+configure() {  # arguments: the folder, then options of cmake
+  local folder=$1
+  shift
+  [ -f "$folder/build.ninja" ] ||
+    cmake -G Ninja -S "$root" -B "$folder" -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+      -DCMAKE_BUILD_TYPE=Fuzz -DCMAKE_C_FLAGS_FUZZ=-O2 -DLATTICEWORLD_BUILD_PAGE=OFF "$@" >/dev/null
+}
+
 if [ "$target" = all ]; then
-  ninja -C "$build" fuzz_targets
   mapfile -t targets < <(cd "$root/tests/fuzz" && ls ./*_fuzz.cc | sed 's|^\./||; s|_fuzz\.cc$||')
 else
-  ninja -C "$build" "fuzz_$target"
   targets=("$target")
+fi
+
+if [ "$task" = coverage ]; then
+  command -v llvm-cov >/dev/null || $as_root apt-get install -y --no-install-recommends llvm
+  folder=$build-coverage
+  profile="-O1 -fprofile-instr-generate -fcoverage-mapping"
+  configure "$folder" -DCMAKE_CXX_FLAGS_FUZZ="$profile" -DLATTICEWORLD_BUILD_TESTS=ON
+  ninja -C "$folder" "${targets[@]/#/fuzz_}"
+  for name in "${targets[@]}"; do
+    program=$folder/tests/fuzz/fuzz_$name
+    raw=$(mktemp -d)
+    for inputs in "$root/tests/fuzz/corpus/$name" "$build/found/$name"; do
+      [ -d "$inputs" ] || continue
+      LLVM_PROFILE_FILE=$raw/%p.profraw "$program" "$inputs" 0 >/dev/null
+    done
+    llvm-profdata merge -o "$raw/profile" "$raw"/*.profraw
+    llvm-cov export -summary-only -instr-profile="$raw/profile" "$program" |
+      python3 -c '
+import json, os, sys
+
+name, root = sys.argv[1:]
+for file in json.load(sys.stdin)["data"][0]["files"]:
+    path = os.path.relpath(file["filename"], root)
+    reached = file["summary"]
+    if path.startswith("..") or reached["functions"]["covered"] == 0:
+        continue
+    print("%s %s: functions %d of %d, branches %d of %d" % (
+        name, path, reached["functions"]["covered"], reached["functions"]["count"],
+        reached["branches"]["covered"], reached["branches"]["count"]))
+' "$name" "$root/src"
+    rm -rf "$raw"
+  done
+  exit 0
+fi
+
+configure "$build" -DCMAKE_CXX_FLAGS_FUZZ=-O2 -DLATTICEWORLD_FUZZ=ON
+if [ "$target" = all ]; then
+  ninja -C "$build" fuzz_targets
+else
+  ninja -C "$build" "fuzz_$target"
 fi
 
 # Runs a target in its own folder of findings; arguments: its name, then those of libFuzzer.
@@ -68,33 +111,6 @@ if [ "$task" = minimise ]; then
     done
     rm -rf "$smaller"
     echo "$name: $(find "$corpus" -type f | wc -l) inputs, $(du -sb "$corpus" | cut -f1) bytes"
-  done
-  exit 0
-fi
-
-if [ "$task" = coverage ]; then
-  for name in "${targets[@]}"; do
-    run "$name" -runs=0 -print_coverage=1 "$build/found/$name" "$root/tests/fuzz/corpus/$name"
-    awk -v root="$root/src/" -v name="$name" '
-      /COVERED_FUNC: / {
-        file = $NF  # FOLDER/../src/FILE:LINE, where sources are named from the build folder
-        while (sub(/\/[^\/]+\/\.\.\//, "/", file)) {
-        }
-        if (index(file, root) != 1) next
-        file = substr(file, 1 + length(root))
-        sub(/:.*/, "", file)
-        match($0, /edges: [0-9]+\/[0-9]+/)
-        split(substr($0, RSTART + 7, RLENGTH - 7), edges, "/")
-        ++functions[file]
-        reached_functions[file] += edges[1] > 0
-        reached[file] += edges[1]
-        of[file] += edges[2]
-      }
-      END {
-        for (file in of)
-          printf "%s %s: functions %d of %d, edges %d of %d\n", name, file,
-                 reached_functions[file], functions[file], reached[file], of[file]
-      }' "$build/findings/$name/log" | sort
   done
   exit 0
 fi
