@@ -9,10 +9,8 @@
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/class_words.h"
-#include "latticeworld/language/numbers.h"
 #include "latticeworld/language/places.h"
-#include "latticeworld/language/reading/sentence_places.h"
-#include "latticeworld/language/reading/things/laid_as_houses.h"
+#include "latticeworld/language/reading/things/thing_words.h"
 #include "latticeworld/language/tokens.h"
 #include "latticeworld/layout/thing_kinds.h"
 #include "latticeworld/layout/thing_wishes.h"
@@ -27,17 +25,6 @@ struct Word {
 constexpr Word kSizes[] = {{"tiny", 0.5}, {"small", 0.7}, {"little", 0.7}, {"large", 1.4},
                            {"big", 1.4},  {"tall", 1.3},  {"huge", 1.8},   {"old", 1.0}};
 
-struct ArrangementWord {
-  std::string_view word;
-  ThingArrangement arrangement;
-  int usual;  // things, where no number is said
-};
-constexpr ArrangementWord kArrangements[] = {
-    {"row", ThingArrangement::kRow, 5},       {"line", ThingArrangement::kRow, 5},
-    {"ring", ThingArrangement::kRing, 6},     {"circle", ThingArrangement::kRing, 6},
-    {"grid", ThingArrangement::kGrid, 9},     {"cluster", ThingArrangement::kCluster, 5},
-    {"group", ThingArrangement::kCluster, 5}, {"pair", ThingArrangement::kPair, 2}};
-
 constexpr std::string_view kOrderly[] = {"organized", "organised", "orderly", "ordered", "regular"};
 constexpr int kOrderlyCount = 9;
 
@@ -45,15 +32,6 @@ struct RelationWords {
   std::initializer_list<std::string_view> words;
   ThingRelation relation;
 };
-
-// Words that may follow a noun that stands by itself.
-constexpr std::string_view kFollowers[] = {
-    "in",      "on",     "at",       "by",        "near",     "beside", "next",   "along",
-    "around",  "and",    "with",     "is",        "are",      "stand",  "stands", "form",
-    "forms",   "every",  "spaced",   "that",      "behind",   "facing", "close",  "lie",
-    "lies",    "placed", "arranged", "line",      "lines",    "from",   "to",     "surrounding",
-    "between", "inside", "within",   "surrounds", "surround", "face",   "faces",  "alongside",
-    "which",   "just",   "directly", "right"};
 
 // These verbs may follow "the trees" where a text says more about them.
 constexpr std::string_view kVerbs[] = {"is",   "are",   "stand",    "stands",    "lie",  "lies",
@@ -67,12 +45,12 @@ bool Has(const List& list, std::string_view word) {
 class Taker {
  public:
   Taker(std::string_view text, Vocabulary vocabulary)
-      : text_(text), vocabulary_(vocabulary), tokens_(Tokenize(text)), gone_(tokens_.size()) {}
+      : text_(text), words_(text, vocabulary), gone_(words_.tokens().size()) {}
 
   TextThings Take() {
-    for (std::size_t at = 0; at < tokens_.size();) {
+    for (std::size_t at = 0; at < words_.tokens().size();) {
       const bool taken = TakeOrderly(at) || TakeMore(at) || TakePhrase(at);
-      const std::size_t end = taken ? at_ : at + 1;
+      const std::size_t end = taken ? words_.at() : at + 1;
       at = std::max(end, at + 1);
     }
     TextThings taken;
@@ -87,105 +65,28 @@ class Taker {
   }
 
  private:
-  std::string_view WordAt(std::size_t at) const {
-    return at < tokens_.size() && tokens_[at].kind == TokenKind::kWord
-               ? std::string_view(tokens_[at].text)
-               : std::string_view();
-  }
-  bool TakeWords(std::initializer_list<std::string_view> words) {
-    std::size_t at = at_;
-    for (const std::string_view word : words) {
-      if (WordAt(at++) != word) return false;
-    }
-    at_ = at;
-    return true;
-  }
-  bool TakeAny(std::initializer_list<std::string_view> words) {
-    if (!Has(words, WordAt(at_)) || WordAt(at_).empty()) return false;
-    ++at_;
-    return true;
-  }
-
-  // The longest noun of which `find` gives a kind.
-  template <typename Find>
-  const ThingKind* TakeNoun(const Find& find, bool* plural) {
-    for (std::size_t count = 3; count > 0; --count) {
-      std::string noun;
-      for (std::size_t i = 0; i < count; ++i) {
-        const std::string_view word = WordAt(at_ + i);
-        if (word.empty()) noun += "?";  // a pause is within no noun
-        noun += (i > 0 ? " " : "") + (i + 1 == count ? Singular(word) : std::string(word));
-      }
-      const ThingKind* kind = find(noun);
-      if (kind == nullptr) continue;
-      *plural = Singular(WordAt(at_ + count - 1)) != WordAt(at_ + count - 1);
-      at_ += count;
-      return kind;
-    }
-    return nullptr;
-  }
-
-  const ThingKind* TakeKind(bool* plural) {
-    const bool house_is_land = vocabulary_ == Vocabulary::kSuburb;
-    return TakeNoun(
-        [house_is_land](const std::string& noun) {
-          const ThingKind* kind = FindThingKind(noun);
-          return kind != nullptr && kind->name == "house" && house_is_land ? nullptr : kind;
-        },
-        plural);
-  }
-
-  // Houses, and buildings that are no kind but come near one.
-  const ThingKind* TakeBuilding(bool* plural) {
-    return TakeNoun(
-        [](const std::string& noun) {
-          const ThingKind* kind = KindOfBuilding(noun);
-          return kind != nullptr ? kind : FindThingKind(noun);
-        },
-        plural);
-  }
-
-  bool EndsHere() const {
-    return at_ >= tokens_.size() || tokens_[at_].kind != TokenKind::kWord ||
-           Has(kFollowers, WordAt(at_)) || MatchHeading(tokens_, at_).tokens > 0;
-  }
-
-  const ArrangementWord* ArrangementAt(std::size_t at) const {
-    for (const ArrangementWord& each : kArrangements) {
-      if (each.word == WordAt(at)) return &each;
-    }
-    return nullptr;
-  }
-
-  // Whether a noun is land too. Piers, tents and ruins, which no class but buildings comes near,
-  // are not.
-  bool IsLand(std::size_t at) const {
-    const ClassWord* word = MatchClassWord(tokens_, at).word;
-    return word != nullptr && (word->suburb != 'B' || word->suburb_exact);
-  }
-
   // "organized chambers, trees, and rocks": each in a grid.
   bool TakeOrderly(std::size_t begin) {
-    if (!Has(kOrderly, WordAt(begin))) return false;
-    at_ = begin + 1;
+    if (!Has(kOrderly, words_.WordAt(begin))) return false;
+    words_.GoTo(begin + 1);
     const std::size_t things = things_.size();
     std::size_t end = begin;
     for (;;) {
       bool plural = false;
-      const ThingKind* kind = TakeKind(&plural);
+      const ThingKind* kind = words_.TakeKind(&plural);
       if (kind == nullptr || !plural) break;
       ThingWish wish;
       wish.kind = kind->name;
       wish.count = wish.count_least = wish.count_most = kOrderlyCount;
       wish.arrangement = ThingArrangement::kGrid;
       things_.push_back(wish);
-      end = at_;
-      if (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::kComma) ++at_;
-      TakeAny({"and"});
+      end = words_.at();
+      words_.TakeComma();
+      words_.TakeAny({"and"});
     }
-    at_ = end;
+    words_.GoTo(end);
     if (things_.size() == things) return false;
-    const std::string words = Words(begin, end);
+    const std::string words = words_.Text(begin, end);
     for (std::size_t i = things; i < things_.size(); ++i) things_[i].words = words;
     Remove(begin, end);
     return true;
@@ -194,33 +95,28 @@ class Taker {
   // A number, an article or an arrangement before the noun. 0: nothing that counts.
   int TakeQuantity(ThingWish* wish, bool* counted, bool* lone) {
     int count = 0;
-    const std::size_t begin = at_;
-    TakeAny({"a", "an", "one", "the"});
-    if (const ArrangementWord* pattern = ArrangementAt(at_); pattern != nullptr) {
-      ++at_;
-      if (TakeAny({"of"})) {
-        wish->arrangement = pattern->arrangement;
-        const NumberMatch number = MatchNumber(tokens_, at_);
-        *counted = number.tokens > 0;
-        at_ += number.tokens;
-        return number.tokens > 0 ? number.value : pattern->usual;
-      }
+    const std::size_t begin = words_.at();
+    words_.TakeAny({"a", "an", "one", "the"});
+    if (const ThingWords::Arrangement* pattern = words_.TakeArrangement();
+        pattern != nullptr && words_.TakeAny({"of"})) {
+      wish->arrangement = pattern->arrangement;
+      const std::optional<int> number = words_.TakeNumber();
+      *counted = number.has_value();
+      return number.value_or(pattern->usual);
     }
-    at_ = begin;
-    const NumberMatch number = MatchNumber(tokens_, at_);
-    if (number.tokens > 0) {
-      *counted = number.value > 1;
-      at_ += number.tokens;
-      *lone = TakeAny({"lone", "single", "solitary"});
-      return std::max(1, number.value);
+    words_.GoTo(begin);
+    if (const std::optional<int> number = words_.TakeNumber(); number.has_value()) {
+      *counted = *number > 1;
+      *lone = words_.TakeAny({"lone", "single", "solitary"});
+      return std::max(1, *number);
     }
-    if (TakeAny({"a", "an"})) count = 1;
-    if (count == 1 && TakeAny({"lone", "single", "solitary"})) *counted = *lone = true;
+    if (words_.TakeAny({"a", "an"})) count = 1;
+    if (count == 1 && words_.TakeAny({"lone", "single", "solitary"})) *counted = *lone = true;
     return count;
   }
 
   bool TakePhrase(std::size_t begin) {
-    at_ = begin;
+    words_.GoTo(begin);
     ThingWish wish;
     bool counted = false, plural = false, lone = false;
     const int count = TakeQuantity(&wish, &counted, &lone);
@@ -228,23 +124,23 @@ class Taker {
     for (bool more = true; more;) {
       more = false;
       for (const Word& size : kSizes) {
-        if (WordAt(at_) != size.word) continue;
+        if (words_.Word() != size.word) continue;
         wish.size *= size.value;
-        ++at_;
+        words_.GoTo(words_.at() + 1);
         more = true;
       }
     }
-    const bool is_land = IsLand(at_);
-    const std::size_t noun = at_;
-    const ThingKind* kind = TakeKind(&plural);
+    const bool is_land = words_.IsLand();
+    const std::size_t noun = words_.at();
+    const ThingKind* kind = words_.TakeKind(&plural);
     const bool only_near = kind == nullptr;
-    if (only_near) kind = TakeBuilding(&plural);
-    if (kind == nullptr || !EndsHere() || (plural && count == 1)) return false;
-    const std::size_t noun_end = at_;
+    if (only_near) kind = words_.TakeBuilding(&plural);
+    if (kind == nullptr || !words_.IsEndOfNoun() || (plural && count == 1)) return false;
+    const std::size_t noun_end = words_.at();
     wish.kind = kind->name;
     wish.count = wish.count_least = wish.count_most = count;
     wish.size = std::clamp(wish.size, 0.2, 5.0);
-    std::size_t end = at_;
+    std::size_t end = words_.at();
     TakeArrangement(&wish, &end);
     const bool grows = kind->source == ThingSource::kAsset || kind->name == "boulder" ||
                        (kind->words.size() > 1 && kind->words[1] == kind->name + " tree");
@@ -263,16 +159,16 @@ class Taker {
       return false;
     }
     TakeRest(&wish, &end, &parts);
-    wish.words = Words(begin, end);
+    wish.words = words_.Text(begin, end);
     if (count == 1) FillRun(&wish);
     for (std::size_t i = things; i < things_.size(); ++i) things_[i].words = wish.words;
     things_.push_back(wish);
     if (only_near && kind->name != "house") {
       warnings_.push_back(Quote(wish.words) + ": there is no such kind of thing as " +
-                          Words(noun, noun_end) + "; the nearest is a " + kind->name);
+                          words_.Text(noun, noun_end) + "; the nearest is a " + kind->name);
     }
     for (const auto& [from, to] : parts) Remove(from, to);
-    at_ = end;
+    words_.GoTo(end);
     return true;
   }
 
@@ -291,45 +187,45 @@ class Taker {
   // "facing the lake", "that faces north". Land stays in the text.
   void TakeFacing(ThingWish* wish, std::size_t* end,
                   std::vector<std::pair<std::size_t, std::size_t>>* parts) {
-    at_ = *end;
-    if (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::kComma) ++at_;
-    TakeAny({"that", "which", "and"});
-    if (!TakeAny({"facing", "face", "faces"})) return;
-    const std::size_t target_at = at_;
-    TakeAny({"the"});
-    if (const HeadingMatch match = MatchHeading(tokens_, at_); match.tokens > 0) {
+    words_.GoTo(*end);
+    words_.TakeComma();
+    words_.TakeAny({"that", "which", "and"});
+    if (!words_.TakeAny({"facing", "face", "faces"})) return;
+    const std::size_t target_at = words_.at();
+    words_.TakeAny({"the"});
+    if (const HeadingMatch match = MatchHeading(words_.tokens(), words_.at()); match.tokens > 0) {
       wish->heading_rad = std::atan2(-match.heading.south, match.heading.east);
-      parts->push_back({*end, at_ + match.tokens});
-      *end = at_ + match.tokens;
+      parts->push_back({*end, words_.at() + match.tokens});
+      *end = words_.at() + match.tokens;
       return;
     }
-    at_ = target_at;
+    words_.GoTo(target_at);
     const std::size_t things = things_.size();
     ThingTarget target = TakeThingTarget();
     const bool is_thing = target.wish >= 0 && things_.size() == things;  // that stands already
     if (!is_thing) {
       things_.resize(things);
-      at_ = target_at;
-      target = LandTarget();
+      words_.GoTo(target_at);
+      target = words_.TakeLand();
     }
     if (target.is_nothing()) return;
     wish->facing = target;
-    parts->push_back({*end, is_thing ? at_ : target_at});
-    *end = at_;
+    parts->push_back({*end, is_thing ? words_.at() : target_at});
+    *end = words_.at();
   }
 
   // "The trees are near the village", where trees were asked for: more of the same wish.
   bool TakeMore(std::size_t begin) {
-    at_ = begin;
+    words_.GoTo(begin);
     bool plural = false;
-    if (!TakeAny({"the"})) return false;
-    const ThingKind* kind = TakeKind(&plural);
-    if (kind == nullptr || !Has(kVerbs, WordAt(at_))) return false;
+    if (!words_.TakeAny({"the"})) return false;
+    const ThingKind* kind = words_.TakeKind(&plural);
+    if (kind == nullptr || !Has(kVerbs, words_.Word())) return false;
     int known = static_cast<int>(things_.size()) - 1;
     while (known >= 0 && things_[static_cast<std::size_t>(known)].kind != kind->name) --known;
     if (known < 0) return false;
     ThingWish wish = things_[static_cast<std::size_t>(known)];
-    std::size_t end = at_;
+    std::size_t end = words_.at();
     std::vector<std::pair<std::size_t, std::size_t>> parts = {{begin, end}};
     const std::size_t things = things_.size();
     const std::size_t warnings = warnings_.size();
@@ -342,56 +238,33 @@ class Taker {
       warnings_.resize(warnings);
       return false;
     }
-    wish.words += ". " + Words(begin, end);
+    wish.words += ". " + words_.Text(begin, end);
     things_[static_cast<std::size_t>(known)] = wish;
     for (const auto& [from, to] : parts) Remove(from, to);
-    at_ = end;
+    words_.GoTo(end);
     return true;
   }
 
   void TakeArrangement(ThingWish* wish, std::size_t* end) {
-    for (bool more = true; more;) {
-      more = false;
-      at_ = *end;
-      if (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::kComma) ++at_;
-      TakeCopula();
-      TakeAny({"arranged", "placed", "planted"});
-      if ((TakeWords({"in", "a"}) || (TakeAny({"form", "forms", "forming"}) && TakeAny({"a"}))) &&
-          ArrangementAt(at_) != nullptr && WordAt(at_ + 1) != "of") {
-        wish->arrangement = ArrangementAt(at_++)->arrangement;
-        more = true;
-      } else if (const double spacing_m = TakeSpacing(*end); spacing_m > 0.0) {
+    for (;;) {
+      words_.GoTo(*end);
+      words_.TakeComma();
+      words_.TakeCopula();
+      words_.TakeAny({"arranged", "placed", "planted"});
+      const bool said = words_.TakeWords({"in", "a"}) ||
+                        (words_.TakeAny({"form", "forms", "forming"}) && words_.TakeAny({"a"}));
+      const ThingWords::Arrangement* pattern = said ? words_.TakeArrangement() : nullptr;
+      if (pattern != nullptr && words_.Word() != "of") {
+        wish->arrangement = pattern->arrangement;
+      } else {
+        words_.GoTo(*end);
+        const double spacing_m = words_.TakeSpacing();
+        if (spacing_m == 0.0) return;
         wish->spacing_m = spacing_m;
-        more = true;
       }
-      if (more) *end = at_;
+      *end = words_.at();
     }
   }
-
-  // "is", "that stand", "standing": says nothing by itself.
-  void TakeCopula() {
-    TakeAny({"that", "which"});
-    TakeAny({"is", "are", "stand", "stands", "standing", "lie", "lies", "lying"});
-  }
-
-  // "every 20 m", "20 metres apart", "spaced 20 m", "at intervals of 20 m". 0: none.
-  double TakeSpacing(std::size_t begin) {
-    at_ = begin;
-    if (at_ < tokens_.size() && tokens_[at_].kind == TokenKind::kComma) ++at_;
-    TakeCopula();
-    const bool said = TakeAny({"every"}) || TakeAny({"spaced"}) ||
-                      TakeWords({"at", "intervals", "of"}) ||
-                      TakeWords({"with", "a", "spacing", "of"});
-    TakeAny({"at"});
-    const NumberMatch number = MatchNumber(tokens_, at_);
-    at_ += number.tokens;
-    if (number.tokens == 0 || !TakeMetres()) return 0.0;
-    const bool apart =
-        TakeAny({"apart"}) || TakeAny({"intervals"}) || TakeWords({"between", "them"});
-    return said || apart ? number.value : 0.0;
-  }
-
-  bool TakeMetres() { return TakeAny({"m", "metres", "meters", "metre", "meter"}); }
 
   // What the thing stands by; true: it is another thing. Land stays in the text.
   bool TakeRelation(ThingWish* wish, std::size_t* end,
@@ -420,45 +293,44 @@ class Taker {
         {{"within"}, ThingRelation::kIn}};
     // The relation is a distance ("12 m from") or one of the words above.
     const std::size_t begin = *end;
-    at_ = begin;
-    TakeCopula();
-    const std::size_t number_at = at_;
-    const NumberMatch number = MatchNumber(tokens_, at_);
-    at_ += number.tokens;
-    const bool metres = number.tokens > 0 && TakeMetres();
-    double distance_m = metres ? number.value : 0.0;
+    words_.GoTo(begin);
+    words_.TakeCopula();
+    const std::size_t number_at = words_.at();
+    const std::optional<int> number = words_.TakeNumber();
+    const bool metres = number.has_value() && words_.TakeMetres();
+    double distance_m = metres ? *number : 0.0;
     ThingSide side = ThingSide::kAny;
     std::optional<ThingRelation> relation;
-    if (metres && (TakeWords({"away", "from"}) || TakeAny({"from"}))) {
+    if (metres && (words_.TakeWords({"away", "from"}) || words_.TakeAny({"from"}))) {
       relation = ThingRelation::kNear;
     } else {
-      if (!metres) at_ = number_at;
-      side = TakeSide();
+      if (!metres) words_.GoTo(number_at);
+      side = words_.TakeSide();
       if (side != ThingSide::kAny) relation = ThingRelation::kNear;
     }
     if (!relation) {
-      at_ = number_at;
+      words_.GoTo(number_at);
       distance_m = 0.0;
-      TakeAny({"just", "right"});
+      words_.TakeAny({"just", "right"});
       for (const RelationWords& each : kRelations) {
-        if (TakeWords(each.words)) {
+        if (words_.TakeWords(each.words)) {
           relation = each.relation;
           break;
         }
       }
     }
-    if (!relation || IsPlaceHere()) return false;
+    if (!relation || words_.IsPlace()) return false;
     // It leads to a thing that was named before, or else to land.
-    TakePlaceOf();
-    const std::size_t target_at = at_;
+    words_.TakePlaceOf();
+    const std::size_t target_at = words_.at();
     const ThingTarget target = TakeTarget();
     const bool is_thing = target.wish >= 0;
     if (target.is_nothing()) WarnOfLand(target_at);
     if (target.is_nothing() || (is_thing && *relation == ThingRelation::kIn)) return false;
-    const std::size_t target_end = at_;
+    const std::size_t target_end = words_.at();
     ThingTarget second;
     if (*relation == ThingRelation::kBetween) {
-      second = TakeAny({"and"}) ? TakeTarget() : target;  // "between the lakes"
+      second = words_.TakeAny({"and"}) ? TakeTarget() : target;  // "between the lakes"
       if (second.is_nothing() || second.wish >= 0) return false;
     }
     // Only now is the wish changed and are the words taken.
@@ -468,77 +340,38 @@ class Taker {
     wish->distance_m = distance_m;
     wish->side = side;
     parts->push_back({begin, is_thing ? target_end : target_at});
-    *end = at_;
+    *end = words_.at();
     return is_thing;
   }
 
   // A thing that was named before, or else land.
   ThingTarget TakeTarget() {
-    const std::size_t begin = at_;
+    const std::size_t begin = words_.at();
     const ThingTarget target = TakeThingTarget();
     if (target.wish >= 0) return target;
-    at_ = begin;
-    return LandTarget();
+    words_.GoTo(begin);
+    return words_.TakeLand();
   }
 
   // "Left of the road", in a vocabulary that has no roads.
   void WarnOfLand(std::size_t at) {
-    const std::size_t noun = at + (WordAt(at) == "the" || WordAt(at) == "a" ? 1 : 0);
-    const ClassWordMatch match = MatchClassWord(tokens_, noun);
-    if (match.word == nullptr || match.word->LetterIn(vocabulary_) != '\0') return;
-    warnings_.push_back("the " + std::string(NameOf(vocabulary_)) +
-                        " vocabulary has nothing like " + Quote(Words(at, noun + match.tokens)) +
-                        "; nothing stands by it");
-  }
-
-  // "north of", "to the north of", "just north of": on which side of something.
-  ThingSide TakeSide() {
-    const std::size_t begin = at_;
-    for (const bool adverb : {false, true}) {  // "right of" is a side, "right by" is none
-      at_ = begin;
-      if (adverb && !TakeAny({"just", "directly", "right"})) break;
-      if (TakeAny({"to"})) TakeAny({"the"});
-      const HeadingMatch match = MatchHeading(tokens_, at_);
-      at_ += match.tokens;
-      const auto side = FromName<ThingSide>(HeadingName({match.heading.east, match.heading.south}));
-      if (match.tokens > 0 && side && TakeAny({"of"})) return *side;
-    }
-    at_ = begin;
-    return ThingSide::kAny;
-  }
-
-  // The place that begins there; what is said behind "facing" is not of it.
-  PlaceMatch PlaceAt(std::size_t at) const {
-    const auto is_other = [](const Token& token) {
-      return token.kind == TokenKind::kWord && (token.text == "facing" || token.text == "that");
-    };
-    const auto from = tokens_.begin() + static_cast<std::ptrdiff_t>(std::min(at, tokens_.size()));
-    return MatchPlace({tokens_.begin(), std::find_if(from, tokens_.end(), is_other)}, at);
-  }
-
-  // "in the north" says where on the map, "in the north of the forest" where in the forest.
-  bool IsPlaceHere() const {
-    const PlaceMatch match = PlaceAt(at_ + (WordAt(at_) == "the" ? 1 : 0));
-    return match.tokens > 0 && !match.of_other;
-  }
-
-  // "the middle of" the forest: the forest.
-  void TakePlaceOf() {
-    const std::size_t at = at_ + (WordAt(at_) == "the" ? 1 : 0);
-    const PlaceMatch match = PlaceAt(at);
-    if (match.tokens == 0 || !match.of_other || WordAt(at + match.tokens) != "of") return;
-    at_ = at + match.tokens + 1;
+    const std::size_t noun = at + (words_.WordAt(at) == "the" || words_.WordAt(at) == "a" ? 1 : 0);
+    const ClassWordMatch match = MatchClassWord(words_.tokens(), noun);
+    if (match.word == nullptr || match.word->LetterIn(words_.vocabulary()) != '\0') return;
+    warnings_.push_back("the " + std::string(NameOf(words_.vocabulary())) +
+                        " vocabulary has nothing like " +
+                        Quote(words_.Text(at, noun + match.tokens)) + "; nothing stands by it");
   }
 
   ThingTarget TakeThingTarget() {
     ThingTarget target;
-    const bool definite = TakeAny({"the"});
-    const bool indefinite = !definite && TakeAny({"a", "an", "one"});
-    TakeAny({"lone", "single", "solitary"});
-    const bool is_land = IsLand(at_);
+    const bool definite = words_.TakeAny({"the"});
+    const bool indefinite = !definite && words_.TakeAny({"a", "an", "one"});
+    words_.TakeAny({"lone", "single", "solitary"});
+    const bool is_land = words_.IsLand();
     bool plural = false;
-    const ThingKind* kind = TakeKind(&plural);
-    if (kind == nullptr || !EndsHere()) return target;
+    const ThingKind* kind = words_.TakeKind(&plural);
+    if (kind == nullptr || !words_.IsEndOfNoun()) return target;
     for (int i = static_cast<int>(things_.size()) - 1; definite && i >= 0; --i) {
       if (things_[static_cast<std::size_t>(i)].kind != kind->name) continue;
       target.wish = i;
@@ -553,35 +386,17 @@ class Taker {
     return target;
   }
 
-  ThingTarget LandTarget() {
-    constexpr std::size_t kMostWordsBefore = 4;  // articles and adjectives
-    ThingTarget target;
-    for (std::size_t ahead = 0; ahead < kMostWordsBefore && !WordAt(at_ + ahead).empty(); ++ahead) {
-      if (const char ground = GroundNamed(Singular(WordAt(at_ + ahead))); ground != '\0') {
-        target.letter = ground;
-        at_ += ahead + 1;
-        break;
-      }
-      const ClassWordMatch match = MatchClassWord(tokens_, at_ + ahead);
-      if (match.word == nullptr) continue;
-      target.letter = match.word->LetterIn(vocabulary_);
-      at_ += ahead + match.tokens;
-      break;
-    }
-    return target;
-  }
-
   // "in the north", "in the upper left corner".
   void TakeZone(ThingWish* wish, std::size_t* end,
                 std::vector<std::pair<std::size_t, std::size_t>>* parts) {
-    at_ = *end;
-    if (!TakeAny({"in", "at", "on", "near", "along"})) return;
-    TakeAny({"the"});
-    const PlaceMatch match = PlaceAt(at_);
+    words_.GoTo(*end);
+    if (!words_.TakeAny({"in", "at", "on", "near", "along"})) return;
+    words_.TakeAny({"the"});
+    const PlaceMatch match = words_.PlaceAt(words_.at());
     if (match.tokens == 0 || match.of_other || match.places.empty()) return;
     wish->zone = match.places.front().zone;
     const std::size_t begin = *end;
-    *end = at_ + match.tokens;
+    *end = words_.at() + match.tokens;
     parts->push_back({begin, *end});
   }
 
@@ -589,43 +404,37 @@ class Taker {
     for (std::size_t i = begin; i < end; ++i) gone_[i] = true;
   }
 
-  std::string Words(std::size_t begin, std::size_t end) const {
-    return std::string(
-        text_.substr(tokens_[begin].begin, tokens_[end - 1].end - tokens_[begin].begin));
-  }
-
   // Words that only join what is gone go too.
   void WriteRest(TextThings* taken) {
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      const bool joins = tokens_[i].kind == TokenKind::kComma || WordAt(i) == "and" ||
-                         WordAt(i) == "with" || WordAt(i) == "there" || WordAt(i) == "are" ||
-                         WordAt(i) == "is";
+    for (std::size_t i = 0; i < words_.tokens().size(); ++i) {
+      const bool joins = words_.tokens()[i].kind == TokenKind::kComma ||
+                         words_.WordAt(i) == "and" || words_.WordAt(i) == "with" ||
+                         words_.WordAt(i) == "there" || words_.WordAt(i) == "are" ||
+                         words_.WordAt(i) == "is";
       std::size_t next = i + 1;
-      while (next < tokens_.size() && tokens_[next].kind == TokenKind::kWord &&
-             (WordAt(next) == "and" || WordAt(next) == "with" || WordAt(next) == "are" ||
-              WordAt(next) == "is")) {
+      while (next < words_.tokens().size() && words_.tokens()[next].kind == TokenKind::kWord &&
+             (words_.WordAt(next) == "and" || words_.WordAt(next) == "with" ||
+              words_.WordAt(next) == "are" || words_.WordAt(next) == "is")) {
         ++next;
       }
-      if (joins && next < tokens_.size() && gone_[next]) gone_[i] = true;
+      if (joins && next < words_.tokens().size() && gone_[next]) gone_[i] = true;
     }
     const auto append = [&](std::string* to, std::size_t i) {
       const std::string_view piece =
-          text_.substr(tokens_[i].begin, tokens_[i].end - tokens_[i].begin);
-      const bool apart =
-          tokens_[i].kind == TokenKind::kWord || tokens_[i].kind == TokenKind::kNumber;
+          text_.substr(words_.tokens()[i].begin, words_.tokens()[i].end - words_.tokens()[i].begin);
+      const bool apart = words_.tokens()[i].kind == TokenKind::kWord ||
+                         words_.tokens()[i].kind == TokenKind::kNumber;
       if (!to->empty() && apart) *to += " ";
       *to += piece;
     };
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+    for (std::size_t i = 0; i < words_.tokens().size(); ++i) {
       append(gone_[i] ? &taken->taken : &taken->rest, i);
     }
   }
 
   const std::string_view text_;
-  const Vocabulary vocabulary_;
-  const std::vector<Token> tokens_;
+  ThingWords words_;
   std::vector<bool> gone_;
-  std::size_t at_ = 0;
   std::vector<ThingWish> things_;
   std::vector<std::string> warnings_;
 };
