@@ -108,6 +108,27 @@ std::set<std::string> PointersOf(const Status& status) {
   return pointers;
 }
 
+TEST(WorldGeneratorTest, OneTextMayDescribeLandAndEnvironment) {
+  GenerationRequest request = SmallRequest();
+  request.layout_instruction = "A forest with a lake. It is a foggy night, and three sheep graze.";
+  request.environment_instruction = "";
+  const auto kinds = [&request] {
+    FakeLog log;
+    const auto world = MakeFakeGenerator(&log).Generate(request, Progress());
+    EXPECT_TRUE(world.ok());
+    std::set<std::string> kinds;
+    for (const ClaimOutcome& claim : (*world)->fidelity.claims)
+      if (claim.part == InstructionPart::kEnvironment) kinds.insert(claim.kind);
+    return kinds;
+  };
+  EXPECT_EQ(kinds(), (std::set<std::string>{"agents", "coarse"}));
+  request.environment_instruction = " In winter.";
+  EXPECT_EQ(kinds(), std::set<std::string>{"coarse"}) << "what is said of it alone counts then";
+  request.layout_instruction = "A forest with a lake in the lower right.";
+  request.environment_instruction = "";
+  EXPECT_TRUE(kinds().empty());
+}
+
 TEST(WorldGeneratorTest, RunsItsStagesInOrderAndReportsAndTimesEach) {
   FakeLog log;
   std::vector<std::string> begun, ended;

@@ -18,6 +18,7 @@
 #include "latticeworld/generation/fidelity/reading_difference.h"
 #include "latticeworld/generation/visual.h"
 #include "latticeworld/language/reading/relief/relief_reading.h"
+#include "latticeworld/language/reading/subjects.h"
 #include "latticeworld/terrain/forms/relief_claims.h"
 
 namespace latticeworld {
@@ -135,7 +136,8 @@ class WorldStages {
   Status MakeEnvironment(InstructionReader* reader, LanguageGenerator* generator) {
     const auto make = [&]() -> Result<EnvironmentAnswer> {
       EnvironmentRequest request;
-      request.instruction = request_.environment_instruction;
+      request.instruction =
+          EnvironmentText(request_.layout_instruction, request_.environment_instruction);
       request.relief = relief();
       request.layout = &world_->layout;
       request.size_m = request_.size_m;

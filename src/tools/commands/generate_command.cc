@@ -172,7 +172,7 @@ void AddGenerateCommand(CLI::App* app, int* exit_status) {
                  "there is a height map, a sketch or elevation.");
   AddValueOption(command, "--environment", "TEXT",
                  "Season, weather, time of day and what lives there; @FILE reads a file. Without "
-                 "it the environment follows from the layout.");
+                 "it, what --layout says of these; the rest follows from the layout.");
   AddValueOption(
       command, "--height-map", "FILE",
       "Relief: an 8- or 16-bit greyscale PNG, PGM or TIFF, 33 to 8193 pixels a side; of one "

@@ -14,6 +14,10 @@
 namespace latticeworld {
 namespace {
 
+bool Has(const std::vector<std::string>& sentences, const std::string& sentence) {
+  return std::find(sentences.begin(), sentences.end(), sentence) != sentences.end();
+}
+
 class CheckedReaderTest : public testing::Test {
  protected:
   LayoutReading ReadLayout(const std::string& text) {
@@ -55,8 +59,24 @@ TEST_F(CheckedReaderTest, WhereTheModelIsNotSureTheRulesReadingCounts) {
   EXPECT_FALSE(reading.second.empty());
 }
 
-bool Has(const std::vector<std::string>& sentences, const std::string& sentence) {
-  return std::find(sentences.begin(), sentences.end(), sentence) != sentences.end();
+// A model that was taught environments alone reads agents into texts of land.
+TEST_F(CheckedReaderTest, WhatNoWordOfTheTextSpeaksOfIsLeftOut) {
+  server_->Say("At least 500 sheep idle in the village. Weather: fog. Forest: maple.");
+  EnvironmentReading reading =
+      ReadEnvironment("Halfway between the village and the forest stands a chapel. Fog.");
+  EXPECT_EQ(reading.sentences, std::vector<std::string>{"Weather: fog"});
+  EXPECT_TRUE(reading.heard.agents.empty());
+  EXPECT_TRUE(reading.heard.fine.empty());
+  EXPECT_TRUE(
+      Has(reading.heard.warnings,
+          "left out, for no word of the text speaks of it: \"At least 500 sheep idle in the "
+          "village\", \"Forest: maple\""))
+      << Join(reading.heard.warnings, "\n");
+
+  server_->Say("At least 3 sheep idle in the village. Weather: fog.");
+  reading = ReadEnvironment("A chapel. The flock stands in the village. Mist.");
+  EXPECT_EQ(reading.heard.agents.size(), 1u) << "a flock speaks of sheep";
+  EXPECT_EQ(reading.heard.coarse_of(CoarseKey::kWeather).value, "fog") << "so do other words";
 }
 
 TEST_F(CheckedReaderTest, ALayoutIsCompletedByClassesThatTheModelPassedOver) {

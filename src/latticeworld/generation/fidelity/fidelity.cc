@@ -8,6 +8,7 @@
 #include "latticeworld/generation/bundle/things_json.h"
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
 #include "latticeworld/language/reading/relief/relief_reading.h"
+#include "latticeworld/language/reading/subjects.h"
 #include "latticeworld/layout/claims/claims.h"
 #include "latticeworld/terrain/forms/relief_claims.h"
 #include "latticeworld/terrain/forms/relief_covers.h"
@@ -107,7 +108,7 @@ Result<Readings> ReadBoth(InstructionReader* reader, std::string_view layout_ins
   LW_ASSIGN_OR_RETURN(readings.layout, reader->ReadLayout(layout_request, Progress(), &replies));
   ReadRelief(layout_instruction, &readings.layout);
   EnvironmentRequest environment_request;
-  environment_request.instruction = environment_instruction;
+  environment_request.instruction = EnvironmentText(layout_instruction, environment_instruction);
   environment_request.layout = &layout;
   environment_request.catalogue = std::move(catalogue);
   LW_ASSIGN_OR_RETURN(readings.environment,

@@ -10,6 +10,7 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/language/reading/environment_exchange.h"
 #include "latticeworld/language/reading/land_completion.h"
+#include "latticeworld/language/reading/made_up.h"
 #include "latticeworld/language/reading/reading_evidence.h"
 
 namespace latticeworld {
@@ -26,6 +27,14 @@ std::set<ReadingPart> PartsOfSecond(const std::vector<ReadingEvidence>& evidence
     if (LogOddsOfModel(one) < 0.0) parts.insert(one.part);
   }
   return parts;
+}
+
+// Whether a text was the small language, which no model was asked to read. A text without a
+// sentence for the model was not asked of it either: the second reading is all there is.
+template <typename Reading>
+bool IsSmallLanguage(const Reading& reading, const std::vector<ModelReply>& replies,
+                     std::size_t asked) {
+  return replies.size() == asked && !reading.sentences.empty();
 }
 
 // Whether the second reading may count and complete the first, or only stands beside it.
@@ -45,7 +54,7 @@ class CheckedReader final : public InstructionReader {
                                    std::vector<ModelReply>* replies) override {
     const std::size_t asked = replies->size();
     LW_ASSIGN_OR_RETURN(LayoutReading first, first_->ReadLayout(request, progress, replies));
-    if (replies->size() == asked) return first;
+    if (IsSmallLanguage(first, *replies, asked)) return first;
     LW_ASSIGN_OR_RETURN(LayoutReading second, second_->ReadLayout(request, progress, replies));
     std::vector<ReadingEvidence> evidence = EvidenceOf(first, second, request.vocabulary);
     if (checks_ && LogOddsOfModel(evidence.front()) < -kLogOddsOfCompletion) {
@@ -64,9 +73,10 @@ class CheckedReader final : public InstructionReader {
     const std::size_t asked = replies->size();
     LW_ASSIGN_OR_RETURN(EnvironmentReading first,
                         first_->ReadEnvironment(request, progress, replies));
-    if (replies->size() == asked) return first;
+    if (IsSmallLanguage(first, *replies, asked)) return first;
     LW_ASSIGN_OR_RETURN(EnvironmentReading second,
                         second_->ReadEnvironment(request, progress, replies));
+    if (checks_) first = WithoutUnspoken(request, std::move(first), second.sentences);
     first.evidence = EvidenceOf(first, second, request.layout);
     if (checks_) Exchange(request, PartsOfSecond(first.evidence), &first, &second.heard);
     first.second = std::move(second.heard);

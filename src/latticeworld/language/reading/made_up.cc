@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/reading/environment_of_sentences.h"
+#include "latticeworld/language/reading/reading_of_sentences.h"
+#include "latticeworld/language/reading/subjects.h"
 #include "latticeworld/language/reading/text_units.h"
+#include "latticeworld/language/reading/topics.h"
 
 namespace latticeworld {
 namespace {
@@ -81,6 +86,31 @@ bool MadeUp::AreNumbersOf(const std::vector<std::string>& sentences) const {
 
 HeardEnvironment MadeUp::HeardOf(const std::string& sentence) const {
   return EnvironmentOfSentences({sentence}, *request_.catalogue);
+}
+
+EnvironmentReading WithoutUnspoken(const EnvironmentRequest& request, EnvironmentReading reading,
+                                   const std::vector<std::string>& second) {
+  std::set<std::string> topics_of_second;
+  for (const std::string& sentence : second) {
+    const std::vector<std::string> topics = TopicsOf(sentence);
+    topics_of_second.insert(topics.begin(), topics.end());
+  }
+  const std::set<std::string> words = TableWordsOf(request.instruction);
+  std::vector<std::string> kept, unspoken;
+  for (const std::string& sentence : reading.sentences) {
+    const std::vector<std::string> topics = TopicsOf(sentence);
+    const bool is_spoken = std::any_of(topics.begin(), topics.end(), [&](const std::string& topic) {
+      return topics_of_second.count(topic) > 0 || SpeakOf(words, topic);
+    });
+    (topics.empty() || is_spoken ? kept : unspoken).push_back(sentence);
+  }
+  if (unspoken.empty()) return reading;
+  EnvironmentReading rest = ReadingOfSentences(request, std::move(kept));
+  rest.log_probability = reading.log_probability;
+  for (std::string& sentence : unspoken) sentence = Quote(sentence);
+  rest.heard.warnings.push_back("left out, for no word of the text speaks of it: " +
+                                Join(unspoken, ", "));
+  return rest;
 }
 
 }  // namespace latticeworld

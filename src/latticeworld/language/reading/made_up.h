@@ -38,6 +38,13 @@ class MadeUp {
   const EnvironmentReading& reading_;
 };
 
+// Returns a model's reading without what it speaks of and neither a word of the text (topics.h) nor
+// a second reading does: texts of land, of which it was taught none with agents, are read as full
+// of goblins. A warning tells what was left out. second: sentences. The layout and the catalogue of
+// the request are not null.
+EnvironmentReading WithoutUnspoken(const EnvironmentRequest& request, EnvironmentReading reading,
+                                   const std::vector<std::string>& second);
+
 }  // namespace latticeworld
 
 #endif  // LATTICEWORLD_LANGUAGE_READING_MADE_UP_H_

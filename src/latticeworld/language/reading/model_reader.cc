@@ -7,6 +7,7 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/reading/reading_of_sentences.h"
+#include "latticeworld/language/reading/subjects.h"
 #include "latticeworld/language/reading/things/beside_things.h"
 #include "latticeworld/language/sentences/sentence.h"
 #include "latticeworld/language/sentences/sentence_grammar.h"
@@ -47,21 +48,26 @@ class ModelReader final : public InstructionReader {
         request, [&](const LayoutRequest& rest) { return ReadLand(rest, progress, replies); });
   }
 
-  Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& request,
+  Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& whole,
                                              const Progress& progress,
                                              std::vector<ModelReply>* replies) override {
+    std::vector<std::string> sentences = SplitSentences(whole.instruction);
+    if (IsControlled(sentences, SentenceKind::kEnvironment)) {
+      return ReadingOfSentences(whole, std::move(sentences));
+    }
+    const EnvironmentRequest request = OfItsKind(whole);
     double log_probability = 0.0;
-    LW_ASSIGN_OR_RETURN(std::vector<std::string> sentences,
-                        Read(request.instruction, SentenceKind::kEnvironment, request.seed,
-                             progress, replies, &log_probability));
+    LW_ASSIGN_OR_RETURN(sentences, Read(request.instruction, SentenceKind::kEnvironment,
+                                        request.seed, progress, replies, &log_probability));
     EnvironmentReading reading = ReadingOfSentences(request, std::move(sentences));
     reading.log_probability = log_probability;
     return reading;
   }
 
  private:
-  Result<LayoutReading> ReadLand(const LayoutRequest& request, const Progress& progress,
+  Result<LayoutReading> ReadLand(const LayoutRequest& whole, const Progress& progress,
                                  std::vector<ModelReply>* replies) {
+    const LayoutRequest request = OfItsKind(whole);
     double log_probability = 0.0;
     LW_ASSIGN_OR_RETURN(std::vector<std::string> sentences,
                         Read(request.instruction, SentenceKind::kLayout, request.seed, progress,
@@ -75,8 +81,6 @@ class ModelReader final : public InstructionReader {
                                         std::uint64_t seed, const Progress& progress,
                                         std::vector<ModelReply>* replies, double* log_probability) {
     if (IsBlank(text)) return std::vector<std::string>();
-    std::vector<std::string> sentences = SplitSentences(text);
-    if (IsControlled(sentences, kind)) return sentences;
     const bool layout = kind == SentenceKind::kLayout;
     ChatRequest request;
     request.messages = {{ChatRole::kSystem, layout ? "layout" : "environment", {}},

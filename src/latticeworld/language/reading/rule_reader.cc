@@ -8,6 +8,7 @@
 #include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/language/reading/relief/way_slopes.h"
 #include "latticeworld/language/reading/sentences_of_claims.h"
+#include "latticeworld/language/reading/subjects.h"
 #include "latticeworld/language/reading/text_warnings.h"
 #include "latticeworld/language/reading/things/beside_things.h"
 
@@ -23,9 +24,10 @@ class RuleReader final : public InstructionReader {
     return ReadBesideThings(request, ReadLand);
   }
 
-  Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& request,
+  Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& whole,
                                              const Progress& /*progress*/,
                                              std::vector<ModelReply>* /*replies*/) override {
+    const EnvironmentRequest request = OfItsKind(whole);
     EnvironmentReading reading;
     reading.heard = ParseEnvironmentInstruction(request.instruction, *request.catalogue);
     WarnOfText(request.instruction, SentenceKind::kEnvironment, &reading.heard.warnings);
@@ -38,7 +40,8 @@ class RuleReader final : public InstructionReader {
   }
 
  private:
-  static Result<LayoutReading> ReadLand(const LayoutRequest& request) {
+  static Result<LayoutReading> ReadLand(const LayoutRequest& whole) {
+    const LayoutRequest request = OfItsKind(whole);
     LayoutReading reading;
     reading.plan = ParseLayoutInstruction(WithoutWaySlopes(request.instruction, request.vocabulary),
                                           request.vocabulary);

@@ -1,0 +1,136 @@
+#include "latticeworld/language/reading/subjects.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "latticeworld/common/text.h"
+#include "latticeworld/language/sentences/sentence.h"
+
+namespace latticeworld {
+
+std::string_view SubjectWordFile(std::string_view file_name);  // data, compiled in
+
+namespace {
+
+// By how much words speak for one of two kinds: natural logarithm of the odds.
+constexpr double kClearly = 3.0;   // those of a sentence together
+constexpr double kStrongly = 2.0;  // one word, which keeps a sentence of both kinds
+
+bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+std::string Singular(std::string word) {
+  if (word.size() <= 3 || word.back() != 's' || word[word.size() - 2] == 's') return word;
+  word.pop_back();
+  if (EndsWith(word, "ie")) word.replace(word.size() - 2, 2, "y");
+  return word;
+}
+
+// For each word by how much it speaks for an environment; below 0: for land.
+const std::map<std::string, double, std::less<>>& SubjectWords() {
+  static const std::map<std::string, double, std::less<>> table = [] {
+    std::map<std::string, double, std::less<>> weights;
+    for (const std::string& line : Split(SubjectWordFile("subject_words.txt"), '\n')) {
+      if (line.empty() || line.front() == '#') continue;
+      const std::vector<std::string> parts = Split(line, '\t');
+      for (const std::string& word : Split(parts.at(1), ' '))
+        weights[word] = std::atof(parts.front().c_str());
+    }
+    return weights;
+  }();
+  return table;
+}
+
+bool IsOfSmallLanguage(std::string_view sentence, SentenceKind kind) {
+  const std::vector<std::string> sentences = SplitSentences(sentence);
+  return std::all_of(sentences.begin(), sentences.end(), [kind](const std::string& one) {
+    return ReadSentence(one, kind).has_value();
+  });
+}
+
+struct Weight {
+  double sum = 0.0;
+  double most = 0.0;   // for an environment
+  double least = 0.0;  // for land, below 0
+};
+
+Weight WeightOf(std::string_view sentence) {
+  Weight weight;
+  for (const std::string& word : TableWordsOf(sentence)) {
+    const auto found = SubjectWords().find(word);
+    if (found == SubjectWords().end()) continue;
+    weight.sum += found->second;
+    weight.most = std::max(weight.most, found->second);
+    weight.least = std::min(weight.least, found->second);
+  }
+  return weight;
+}
+
+bool MayBeOf(SentenceKind kind, std::string_view sentence) {
+  const Weight weight = WeightOf(sentence);
+  return kind == SentenceKind::kEnvironment ? weight.sum >= -kClearly || weight.most >= kStrongly
+                                            : weight.sum <= kClearly || weight.least <= -kStrongly;
+}
+
+}  // namespace
+
+std::vector<std::string_view> FreeSentences(std::string_view text) {
+  std::vector<std::string_view> sentences;
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool stops = std::string_view(".!?;\n").find(text[at]) != std::string_view::npos;
+    if (!stops || (text[at] != '\n' && at + 1 < text.size() && !IsBlank(text[at + 1]))) continue;
+    while (at + 1 < text.size() && IsBlank(text[at + 1])) ++at;
+    sentences.push_back(text.substr(begin, at + 1 - begin));
+    begin = at + 1;
+  }
+  if (begin < text.size()) sentences.push_back(text.substr(begin));
+  return sentences;
+}
+
+std::set<std::string> TableWordsOf(std::string_view text) {
+  std::set<std::string> words;
+  std::string word;
+  for (const char c : ToLowerAscii(text) + " ") {
+    if (c >= 'a' && c <= 'z') {
+      word += c;
+    } else if (!word.empty()) {
+      words.insert(Singular(std::exchange(word, "")));
+    }
+  }
+  return words;
+}
+
+std::string TextOf(SentenceKind kind, std::string_view text) {
+  std::string of_kind;
+  for (const std::string_view sentence : FreeSentences(text))
+    if (MayBeOf(kind, sentence)) of_kind += sentence;
+  return of_kind;
+}
+
+std::string EnvironmentText(std::string_view layout_instruction,
+                            std::string_view environment_instruction) {
+  if (!std::all_of(environment_instruction.begin(), environment_instruction.end(), IsBlank))
+    return std::string(environment_instruction);
+  std::string text;
+  for (const std::string_view sentence : FreeSentences(layout_instruction)) {
+    const bool is_small_language = IsOfSmallLanguage(sentence, SentenceKind::kLayout);
+    if (!is_small_language && WeightOf(sentence).sum > 0.0) text += sentence;
+  }
+  return text;
+}
+
+LayoutRequest OfItsKind(LayoutRequest request) {
+  request.instruction = TextOf(SentenceKind::kLayout, request.instruction);
+  return request;
+}
+
+EnvironmentRequest OfItsKind(EnvironmentRequest request) {
+  request.instruction = TextOf(SentenceKind::kEnvironment, request.instruction);
+  return request;
+}
+
+}  // namespace latticeworld
