@@ -63,6 +63,21 @@ TEST(SubjectsTest, WithoutWordsOfItsOwnAnEnvironmentHasThoseOfTheLayout) {
       << "sentences of the small language are of one kind";
 }
 
+TEST(SubjectsTest, WhatNeitherInstructionIsReadForIsWarnedOf) {
+  const std::string land = "A winding river runs to a lake in the south.";
+  const std::string weather = "Foggy autumn morning, and three sheep are grazing.";
+  EXPECT_EQ(WarningsOfUnread(land + " " + weather, "Rain."),
+            Strings{"\"" + weather +
+                    "\" is not read: it speaks of what environment_instruction "
+                    "describes"});
+  EXPECT_EQ(
+      WarningsOfUnread("A village.", "Rain. " + land),
+      Strings{"\"" + land + "\" is not read: it speaks of what layout_instruction describes"});
+  EXPECT_TRUE(WarningsOfUnread(land + " " + weather, "").empty()) << "it is the environment's text";
+  EXPECT_TRUE(WarningsOfUnread(land + " " + weather, weather).empty()) << "it is read there";
+  EXPECT_TRUE(WarningsOfUnread(land, weather).empty());
+}
+
 // Of examples that the table is not made of.
 TEST(SubjectsTest, NearlyAllOfATextsOwnSentencesStayAndMostOfTheOthersGo) {
   const std::filesystem::path left_out = std::filesystem::path(READER_EXAMPLES) / "left_out";

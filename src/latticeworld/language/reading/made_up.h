@@ -38,10 +38,10 @@ class MadeUp {
   const EnvironmentReading& reading_;
 };
 
-// Returns a model's reading without what it speaks of and neither a word of the text (topics.h) nor
-// a second reading does: texts of land, of which it was taught none with agents, are read as full
-// of goblins. A warning tells what was left out. second: sentences. The layout and the catalogue of
-// the request are not null.
+// Returns a model's reading without what neither a word of the text (topics.h) nor a second reading
+// speaks of: a model that was taught environments alone reads goblins into texts of land. A warning
+// tells what was left out. second: sentences. The layout and the catalogue of the request are not
+// null.
 EnvironmentReading WithoutUnspoken(const EnvironmentRequest& request, EnvironmentReading reading,
                                    const std::vector<std::string>& second);
 

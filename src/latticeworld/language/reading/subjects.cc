@@ -22,6 +22,8 @@ constexpr double kStrongly = 2.0;  // one word, which keeps a sentence of both k
 
 bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
+bool IsBlankText(std::string_view text) { return std::all_of(text.begin(), text.end(), IsBlank); }
+
 std::string Singular(std::string word) {
   if (word.size() <= 3 || word.back() != 's' || word[word.size() - 2] == 's') return word;
   word.pop_back();
@@ -113,14 +115,34 @@ std::string TextOf(SentenceKind kind, std::string_view text) {
 
 std::string EnvironmentText(std::string_view layout_instruction,
                             std::string_view environment_instruction) {
-  if (!std::all_of(environment_instruction.begin(), environment_instruction.end(), IsBlank))
-    return std::string(environment_instruction);
+  if (!IsBlankText(environment_instruction)) return std::string(environment_instruction);
   std::string text;
   for (const std::string_view sentence : FreeSentences(layout_instruction)) {
     const bool is_small_language = IsOfSmallLanguage(sentence, SentenceKind::kLayout);
     if (!is_small_language && WeightOf(sentence).sum > 0.0) text += sentence;
   }
   return text;
+}
+
+std::vector<std::string> WarningsOfUnread(std::string_view layout_instruction,
+                                          std::string_view environment_instruction) {
+  std::vector<std::string> warnings;
+  const auto warn = [&warnings](SentenceKind kind, std::string_view text, std::string_view other,
+                                const std::string& why) {
+    if (IsBlankText(other)) return;
+    for (std::string_view sentence : FreeSentences(text)) {
+      while (!sentence.empty() && IsBlank(sentence.back())) sentence.remove_suffix(1);
+      if (!MayBeOf(kind, sentence) && !IsOfSmallLanguage(sentence, kind) &&
+          other.find(sentence) == std::string_view::npos) {
+        warnings.push_back(Quote(sentence) + " is not read: " + why);
+      }
+    }
+  };
+  warn(SentenceKind::kLayout, layout_instruction, environment_instruction,
+       "it speaks of what environment_instruction describes");
+  warn(SentenceKind::kEnvironment, environment_instruction, layout_instruction,
+       "it speaks of what layout_instruction describes");
+  return warnings;
 }
 
 LayoutRequest OfItsKind(LayoutRequest request) {
