@@ -1,5 +1,7 @@
 // A connection to the page's server, byte by byte as a client sends it: HTTP requests, the upgrade
-// to a WebSocket, its frames and the requests in them. One thread, and no network.
+// to a WebSocket, its frames and the requests in them. A client waits for the answer to its first
+// head before it sends more, or the server would drop it. One thread, and no network. An input that
+// begins with '{' is the text of one message.
 
 #include <sys/socket.h>
 
@@ -9,6 +11,7 @@
 #include "fuzz/fuzz_target.h"
 #include "latticeworld/viewer/server/http_connection.h"
 #include "latticeworld/viewer/server/server_core.h"
+#include "latticeworld/viewer/server/viewer_request.h"
 
 namespace {
 
@@ -28,10 +31,9 @@ PayloadMap Page() {
   return page;
 }
 
-// Sends all that there is room for, and then ends that direction.
+// Sends all that there is room for.
 void Send(int socket, std::string_view bytes) {
   (void)!send(socket, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
-  shutdown(socket, SHUT_WR);
 }
 
 // Takes what the server has sent.
@@ -44,6 +46,16 @@ void Drain(int socket) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view input = fuzz::TextOf(data, size);
+  if (!input.empty() && input.front() == '{') {
+    std::string id, type;
+    (void)ParseRequest(input, &id, &type);
+    return 0;
+  }
+  constexpr std::string_view kEndOfHead = "\r\n\r\n";
+  const std::size_t end = input.find(kEndOfHead);
+  const std::string_view first =
+      end == std::string_view::npos ? input : input.substr(0, end + kEndOfHead.size());
   int ends[2];
   fuzz::Expect(socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0, "there is a pair of sockets");
   Backend backend;
@@ -53,8 +65,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ViewerServerOptions options;
   options.access.token = "secret";
   ServerCore core(options, Page(), &backend, mailbox);
-  Send(ends[0], fuzz::TextOf(data, size));
+  Send(ends[0], first);
   ServeConnection(tcp::socket(context, tcp::v4(), ends[1]), &core);
+  while (context.poll() > 0) {
+  }
+  Drain(ends[0]);
+  Send(ends[0], input.substr(first.size()));
+  shutdown(ends[0], SHUT_WR);  // that direction ends
   for (int idle = 0; !context.stopped(); ++idle) {
     if (context.poll() > 0) idle = 0;
     Drain(ends[0]);

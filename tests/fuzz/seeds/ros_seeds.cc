@@ -167,10 +167,28 @@ std::string EpisodeBag(BagCompression compression) {
   const ros::Time time(1.0);
   auto file = *BagFile::Create(path, compression);
   (void)file->Write(ToBag(kEpisodeStartTopic, time, EpisodeStartMessage(), true));
-  msgs::AgentStates states;
-  states.agents.resize(1);
-  states.agents[0].name = "robot";
-  (void)file->Write(ToBag("/agents", time, states));
+  msgs::AgentEvent event;
+  event.kind = "spawned";
+  event.agent = "robot";
+  event.header.stamp = time;
+  (void)file->Write(ToBag("/agent_events", time, event));
+  for (int step = 1; step <= 3; ++step) {
+    const ros::Time stamp(1.0 + 0.1 * step);
+    msgs::AgentStates states;
+    states.header.stamp = stamp;
+    states.step = states.episode_step = step;
+    states.episode_time = 0.1 * step;
+    states.agents.resize(1);
+    states.agents[0].name = "robot";
+    states.agents[0].pose.position.x = 0.2 * step;
+    (void)file->Write(ToBag("/agents", stamp, states));
+    sensor_msgs::JointState joints;
+    joints.header.stamp = stamp;
+    joints.name = {"knee"};
+    joints.position = {0.1 * step};
+    joints.velocity = joints.effort = {1.0};
+    (void)file->Write(ToBag("/robot/joint_states", stamp, joints));
+  }
   msgs::JournalEntry entry;
   entry.run = entry.number = 1;
   entry.call = EncodeCall(StrikeCall{"robot"});
@@ -182,6 +200,10 @@ std::string EpisodeBag(BagCompression compression) {
   files.files.resize(1);
   files.files[0].path = "world.json";
   (void)file->Write(ToBag(kEpisodeWorldTopic, time, files, true));
+  msgs::EpisodeEnd end;
+  end.header.stamp = ros::Time(2.0);
+  end.reason = "done";
+  (void)file->Write(ToBag(kEpisodeEndTopic, end.header.stamp, end));
   (void)file->Finish();
   std::ifstream stream(path, std::ios::binary);
   return std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());

@@ -118,6 +118,7 @@ void CampaignSeeds(const TakeSeed& take) {
   NavigationTask task;
   task.goal = {5.0, 5.0};
   task.difficulty.length_m = 7.0;
+  task.way.points_m = {{0.0, 0.0, 0.0}, {2.5, 2.0, 0.5}, {5.0, 5.0, 0.0}};
   tasks.tasks = {task};
   take("campaign_results", "tasks", "a" + EncodeTasks(tasks));
   TrialResult result;
