@@ -66,13 +66,12 @@ TEST(SubjectsTest, WithoutWordsOfItsOwnAnEnvironmentHasThoseOfTheLayout) {
 TEST(SubjectsTest, WhatNeitherInstructionIsReadForIsWarnedOf) {
   const std::string land = "A winding river runs to a lake in the south.";
   const std::string weather = "Foggy autumn morning, and three sheep are grazing.";
-  EXPECT_EQ(WarningsOfUnread(land + " " + weather, "Rain."),
-            Strings{"\"" + weather +
-                    "\" is not read: it speaks of what environment_instruction "
-                    "describes"});
+  EXPECT_EQ(WarningsOfUnread(land + " " + weather + " " + weather, "Rain."),
+            Strings{"not read, for it speaks of what environment_instruction describes: \"" +
+                    weather + "\", \"" + weather + "\""});
   EXPECT_EQ(
       WarningsOfUnread("A village.", "Rain. " + land),
-      Strings{"\"" + land + "\" is not read: it speaks of what layout_instruction describes"});
+      Strings{"not read, for it speaks of what layout_instruction describes: \"" + land + "\""});
   EXPECT_TRUE(WarningsOfUnread(land + " " + weather, "").empty()) << "it is the environment's text";
   EXPECT_TRUE(WarningsOfUnread(land + " " + weather, weather).empty()) << "it is read there";
   EXPECT_TRUE(WarningsOfUnread(land, weather).empty());

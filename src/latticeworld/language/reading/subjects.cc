@@ -128,20 +128,24 @@ std::vector<std::string> WarningsOfUnread(std::string_view layout_instruction,
                                           std::string_view environment_instruction) {
   std::vector<std::string> warnings;
   const auto warn = [&warnings](SentenceKind kind, std::string_view text, std::string_view other,
-                                const std::string& why) {
+                                const std::string& name_of_other) {
     if (IsBlankText(other)) return;
+    std::vector<std::string> unread;
     for (std::string_view sentence : FreeSentences(text)) {
       while (!sentence.empty() && IsBlank(sentence.back())) sentence.remove_suffix(1);
       if (!MayBeOf(kind, sentence) && !IsOfSmallLanguage(sentence, kind) &&
           other.find(sentence) == std::string_view::npos) {
-        warnings.push_back(Quote(sentence) + " is not read: " + why);
+        unread.push_back(Quote(sentence));
       }
     }
+    if (unread.empty()) return;
+    warnings.push_back("not read, for it speaks of what " + name_of_other +
+                       " describes: " + Join(unread, ", "));
   };
   warn(SentenceKind::kLayout, layout_instruction, environment_instruction,
-       "it speaks of what environment_instruction describes");
+       "environment_instruction");
   warn(SentenceKind::kEnvironment, environment_instruction, layout_instruction,
-       "it speaks of what layout_instruction describes");
+       "layout_instruction");
   return warnings;
 }
 

@@ -33,8 +33,8 @@ std::string TextOf(SentenceKind kind, std::string_view text);
 std::string EnvironmentText(std::string_view layout_instruction,
                             std::string_view environment_instruction);
 
-// Returns warnings of the sentences of two instructions that nobody reads: they are left out of
-// their own, and do not stand in the other one, which is not blank.
+// Returns warnings, at most one of either, of the sentences of two instructions that nobody reads:
+// they are left out of their own, and do not stand in the other one, which is not blank.
 std::vector<std::string> WarningsOfUnread(std::string_view layout_instruction,
                                           std::string_view environment_instruction);
 
