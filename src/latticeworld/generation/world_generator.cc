@@ -18,7 +18,7 @@
 #include "latticeworld/generation/fidelity/reading_difference.h"
 #include "latticeworld/generation/visual.h"
 #include "latticeworld/language/reading/relief/relief_reading.h"
-#include "latticeworld/language/reading/subjects.h"
+#include "latticeworld/language/reading/words/subjects.h"
 #include "latticeworld/terrain/forms/relief_claims.h"
 
 namespace latticeworld {

@@ -72,7 +72,7 @@ class LayoutGenerator {
 };
 
 struct EnvironmentRequest {
-  std::string instruction;  // x_C: may be empty: all follows from the layout
+  std::string instruction;  // x_C: may be empty, then all follows from the layout
   const Relief* relief = nullptr;
   const SymbolicLayout* layout = nullptr;                             // never null
   std::shared_ptr<const Catalogue> catalogue = Catalogue::BuiltIn();  // never null

@@ -8,7 +8,7 @@
 #include "latticeworld/generation/bundle/things_json.h"
 #include "latticeworld/language/grounded/environment/claims_of_heard.h"
 #include "latticeworld/language/reading/relief/relief_reading.h"
-#include "latticeworld/language/reading/subjects.h"
+#include "latticeworld/language/reading/words/subjects.h"
 #include "latticeworld/layout/claims/claims.h"
 #include "latticeworld/terrain/forms/relief_claims.h"
 #include "latticeworld/terrain/forms/relief_covers.h"

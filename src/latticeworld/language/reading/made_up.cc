@@ -9,9 +9,9 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/reading/environment_of_sentences.h"
 #include "latticeworld/language/reading/reading_of_sentences.h"
-#include "latticeworld/language/reading/subjects.h"
 #include "latticeworld/language/reading/text_units.h"
-#include "latticeworld/language/reading/topics.h"
+#include "latticeworld/language/reading/words/table_words.h"
+#include "latticeworld/language/reading/words/topics.h"
 
 namespace latticeworld {
 namespace {

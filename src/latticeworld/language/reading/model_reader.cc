@@ -7,8 +7,8 @@
 #include "latticeworld/common/check.h"
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/reading/reading_of_sentences.h"
-#include "latticeworld/language/reading/subjects.h"
 #include "latticeworld/language/reading/things/beside_things.h"
+#include "latticeworld/language/reading/words/subjects.h"
 #include "latticeworld/language/sentences/sentence.h"
 #include "latticeworld/language/sentences/sentence_grammar.h"
 

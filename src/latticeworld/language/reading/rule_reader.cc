@@ -8,9 +8,9 @@
 #include "latticeworld/language/reading/instruction_reader.h"
 #include "latticeworld/language/reading/relief/way_slopes.h"
 #include "latticeworld/language/reading/sentences_of_claims.h"
-#include "latticeworld/language/reading/subjects.h"
 #include "latticeworld/language/reading/text_warnings.h"
 #include "latticeworld/language/reading/things/beside_things.h"
+#include "latticeworld/language/reading/words/subjects.h"
 
 namespace latticeworld {
 namespace {

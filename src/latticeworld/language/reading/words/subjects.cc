@@ -1,13 +1,13 @@
-#include "latticeworld/language/reading/subjects.h"
+#include "latticeworld/language/reading/words/subjects.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <functional>
 #include <map>
-#include <utility>
 
 #include "latticeworld/common/text.h"
+#include "latticeworld/language/reading/words/table_words.h"
 #include "latticeworld/language/sentences/sentence.h"
 
 namespace latticeworld {
@@ -24,23 +24,12 @@ bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 bool IsBlankText(std::string_view text) { return std::all_of(text.begin(), text.end(), IsBlank); }
 
-std::string Singular(std::string word) {
-  if (word.size() <= 3 || word.back() != 's' || word[word.size() - 2] == 's') return word;
-  word.pop_back();
-  if (EndsWith(word, "ie")) word.replace(word.size() - 2, 2, "y");
-  return word;
-}
-
 // For each word by how much it speaks for an environment; below 0: for land.
 const std::map<std::string, double, std::less<>>& SubjectWords() {
   static const std::map<std::string, double, std::less<>> table = [] {
     std::map<std::string, double, std::less<>> weights;
-    for (const std::string& line : Split(SubjectWordFile("subject_words.txt"), '\n')) {
-      if (line.empty() || line.front() == '#') continue;
-      const std::vector<std::string> parts = Split(line, '\t');
-      for (const std::string& word : Split(parts.at(1), ' '))
-        weights[word] = std::atof(parts.front().c_str());
-    }
+    for (const auto& [weight, words] : LinesOfTable(SubjectWordFile("subject_words.txt")))
+      for (const std::string& word : words) weights[word] = std::atof(weight.c_str());
     return weights;
   }();
   return table;
@@ -91,19 +80,6 @@ std::vector<std::string_view> FreeSentences(std::string_view text) {
   }
   if (begin < text.size()) sentences.push_back(text.substr(begin));
   return sentences;
-}
-
-std::set<std::string> TableWordsOf(std::string_view text) {
-  std::set<std::string> words;
-  std::string word;
-  for (const char c : ToLowerAscii(text) + " ") {
-    if (c >= 'a' && c <= 'z') {
-      word += c;
-    } else if (!word.empty()) {
-      words.insert(Singular(std::exchange(word, "")));
-    }
-  }
-  return words;
 }
 
 std::string TextOf(SentenceKind kind, std::string_view text) {

@@ -1,4 +1,4 @@
-#include "latticeworld/language/reading/topics.h"
+#include "latticeworld/language/reading/words/topics.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,8 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "latticeworld/common/text.h"
-#include "latticeworld/language/reading/subjects.h"
+#include "latticeworld/language/reading/words/table_words.h"
 #include "latticeworld/language/sentences/sentence.h"
 
 namespace latticeworld {
@@ -28,12 +27,8 @@ constexpr std::string_view kAnyAgent[] = {"agent", "animal", "robot"};
 const std::map<std::string, Words, std::less<>>& TopicWords() {
   static const std::map<std::string, Words, std::less<>> table = [] {
     std::map<std::string, Words, std::less<>> words;
-    for (const std::string& line : Split(TopicWordFile("topic_words.txt"), '\n')) {
-      if (line.empty() || line.front() == '#') continue;
-      const std::vector<std::string> parts = Split(line, '\t');
-      const std::vector<std::string> list = Split(parts.at(1), ' ');
-      words[parts.front()] = Words(list.begin(), list.end());
-    }
+    for (const auto& [topic, list] : LinesOfTable(TopicWordFile("topic_words.txt")))
+      words[topic] = Words(list.begin(), list.end());
     Words of_any;
     for (const std::string& who : SentenceWords("who")) {
       const auto found = words.find(who);

@@ -1,4 +1,4 @@
-#include "language/reading/word_tables.h"
+#include "language/reading/words/word_tables.h"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "latticeworld/common/text.h"
-#include "latticeworld/language/reading/subjects.h"
-#include "latticeworld/language/reading/topics.h"
+#include "latticeworld/language/reading/words/subjects.h"
+#include "latticeworld/language/reading/words/table_words.h"
+#include "latticeworld/language/reading/words/topics.h"
 
 namespace latticeworld {
 namespace {

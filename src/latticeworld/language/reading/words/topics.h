@@ -1,5 +1,5 @@
-#ifndef LATTICEWORLD_LANGUAGE_READING_TOPICS_H_
-#define LATTICEWORLD_LANGUAGE_READING_TOPICS_H_
+#ifndef LATTICEWORLD_LANGUAGE_READING_WORDS_TOPICS_H_
+#define LATTICEWORLD_LANGUAGE_READING_WORDS_TOPICS_H_
 
 #include <set>
 #include <string>
@@ -19,11 +19,11 @@ std::vector<std::string> TopicsOf(std::string_view sentence);
 // maple, for who says forest may speak of land.
 std::set<std::string> OwnWordsOf(const std::string& topic);
 
-// Whether one of the words (TableWordsOf) is one with which people speak of the topic: those of
-// data/topic_words.txt, which is made of the examples that the reader was taught; its own where
-// that has none.
+// Whether one of the words (TableWordsOf, table_words.h) is one with which people speak of the
+// topic: those of data/topic_words.txt, which is made of the examples that the reader was taught;
+// its own where that has none.
 bool SpeakOf(const std::set<std::string>& words, const std::string& topic);
 
 }  // namespace latticeworld
 
-#endif  // LATTICEWORLD_LANGUAGE_READING_TOPICS_H_
+#endif  // LATTICEWORLD_LANGUAGE_READING_WORDS_TOPICS_H_

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "language/reading/word_tables.h"
+#include "language/reading/words/word_tables.h"
 
 int main(int argc, char** argv) {
   const std::string which = argc == 3 ? argv[1] : "";

@@ -1,7 +1,6 @@
-#ifndef LATTICEWORLD_LANGUAGE_READING_SUBJECTS_H_
-#define LATTICEWORLD_LANGUAGE_READING_SUBJECTS_H_
+#ifndef LATTICEWORLD_LANGUAGE_READING_WORDS_SUBJECTS_H_
+#define LATTICEWORLD_LANGUAGE_READING_WORDS_SUBJECTS_H_
 
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,10 +17,6 @@ namespace latticeworld {
 // Returns the sentences of free text with the blanks behind them: joined they are the text. One
 // ends with . ! ? or ; before a blank, or with a line.
 std::vector<std::string_view> FreeSentences(std::string_view text);
-
-// Returns the words of a text as the tables of words have them: runs of the letters a to z, in
-// lower case, without the s or ies of a plural.
-std::set<std::string> TableWordsOf(std::string_view text);
 
 // Returns the text without the sentences that are clearly of the other kind and have no word that
 // strongly speaks for this one (data/subject_words.txt, made of the examples that the reader was
@@ -44,4 +39,4 @@ EnvironmentRequest OfItsKind(EnvironmentRequest request);
 
 }  // namespace latticeworld
 
-#endif  // LATTICEWORLD_LANGUAGE_READING_SUBJECTS_H_
+#endif  // LATTICEWORLD_LANGUAGE_READING_WORDS_SUBJECTS_H_
