@@ -1,18 +1,11 @@
 #include "latticeworld/language/reading/words/table_words.h"
 
+#include <utility>
+
 #include "latticeworld/common/text.h"
+#include "latticeworld/language/tokens.h"
 
 namespace latticeworld {
-namespace {
-
-std::string Singular(std::string word) {
-  if (word.size() <= 3 || word.back() != 's' || word[word.size() - 2] == 's') return word;
-  word.pop_back();
-  if (EndsWith(word, "ie")) word.replace(word.size() - 2, 2, "y");
-  return word;
-}
-
-}  // namespace
 
 std::set<std::string> TableWordsOf(std::string_view text) {
   std::set<std::string> words;
