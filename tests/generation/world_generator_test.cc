@@ -4,12 +4,15 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <new>
 #include <set>
 #include <stdexcept>
+#include <string>
 
 #include "generation/test_world.h"
 #include "latticeworld/common/random.h"
+#include "latticeworld/common/text.h"
 
 namespace latticeworld {
 namespace {
@@ -384,6 +387,22 @@ TEST(WorldGeneratorTest, TheReaderThatIsNamedReads) {
   EXPECT_EQ((*world)->fidelity.not_understood,
             (std::vector<std::string>{"A forest with a lake in the lower right",
                                       "Two sheep graze in autumn"}));
+}
+
+TEST(WorldGeneratorTest, WarnsOfSentencesOfTheOtherKindWhereTheReaderReadsByKind) {
+  GenerationRequest request = SmallRequest();
+  request.layout_instruction = "A lake in the south. Foggy autumn morning.";
+  request.environment_instruction = "Rain.";
+  for (const auto& [reader, warns] :
+       std::map<std::string, bool>{{"rules", true}, {"controlled", false}}) {
+    request.reader = reader;
+    const auto world = MakeDefaultWorldGenerator().Generate(request, Progress());
+    ASSERT_TRUE(world.ok()) << world.status().ToString();
+    EXPECT_EQ(
+        Join((*world)->warnings, "\n").find("not read, for it speaks of") != std::string::npos,
+        warns)
+        << reader << ": " << Join((*world)->warnings, "\n");
+  }
 }
 
 TEST(WorldGeneratorTest, MakesTheSameWorldFromTheSameRequest) {

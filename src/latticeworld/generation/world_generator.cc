@@ -34,11 +34,6 @@ void Append(const Status& status, std::string_view pointer, std::vector<Violatio
   violations->insert(violations->end(), status.violations().begin(), status.violations().end());
 }
 
-// Whether a reader gets the sentences of either kind apart (subjects.h).
-bool ReadsByKind(std::string_view reader) {
-  return reader == "rules" || reader == "model" || reader == "checked";
-}
-
 void CheckTexts(const GenerationRequest& request, std::vector<Violation>* violations) {
   const bool has_relief = request.visual_kind != VisualKind::kNone;
   Append(ValidateLayoutInstruction(request.layout_instruction, has_relief), "layout_instruction",
@@ -156,7 +151,7 @@ class WorldStages {
     LW_ASSIGN_OR_RETURN(EnvironmentAnswer environment, stages_.Run("environment", make));
     world_->environment = std::move(environment.environment);
     Warn(std::move(environment.warnings));
-    if (ReadsByKind(reader->name())) {
+    if (reader->reads_by_kind()) {
       Warn(WarningsOfUnread(request_.layout_instruction, request_.environment_instruction));
     }
     return Status();

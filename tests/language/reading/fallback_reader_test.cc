@@ -44,6 +44,11 @@ TEST(FallbackReaderTest, TheSecondReadsWhatTheFirstFailedOfAndSaysSo) {
   EXPECT_EQ(replies[1].failure.code(), StatusCode::kUnavailable);
 }
 
+TEST(FallbackReaderTest, ReadsByKindWhereTheFirstDoes) {
+  EXPECT_TRUE(MakeFallbackReader(MakeRuleReader(), MakeControlledReader())->reads_by_kind());
+  EXPECT_FALSE(MakeFallbackReader(MakeControlledReader(), MakeRuleReader())->reads_by_kind());
+}
+
 TEST(FallbackReaderTest, CancellingIsNoFailure) {
   const auto reader =
       MakeFallbackReader(std::make_shared<Failing>(StatusCode::kCancelled), MakeControlledReader());

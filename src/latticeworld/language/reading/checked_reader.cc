@@ -49,6 +49,7 @@ class CheckedReader final : public InstructionReader {
   }
 
   std::string_view name() const override { return checks_ ? "checked" : first_->name(); }
+  bool reads_by_kind() const override { return first_->reads_by_kind(); }
 
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& progress,
                                    std::vector<ModelReply>* replies) override {

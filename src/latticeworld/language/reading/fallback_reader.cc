@@ -18,6 +18,7 @@ class FallbackReader final : public InstructionReader {
   }
 
   std::string_view name() const override { return first_->name(); }
+  bool reads_by_kind() const override { return first_->reads_by_kind(); }
 
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& progress,
                                    std::vector<ModelReply>* replies) override {
@@ -81,6 +82,7 @@ class FailedReader final : public InstructionReader {
   }
 
   std::string_view name() const override { return reader_->name(); }
+  bool reads_by_kind() const override { return reader_->reads_by_kind(); }
 
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& progress,
                                    std::vector<ModelReply>* replies) override {

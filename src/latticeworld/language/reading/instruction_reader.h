@@ -81,6 +81,9 @@ class InstructionReader {
  public:
   virtual ~InstructionReader() = default;
   virtual std::string_view name() const = 0;
+  // Whether it reads only those sentences of free text that are of the kind that is asked for
+  // (words/subjects.h).
+  virtual bool reads_by_kind() const { return false; }
   // Reads the request's instruction. What a model answered on the way is appended to *replies, in
   // order; `replies` is never null. Errors: CANCELLED, and those that the reader adds (UNAVAILABLE,
   // ...).

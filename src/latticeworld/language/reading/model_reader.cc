@@ -37,6 +37,7 @@ class ModelReader final : public InstructionReader {
   explicit ModelReader(std::shared_ptr<ChatServer> server) : server_(std::move(server)) {}
 
   std::string_view name() const override { return "model"; }
+  bool reads_by_kind() const override { return true; }
 
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& progress,
                                    std::vector<ModelReply>* replies) override {

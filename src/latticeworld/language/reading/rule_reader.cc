@@ -18,6 +18,7 @@ namespace {
 class RuleReader final : public InstructionReader {
  public:
   std::string_view name() const override { return "rules"; }
+  bool reads_by_kind() const override { return true; }
 
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& /*progress*/,
                                    std::vector<ModelReply>* /*replies*/) override {
