@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "language/remote/fake_chat_server.h"
@@ -143,6 +144,26 @@ TEST_F(CheckedReaderTest, WhatStandsAloneIsNotFoundTwiceInACompletedLayout) {
   EXPECT_TRUE(Has(reading.sentences, "A lake in the north"));
   EXPECT_GT(reading.sentences.size(), 2u) << "the road is added";
   EXPECT_EQ(reading.plan.things.size(), 1u);
+}
+
+// To the rules a pier is a building, an oak a forest and stone rock.
+TEST_F(CheckedReaderTest, WordsOfASingleThingAddNoLand) {
+  const std::pair<const char*, const char*> texts[] = {
+      {"A wooden pier reaches out from the eastern shore of the lake, quite near a forest.",
+       "A pier is east of the lake."},
+      {"Half way from the river to the forest an old oak grows.",
+       "An oak is between the river and the forest."},
+      {"All around the orchard goes a stone wall, behind which lies a forest.",
+       "A wall surrounds the orchard."}};
+  for (const auto& [text, said] : texts) {
+    server_->Say(said);
+    const LayoutReading reading = ReadLayout(text);
+    std::string letters;
+    for (const PlannedFeature& feature : reading.plan.features) letters += feature.letter;
+    EXPECT_EQ(letters.find_first_of("BD"), std::string::npos)
+        << letters << ": " << Join(reading.sentences, ". ");
+    EXPECT_EQ(std::count(letters.begin(), letters.end(), 'F'), 1) << Join(reading.sentences, ". ");
+  }
 }
 
 TEST_F(CheckedReaderTest, AnEnvironmentIsCompleted) {

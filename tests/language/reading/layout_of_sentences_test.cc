@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "latticeworld/common/text.h"
 #include "latticeworld/language/grounded/synthesis/layout_synthesis.h"
 #include "latticeworld/language/sentences/sentence.h"
 #include "latticeworld/layout/claims/claims_json.h"
@@ -112,6 +113,25 @@ TEST(LayoutOfSentencesTest, LabelsTellThingsOfOneNounApart) {
   ASSERT_EQ(plan.features.size(), 3u);
   EXPECT_EQ(plan.features[2].from->feature, 0);
   EXPECT_EQ(plan.features[2].to->feature, 1);
+}
+
+// Each feature's class and the number of its pieces, 0 where none is said: "B2 W0".
+std::string LandOf(const std::string& text) {
+  std::vector<std::string> land;
+  for (const PlannedFeature& feature : Read(text).features)
+    land.push_back(feature.letter + std::to_string(feature.pieces_least));
+  return Join(land, " ");
+}
+
+TEST(LayoutOfSentencesTest, LandThatAThingStandsByIsThereOnceAndInItsNumber) {
+  EXPECT_EQ(LandOf("A well is between 2 villages."), "B2");
+  EXPECT_EQ(LandOf("Houses. A well is between 2 villages."), "B2") << "those of the villages";
+  EXPECT_EQ(LandOf("A well is between 2 villages. A village in the north."), "B0")
+      << "a sentence of its own counts";
+  EXPECT_EQ(LandOf("A well is between a lake and the forest. A bench is near a lake."), "F0 W0");
+  EXPECT_EQ(LandOf("A well is near the lake. Water in the west."), "W0");
+  EXPECT_EQ(LandOf("A well is near the lake. No water."), "");
+  EXPECT_EQ(LandOf("A church. A well is near the church."), "") << "it is no land";
 }
 
 TEST(LayoutOfSentencesTest, WhatIsNoSentenceIsNotUnderstood) {

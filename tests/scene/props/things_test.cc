@@ -118,6 +118,25 @@ TEST(ThingsTest, AWellBetweenTheVillageAndTheRoadStandsBetweenThem) {
   }
 }
 
+// The road from north to south lies half way between the towers.
+TEST(ThingsTest, WhatIsBetweenTwoThingsStandsBesideARoadInTheirMidst) {
+  std::vector<ThingWish> wishes = {Wish("tower"), Wish("tower"), Wish("well")};
+  wishes[0].position = WorldPoint{0.0, 0.0};
+  wishes[1].position = WorldPoint{40.0, 0.0};
+  wishes[2].relation = ThingRelation::kBetween;
+  wishes[2].target.wish = 0;
+  wishes[2].second.wish = 1;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const SceneAnswer answer = BuildWith(wishes, seed);
+    ASSERT_EQ(answer.scene->things.size(), 3u);
+    const WorldPoint well = answer.scene->things[2].position;
+    EXPECT_GT(std::abs(well.x_m - 20.0), 3.0) << "half the road's width";
+    EXPECT_LT(std::hypot(well.x_m - 20.0, well.y_m), 20.0);
+    ExpectAllHold(answer, wishes);
+  }
+}
+
 TEST(ThingsTest, ABuildingInAVillageTakesThePlaceOfAHouse) {
   ThingWish church = Wish("church");
   church.relation = ThingRelation::kIn;

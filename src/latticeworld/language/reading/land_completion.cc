@@ -1,15 +1,18 @@
 #include "latticeworld/language/reading/land_completion.h"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "latticeworld/language/class_words.h"
 #include "latticeworld/language/reading/reading_of_sentences.h"
 #include "latticeworld/language/reading/sentences_of_claims.h"
 #include "latticeworld/language/reading/things/beside_things.h"
+#include "latticeworld/language/reading/things/thing_words.h"
+#include "latticeworld/layout/thing_kinds.h"
 
 namespace latticeworld {
 namespace {
@@ -62,6 +65,30 @@ class Named {
   std::set<char> letters_;
 };
 
+// Returns the classes that a text names by nouns of single things of a reading alone: "a wooden
+// pier" is no village, "a stone wall" no rock.
+std::set<char> ClassesOfThings(std::string_view text, const std::vector<ThingWish>& things,
+                               Vocabulary vocabulary) {
+  const auto is_had = [&things](const ThingKind& kind) {
+    return std::any_of(things.begin(), things.end(),
+                       [&kind](const ThingWish& wish) { return wish.kind == kind.name; });
+  };
+  ThingWords words(text, vocabulary);
+  std::set<char> of_things, of_land;
+  std::size_t end_of_thing = 0;
+  for (std::size_t at = 0; at < words.tokens().size(); ++at) {
+    words.GoTo(at);
+    bool plural = false;
+    const ThingKind* kind = words.TakeKind(&plural);
+    if (kind != nullptr && is_had(*kind)) end_of_thing = std::max(end_of_thing, words.at());
+    const ClassWord* noun = MatchClassWord(words.tokens(), at).word;
+    if (noun != nullptr)
+      (at < end_of_thing ? of_things : of_land).insert(noun->LetterIn(vocabulary));
+  }
+  for (const char letter : of_land) of_things.erase(letter);
+  return of_things;
+}
+
 // Classes by what the features of a plan call them, "the river"; those of several features have no
 // name of their own.
 LandNames NamesOf(const std::vector<PlannedFeature>& features) {
@@ -82,9 +109,13 @@ Result<LayoutReading> Completed(const LayoutRequest& request, LayoutReading read
                                 const LayoutReading& second) {
   const Named named(reading.plan.claims);
   if (!reading.of_sentences || named.Has(ClaimKind::kRest)) return reading;
+  const std::set<char> of_things =
+      ClassesOfThings(request.instruction, reading.plan.things, request.vocabulary);
   std::vector<Claim> missing;
-  std::copy_if(second.plan.claims.begin(), second.plan.claims.end(), std::back_inserter(missing),
-               [&named](const Claim& claim) { return named.Lacks(claim); });
+  for (const Claim& claim : second.plan.claims) {
+    const bool is_of_thing = of_things.count(claim.subject) + of_things.count(claim.object) > 0;
+    if (named.Lacks(claim) && !is_of_thing) missing.push_back(claim);
+  }
   if (missing.empty()) return reading;
   std::vector<std::string> sentences = reading.sentences;
   for (std::string& sentence :

@@ -10,7 +10,8 @@ namespace latticeworld {
 // nothing of:
 //  - classes of land that it does not name, but not the numbers of their pieces;
 //  - the shape of a class and how it lies to others, where it says no such thing of the class;
-//  - an order of classes, and which class there is most of, where it says none.
+//  - an order of classes, and which class there is most of, where it says none;
+// but nothing of words that it takes for a single thing ("a pier", which is a building to others).
 // It stays as it is where it says what the rest of the land is, and where it was not made of
 // sentences.
 Result<LayoutReading> Completed(const LayoutRequest& request, LayoutReading reading,

@@ -14,6 +14,7 @@
 #include "latticeworld/language/grounded/reading/settle_plan.h"
 #include "latticeworld/language/reading/relief/relief_words.h"
 #include "latticeworld/language/reading/sentence_places.h"
+#include "latticeworld/language/reading/things/land_by_things.h"
 #include "latticeworld/language/reading/things/sentence_things.h"
 #include "latticeworld/language/reading/things/things_of_sentences.h"
 #include "latticeworld/language/sentences/sentence.h"
@@ -57,6 +58,14 @@ class SentencePlanner {
     for (std::size_t i = relations; i < d_.plan().relations.size(); ++i) {
       d_.plan().relations[i].words = d_.Words(begin, end);
     }
+    d_.NextSentence();
+  }
+
+  // Land that a sentence about something else names.
+  void Mention(const Phrase& land, std::size_t begin, std::size_t end) {
+    begin_ = begin;
+    end_ = end;
+    (void)Things(land);
     d_.NextSentence();
   }
 
@@ -499,16 +508,25 @@ LayoutPlan LayoutOfSentences(const std::vector<std::string>& sentences, Vocabula
   SentencePlanner planner(text, vocabulary);
   SentenceThings things(vocabulary);
   std::vector<std::string> not_understood;
+  std::vector<SaidSentence> about_land;
+  std::vector<LandByThing> by_things;
   std::size_t begin = 0;
   for (const std::string& words : sentences) {
-    const std::optional<Sentence> sentence = ReadSentence(words, SentenceKind::kLayout);
+    const std::size_t end = begin + words.size();
+    std::optional<Sentence> sentence = ReadSentence(words, SentenceKind::kLayout);
     if (!sentence.has_value()) {
       not_understood.push_back(words);
     } else if (!things.Say(*sentence, words)) {
-      planner.Say(*sentence, begin, begin + words.size());
+      about_land.push_back({*std::move(sentence), begin, end});
     }
-    begin += words.size() + 2;
+    for (std::size_t i = by_things.size(); i < things.land().size(); ++i)
+      by_things.push_back({things.land()[i], begin, end});
+    begin = end + 2;
   }
+  // First, so that the others may speak of it.
+  for (const LandByThing& each : LandLeftUnsaid(by_things, about_land, vocabulary))
+    planner.Mention(each.land, each.begin, each.end);
+  for (const SaidSentence& said : about_land) planner.Say(said.sentence, said.begin, said.end);
   LayoutPlan plan = planner.Finish();
   plan.not_understood = std::move(not_understood);
   plan.things = things.wishes();

@@ -15,6 +15,8 @@ constexpr double kQuarter_rad = M_PI / 2.0;
 constexpr double kOfLine_m = 1.0;            // room for pieces that cut bends
 constexpr double kInner = 0.8;               // share of half the world's size
 constexpr double kOffSide_rad = M_PI / 9.0;  // that a way to one side of something is off at most
+// Share of half the way between two targets: from there they lie more than 90 degrees apart.
+constexpr double kOfHalfWay = 0.7;
 
 WorldPoint Moved(WorldPoint point, double heading_rad, double by_m) {
   return {point.x_m + by_m * std::cos(heading_rad), point.y_m + by_m * std::sin(heading_rad)};
@@ -230,7 +232,8 @@ ThingSites::Anchor ThingSites::Between(RandomStream* random) const {
   }
   const WorldPoint to = *NearestOf(wish_.second, from);
   from = *NearestOf(wish_.target, to);
-  return {{0.5 * (from.x_m + to.x_m), 0.5 * (from.y_m + to.y_m)}, HeadingTo(to, from), true};
+  const WorldPoint middle = {0.5 * (from.x_m + to.x_m), 0.5 * (from.y_m + to.y_m)};
+  return {middle, HeadingTo(to, from), true, 0.5 * kOfHalfWay * Distance(from, to)};
 }
 
 // "Between the lakes": in the midst of the longest way through other land on straight lines between
@@ -258,6 +261,7 @@ ThingSites::Anchor ThingSites::BetweenPieces(RandomStream* random) const {
       anchor.toward_rad = heading_rad;
     }
   }
+  anchor.around_m = 0.5 * kOfHalfWay * most_m;
   return anchor;
 }
 
@@ -537,6 +541,11 @@ std::vector<ThingSites::Slot> ThingSites::Draw(int count, int tried, int tries,
                                ? 0.62 * spacing_m * std::sqrt(count)
                                : 0.0;
     Anchor anchor = DrawAnchor(depth_m, random);
+    if (anchor.around_m > 0.0) {  // farther with each try: a road may lie in the midst
+      const double most_m = anchor.around_m * tried / tries;
+      anchor.place =
+          Moved(anchor.place, random->Uniform(-M_PI, M_PI), random->Uniform(0.0, most_m));
+    }
     // What lies across gets no room everywhere.
     if (anchor.has_target && tried > tries / 2) anchor.has_target = false;
     slots = Arrange(anchor, count, turn_rad);

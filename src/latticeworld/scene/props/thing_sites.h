@@ -50,6 +50,7 @@ class ThingSites {
     WorldPoint place;
     double toward_rad = 0.0;  // to the target
     bool has_target = false;
+    double around_m = 0.0;  // how far away a site may lie where there is no room
   };
   bool IsThere(const ThingTarget& target) const;
   bool InZone(WorldPoint point) const;

@@ -82,8 +82,7 @@ TEST(ThingsOfSentencesTest, WhatStandsByAPlaceOfTheMapHasNoTarget) {
 TEST(ThingsOfSentencesTest, EveryFormMaySpeakOfSingleThings) {
   int heard = 0;
   for (const SentenceForm& form : SentenceForms(SentenceKind::kLayout)) {
-    for (const std::string& noun :
-         {"lake", "lakes", "village", "river", "forest", "road", "hill"}) {
+    for (const std::string noun : {"lake", "lakes", "village", "river", "forest", "road", "hill"}) {
       std::string example = form.example;
       const std::size_t at = example.find(noun);
       if (at == std::string::npos) continue;

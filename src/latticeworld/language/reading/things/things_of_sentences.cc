@@ -8,6 +8,7 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/reading/sentence_places.h"
+#include "latticeworld/language/reading/things/land_by_things.h"
 #include "latticeworld/language/reading/things/sentence_things.h"
 #include "latticeworld/language/tokens.h"
 #include "latticeworld/layout/thing_kinds.h"
@@ -41,10 +42,6 @@ const ThingKind* KindOf(const Phrase& thing, Vocabulary vocabulary) {
   const NounPhrase phrase = NounOf(thing);
   if (phrase.noun == nullptr || phrase.noun->LetterIn(vocabulary) != '\0') return nullptr;
   return FindThingKind(phrase.noun->phrase);
-}
-
-bool IsSaidSingly(const Phrase& thing) {
-  return thing.Has("quantity") || StartsWith(thing.text, "a ") || StartsWith(thing.text, "an ");
 }
 
 double SizeOf(std::string_view word) {
@@ -110,6 +107,7 @@ ThingTarget SentenceThings::TargetOf(const Phrase& thing, const std::string& wor
   }
   const NounPhrase phrase = NounOf(thing);
   if (phrase.noun != nullptr) target.letter = phrase.noun->LetterIn(vocabulary_);
+  if (target.letter != '\0') land_.push_back(thing);
   return target;
 }
 

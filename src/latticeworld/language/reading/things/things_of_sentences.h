@@ -22,6 +22,8 @@ class SentenceThings {
 
   const std::vector<ThingWish>& wishes() const { return wishes_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
+  // The land by which things stand, as it was said, in that order.
+  const std::vector<Phrase>& land() const { return land_; }
 
  private:
   // Returns the index of the wish that a phrase of slot {thing} is about, a new one where none is
@@ -36,6 +38,7 @@ class SentenceThings {
 
   const Vocabulary vocabulary_;
   std::vector<ThingWish> wishes_;
+  std::vector<Phrase> land_;
   std::vector<std::string> warnings_;
 };
 

@@ -12,8 +12,8 @@ namespace latticeworld {
 // Tables of words that are counted in the examples that the reader was taught
 // (data/subject_words.txt, data/topic_words.txt).
 
-// Returns the words of a text as the tables have them: runs of the letters a to z, in lower case and
-// the singular.
+// Returns the words of a text as the tables have them: runs of the letters a to z, in lower case
+// and the singular.
 std::set<std::string> TableWordsOf(std::string_view text);
 
 // Returns the lines of a table that are neither blank nor a comment: what stands before the tab,
