@@ -146,6 +146,21 @@ TEST_F(CheckedReaderTest, WhatStandsAloneIsNotFoundTwiceInACompletedLayout) {
   EXPECT_EQ(reading.plan.things.size(), 1u);
 }
 
+// The rules know no edges of forests, and would have the bench stand anywhere.
+TEST_F(CheckedReaderTest, ThingsOfWhichTheRulesUnderstandAPartAreTheModels) {
+  server_->Say("A bench touches the forest.");
+  const LayoutReading reading = ReadLayout("A bench at the edge of the forest.");
+  ASSERT_EQ(reading.plan.things.size(), 1u);
+  EXPECT_EQ(reading.plan.things[0].relation, ThingRelation::kNear);
+  EXPECT_EQ(reading.plan.things[0].target.letter, 'F');
+  server_->Say("2 tents are inside the hill.");
+  const LayoutReading of_ground = ReadLayout("On the hill there are two tents.");
+  ASSERT_EQ(of_ground.plan.things.size(), 1u) << "no land is claimed by either reading";
+  EXPECT_EQ(of_ground.plan.things[0].relation, ThingRelation::kIn);
+  server_->Say("A lake.");
+  EXPECT_EQ(ReadLayout("A bench behind the well.").plan.things.size(), 2u) << "the rules'";
+}
+
 // To the rules a pier is a building, an oak a forest and stone rock.
 TEST_F(CheckedReaderTest, WordsOfASingleThingAddNoLand) {
   const std::pair<const char*, const char*> texts[] = {

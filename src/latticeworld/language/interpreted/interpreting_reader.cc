@@ -31,8 +31,9 @@ class InterpretingReader final : public InstructionReader {
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& progress,
                                    std::vector<ModelReply>* replies) override {
     LW_RETURN_IF_ERROR(latticeworld::Validate(request));
-    return ReadBesideThings(
-        request, [&](const LayoutRequest& rest) { return ReadLand(rest, progress, replies); });
+    return ReadBesideThings(request, ThingsTaken::kWhole, [&](const LayoutRequest& rest) {
+      return ReadLand(rest, progress, replies);
+    });
   }
 
   Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& request,

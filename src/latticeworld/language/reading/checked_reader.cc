@@ -58,7 +58,10 @@ class CheckedReader final : public InstructionReader {
     if (IsSmallLanguage(first, *replies, asked)) return first;
     LW_ASSIGN_OR_RETURN(LayoutReading second, second_->ReadLayout(request, progress, replies));
     std::vector<ReadingEvidence> evidence = EvidenceOf(first, second, request.vocabulary);
-    if (checks_ && LogOddsOfModel(evidence.front()) < -kLogOddsOfCompletion) {
+    // Single things that a model reads make no claims of land.
+    const bool of_things = evidence.front().claims == 0 && evidence.front().second_claims == 0 &&
+                           !first.plan.things.empty();
+    if (checks_ && !of_things && LogOddsOfModel(evidence.front()) < -kLogOddsOfCompletion) {
       std::swap(first, second);
     } else if (checks_) {
       LW_ASSIGN_OR_RETURN(first, Completed(request, std::move(first), second));

@@ -12,6 +12,7 @@
 #include "latticeworld/language/reading/sentences_of_claims.h"
 #include "latticeworld/language/reading/things/beside_things.h"
 #include "latticeworld/language/reading/things/thing_words.h"
+#include "latticeworld/language/tokens.h"
 #include "latticeworld/layout/thing_kinds.h"
 
 namespace latticeworld {
@@ -69,9 +70,16 @@ class Named {
 // pier" is no village, "a stone wall" no rock.
 std::set<char> ClassesOfThings(std::string_view text, const std::vector<ThingWish>& things,
                                Vocabulary vocabulary) {
-  const auto is_had = [&things](const ThingKind& kind) {
-    return std::any_of(things.begin(), things.end(),
-                       [&kind](const ThingWish& wish) { return wish.kind == kind.name; });
+  // An oak may have been read as a tree: both are of the class of forests.
+  const auto class_of = [vocabulary](const std::string& kind) {
+    const ClassWord* noun = MatchClassWord(Tokenize(kind), 0).word;
+    return noun == nullptr ? '\0' : noun->LetterIn(vocabulary);
+  };
+  const auto is_had = [&](const ThingKind& kind) {
+    const char letter = class_of(kind.name);
+    return std::any_of(things.begin(), things.end(), [&](const ThingWish& wish) {
+      return wish.kind == kind.name || (letter != '\0' && letter == class_of(wish.kind));
+    });
   };
   ThingWords words(text, vocabulary);
   std::set<char> of_things, of_land;
@@ -123,9 +131,10 @@ Result<LayoutReading> Completed(const LayoutRequest& request, LayoutReading read
     if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end())
       sentences.push_back(std::move(sentence));
   }
-  auto whole = ReadBesideThings(request, [&sentences](const LayoutRequest& rest) {
-    return Result<LayoutReading>(ReadingOfSentences(rest, std::move(sentences)));
-  });
+  auto whole =
+      ReadBesideThings(request, ThingsTaken::kWhole, [&sentences](const LayoutRequest& rest) {
+        return Result<LayoutReading>(ReadingOfSentences(rest, std::move(sentences)));
+      });
   if (whole.ok()) whole->log_probability = reading.log_probability;
   return whole;
 }

@@ -45,8 +45,9 @@ class ModelReader final : public InstructionReader {
     if (IsControlled(sentences, SentenceKind::kLayout)) {
       return ReadingOfSentences(request, std::move(sentences));
     }
-    return ReadBesideThings(
-        request, [&](const LayoutRequest& rest) { return ReadLand(rest, progress, replies); });
+    return ReadBesideThings(request, ThingsTaken::kWhole, [&](const LayoutRequest& rest) {
+      return ReadLand(rest, progress, replies);
+    });
   }
 
   Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& whole,

@@ -22,7 +22,7 @@ class RuleReader final : public InstructionReader {
 
   Result<LayoutReading> ReadLayout(const LayoutRequest& request, const Progress& /*progress*/,
                                    std::vector<ModelReply>* /*replies*/) override {
-    return ReadBesideThings(request, ReadLand);
+    return ReadBesideThings(request, ThingsTaken::kAll, ReadLand);
   }
 
   Result<EnvironmentReading> ReadEnvironment(const EnvironmentRequest& whole,

@@ -140,6 +140,25 @@ TEST(ThingsOfTextTest, PartsOfLandAreThatLand) {
   EXPECT_EQ(taken.rest, "the dense forest.");
 }
 
+TEST(ThingsOfTextTest, WhatIsSaidOfThingsIsUnderstoodWhollyOrNot) {
+  for (const char* text :
+       {"A bench by the lake.", "There is a well in front of a church, and a bench.",
+        "A tent south-west of a pond and three lamps in a row every 6 m along the road.",
+        "A village with a well."}) {
+    SCOPED_TRACE(text);
+    EXPECT_TRUE(Take(text).whole);
+  }
+  for (const char* text :
+       {"A bench at the edge of the forest.", "A tent at the foot of the hill.",
+        "Next to the lake there is a bench.", "On the hill there are two tents.",
+        "A bench near the eastern shore of the lake.", "Two rows of three tents beside the river.",
+        "A bench by the road. A tent overlooks the lake.",
+        "There is a well in front of a church, and a bench beside it."}) {
+    SCOPED_TRACE(text);
+    EXPECT_FALSE(Take(text).whole);
+  }
+}
+
 TEST(ThingsOfTextTest, LandIsLeftAsItIs) {
   for (const char* text :
        {"A river winds from the north to the south between dense forest in the upper left and "

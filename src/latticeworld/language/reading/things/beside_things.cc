@@ -12,9 +12,10 @@
 namespace latticeworld {
 
 Result<LayoutReading> ReadBesideThings(
-    const LayoutRequest& request,
+    const LayoutRequest& request, ThingsTaken which,
     const std::function<Result<LayoutReading>(const LayoutRequest& rest)>& read) {
   TextThings taken = TakeThings(request.instruction, request.vocabulary);
+  if (which == ThingsTaken::kWhole && !taken.whole) taken = {};
   LayoutRequest rest = request;
   if (!taken.things.empty()) rest.instruction = std::move(taken.rest);
   LW_ASSIGN_OR_RETURN(LayoutReading reading, read(rest));

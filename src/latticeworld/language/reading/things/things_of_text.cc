@@ -42,6 +42,14 @@ bool Has(const List& list, std::string_view word) {
   return std::find(std::begin(list), std::end(list), word) != std::end(list);
 }
 
+// Words that a sentence begins with whose first part says where the thing behind it is, "by the
+// lake stands a bench", and words that may follow all that is said of a thing.
+constexpr std::string_view kOpenings[] = {"in",       "on",     "at",      "by",     "near",
+                                          "next",     "beside", "between", "behind", "along",
+                                          "under",    "around", "inside",  "above",  "to",
+                                          "opposite", "not",    "close",   "across", "from"};
+constexpr std::string_view kJoints[] = {"and", "with", "but"};
+
 class Taker {
  public:
   Taker(std::string_view text, Vocabulary vocabulary)
@@ -51,6 +59,7 @@ class Taker {
     for (std::size_t at = 0; at < words_.tokens().size();) {
       const bool taken = TakeOrderly(at) || TakeMore(at) || TakePhrase(at);
       const std::size_t end = taken ? words_.at() : at + 1;
+      if (taken && (IsToldBefore(at) || IsToldAfter(end))) whole_ = false;
       at = std::max(end, at + 1);
     }
     TextThings taken;
@@ -61,10 +70,35 @@ class Taker {
     taken.things = std::move(things_);
     taken.warnings = std::move(warnings_);
     WriteRest(&taken);
+    taken.whole = whole_ && !IsAnyLeft();
     return taken;
   }
 
  private:
+  // Whether words of the same sentence before a thing say where it is.
+  bool IsToldBefore(std::size_t begin) const {
+    std::size_t first = begin;
+    while (first > 0 && words_.tokens()[first - 1].kind != TokenKind::kStop) --first;
+    return first < begin &&
+           (Has(kOpenings, words_.WordAt(first)) || words_.WordAt(begin - 1) == "of");
+  }
+
+  // Whether more is said of a thing than was taken.
+  bool IsToldAfter(std::size_t end) const {
+    return end < words_.tokens().size() && words_.tokens()[end].kind <= TokenKind::kNumber &&
+           !Has(kJoints, words_.WordAt(end));
+  }
+
+  // Whether the rest names single things that are no land.
+  bool IsAnyLeft() {
+    for (std::size_t at = 0; at < words_.tokens().size(); ++at) {
+      words_.GoTo(at);
+      bool plural = false;
+      if (!gone_[at] && !words_.IsLand() && words_.TakeKind(&plural) != nullptr) return true;
+    }
+    return false;
+  }
+
   // "organized chambers, trees, and rocks": each in a grid.
   bool TakeOrderly(std::size_t begin) {
     if (!Has(kOrderly, words_.WordAt(begin))) return false;
@@ -321,8 +355,11 @@ class Taker {
     }
     if (!relation || words_.IsPlace()) return false;
     // It leads to a thing that was named before, or else to land.
+    const std::size_t place_at = words_.at();
     words_.TakePlaceOf();
     const std::size_t target_at = words_.at();
+    // "Near the eastern shore of the lake": on which side of it is not taken.
+    if (target_at > place_at && *relation != ThingRelation::kIn) whole_ = false;
     const ThingTarget target = TakeTarget();
     const bool is_thing = target.wish >= 0;
     if (target.is_nothing()) WarnOfLand(target_at);
@@ -437,6 +474,7 @@ class Taker {
   std::vector<bool> gone_;
   std::vector<ThingWish> things_;
   std::vector<std::string> warnings_;
+  bool whole_ = true;
 };
 
 }  // namespace

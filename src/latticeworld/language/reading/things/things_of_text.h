@@ -16,6 +16,8 @@ struct TextThings {
   std::string rest;   // what is left for readers of land; the text itself where there are no things
   std::string taken;  // the words that were taken out
   std::vector<std::string> warnings;  // of kinds that only come near a noun, of land that is none
+  // Whether they are all single things of the text, with all that is said of them.
+  bool whole = true;
 };
 
 // Takes the noun phrases of single things out of a text, with how and where the things stand:
