@@ -178,6 +178,8 @@ TEST_F(CheckedReaderTest, WordsOfASingleThingAddNoLand) {
     EXPECT_EQ(letters.find_first_of("BD"), std::string::npos)
         << letters << ": " << Join(reading.sentences, ". ");
     EXPECT_EQ(std::count(letters.begin(), letters.end(), 'F'), 1) << Join(reading.sentences, ". ");
+    for (const Claim& claim : reading.second)
+      EXPECT_TRUE(claim.subject != 'B' && claim.subject != 'D') << "it is not missed either";
   }
 }
 

@@ -64,7 +64,8 @@ class CheckedReader final : public InstructionReader {
     if (checks_ && !of_things && LogOddsOfModel(evidence.front()) < -kLogOddsOfCompletion) {
       std::swap(first, second);
     } else if (checks_) {
-      LW_ASSIGN_OR_RETURN(first, Completed(request, std::move(first), second));
+      second.plan.claims = WithoutThings(std::move(second.plan.claims), request, first.plan.things);
+      LW_ASSIGN_OR_RETURN(first, Completed(request, std::move(first), second.plan.claims));
     }
     first.second = std::move(second.plan.claims);
     first.evidence = std::move(evidence);

@@ -1,6 +1,7 @@
 #include "latticeworld/language/reading/land_completion.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
@@ -113,17 +114,23 @@ LandNames NamesOf(const std::vector<PlannedFeature>& features) {
 
 }  // namespace
 
+std::vector<Claim> WithoutThings(std::vector<Claim> claims, const LayoutRequest& request,
+                                 const std::vector<ThingWish>& things) {
+  const std::set<char> of_things = ClassesOfThings(request.instruction, things, request.vocabulary);
+  const auto is_of_thing = [&of_things](const Claim& claim) {
+    return of_things.count(claim.subject) + of_things.count(claim.object) > 0;
+  };
+  claims.erase(std::remove_if(claims.begin(), claims.end(), is_of_thing), claims.end());
+  return claims;
+}
+
 Result<LayoutReading> Completed(const LayoutRequest& request, LayoutReading reading,
-                                const LayoutReading& second) {
+                                const std::vector<Claim>& second) {
   const Named named(reading.plan.claims);
   if (!reading.of_sentences || named.Has(ClaimKind::kRest)) return reading;
-  const std::set<char> of_things =
-      ClassesOfThings(request.instruction, reading.plan.things, request.vocabulary);
   std::vector<Claim> missing;
-  for (const Claim& claim : second.plan.claims) {
-    const bool is_of_thing = of_things.count(claim.subject) + of_things.count(claim.object) > 0;
-    if (named.Lacks(claim) && !is_of_thing) missing.push_back(claim);
-  }
+  std::copy_if(second.begin(), second.end(), std::back_inserter(missing),
+               [&named](const Claim& claim) { return named.Lacks(claim); });
   if (missing.empty()) return reading;
   std::vector<std::string> sentences = reading.sentences;
   for (std::string& sentence :

@@ -1,21 +1,29 @@
 #ifndef LATTICEWORLD_LANGUAGE_READING_LAND_COMPLETION_H_
 #define LATTICEWORLD_LANGUAGE_READING_LAND_COMPLETION_H_
 
+#include <vector>
+
 #include "latticeworld/language/generator.h"
 #include "latticeworld/language/reading/instruction_reader.h"
+#include "latticeworld/layout/claims/claims.h"
+#include "latticeworld/layout/thing_wish.h"
 
 namespace latticeworld {
 
-// Adds to a model's reading, as sentences, what a second reading of the same text says and it says
-// nothing of:
+// Returns the claims of a second reading without those of classes that the text names by single
+// things of the first alone ("a wooden pier", which is a building to others).
+std::vector<Claim> WithoutThings(std::vector<Claim> claims, const LayoutRequest& request,
+                                 const std::vector<ThingWish>& things);
+
+// Adds to a model's reading, as sentences, what the claims of a second reading of the same text say
+// and it says nothing of:
 //  - classes of land that it does not name, but not the numbers of their pieces;
 //  - the shape of a class and how it lies to others, where it says no such thing of the class;
-//  - an order of classes, and which class there is most of, where it says none;
-// but nothing of words that it takes for a single thing ("a pier", which is a building to others).
+//  - an order of classes, and which class there is most of, where it says none.
 // It stays as it is where it says what the rest of the land is, and where it was not made of
 // sentences.
 Result<LayoutReading> Completed(const LayoutRequest& request, LayoutReading reading,
-                                const LayoutReading& second);
+                                const std::vector<Claim>& second);
 
 }  // namespace latticeworld
 

@@ -105,6 +105,15 @@ TEST(ThingsOfSentencesTest, WhatIsNewOnBothSidesIsMadeOnce) {
   EXPECT_EQ(things[1].distance_m, 20.0);
 }
 
+TEST(ThingsOfSentencesTest, PluralsThatAreNoLandAreSeveralThings) {
+  const std::vector<ThingWish> things = Read("Lamps are along the road. The lamps are in a row.");
+  ASSERT_EQ(things.size(), 1u);
+  EXPECT_EQ(things[0].kind, "lamp");
+  EXPECT_GE(things[0].count, 2);
+  EXPECT_EQ(things[0].relation, ThingRelation::kAlong);
+  EXPECT_EQ(things[0].arrangement, ThingArrangement::kRow);
+}
+
 TEST(ThingsOfSentencesTest, BarePluralsAndBridgesAreLand) {
   EXPECT_TRUE(Read("Trees are on both sides of the river. A bridge is over the river.").empty());
 }

@@ -17,6 +17,8 @@
 namespace latticeworld {
 namespace {
 
+constexpr int kSome = 5;  // of what is said in the plural without a number
+
 struct RelationForm {
   std::string_view form;
   ThingRelation relation;
@@ -65,6 +67,11 @@ ThingWish NewWish(const ThingKind& kind, const Phrase& thing, const std::string&
   wish.words = words;
   for (const Phrase* size : thing.FindAll("size")) wish.size *= SizeOf(size->text);
   wish.size = std::clamp(wish.size, 0.2, 5.0);
+  if (!IsSaidSingly(thing) && thing.Has("object_s")) {  // "lamps"
+    wish.count = kSome;
+    wish.count_least = 2;
+    wish.count_most = kMostThings;
+  }
   if (const Phrase* quantity = thing.Find("quantity"); quantity != nullptr) {
     const CountMatch count = *NounOf(thing).qualities.count;
     const bool open = count.most == CountMatch::kUnbounded;
@@ -90,7 +97,8 @@ int SentenceThings::WishOf(const Phrase& thing, const std::string& words) {
   const bool single = IsSaidSingly(thing);
   if (!single) {
     if (const int known = Known(kind->name); known >= 0) return known;
-    if (!StartsWith(thing.text, "the ")) return -1;
+    const bool is_land = NounOf(thing).noun != nullptr;
+    if (!StartsWith(thing.text, "the ") && is_land) return -1;
   }
   if (wishes_.size() >= static_cast<std::size_t>(kMostThingWishes)) return -1;
   wishes_.push_back(NewWish(*kind, thing, words));

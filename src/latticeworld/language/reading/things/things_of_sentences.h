@@ -11,8 +11,9 @@
 namespace latticeworld {
 
 // SentenceThings gathers what sentences of the small language say of single things: objects with an
-// article or a number ("a well", "3 trees", "the church"). Bare plurals ("trees are on both sides
-// of the river") are land, and this class leaves bridges and fords to other readers.
+// article or a number ("a well", "3 trees", "the church"), and what is no land in the plural
+// ("lamps"). Other bare plurals ("trees are on both sides of the river") are land, and this class
+// leaves bridges and fords to other readers.
 class SentenceThings {
  public:
   explicit SentenceThings(Vocabulary vocabulary) : vocabulary_(vocabulary) {}
