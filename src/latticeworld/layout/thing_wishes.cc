@@ -1,19 +1,56 @@
 #include "latticeworld/layout/thing_wishes.h"
 
+#include <array>
 #include <cmath>
+#include <functional>
 
 #include "latticeworld/layout/thing_kinds.h"
 
 namespace latticeworld {
 
+namespace {
+
+std::array<ThingTarget*, 3> TargetsOf(ThingWish* wish) {
+  return {&wish->target, &wish->second, &wish->facing};
+}
+std::array<int, 3> TargetsOf(const ThingWish& wish) {
+  return {wish.target.wish, wish.second.wish, wish.facing.wish};
+}
+
+}  // namespace
+
 void AppendWishes(const std::vector<ThingWish>& wishes, std::vector<ThingWish>* to) {
   const int before = static_cast<int>(to->size());
   for (const ThingWish& wish : wishes) {
     to->push_back(wish);
-    if (wish.target.wish >= 0) to->back().target.wish += before;
-    if (wish.second.wish >= 0) to->back().second.wish += before;
-    if (wish.facing.wish >= 0) to->back().facing.wish += before;
+    for (ThingTarget* target : TargetsOf(&to->back()))
+      if (target->wish >= 0) target->wish += before;
   }
+}
+
+bool LeadsTo(const std::vector<ThingWish>& wishes, int from, int to) {
+  if (from == to) return true;
+  for (const int target : TargetsOf(wishes[static_cast<std::size_t>(from)]))
+    if (target >= 0 && LeadsTo(wishes, target, to)) return true;
+  return false;
+}
+
+std::vector<ThingWish> TargetsFirst(const std::vector<ThingWish>& wishes) {
+  std::vector<int> places(wishes.size(), -1);
+  std::vector<ThingWish> ordered;
+  const std::function<void(int)> put = [&](int index) {
+    int& place = places[static_cast<std::size_t>(index)];
+    if (place >= 0) return;
+    const ThingWish& wish = wishes[static_cast<std::size_t>(index)];
+    for (const int target : TargetsOf(wish))
+      if (target >= 0) put(target);
+    place = static_cast<int>(ordered.size());
+    ordered.push_back(wish);
+    for (ThingTarget* target : TargetsOf(&ordered.back()))
+      if (target->wish >= 0) target->wish = places[static_cast<std::size_t>(target->wish)];
+  };
+  for (std::size_t i = 0; i < wishes.size(); ++i) put(static_cast<int>(i));
+  return ordered;
 }
 
 double HeadingOf(ThingSide side) {

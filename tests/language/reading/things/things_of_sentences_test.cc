@@ -105,6 +105,31 @@ TEST(ThingsOfSentencesTest, WhatIsNewOnBothSidesIsMadeOnce) {
   EXPECT_EQ(things[1].distance_m, 20.0);
 }
 
+TEST(ThingsOfSentencesTest, WhatStandsByWhatIsSaidLaterStandsBehindIt) {
+  const std::vector<ThingWish> things =
+      Read("A bench. 3 tents are in a row. The tents surround a well. The bench faces the tower.");
+  ASSERT_EQ(things.size(), 4u);
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    EXPECT_LT(things[i].target.wish, static_cast<int>(i));
+    EXPECT_LT(things[i].facing.wish, static_cast<int>(i));
+  }
+  EXPECT_EQ(things[static_cast<std::size_t>(things[3].target.wish)].kind, "well");
+  EXPECT_EQ(things[static_cast<std::size_t>(things[1].facing.wish)].kind, "tower");
+  const std::string in_a_circle = "A well is near the tower. The tower is near the well.";
+  const LayoutPlan plan = LayoutOfSentences(SplitSentences(in_a_circle), Vocabulary::kSuburb);
+  EXPECT_EQ(plan.things.size(), 2u);
+  ASSERT_EQ(plan.warnings.size(), 1u);
+  EXPECT_NE(plan.warnings[0].find("stands by it already"), std::string::npos) << plan.warnings[0];
+}
+
+TEST(ThingsOfSentencesTest, BenchesOfAPondAreOnItsShore) {
+  const std::vector<ThingWish> things =
+      Read("2 benches are inside the pond. A boulder is inside the pond.");
+  ASSERT_EQ(things.size(), 2u);
+  EXPECT_EQ(things[0].relation, ThingRelation::kNear);
+  EXPECT_EQ(things[1].relation, ThingRelation::kIn);
+}
+
 TEST(ThingsOfSentencesTest, PluralsThatAreNoLandAreSeveralThings) {
   const std::vector<ThingWish> things = Read("Lamps are along the road. The lamps are in a row.");
   ASSERT_EQ(things.size(), 1u);

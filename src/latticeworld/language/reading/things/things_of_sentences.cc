@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "latticeworld/language/reading/things/land_by_things.h"
 #include "latticeworld/language/reading/things/sentence_things.h"
 #include "latticeworld/language/tokens.h"
+#include "latticeworld/layout/class_letters.h"
 #include "latticeworld/layout/thing_kinds.h"
 #include "latticeworld/layout/thing_wishes.h"
 
@@ -44,6 +46,13 @@ const ThingKind* KindOf(const Phrase& thing, Vocabulary vocabulary) {
   const NounPhrase phrase = NounOf(thing);
   if (phrase.noun == nullptr || phrase.noun->LetterIn(vocabulary) != '\0') return nullptr;
   return FindThingKind(phrase.noun->phrase);
+}
+
+// A pond with benches has them on its shore.
+bool StandsInWater(std::string_view kind) {
+  constexpr std::string_view kKinds[] = {"stone", "boulder", "loose stone", "tower", "ruin",
+                                         "pier",  "log",     "wall",        "crate", "post"};
+  return std::find(std::begin(kKinds), std::end(kKinds), kind) != std::end(kKinds);
 }
 
 double SizeOf(std::string_view word) {
@@ -139,21 +148,25 @@ bool SentenceThings::Relate(const Sentence& sentence, ThingWish wish, int index,
   }
   const ThingTarget target = beside >= 0 ? ThingTarget{'\0', beside} : TargetOf(*to, words);
   if (target.is_nothing()) return false;
-  // A target that is said after what stands by it goes first.
-  if (target.wish >= index) {
-    warnings_.push_back("heard in part: " + Quote(words) + ": say first what it is to stand by");
+  if (target.wish >= 0 && LeadsTo(wishes_, target.wish, index)) {
+    warnings_.push_back("heard in part: " + Quote(words) +
+                        ": what it is to stand by stands by it already");
     return true;
   }
   if (form == "facing") {
     wish.facing = target;
   } else {
     wish.relation = found->relation;
+    const bool in_water =
+        wish.relation == ThingRelation::kIn && target.letter == class_letter::kWater;
+    if (in_water && !StandsInWater(wish.kind)) wish.relation = ThingRelation::kNear;
     wish.target = target;
     if (wish.relation == ThingRelation::kBetween) {
       const Phrase* other = sentence.whole.Find("z");
       wish.second = other != nullptr ? TargetOf(*other, words) : target;
       const bool among_things = other == nullptr && target.wish >= 0;
-      if (wish.second.is_nothing() || wish.second.wish >= index || among_things) return false;
+      const bool by_itself = wish.second.wish >= 0 && LeadsTo(wishes_, wish.second.wish, index);
+      if (wish.second.is_nothing() || by_itself || among_things) return false;
     }
     if (form == "heading") {
       wish.side = *FromName<ThingSide>(sentence.whole.Find("heading")->text);
@@ -187,6 +200,7 @@ bool SentenceThings::Say(const Sentence& sentence, const std::string& words) {
     if (sentence.Says("every")) wish.spacing_m = NumberOf(*sentence.whole.FindAll("n").back());
     return true;
   }
+  if (form == "scattered") return true;  // as they are anyway
   if (form == "grid" || form == "together") {
     wish.arrangement = form == "grid" ? ThingArrangement::kGrid : ThingArrangement::kCluster;
     return true;

@@ -48,6 +48,8 @@ constexpr std::string_view kOpenings[] = {"in",       "on",     "at",      "by",
                                           "next",     "beside", "between", "behind", "along",
                                           "under",    "around", "inside",  "above",  "to",
                                           "opposite", "not",    "close",   "across", "from"};
+// Words before a thing by which it is in or at what stands before them: "a village with a well".
+constexpr std::string_view kOwners[] = {"with", "has", "have", "having"};
 constexpr std::string_view kJoints[] = {"and", "with", "but"};
 
 class Taker {
@@ -75,12 +77,16 @@ class Taker {
   }
 
  private:
-  // Whether words of the same sentence before a thing say where it is.
+  // Whether words of the same sentence before the last thing say where it is.
   bool IsToldBefore(std::size_t begin) const {
     std::size_t first = begin;
     while (first > 0 && words_.tokens()[first - 1].kind != TokenKind::kStop) --first;
-    return first < begin &&
-           (Has(kOpenings, words_.WordAt(first)) || words_.WordAt(begin - 1) == "of");
+    if (first == begin) return false;
+    const std::string_view before = words_.WordAt(begin - 1);
+    const ThingWish& wish = things_.back();
+    const bool is_open = wish.relation == ThingRelation::kNone && wish.zone.is_anywhere();
+    return Has(kOpenings, words_.WordAt(first)) || before == "of" ||
+           (is_open && Has(kOwners, before));
   }
 
   // Whether more is said of a thing than was taken.
