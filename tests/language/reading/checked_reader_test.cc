@@ -21,9 +21,10 @@ bool Has(const std::vector<std::string>& sentences, const std::string& sentence)
 
 class CheckedReaderTest : public testing::Test {
  protected:
-  LayoutReading ReadLayout(const std::string& text) {
+  LayoutReading ReadLayout(const std::string& text, Vocabulary vocabulary = Vocabulary::kSuburb) {
     LayoutRequest request;
     request.instruction = text;
+    request.vocabulary = vocabulary;
     return reader_->ReadLayout(request, Progress(), &replies_).value();
   }
   EnvironmentReading ReadEnvironment(const std::string& text) {
@@ -181,6 +182,15 @@ TEST_F(CheckedReaderTest, WordsOfASingleThingAddNoLand) {
     for (const Claim& claim : reading.second)
       EXPECT_TRUE(claim.subject != 'B' && claim.subject != 'D') << "it is not missed either";
   }
+}
+
+// A church is of no class there.
+TEST_F(CheckedReaderTest, LandIsCompletedBesideThingsOfTheWildVocabulary) {
+  server_->Say("A church is near the lake.");
+  const LayoutReading reading =
+      ReadLayout("At the edge of a lake there is a church, and a forest lies in the south-west.",
+                 Vocabulary::kWild);
+  EXPECT_TRUE(Has(reading.sentences, "Forest")) << Join(reading.sentences, ". ");
 }
 
 TEST_F(CheckedReaderTest, AnEnvironmentIsCompleted) {

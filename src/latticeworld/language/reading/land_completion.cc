@@ -94,6 +94,7 @@ std::set<char> ClassesOfThings(std::string_view text, const std::vector<ThingWis
     if (noun != nullptr)
       (at < end_of_thing ? of_things : of_land).insert(noun->LetterIn(vocabulary));
   }
+  of_land.insert('\0');  // nouns of no class in this vocabulary
   for (const char letter : of_land) of_things.erase(letter);
   return of_things;
 }

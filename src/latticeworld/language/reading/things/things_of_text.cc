@@ -42,14 +42,15 @@ bool Has(const List& list, std::string_view word) {
   return std::find(std::begin(list), std::end(list), word) != std::end(list);
 }
 
-// Words that a sentence begins with whose first part says where the thing behind it is, "by the
-// lake stands a bench", and words that may follow all that is said of a thing.
+// A sentence that begins with one of these says where something is before it says what: "by the
+// lake stands a bench".
 constexpr std::string_view kOpenings[] = {"in",       "on",     "at",      "by",     "near",
                                           "next",     "beside", "between", "behind", "along",
                                           "under",    "around", "inside",  "above",  "to",
                                           "opposite", "not",    "close",   "across", "from"};
-// Words before a thing by which it is in or at what stands before them: "a village with a well".
+// What stands before these words has what stands behind them: "a village with a well".
 constexpr std::string_view kOwners[] = {"with", "has", "have", "having"};
+// These words may follow all that is said of a thing.
 constexpr std::string_view kJoints[] = {"and", "with", "but"};
 
 class Taker {
@@ -91,8 +92,9 @@ class Taker {
 
   // Whether more is said of a thing than was taken.
   bool IsToldAfter(std::size_t end) const {
-    return end < words_.tokens().size() && words_.tokens()[end].kind <= TokenKind::kNumber &&
-           !Has(kJoints, words_.WordAt(end));
+    if (end >= words_.tokens().size() || Has(kJoints, words_.WordAt(end))) return false;
+    const TokenKind kind = words_.tokens()[end].kind;
+    return kind == TokenKind::kWord || kind == TokenKind::kNumber;
   }
 
   // Whether the rest names single things that are no land.
