@@ -137,6 +137,26 @@ TEST(ThingsTest, WhatIsBetweenTwoThingsStandsBesideARoadInTheirMidst) {
   }
 }
 
+TEST(ThingsTest, TwoTowersAroundAGateStandToItsLeftAndToItsRight) {
+  std::vector<ThingWish> wishes = {Wish("gate"), Wish("tower", 2)};
+  wishes[0].position = WorldPoint{-20.0, 10.0};
+  wishes[0].heading_rad = 0.5;
+  wishes[1].relation = ThingRelation::kAround;
+  wishes[1].target.wish = 0;
+  const SceneAnswer answer = BuildWith(wishes, 1);
+  ASSERT_EQ(answer.scene->things.size(), 3u);
+  double left_m = 1.0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    const WorldPoint tower = answer.scene->things[i].position;
+    const double dx_m = tower.x_m + 20.0, dy_m = tower.y_m - 10.0;
+    EXPECT_NEAR(dx_m * std::cos(0.5) + dy_m * std::sin(0.5), 0.0, 1.0)
+        << "neither before nor behind";
+    left_m *= dy_m * std::cos(0.5) - dx_m * std::sin(0.5);
+  }
+  EXPECT_LT(left_m, 0.0) << "on two sides";
+  ExpectAllHold(answer, wishes);
+}
+
 TEST(ThingsTest, ABuildingInAVillageTakesThePlaceOfAHouse) {
   ThingWish church = Wish("church");
   church.relation = ThingRelation::kIn;

@@ -376,7 +376,8 @@ class Measurer {
 
   // No gap between directions is half a turn, where there are three or more.
   bool IsAround() const {
-    if (of_->places.size() < 3) return true;
+    constexpr double kOfTwo_rad = 1.25 * M_PI;
+    if (of_->places.size() < 2) return true;
     WorldPoint centre = MiddleOf(of_->places);
     if (wish_->target.wish >= 0) {
       centre = standing_[static_cast<std::size_t>(wish_->target.wish)].places.front();
@@ -390,7 +391,7 @@ class Measurer {
     for (std::size_t i = 1; i < headings.size(); ++i) {
       most = std::max(most, headings[i] - headings[i - 1]);
     }
-    return most < M_PI;
+    return most < (of_->places.size() == 2 ? kOfTwo_rad : M_PI);
   }
 
   // Returns the angle between a front and the nearest ray, of those every 5 degrees, that meets the

@@ -334,9 +334,10 @@ std::vector<ThingSites::Slot> ThingSites::AroundThing(int count, double turn_rad
   const double gap_m = wish_.distance_m > 0.0 ? wish_.distance_m : kUsualGap_m + own_.half_length_m;
   const double with_room_m = count * (2.0 * OwnRadius() + 0.3) / (2.0 * M_PI);
   const double radius_m = std::max(target.radius_m() + gap_m, with_room_m);
+  const double first_rad = target.yaw_rad + turn_rad + (count == 2 ? kQuarter_rad : 0.0);
   std::vector<Slot> slots;
   for (int i = 0; i < count; ++i) {
-    const double out_rad = target.yaw_rad + turn_rad + 2.0 * M_PI * i / count;
+    const double out_rad = first_rad + 2.0 * M_PI * i / count;
     slots.push_back({Moved(target.centre, out_rad, radius_m), out_rad + M_PI});
   }
   return slots;

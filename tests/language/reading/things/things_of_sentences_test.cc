@@ -122,6 +122,17 @@ TEST(ThingsOfSentencesTest, WhatStandsByWhatIsSaidLaterStandsBehindIt) {
   EXPECT_NE(plan.warnings[0].find("stands by it already"), std::string::npos) << plan.warnings[0];
 }
 
+TEST(ThingsOfSentencesTest, WhatIsOnBothSidesOfAThingIsAroundIt) {
+  const std::vector<ThingWish> things =
+      Read("A gate. Towers are on both sides of the gate. A lamp is on both sides of the road.");
+  ASSERT_EQ(things.size(), 2u) << "towers without a number are buildings";
+  const std::vector<ThingWish> counted = Read("A gate. 2 towers are on both sides of the gate.");
+  ASSERT_EQ(counted.size(), 2u);
+  EXPECT_EQ(counted[1].relation, ThingRelation::kAround);
+  EXPECT_EQ(counted[1].target.wish, 0);
+  EXPECT_EQ(things[1].relation, ThingRelation::kAlong);
+}
+
 TEST(ThingsOfSentencesTest, BenchesOfAPondAreOnItsShore) {
   const std::vector<ThingWish> things =
       Read("2 benches are inside the pond. A boulder is inside the pond.");

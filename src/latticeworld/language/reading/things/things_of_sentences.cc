@@ -157,6 +157,10 @@ bool SentenceThings::Relate(const Sentence& sentence, ThingWish wish, int index,
     wish.facing = target;
   } else {
     wish.relation = found->relation;
+    if (form == "both_sides" && target.wish >= 0) {  // of a gate: one to its left, one to its right
+      wish.relation = ThingRelation::kAround;
+      wish.count = wish.count_least = wish.count_most = std::max(2, wish.count);
+    }
     const bool in_water =
         wish.relation == ThingRelation::kIn && target.letter == class_letter::kWater;
     if (in_water && !StandsInWater(wish.kind)) wish.relation = ThingRelation::kNear;
