@@ -53,6 +53,16 @@ std::vector<ThingWish> TargetsFirst(const std::vector<ThingWish>& wishes) {
   return ordered;
 }
 
+void StandByWhatTheyFace(std::vector<ThingWish>* wishes) {
+  for (ThingWish& wish : *wishes) {
+    const bool is_open = wish.relation == ThingRelation::kNone && wish.zone.is_anywhere() &&
+                         !wish.position.has_value();
+    if (!is_open || wish.facing.is_nothing()) continue;
+    wish.relation = ThingRelation::kNear;
+    wish.target = wish.facing;
+  }
+}
+
 double HeadingOf(ThingSide side) {
   const int eighths = static_cast<int>(side) - static_cast<int>(ThingSide::kEast);
   return eighths * M_PI / 4.0;

@@ -14,6 +14,8 @@ bool LeadsTo(const std::vector<ThingWish>& wishes, int from, int to);
 // Puts each wish behind those that it stands by or faces; for the rest they keep their order. None
 // may lead to itself.
 std::vector<ThingWish> TargetsFirst(const std::vector<ThingWish>& wishes);
+// Puts what faces something, and is said to stand nowhere, near it.
+void StandByWhatTheyFace(std::vector<ThingWish>* wishes);
 // Returns the heading from a target to its side [rad], 0 east and counter-clockwise; not of kAny.
 double HeadingOf(ThingSide side);
 // Gives a fence, hedge or wall along or around something, of which no number was said, as many

@@ -162,6 +162,14 @@ TEST_F(CheckedReaderTest, ThingsOfWhichTheRulesUnderstandAPartAreTheModels) {
   EXPECT_EQ(ReadLayout("A bench behind the well.").plan.things.size(), 2u) << "the rules'";
 }
 
+// The rules take hut and pine for houses and a forest, which is more land than the model has.
+TEST_F(CheckedReaderTest, LandThatIsSingleThingsSpeaksForNoReading) {
+  server_->Say("A tiny hut touches the pond. 1 pine is near the hut.");
+  const LayoutReading reading =
+      ReadLayout("I want a pond with a tiny hut beside it. Behind the hut there is one tall pine.");
+  EXPECT_EQ(reading.plan.things.size(), 2u) << Join(reading.sentences, ". ");
+}
+
 // To the rules a pier is a building, an oak a forest and stone rock.
 TEST_F(CheckedReaderTest, WordsOfASingleThingAddNoLand) {
   const std::pair<const char*, const char*> texts[] = {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -133,6 +134,29 @@ TEST(ThingsTest, WhatIsBetweenTwoThingsStandsBesideARoadInTheirMidst) {
     const WorldPoint well = answer.scene->things[2].position;
     EXPECT_GT(std::abs(well.x_m - 20.0), 3.0) << "half the road's width";
     EXPECT_LT(std::hypot(well.x_m - 20.0, well.y_m), 20.0);
+    ExpectAllHold(answer, wishes);
+  }
+}
+
+TEST(ThingsTest, ABenchBetweenLampsStandsBetweenTwoOfThem) {
+  std::vector<ThingWish> wishes = {Wish("lamp", 3), Wish("bench")};
+  wishes[0].arrangement = ThingArrangement::kRow;
+  wishes[0].spacing_m = 12.0;
+  wishes[1].relation = ThingRelation::kBetween;
+  wishes[1].target.wish = wishes[1].second.wish = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const SceneAnswer answer = BuildWith(wishes, seed);
+    ASSERT_EQ(answer.scene->things.size(), 4u);
+    const WorldPoint bench = answer.scene->things[3].position;
+    double nearest_m = 1e9;
+    for (int i = 0; i < 2; ++i) {
+      const WorldPoint a = answer.scene->things[static_cast<std::size_t>(i)].position;
+      const WorldPoint b = answer.scene->things[static_cast<std::size_t>(i) + 1].position;
+      nearest_m = std::min(nearest_m, std::hypot(0.5 * (a.x_m + b.x_m) - bench.x_m,
+                                                 0.5 * (a.y_m + b.y_m) - bench.y_m));
+    }
+    EXPECT_LT(nearest_m, 5.0) << "from the middle of two that are 12 m apart";
     ExpectAllHold(answer, wishes);
   }
 }

@@ -57,14 +57,17 @@ class CheckedReader final : public InstructionReader {
     LW_ASSIGN_OR_RETURN(LayoutReading first, first_->ReadLayout(request, progress, replies));
     if (IsSmallLanguage(first, *replies, asked)) return first;
     LW_ASSIGN_OR_RETURN(LayoutReading second, second_->ReadLayout(request, progress, replies));
+    // What the rules take for land where the model has single things counts only for the rules.
+    std::vector<Claim> claims = second.plan.claims;
+    second.plan.claims = WithoutThings(claims, request, first.plan.things);
     std::vector<ReadingEvidence> evidence = EvidenceOf(first, second, request.vocabulary);
     // Single things that a model reads make no claims of land.
     const bool of_things = evidence.front().claims == 0 && evidence.front().second_claims == 0 &&
                            !first.plan.things.empty();
     if (checks_ && !of_things && LogOddsOfModel(evidence.front()) < -kLogOddsOfCompletion) {
+      second.plan.claims = std::move(claims);
       std::swap(first, second);
     } else if (checks_) {
-      second.plan.claims = WithoutThings(std::move(second.plan.claims), request, first.plan.things);
       LW_ASSIGN_OR_RETURN(first, Completed(request, std::move(first), second.plan.claims));
     }
     first.second = std::move(second.plan.claims);

@@ -272,7 +272,8 @@ class Measurer {
   }
 
   // The headings from a place in which one of the two is met: of a thing or the nearest of a class;
-  // where both are of one class, all of every 10 degrees.
+  // where both are of one class, all of every 10 degrees; where both are of one wish, of each
+  // thing.
   std::vector<double> HeadingsToEither(WorldPoint place) {
     std::vector<double> headings_rad;
     const char letter = wish_->target.letter;
@@ -286,6 +287,11 @@ class Measurer {
         }
         if (scene_.geometry().Contains(at)) headings_rad.push_back(heading_rad);
       }
+      return headings_rad;
+    }
+    if (wish_->target.wish >= 0 && wish_->target.wish == wish_->second.wish) {
+      for (const WorldPoint& at : standing_[static_cast<std::size_t>(wish_->target.wish)].places)
+        headings_rad.push_back(std::atan2(at.y_m - place.y_m, at.x_m - place.x_m));
       return headings_rad;
     }
     for (const ThingTarget& target : {wish_->target, wish_->second}) {

@@ -222,6 +222,8 @@ ThingSites::Anchor ThingSites::BesideThing(double depth_m, RandomStream* random)
 ThingSites::Anchor ThingSites::Between(RandomStream* random) const {
   if (wish_.target.letter != '\0' && wish_.target.letter == wish_.second.letter)
     return BetweenPieces(random);
+  if (wish_.target.wish >= 0 && wish_.target.wish == wish_.second.wish)
+    return BetweenThings(random);
   WorldPoint from;
   if (wish_.target.wish >= 0) {
     const auto& all = standing_[static_cast<std::size_t>(wish_.target.wish)];
@@ -232,6 +234,25 @@ ThingSites::Anchor ThingSites::Between(RandomStream* random) const {
   }
   const WorldPoint to = *NearestOf(wish_.second, from);
   from = *NearestOf(wish_.target, to);
+  return BetweenPoints(from, to);
+}
+
+// "Between the lamps": one of them and the one that stands nearest to it; alone, by the only one.
+ThingSites::Anchor ThingSites::BetweenThings(RandomStream* random) const {
+  const auto& all = standing_[static_cast<std::size_t>(wish_.target.wish)];
+  if (all.size() < 2) return BesideThing(0.0, random);
+  const auto first =
+      static_cast<std::size_t>(random->UniformInt(0, static_cast<int>(all.size()) - 1));
+  std::size_t nearest = first == 0 ? 1 : 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool is_nearer = Distance(all[i].centre, all[first].centre) <
+                           Distance(all[nearest].centre, all[first].centre);
+    if (i != first && is_nearer) nearest = i;
+  }
+  return BetweenPoints(all[first].centre, all[nearest].centre);
+}
+
+ThingSites::Anchor ThingSites::BetweenPoints(WorldPoint from, WorldPoint to) {
   const WorldPoint middle = {0.5 * (from.x_m + to.x_m), 0.5 * (from.y_m + to.y_m)};
   return {middle, HeadingTo(to, from), true, 0.5 * kOfHalfWay * Distance(from, to)};
 }

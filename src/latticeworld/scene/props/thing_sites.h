@@ -71,6 +71,8 @@ class ThingSites {
   Anchor BesideThing(double depth_m, RandomStream* random) const;
   Anchor Between(RandomStream* random) const;
   Anchor BetweenPieces(RandomStream* random) const;
+  Anchor BetweenThings(RandomStream* random) const;
+  static Anchor BetweenPoints(WorldPoint from, WorldPoint to);
   std::vector<Slot> Arrange(const Anchor& anchor, int count, double turn_rad) const;
   std::vector<Slot> AroundThing(int count, double turn_rad) const;
   std::vector<Slot> RunAroundThing(int most) const;

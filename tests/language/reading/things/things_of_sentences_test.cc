@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "latticeworld/language/reading/layout_of_sentences.h"
@@ -131,6 +132,39 @@ TEST(ThingsOfSentencesTest, WhatIsOnBothSidesOfAThingIsAroundIt) {
   EXPECT_EQ(counted[1].relation, ThingRelation::kAround);
   EXPECT_EQ(counted[1].target.wish, 0);
   EXPECT_EQ(things[1].relation, ThingRelation::kAlong);
+}
+
+TEST(ThingsOfSentencesTest, WhatFacesSomethingAndHasNoOtherPlaceIsNearIt) {
+  const std::vector<ThingWish> things =
+      Read("2 benches face the lake. A church in the west. The church faces the lake.");
+  ASSERT_EQ(things.size(), 2u);
+  EXPECT_EQ(things[0].relation, ThingRelation::kNear);
+  EXPECT_EQ(things[0].target.letter, 'W');
+  EXPECT_EQ(things[1].relation, ThingRelation::kNone);
+}
+
+TEST(ThingsOfSentencesTest, AThingStandsByOneThingRatherThanByLand) {
+  const auto target_of = [](const std::string& text) {
+    const LayoutPlan plan = LayoutOfSentences(SplitSentences(text), Vocabulary::kSuburb);
+    return std::pair(plan.things.back().target, plan.warnings.size());
+  };
+  const auto [first, told] =
+      target_of("A well. A crate is near the well. The crate is near the road.");
+  EXPECT_EQ(first.wish, 0);
+  EXPECT_EQ(told, 1u) << "that it is near the road is lost";
+  const auto [second, none] =
+      target_of("A well. A crate is inside the village. The crate is near the well.");
+  EXPECT_EQ(second.wish, 0);
+  EXPECT_EQ(none, 0u);
+  EXPECT_EQ(target_of("A crate is near the lake. The crate is near the road.").first.letter, 'W');
+}
+
+TEST(ThingsOfSentencesTest, ThingsMayBeBetweenThingsOfOneSentence) {
+  const std::vector<ThingWish> things = Read("3 lamps. A bench is between the lamps.");
+  ASSERT_EQ(things.size(), 2u);
+  EXPECT_EQ(things[1].relation, ThingRelation::kBetween);
+  EXPECT_EQ(things[1].target.wish, 0);
+  EXPECT_EQ(things[1].second.wish, 0);
 }
 
 TEST(ThingsOfSentencesTest, BenchesOfAPondAreOnItsShore) {

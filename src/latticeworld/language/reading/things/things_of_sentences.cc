@@ -153,10 +153,20 @@ bool SentenceThings::Relate(const Sentence& sentence, ThingWish wish, int index,
                         ": what it is to stand by stands by it already");
     return true;
   }
+  const bool stands_elsewhere =
+      wish.relation != ThingRelation::kNone &&
+      (wish.target.wish != target.wish || wish.target.letter != target.letter);
   if (form == "facing") {
     wish.facing = target;
+  } else if (stands_elsewhere && (wish.target.wish >= 0 || target.wish < 0)) {
+    warnings_.push_back("heard in part: " + Quote(words) + ": it stands by something else already");
+    return true;
   } else {
     wish.relation = found->relation;
+    if (stands_elsewhere) {  // another thing says more exactly where than land does
+      wish.side = ThingSide::kAny;
+      wish.distance_m = 0.0;
+    }
     if (form == "both_sides" && target.wish >= 0) {  // of a gate: one to its left, one to its right
       wish.relation = ThingRelation::kAround;
       wish.count = wish.count_least = wish.count_most = std::max(2, wish.count);
@@ -168,9 +178,10 @@ bool SentenceThings::Relate(const Sentence& sentence, ThingWish wish, int index,
     if (wish.relation == ThingRelation::kBetween) {
       const Phrase* other = sentence.whole.Find("z");
       wish.second = other != nullptr ? TargetOf(*other, words) : target;
-      const bool among_things = other == nullptr && target.wish >= 0;
+      const bool alone = other == nullptr && target.wish >= 0 &&
+                         wishes_[static_cast<std::size_t>(target.wish)].count < 2;
       const bool by_itself = wish.second.wish >= 0 && LeadsTo(wishes_, wish.second.wish, index);
-      if (wish.second.is_nothing() || by_itself || among_things) return false;
+      if (wish.second.is_nothing() || by_itself || alone) return false;
     }
     if (form == "heading") {
       wish.side = *FromName<ThingSide>(sentence.whole.Find("heading")->text);
@@ -180,6 +191,12 @@ bool SentenceThings::Relate(const Sentence& sentence, ThingWish wish, int index,
   }
   wishes_[static_cast<std::size_t>(index)] = wish;
   return true;
+}
+
+std::vector<ThingWish> SentenceThings::wishes() const {
+  std::vector<ThingWish> ordered = TargetsFirst(wishes_);
+  StandByWhatTheyFace(&ordered);
+  return ordered;
 }
 
 bool SentenceThings::Say(const Sentence& sentence, const std::string& words) {

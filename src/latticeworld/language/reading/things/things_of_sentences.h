@@ -6,7 +6,6 @@
 
 #include "latticeworld/language/sentences/sentence.h"
 #include "latticeworld/layout/thing_wish.h"
-#include "latticeworld/layout/thing_wishes.h"
 #include "latticeworld/layout/vocabulary.h"
 
 namespace latticeworld {
@@ -22,8 +21,9 @@ class SentenceThings {
   // Reads one sentence. Returns false where the sentence is about land.
   bool Say(const Sentence& sentence, const std::string& words);
 
-  // In an order in which each stands behind what it is to stand by.
-  std::vector<ThingWish> wishes() const { return TargetsFirst(wishes_); }
+  // In an order in which each stands behind what it is to stand by; what faces something and has no
+  // other place stands near it.
+  std::vector<ThingWish> wishes() const;
   const std::vector<std::string>& warnings() const { return warnings_; }
   // The land by which things stand, as it was said, in that order.
   const std::vector<Phrase>& land() const { return land_; }

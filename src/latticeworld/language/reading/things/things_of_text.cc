@@ -44,10 +44,10 @@ bool Has(const List& list, std::string_view word) {
 
 // A sentence that begins with one of these says where something is before it says what: "by the
 // lake stands a bench".
-constexpr std::string_view kOpenings[] = {"in",       "on",     "at",      "by",     "near",
-                                          "next",     "beside", "between", "behind", "along",
-                                          "under",    "around", "inside",  "above",  "to",
-                                          "opposite", "not",    "close",   "across", "from"};
+constexpr std::string_view kOpenings[] = {
+    "in",     "on",    "at",     "by",     "near",  "next", "beside",   "between", "behind",
+    "along",  "under", "around", "inside", "above", "to",   "opposite", "not",     "close",
+    "across", "from",  "just",   "deep",   "all",   "both", "each",     "half"};
 // What stands before these words has what stands behind them: "a village with a well".
 constexpr std::string_view kOwners[] = {"with", "has", "have", "having"};
 // These words may follow all that is said of a thing.
@@ -70,6 +70,7 @@ class Taker {
       taken.rest = text_;
       return taken;
     }
+    StandByWhatTheyFace(&things_);
     taken.things = std::move(things_);
     taken.warnings = std::move(warnings_);
     WriteRest(&taken);
@@ -92,9 +93,9 @@ class Taker {
 
   // Whether more is said of a thing than was taken.
   bool IsToldAfter(std::size_t end) const {
+    if (words_.IsComma(end)) return Has(kOpenings, words_.WordAt(end + 1));
     if (end >= words_.tokens().size() || Has(kJoints, words_.WordAt(end))) return false;
-    const TokenKind kind = words_.tokens()[end].kind;
-    return kind == TokenKind::kWord || kind == TokenKind::kNumber;
+    return words_.tokens()[end].kind != TokenKind::kStop;
   }
 
   // Whether the rest names single things that are no land.
@@ -423,7 +424,11 @@ class Taker {
       return target;
     }
     // Trees are a forest, but a church is one.
-    if (plural || (is_land && (!indefinite || kind->source == ThingSource::kAsset))) return target;
+    if (plural) return target;
+    if (is_land && (!indefinite || kind->source == ThingSource::kAsset)) {
+      whole_ = false;
+      return target;
+    }
     ThingWish wish;
     wish.kind = kind->name;
     things_.push_back(wish);
