@@ -192,6 +192,15 @@ TEST_F(CheckedReaderTest, WordsOfASingleThingAddNoLand) {
   }
 }
 
+TEST_F(CheckedReaderTest, TreesInThePluralAreAForestToo) {
+  server_->Say("The pines touch the lake. A lake in the north.");
+  const LayoutReading reading =
+      ReadLayout("Out of the pines one steps, at once, onto the shore of the lake in the north.");
+  EXPECT_TRUE(std::any_of(reading.plan.features.begin(), reading.plan.features.end(),
+                          [](const PlannedFeature& feature) { return feature.letter == 'F'; }))
+      << Join(reading.sentences, ". ");
+}
+
 // A church is of no class there.
 TEST_F(CheckedReaderTest, LandIsCompletedBesideThingsOfTheWildVocabulary) {
   server_->Say("A church is near the lake.");

@@ -79,6 +79,7 @@ std::set<char> ClassesOfThings(std::string_view text, const std::vector<ThingWis
   const auto is_had = [&](const ThingKind& kind) {
     const char letter = class_of(kind.name);
     return std::any_of(things.begin(), things.end(), [&](const ThingWish& wish) {
+      if (wish.count_most == kMostThings) return false;  // "the pines": a forest as well
       return wish.kind == kind.name || (letter != '\0' && letter == class_of(wish.kind));
     });
   };
