@@ -29,9 +29,17 @@ void AppendWishes(const std::vector<ThingWish>& wishes, std::vector<ThingWish>* 
 }
 
 bool LeadsTo(const std::vector<ThingWish>& wishes, int from, int to) {
-  if (from == to) return true;
-  for (const int target : TargetsOf(wishes[static_cast<std::size_t>(from)]))
-    if (target >= 0 && LeadsTo(wishes, target, to)) return true;
+  std::vector<bool> seen(wishes.size(), false);  // two ways may lead to each: all would be too many
+  std::vector<int> next = {from};
+  while (!next.empty()) {
+    const int index = next.back();
+    next.pop_back();
+    if (index == to) return true;
+    if (index < 0 || seen[static_cast<std::size_t>(index)]) continue;
+    seen[static_cast<std::size_t>(index)] = true;
+    for (const int target : TargetsOf(wishes[static_cast<std::size_t>(index)]))
+      next.push_back(target);
+  }
   return false;
 }
 

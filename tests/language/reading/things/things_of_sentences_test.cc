@@ -123,6 +123,21 @@ TEST(ThingsOfSentencesTest, WhatStandsByWhatIsSaidLaterStandsBehindIt) {
   EXPECT_NE(plan.warnings[0].find("stands by it already"), std::string::npos) << plan.warnings[0];
 }
 
+// Each thing stands by the one before it and faces it: two ways lead on from each.
+TEST(ThingsOfSentencesTest, LongChainsOfThingsAreReadAtOnce) {
+  std::string text = "A tower. ";
+  const char* const kinds[] = {"tower", "well"};
+  for (int i = 1; i < kMostThingWishes; ++i) {
+    const std::string kind = kinds[i % 2], before = kinds[(i + 1) % 2];
+    text +=
+        "A " + kind + " is near the " + before + ". The " + kind + " faces the " + before + ". ";
+  }
+  const std::vector<ThingWish> things = Read(text);
+  ASSERT_EQ(things.size(), static_cast<std::size_t>(kMostThingWishes));
+  EXPECT_EQ(things.back().target.wish, kMostThingWishes - 2);
+  EXPECT_EQ(things.back().facing.wish, kMostThingWishes - 2);
+}
+
 TEST(ThingsOfSentencesTest, WhatIsOnBothSidesOfAThingIsAroundIt) {
   const std::vector<ThingWish> things =
       Read("A gate. Towers are on both sides of the gate. A lamp is on both sides of the road.");

@@ -3,7 +3,6 @@
 #include <map>
 #include <set>
 
-#include "latticeworld/common/text.h"
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/reading/things/sentence_things.h"
 
@@ -17,10 +16,6 @@ char LetterOf(const Phrase& phrase, Vocabulary vocabulary) {
 }
 
 }  // namespace
-
-bool IsSaidSingly(const Phrase& thing) {
-  return thing.Has("quantity") || StartsWith(thing.text, "a ") || StartsWith(thing.text, "an ");
-}
 
 std::vector<LandByThing> LandLeftUnsaid(const std::vector<LandByThing>& by_things,
                                         const std::vector<SaidSentence>& about_land,

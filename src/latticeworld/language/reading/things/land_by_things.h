@@ -23,9 +23,6 @@ struct LandByThing {
   std::size_t end = 0;
 };
 
-// Whether a phrase of slot {thing} has a number or "a" before its noun.
-bool IsSaidSingly(const Phrase& thing);
-
 // Returns the land by things that sentences about land leave unsaid: of each class, the first that
 // is said singly, else the first. A class that is said singly is left unsaid where no sentence
 // about land says it singly, another where none names it.

@@ -57,6 +57,10 @@ std::string_view ClassNoun(std::string_view noun) {
 
 }  // namespace
 
+bool IsSaidSingly(const Phrase& thing) {
+  return thing.Has("quantity") || StartsWith(thing.text, "a ") || StartsWith(thing.text, "an ");
+}
+
 double NumberOf(const Phrase& phrase) { return std::strtod(phrase.text.c_str(), nullptr); }
 
 ShareMatch ShareOf(const Phrase& percent) {

@@ -12,6 +12,9 @@ namespace latticeworld {
 // Returns the number that a phrase of slot {n} says.
 double NumberOf(const Phrase& phrase);
 
+// Whether a phrase of slot {thing} has a number or "a" before its noun.
+bool IsSaidSingly(const Phrase& thing);
+
 // Returns the share of the map that a phrase of slot {percent} means. "30 %" leaves eight points of
 // room to either side; bounds leave none.
 ShareMatch ShareOf(const Phrase& percent);

@@ -9,7 +9,6 @@
 #include "latticeworld/common/text.h"
 #include "latticeworld/language/class_words.h"
 #include "latticeworld/language/reading/sentence_places.h"
-#include "latticeworld/language/reading/things/land_by_things.h"
 #include "latticeworld/language/reading/things/sentence_things.h"
 #include "latticeworld/language/tokens.h"
 #include "latticeworld/layout/class_letters.h"
